@@ -95,22 +95,32 @@ def commands_of_page(text):
 def run_command(root, program, command, wrong):
     """Runs one command line in a folder of its own, where its models stand under their names; `*.glb` finds two."""
     words = shlex.split(command, comments=True)
+    source = words[words.index("<") + 1] if "<" in words else None  # standard input
+    words = words[:next((at for at, word in enumerate(words) if word in ("|", "<", ">")), len(words))]
     words = [name for word in words for name in ((word.replace("*", "a"), word.replace("*", "b")) if "*" in word else (word,))]
     with tempfile.TemporaryDirectory() as temporary:
         folder, is_missing = pathlib.Path(temporary), False
-        for at, word in enumerate(words[1:], 1):
-            option = words[at - 1]
+        for at, word in enumerate(words):
+            option = words[at - 1] if at else ""
             if option in ("-o", "--output"):
-                (folder / word).parent.mkdir(parents=True, exist_ok=True)
+                pass  # the program makes folders
+            elif option == "--config":
+                (folder / word).write_text("[render]\nsamples = 8\n")
             elif words[0] == "compare" and word.endswith("/"):  # a folder of pictures
                 provide(root, folder, word + "picture.png")
             elif words[0] == "compare" and word.endswith(".png"):
                 provide(root, folder, word)
+            elif word.endswith("/"):  # a folder of models
+                provide(root, folder, word + "model.obj")
             elif option.startswith("--texture-") or option in ("--height-map", "--hdri-file") or re.fullmatch(r"[\w./-]+\.(glb|gltf|obj|fbx|dae|stl|ply|3ds|ase|blend|off|x|scene\.toml)", word):
                 is_missing |= not provide(root, folder, word)
-        done = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True, errors="replace", timeout=120,
-                              stdin=subprocess.DEVNULL)
-    allowed = {0} | ({3} if is_missing else set()) | ({5} if "--check" in words else set())  # a check may find something
+        if source:
+            provide(root, folder, source)
+        with open(folder / source if source else "/dev/null", "rb") as piped:
+            done = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True, errors="replace", timeout=120, stdin=piped)
+    checks = any(re.match("--(check$|max-|min-)", word) for word in words) or any(word.endswith(".xml") for word in words)
+    allowed = {0} | ({3} if is_missing else set()) | ({5} if checks else set())  # a check may find something
+    allowed |= {3} if "--ref" in words else set()  # the reference is yet to be made
     if done.returncode not in allowed:
         wrong(f"rakelight {command}: exit code {done.returncode}: {(done.stderr.strip().splitlines() or ['no message'])[-1]}")
 

@@ -44,14 +44,15 @@ ROOMS = {
     "lights": ["geometry", "kernels"],
     "marks": ["visibility", "geometry"],
     "shadows": ["visibility", "geometry", "kernels"],
-    "shade": ["lights", "marks", "visibility", "geometry", "kernels"],
-    "inspect": ["shade", "shadows", "lights", "marks", "visibility", "geometry", "kernels"],
+    "occlusion": ["visibility", "geometry", "kernels"],
+    "shade": ["occlusion", "lights", "marks", "visibility", "geometry", "kernels"],
+    "inspect": ["shade", "occlusion", "shadows", "lights", "marks", "visibility", "geometry", "kernels"],
 }
 
 # Of an engine's headers what modules above it see, and what these headers may include of the engine themselves.
 DOORS = {
     "engines/raster": re.compile(r"engines/raster/(raster_engine|geometry/clip|kernels/clip_planes|visibility/depth_formats|"
-                                 r"lights/lit_corner|inspect/(inspection|explanation|traced_pixel|inspect_pixels|inspect_samples|inspect_shading))\.h"),
+                                 r"lights/lit_corner|inspect/(inspection|explanation|traced_pixel|inspect_pixels|inspect_samples|inspect_shading|nearest_shown))\.h"),
     "engines/raytrace": re.compile(r"engines/raytrace/raytrace_engine\.h"),
     "engines/opengl": re.compile(r"engines/opengl/(opengl_engine|window_view)\.h"),
 }
@@ -60,14 +61,14 @@ DOORS = {
 PUBLIC = {
     "error": "base", "current_error": "base", "report": "base", "context": "base", "memory_budget": "base", "rare": "base",
     "vector": "math", "linear": "math",
-    "block": "image", "image": "image",
-    "attributes": "geometry",
+    "block": "image", "image": "image", "colormap": "image",
+    "attributes": "geometry", "seams": "geometry",
     "scene": "scene", "scene_queries": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "image_sources": "io", "unfinished_outputs": "io",
     "prepare": "prepare",
-    "engine": "engines", "line": "engines", "values": "world", "request": "world", "material_changes": "world", "load": "world",
+    "engine": "engines", "line": "engines", "values": "world", "request": "world", "settings_file": "world", "material_changes": "world", "load": "world",
     "render": "render", "session": "render", "gl_view": "render", "strip_sink": "engines", "exit_code": "base", "rows": "tools",
     "picture": "render", "picture_parts": "render", "version": "render",
-    "check_scene": "tools", "compare": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "bench": "tools", "smooth_file": "tools", "rakelight": "tools",
+    "check_scene": "tools", "compare": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "bench": "tools", "reference": "tools", "inspection_report": "tools", "text_file": "tools", "smooth_file": "tools", "rakelight": "tools",
 }
 
 # Third-party include (regular expression) -> the modules, or the one file of a module, that may use it.
@@ -89,7 +90,7 @@ LIBRARIES = {
 }
 
 # Sources compiled per instruction set see only these: nothing whose inline functions the linker could merge between sets.
-ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|math/prelude\.h|lighting/(lighting|light_parameters|read_albedos|albedo_tables)\.h|image/(srgb_table|denoise_tile)\.h|shading/(text_numbers|material_factors|effect_factors|shadow_factors|light_box)\.h|scene/texture_role_numbers\.h|lighting/\w+/\w+\.glsl|"
+ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|math/prelude\.h|lighting/(lighting|light_parameters|read_albedos|albedo_tables)\.h|image/(srgb_table|denoise_tile|mip_rows)\.h|shading/(text_numbers|material_factors|effect_factors|shadow_factors|light_box)\.h|scene/texture_role_numbers\.h|lighting/\w+/\w+\.glsl|"
                          r"geometry/fast_kernel_types\.h|geometry/fast_weld_types\.h|cpu_shading/(kernels/\w+|texture_view|material_job|mesh_view|channel_planes)\.h|engines/raster/(inspect/)?kernels/\w+\.(h|cpp)|engines/raytrace/kernels/\w+\.(h|cpp)|engines/raster/inspect/traced_pixel\.h|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
 ISA_FILES = ["src/cpu_shading/kernels", "src/engines/raster/kernels", "src/engines/raster/inspect/kernels", "src/engines/raytrace/kernels", "src/geometry/kernels", "src/image/kernels", "src/lighting/lighting.h", "src/lighting/read_albedos.h", "src/math/prelude.h"]
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Shadows, fog and --light-cutoff side by side, for docs/shadows.md; photometric lights and ranges, and --viewer-infinity, for
-docs/lighting.md and docs/lighting-models.md.
+docs/lighting.md and docs/lighting-models.md; ambient occlusion for docs/ambient-occlusion.md.
 
-  light_pictures.py [--program build/release/rakelight] shadows|fog|cutoff|ranges|viewer OUT.png
+  light_pictures.py [--program build/release/rakelight] shadows|fog|cutoff|ranges|viewer|occlusion OUT.png
 
 The scene is made here: solids on a floor, or a row of columns. Only the standard library is needed."""
 import argparse
@@ -133,6 +133,12 @@ def write_solids(subject, picture, program):
     """The solids under lights of both kinds, with and without an end; or seen from here and from infinity."""
     with tempfile.TemporaryDirectory() as folder:
         model = write_model(solids(), pathlib.Path(folder))
+        if subject == "occlusion":
+            around = (model, *SOLIDS, "--light", "ambient:0.9,0.9,0.9")
+            tiles = [around, *((*around, "--ambient-occlusion", *radius) for radius in
+                               ((), ("--ambient-occlusion-radius", "0.1"), ("--ambient-occlusion-radius", "0.8")))]
+            return write_sheet(picture, [tiles], 240, 180, program, samples=4,
+                               columns=("ambient light", "ambient-occlusion", "radius 0.1 m", "radius 0.8 m"))
         if subject == "ranges":
             tiles = [(model, *SOLIDS, "--shadows", "--light", light, *AMBIENT) for _, light in LAMPS]
             words = [name for name, _ in LAMPS]
@@ -143,11 +149,11 @@ def write_solids(subject, picture, program):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("subject", choices=("shadows", "fog", "cutoff", "ranges", "viewer"))
+    parser.add_argument("subject", choices=("shadows", "fog", "cutoff", "ranges", "viewer", "occlusion"))
     parser.add_argument("picture", type=pathlib.Path)
     parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
     options = parser.parse_args()
-    if options.subject in ("ranges", "viewer"):
+    if options.subject in ("ranges", "viewer", "occlusion"):
         return write_solids(options.subject, options.picture, options.program)
     scene, camera, parts = (solids(), SOLIDS, SHADOWS) if options.subject == "shadows" else (columns(), COLUMNS, FOGS)
     with tempfile.TemporaryDirectory() as name:

@@ -22,9 +22,17 @@ constexpr const char* of_smooth = "Measurement: bench smooth";
 constexpr const char* of_render = "Measurement: bench render";
 
 std::vector<Option> options_of_pictures() {
-    std::vector<Option> options =
-        apps::without(apps::picture_options(), {"engine", "window", "channels", "channel-files", "exr-colors"});
+    std::vector<Option> options = apps::without(apps::picture_options(), {"engine"});
     apps::find(options, "resolution").help = "Size of the picture in pixels, also WxH (default 1920,1080)";
+    Option& crease = apps::find(options, "crease-angle");
+    crease.help = "Edges bent more than this stay sharp, 0 to 180 (default 60; of smooth 180)";
+    crease.also = "crease";
+    Option& weld = apps::find(options, "weld-distance");
+    weld.help =
+        "Positions of different objects at most this far apart count as one: of render in meters (default: equal, but "
+        "for "
+        "rounding), of smooth in edge lengths, up to 0.25 (default 0: exact)";
+    weld.also = "tolerance";
     apps::find(options, "weight").help =
         "How a triangle pulls on a normal: angle (default of render), uniform (default of smooth), area, angle-area";
     return options;
@@ -37,8 +45,6 @@ std::vector<Option> options_of_measurement() {
         {"objects", "Measurement", "N",
          "Objects that it has (default: smooth 16, render 100; fewer where triangles are few)"},
         {"order", of_smooth, "ORDER", "coherent (default) or shuffled triangles and vertices"},
-        {"crease", of_smooth, "DEG", "Edges bent more than this stay sharp (default 180); as --crease-angle"},
-        {"tolerance", of_smooth, "X", "Weld within X edge lengths, up to 0.25 (default 0: exact)"},
         {"repetitions", of_smooth, "N", "Counted runs of each row (default 10)"},
         {"with", of_smooth, "ROWS",
          "Also measure: crease (60 degrees), tolerance (0.1), order (the other one), plan (group, accumulate, "
@@ -114,7 +120,7 @@ SmoothBenchOptions smooth_options(const Run& run) {
     if (run.inputs.size() > 1) throw Error(ErrorCode::usage, "a scene is not for bench smooth");
     refuse(given, "smooth", {"lights", "engine", "frames", "output", "export"});
     for (const WorldValue& value : given.settings())
-        if (value.key != "weight" && value.key != "crease-angle")
+        if (value.key != "weight" && value.key != "crease-angle" && value.key != "weld-distance")
             throw Error(ErrorCode::usage, "--" + value.key + " is not for bench smooth");
     constexpr Word<bool> orders[] = {{"coherent", false}, {"shuffled", true}};
     SmoothBenchOptions o;
@@ -124,16 +130,15 @@ SmoothBenchOptions smooth_options(const Run& run) {
     read_count(given, "objects", o.objects, 1, 100'000);
     if (given.has("order")) o.shuffled = values::word("order", given.word("order"), orders);
     if (given.has("weight")) o.weight = run.picture.prepare.weight;
-    const std::string crease = given.has("crease") ? given.word("crease") : given.word("crease-angle");
-    if (!crease.empty()) o.crease_angle_rad = radians(values::number("crease-angle", crease));
-    if (given.has("tolerance")) o.weld_distance = values::number("tolerance", given.word("tolerance"));
+    if (given.has("crease-angle")) o.crease_angle_rad = run.picture.prepare.crease_angle_rad;
+    if (given.has("weld-distance")) o.weld_distance = run.picture.prepare.weld_distance;
     read_count(given, "repetitions", o.repetitions, 1, 1000);
     if (given.has("with")) add_rows(given.word("with"), o);
     o.brute_force = given.has("brute-force");
     return o;
 }
 
-/// How a picture of the world is made by its [render] and the command line; data channels and windows are left out.
+/// How a picture of the world is made by its [render] and the command line.
 void take_world(const Run& run, RenderBenchOptions& o) {
     const WorldRequest world = world_request(run, o.scene, run.given.settings());
     const bool says_size = run.given.has("resolution") ||
@@ -147,7 +152,7 @@ void take_world(const Run& run, RenderBenchOptions& o) {
 
 RenderBenchOptions render_options(const Run& run) {
     const Given& given = run.given;
-    refuse(given, "render", {"order", "crease", "tolerance", "repetitions", "with", "brute-force"});
+    refuse(given, "render", {"order", "repetitions", "with", "brute-force"});
     RenderBenchOptions o;
     if (run.inputs.size() > 1) o.scene = run.inputs[1];
     if (const std::string_view option = given.first_of({"triangles", "objects", "lights"});
@@ -186,7 +191,8 @@ std::uint64_t memory_for(const RenderBenchOptions& o) {
 /// Measures and says what came out.
 template <class Options, class Bench>
 void measure(const Run& run, const Options& options, const Bench& bench, Loudness remarks) {
-    ProgressLine progress("bench", run.loudness);
+    run.files->of = 1;  // its first word is no file
+    ProgressLine progress("bench", run.loudness, *run.files);
     // What the machine has not is refused, for a model that is too large is not told so by the system: the process is ended.
     const std::uint64_t memory =
         run.max_memory != 0 ? run.max_memory : std::min(memory_for(options), memory_of_machine());

@@ -20,7 +20,7 @@ Command check_command() {
             "Say whether scene files load, and what they hold",
             check_footer,
             {{"SCENE", "Model files and world files", false}},
-            apps::joined({{schema}, apps::common_options()})};
+            apps::joined({{schema}, apps::input_options(), apps::common_options()})};
 }
 
 namespace {

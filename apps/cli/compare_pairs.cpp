@@ -8,15 +8,13 @@
 #include <rakelight/compare.h>
 #include <rakelight/tools/values.h>
 
+#include "inputs.h"
+#include "output_names.h"
+
 namespace rakelight::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_folder(const std::string& path) {
-    std::error_code ignored;
-    return fs::is_directory(path, ignored);
-}
 
 /// Names of the pictures in a folder, by their endings, that are not hidden.
 std::set<std::string> picture_names(const std::string& folder) {
@@ -70,8 +68,10 @@ std::vector<ComparedPair> pairs_of_engines(const Run& run) {
     if (std::ranges::any_of(run.given.settings(), [](const WorldValue& v) { return v.key == "engine"; }))
         throw Error(ErrorCode::usage, "--engine and --engines exclude each other");
     std::vector<ComparedPair> pairs;
+    const bool has_plain = std::ranges::find(engines, "trace") != engines.end();  // it has no look
     for (const std::string& scene : run.inputs) {
-        const InputRequest request = request_for(run, scene);
+        InputRequest request = request_for(run, scene);
+        if (has_plain) request.picture.look = Look::plain;
         const auto drawn_by = [&](std::string_view engine) {
             ComparedSide side{scene, request};
             side.scene->picture.engine = engine;

@@ -109,6 +109,31 @@ Pixels pixels_of(const ComparedSide& side, Context& context) {
     }
 }
 
+/// Nobody has said how large the picture of a scene is.
+bool has_free_size(const Run& run, const ComparedSide& side) {
+    if (!side.scene || run.given.has("resolution") || run.given.has("window")) return false;
+    const std::optional<WorldRequest>& world = side.scene->world;
+    return !world || std::ranges::find(world->taken, "resolution", &WorldValue::key) == world->taken.end();
+}
+
+/// Both sides; a scene beside a picture is drawn as large as that.
+std::pair<Pixels, Pixels> pixels_of(const Run& run, const ComparedPair& pair, Context& context) {
+    const auto drawn_like = [&](ComparedSide side, const Pixels& picture) {
+        if (has_free_size(run, side)) {
+            side.scene->picture.settings.width = picture.width;
+            side.scene->picture.settings.height = picture.height;
+        }
+        return pixels_of(side, context);
+    };
+    const bool draws_a = pair.a.scene && !pair.b.scene, draws_b = pair.b.scene && !pair.a.scene;
+    if (draws_a) {
+        Pixels b = pixels_of(pair.b, context), a = drawn_like(pair.a, b);
+        return {std::move(a), std::move(b)};
+    }
+    Pixels a = pixels_of(pair.a, context), b = draws_b ? drawn_like(pair.b, a) : pixels_of(pair.b, context);
+    return {std::move(a), std::move(b)};
+}
+
 /// What stands above two pictures of a page: names without folders, which are nobody else's business, unless these tell them apart.
 PageTitles titles_of(const ComparisonRow& row) {
     const std::string file_a = std::filesystem::path(row.a).filename().string(),
@@ -121,10 +146,10 @@ PageTitles titles_of(const ComparisonRow& row) {
     return {a + " and " + b, a, b};
 }
 
-void compare_pair(const ComparedPair& pair, const Settings& settings, ComparisonRow& row, ComparisonPage* page,
-                  Context& context) {
+void compare_pair(const Run& run, const ComparedPair& pair, const Settings& settings, ComparisonRow& row,
+                  ComparisonPage* page, Context& context) {
     if (pair.error) throw *pair.error;
-    Pixels a = pixels_of(pair.a, context), b = pixels_of(pair.b, context);
+    auto [a, b] = pixels_of(run, pair, context);
     context.progress("compare", 0);
     const ComparedPictures pictures(std::move(a), std::move(b), settings.options, context);
     if (page) page->add(titles_of(row), pictures, settings.options, settings.gain_for({}));
@@ -159,6 +184,7 @@ Command compare_command() {
 int run_compare(const Run& run) {
     const Settings settings = settings_of(run);
     const std::vector<ComparedPair> pairs = compared_pairs(run);
+    run.files->of = pairs.size();
     const bool has_page = is_page(run.picture.output);
     ComparisonPage page;
     std::vector<ComparisonRow> rows;
@@ -173,7 +199,7 @@ int run_compare(const Run& run) {
             continue;
         }
         worst = std::max(worst, run_file(run, name, row, [&](Context& c) {
-                             compare_pair(pair, settings, row, has_page ? &page : nullptr, c);
+                             compare_pair(run, pair, settings, row, has_page ? &page : nullptr, c);
                          }));
         worst = std::max(worst, print_failures(row));
     }

@@ -4,8 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -14,7 +12,6 @@ namespace {
 
 constexpr std::size_t max_lines = 20;  ///< warnings a file
 constexpr std::size_t max_text = 600;  ///< bytes of a message
-constexpr const char* wipe_line = "\r\033[K";
 
 bool has_colors() {
     static const bool answer = [] {
@@ -72,12 +69,11 @@ void most_important_first(std::vector<ReportEntry>& remarks) {
                      [&](const ReportEntry& a, const ReportEntry& b) { return rank(a) < rank(b); });
 }
 
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
 }  // namespace
 
 std::string text_of(const Error& error) {
-    if (error.code() == ErrorCode::bad_file && is_world_file(error.file())) return error.what();  // its keys
+    if (error.code() == ErrorCode::bad_file && error.file().ends_with(".toml"))
+        return error.what();  // its keys, of a world or a configuration
     const std::string setting = error.setting().empty() ? "" : "--" + error.setting();
     const auto named = [&](const std::string& text) { return with_options(text, error.related()); };
     return Error(error.code(), named(error.reason()), error.place(), named(error.advice()))
@@ -143,46 +139,6 @@ void print_text(const std::string& text) {
         at += size + 1;
     }
     print_data(safe);
-}
-
-ProgressLine::ProgressLine(const std::string& file, Loudness loudness)
-    : file_(one_line(file, 40)), enabled_(loudness != Loudness::quiet && isatty(STDERR_FILENO)), start_s_(now_s()) {}
-
-void ProgressLine::wipe() {
-    if (shown_) std::fputs(wipe_line, stderr);
-    shown_ = false;
-}
-
-std::function<void(std::string_view, double)> ProgressLine::callback() {
-    if (!enabled_) return {};
-    return [this](std::string_view stage, double fraction) { show(stage, fraction); };
-}
-
-std::string time_left(double elapsed_s, double fraction) {
-    constexpr double least_known_s = 2, least_fraction = 0.01, least_said_s = 2;
-    if (elapsed_s < least_known_s || fraction < least_fraction) return "";
-    const double left = elapsed_s * (1 - fraction) / fraction;
-    if (left < least_said_s) return "";
-    const auto [count, unit] = left < 100    ? std::pair(left, "s")
-                               : left < 6000 ? std::pair(left / 60, "min")
-                                             : std::pair(left / 3600, "h");
-    char text[40];
-    std::snprintf(text, sizeof text, ", about %.0f %s left", count, unit);
-    return text;
-}
-
-void ProgressLine::show(std::string_view stage, double fraction) {
-    constexpr double patience_s = 0.5, pause_s = 0.1;
-    const double now = now_s();
-    if (stage != stage_) stage_ = stage, furthest_ = 0, stage_s_ = now;
-    if (fraction < furthest_) return;  // threads may report out of order
-    furthest_ = fraction;
-    if (now - start_s_ < patience_s || now - last_s_ < pause_s) return;
-    last_s_ = now;
-    shown_ = true;
-    const long percent = std::lround(std::clamp(fraction, 0.0, 1.0) * 100);
-    std::fprintf(stderr, "\r\033[K%s: %.*s %ld%%%s", file_.c_str(), int(stage.size()), stage.data(), percent,
-                 time_left(now - stage_s_, fraction).c_str());
 }
 
 }  // namespace rakelight::cli

@@ -16,6 +16,9 @@ namespace rakelight::cli {
 
 enum class Loudness { quiet, normal, verbose };
 
+/// What takes the text of a terminal's line away.
+inline constexpr const char* wipe_line = "\r\033[K";
+
 /// What an error says; settings are called by their options: "--crease-angle: ...".
 std::string text_of(const Error& error);
 
@@ -40,28 +43,5 @@ void print_data(const std::string& text);
 
 /// Lines for people on standard output. Each goes through one_line(): no name of a file reaches a terminal raw.
 void print_text(const std::string& text);
-
-/// ", about 2 min left", or nothing as long as little is known. @param elapsed_s  since the stage began
-std::string time_left(double elapsed_s, double fraction);
-
-/// A progress line for a terminal: appears after half a second, is wiped when done. Nothing when standard error is no
-/// terminal.
-class ProgressLine {
-public:
-    ProgressLine(const std::string& file, Loudness loudness);
-    ~ProgressLine() { wipe(); }
-    ProgressLine(const ProgressLine&) = delete;
-    ProgressLine& operator=(const ProgressLine&) = delete;
-    /// For ContextOptions::progress; empty when there is nothing to show.
-    std::function<void(std::string_view, double)> callback();
-    void wipe();
-
-private:
-    void show(std::string_view stage, double fraction);
-    std::string file_, stage_;
-    double furthest_ = 0;
-    bool enabled_ = false, shown_ = false;
-    double start_s_ = 0, stage_s_ = 0, last_s_ = 0;
-};
 
 }  // namespace rakelight::cli

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include <rakelight/compare.h>
 #include <rakelight/tools/rows.h>
+#include <rakelight/tools/text_file.h>
 #include <rakelight/tools/values.h>
 
 #include "../common/picture_options.h"
@@ -17,8 +19,14 @@ Command explain_command() {
     const Option pixel = {.name = "pixel",
                           .group = "Output",
                           .type = "X,Y",
-                          .help = "Which pixel; 0,0 is the top left one",
+                          .help = "Which pixel; 0,0 is the top left one. Several: --pixel once for each",
+                          .form = apps::Form::list,
                           .is_required = true};
+    const Option output = {.name = "output",
+                           .group = "Output",
+                           .type = "FILE",
+                           .help = "Write to this file in place of standard output: .json as JSON, else as text",
+                           .letter = 'o'};
     // What is about files and parts of pictures has no meaning here.
     std::vector<Option> options = apps::without(
         apps::picture_options(),
@@ -28,47 +36,73 @@ Command explain_command() {
             "Say why a pixel has its color: every number on the way to it",
             explain_footer,
             {{"MODEL", models_help}},
-            apps::joined({{pixel}, options, apps::common_options()})};
+            apps::joined({{pixel, output}, apps::input_options(), options, apps::common_options()})};
 }
 
 namespace {
 
-struct Pixel {
-    int x, y;
-};
-
-Pixel pixel_of(const Run& run) {
-    const std::vector<int> pixel = values::integers("pixel", run.given.word("pixel"), 2);
+std::vector<PixelPlace> pixels_of(const Run& run) {
     const RenderSettings& s = run.picture.settings;
-    if (std::ranges::all_of(run.inputs, is_world_file)) return {pixel[0], pixel[1]};  // may say how large they are
-    if (pixel[0] < 0 || pixel[1] < 0 || pixel[0] >= s.width || pixel[1] >= s.height)
-        throw values::wrong(
-            "pixel",
-            "the picture has " + std::to_string(s.width) + " x " + std::to_string(s.height) + " pixels, counted from 0",
-            "--resolution says how many");
-    return {pixel[0], pixel[1]};
+    std::vector<PixelPlace> pixels;
+    for (const std::string& word : run.given.words("pixel")) {
+        const std::vector<int> pixel = values::integers("pixel", word, 2);
+        pixels.push_back({pixel[0], pixel[1]});
+        if (std::ranges::all_of(run.inputs, is_world_file)) continue;  // may say how large they are
+        if (pixel[0] < 0 || pixel[1] < 0 || pixel[0] >= s.width || pixel[1] >= s.height)
+            throw values::wrong("pixel",
+                                one_line(word, 20) + " is not in the picture: it has " + std::to_string(s.width) +
+                                    " x " + std::to_string(s.height) + " pixels, counted from 0",
+                                "--resolution says how many");
+    }
+    return pixels;
+}
+
+/// The rows of one input: one for each pixel, all with what is said of the input.
+int explain_input(const Run& run, const InputRequest& input, const std::vector<PixelPlace>& pixels,
+                  std::vector<ExplainRow>& rows) {
+    ExplainRow common{.file = input.picture.input};
+    std::vector<std::shared_ptr<const ExplainedPixel>> explained(pixels.size());
+    int code = exit_code(ErrorCode::failed);
+    if (CancelOnInterrupt::happened())
+        common.error = Error(ErrorCode::failed, "cancelled").with_file(common.file);
+    else
+        code = run_input(run, input, common, [&](Context& c) { explained = explain(input.picture, pixels, c); });
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        ExplainRow& row = rows.emplace_back(common);
+        row.x = pixels[i].x, row.y = pixels[i].y, row.pixel = explained[i];
+    }
+    return code;
+}
+
+std::string text_of(const std::vector<ExplainRow>& rows) {
+    std::string text;
+    for (const ExplainRow& row : rows)
+        if (row.pixel) text += (text.empty() ? "" : "\n") + to_text(*row.pixel);
+    return text;
 }
 
 }  // namespace
 
 int run_explain(const Run& run) {
-    const Pixel pixel = pixel_of(run);
+    const std::vector<PixelPlace> pixels = pixels_of(run);
+    const std::string& output = run.picture.output;
+    const bool has_file = !output.empty() && output != "-", is_json = run.is_json || output.ends_with(".json");
+    if (has_picture_ending(output))
+        throw values::wrong("output", "an explanation is text or JSON",
+                            "write for example -o pixel.txt or -o pixel.json");
+    if (has_file) check_text_output(output);
     std::vector<ExplainRow> rows;
     int worst = 0;
     for (const std::string& file : run.inputs) {
-        const InputRequest input = request_for(run, file);
-        ExplainRow row{.file = file, .x = pixel.x, .y = pixel.y};
-        if (CancelOnInterrupt::happened()) {
-            row.error = Error(ErrorCode::failed, "cancelled").with_file(file);
-        } else {
-            const int code =
-                run_input(run, input, row, [&](Context& c) { row.pixel = explain(input.picture, row.x, row.y, c); });
-            worst = std::max(worst, code);
-        }
-        if (!run.is_json && row.pixel) print_text((rows.empty() ? "" : "\n") + to_text(*row.pixel));
-        rows.push_back(std::move(row));
+        std::vector<ExplainRow> of_input;
+        worst = std::max(worst, explain_input(run, request_for(run, file), pixels, of_input));
+        if (!is_json && !has_file) print_text((rows.empty() ? "" : "\n") + text_of(of_input));
+        rows.insert(rows.end(), of_input.begin(), of_input.end());
     }
-    if (run.is_json) print_data(to_json(rows));
+    if (has_file)
+        save_text(output, is_json ? to_json(rows) : text_of(rows));
+    else if (is_json)
+        print_data(to_json(rows));
     return worst;
 }
 

@@ -5,12 +5,27 @@
 namespace rakelight::cli {
 
 inline constexpr const char* models_help =
-    "Model files, world files (*.scene.toml), or builtin:teapot, builtin:sphere:tolerance=0.01, ...";
+    "Model files, world files (*.scene.toml), folders of such, builtin:teapot, builtin:sphere:tolerance=0.01, ..., or "
+    "- for standard input";
 
-inline constexpr const char* main_footer = R"(Examples:
-  rakelight render helmet.glb -o helmet.png
-  rakelight render builtin:teapot -o teapot.png --view isometric
-  rakelight inspect helmet.glb
+inline constexpr const char* main_footer =
+    R"(Without a verb, models are rendered where -o names a picture, and else opened in a window.
+
+Examples:
+  rakelight helmet.glb -o helmet.png                       # a picture
+  rakelight models/ -o pictures/                           # one of each model in a folder
+  rakelight body.glb wheels.glb --as-one -o car.png        # two files as one scene
+  rakelight scan.ply --up +Z -o scan.png                   # a scan whose Z axis points up
+  rakelight helmet.glb -o - | magick - helmet.gif          # a PNG to a pipe (-o ppm:- for PPM)
+  rakelight shoe.glb --background white -o shoe.png        # a product on white
+  rakelight cloud.ply -o cloud.png                         # a point cloud in its colors
+  rakelight smooth knight.glb -o fixed.glb                 # no seams; skins and clips are kept
+  rakelight inspect knight.glb --check --max-seam 2        # a gate for CI: exit code 5
+  rakelight compare before.png helmet.glb --max-flip 0.05  # a model against a reference picture
+  rakelight explain helmet.glb --pixel 640,360             # why that pixel is so dark
+
+Colors are r,g,b from 0 to 1, '#rrggbb' or a name such as white. Switches stand alone or
+take on, off, true, false, 1 or 0. Upper and lower case are the same in words.
 
 Exit codes: 0 done, 1 failed, 2 wrong usage, 3 input not found, 4 file broken,
 format not supported or nothing to draw, 5 a check found problems.
@@ -18,8 +33,9 @@ Environment: RAKELIGHT_ISA=scalar|sse2|avx2|avx512 forces an instruction set
 (the picture stays the same), NO_COLOR switches colors of messages off.)";
 
 inline constexpr const char* render_footer = R"(Lights:
-  Without --light the model's own lights are used, or a key light, a fill light
-  and ambient light where it has none. Colors are linear, 1 is white.
+  Without --light the model's own lights are used. Where it has none, metallic-
+  roughness materials stand in a studio with a key light, others get a key light,
+  a fill light and ambient light. Colors are linear, 1 is white.
     point:X,Y,Z         a lamp at a place; then any of
       :color=R,G,B      its color (default 1,1,1)
       :specular=R,G,B   the color of its highlights (default: as color)
@@ -36,11 +52,25 @@ inline constexpr const char* render_footer = R"(Lights:
       :intensity=I      candela, of directional ones lux (default 1); :color=
       :direction=X,Y,Z :inner=DEG :outer=DEG   spot: half angles of its cone
     of all but ambient: :shadow=off throws none; placed: :range=M ends at M meters
-    default             the default lights although the model has its own
+    default, studio     those lights although the model has its own
+    none                no light
+  Colors of lights may be written as '#rrggbb' or by name, too.
 
 Examples:
   rakelight render helmet.glb -o helmet.png
-      The first picture: fitted camera, default light, 1280 x 720.
+      The first picture: fitted camera, light for its materials, 1280 x 720.
+  rakelight render models/ --recursive -o 'pictures/{dir}/{model}-{ext}.jpg'
+      Each model below a folder; pictures/ has the same subfolders then.
+  rakelight render body.glb wheels.glb --as-one -o car.png
+      Two files as one scene.
+  rakelight render scan.stl --up +Z --view isometric -o scan.png
+      A scan whose Z axis points up.
+  rakelight render - --format glb -o - < helmet.glb
+      From standard input to standard output: PNG; -o ppm:- writes PPM.
+  rakelight render shoe.glb -o shoe.png --background white --resolution 2000,2000
+      A product on white; --background transparent has alpha.
+  rakelight render helmet.glb -o helmet.png --config look.toml
+      Settings from a file: [render], then lines such as samples = 8.
   rakelight render parts.obj -o parts.png --normals model --crease-angle 60
       Objects that touch look like one surface; edges over 60 degrees stay sharp.
   rakelight render head.obj -o head.png --camera-position 0,1,5 \
@@ -51,6 +81,8 @@ Examples:
   rakelight render chair.glb -o chair.png --background transparent \
       --channels depth,normal
       With alpha; depth and normals go to chair.depth.exr and chair.normal.exr.
+  rakelight render chair.glb -o chair.png --ref good/chair.png --ref-threshold 0.005
+      Exit code 5, and a line, where it differs from the reference picture.
   rakelight render chair.glb -o chair.exr --channels all --channel-files layers
       One EXR: R, G, B and the layers depth.Z, normal.X, normal.Y, ...
 
@@ -59,6 +91,7 @@ space:
   depth                 along the view axis; +inf where nothing is
   normal, face-normal   as it is lit, and of the triangle's plane; unit
   tangent               and the sign of the bitangent
+  ambient-occlusion     share of ambient light that arrives, with that option
   uv, uv1               texture coordinates, v down
   position              in world space
   object, mesh, material, triangle   numbers from 0; -1 where nothing is (UINT
@@ -69,7 +102,8 @@ space:
   lighting              ambient, diffuse, specular, emission: their sum is the color
 All else is 0 where nothing is.
 Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found,
-4 file broken or nothing to draw; of several inputs the largest. A signal ends
+4 file broken or nothing to draw, 5 past --ref-threshold; of several inputs the
+largest. A signal ends
 the program as that signal (130 and 143 in a shell) within half a second: no
 unfinished file stays; --json prints nothing where work had to be broken off.)";
 
@@ -86,7 +120,9 @@ Examples:
   rakelight inspect parts.obj --normals object --heatmap seams.png
       How large the seams are when every object is smoothed by itself, and where.
   rakelight inspect parts.glb --check --max-seam 2 --no-t-junctions
-      Exit code 5, and a line for each limit that is passed.
+      A gate for CI: exit code 5, and a line for each limit that is passed.
+  rakelight inspect *.glb --report page.html --report checks.xml
+      A page for people, and JUnit's XML with a test case for each check and model.
   rakelight inspect *.glb --json
       One row a file, schema rakelight.inspect/1.
 Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found,
@@ -94,11 +130,20 @@ Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found,
 largest.)";
 
 inline constexpr const char* smooth_footer =
-    R"(What is not about normals and tangents stays as it is: names, extras, animations,
-images, compression where no normal changes. A second run changes nothing.
+    R"(Normals that the file has stay, but where parts meet: there they are joined over
+edges that bend no more than the crease angle. Hard edges inside of a part stay,
+and so do those between flat faces of two parts. What is not about normals and
+tangents stays as it is: names, extras, animations, images, compression where no
+normal changes. A second run changes nothing.
 
 Examples:
   rakelight smooth parts.glb -o smooth.glb
+  rakelight smooth models/ -o fixed/
+      Each model of a folder, under its name.
+  rakelight smooth parts.glb --preview look.html
+      Heat maps of the seams before and after; no model is written.
+  rakelight smooth parts.glb -o smooth.glb --normals model
+      All normals made anew, over all objects.
   rakelight smooth parts.obj -o parts.obj --crease-angle 45
       In place; the old file is replaced when the new one is whole.
   rakelight smooth *.glb -o 'out/{model}.glb' --json
@@ -111,6 +156,9 @@ draw with them, and its numbers are the engine's own, to the bit.
 
 Examples:
   rakelight explain helmet.glb --pixel 640,360
+      Why that pixel is dark, or bright: each light, each factor.
+  rakelight explain helmet.glb --pixel 640,360 --pixel 100,80 -o pixels.txt
+      Each pixel says which object it shows, or where the nearest one is.
   rakelight explain builtin:teapot --resolution 320,240 --pixel 100,120 --json
       Schema rakelight.explain/1.)";
 
@@ -120,7 +168,9 @@ inline constexpr const char* bench_footer =
       Normals and tangents beside the plain loop that everybody writes.
   rakelight bench render helmet.glb --samples 4 --json
       Schema rakelight.bench/1.
-  rakelight bench render --lights 8,1000 --roughness 0.4)";
+  rakelight bench render --lights 8,1000 --roughness 0.4
+Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found, 4 file
+broken or too large.)";
 
 inline constexpr const char* check_footer =
     R"(Examples:
@@ -143,6 +193,8 @@ Examples:
       Exit code 5, and a line for each limit that is passed.
   rakelight compare before/ after/ -o page.html
       Two folders: the pictures of equal names, on one page with wipe sliders.
+  rakelight compare before.png helmet.glb --max-flip 0.05
+      A model as it is drawn now against a reference picture, in that one's size.
   rakelight compare parts.glb smooth.glb -o page.html --view isometric
       Scenes are rendered, both with the same settings.
   rakelight compare --engines soft,soft builtin:teapot --json
@@ -158,6 +210,7 @@ ambient, diffuse and specular term, the picture. Open DIR/index.html in a browse
 
 Examples:
   rakelight stages helmet.glb -o helmet-stages
+  rakelight stages helmet.glb -o helmet.html --single-file
   rakelight stages *.glb -o 'out/{model}' --resolution 640,360)";
 
 }  // namespace rakelight::cli

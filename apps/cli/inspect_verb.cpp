@@ -3,8 +3,11 @@
 
 #include <algorithm>
 
+#include <rakelight/compare.h>
 #include <rakelight/tools/exit_code.h>
+#include <rakelight/tools/inspection_report.h>
 #include <rakelight/tools/rows.h>
+#include <rakelight/tools/text_file.h>
 #include <rakelight/tools/values.h>
 
 #include "../common/picture_options.h"
@@ -37,16 +40,15 @@ std::vector<Option> normal_options() {
     std::vector<Option> all = apps::picture_options(), options;
     apps::find(all, "normals").help =
         "Whose normals are looked at: auto (default: the file's, smoothed per object where it has none), file (else "
-        "flat), flat, object, model";
-    for (const char* name : {"normals", "crease-angle", "weight", "tangents", "orthogonalize", "keep-instances"})
+        "flat), flat, object, model, seams (the file's, joined where parts meet, as smooth does)";
+    for (const char* name :
+         {"normals", "crease-angle", "weld-distance", "weight", "tangents", "orthogonalize", "keep-instances"})
         options.push_back(apps::find(all, name));
     return options;
 }
 
 std::vector<Option> own_options() {
     std::vector<Option> options = {
-        {"weld-distance", "Normals", "M",
-         "Positions at most this far apart [m] count as one (default: equal, but for rounding)"},
         {"no-borders", "Normals", "", "Do not look for the borders that objects share", flag},
         {"no-surfaces", "Normals", "", "Do not look at edges, faces and normals of each object", flag},
         {"check", "Check", "", "Only pass or fail: exit code 5 past the limit of --max-seam or one asked for below",
@@ -54,8 +56,16 @@ std::vector<Option> own_options() {
         {"max-seam", "Check", "DEG", "Largest seam between two objects (default 1; 180 allows any)"},
     };
     for (const Limit& limit : limits_of_surfaces) options.push_back({limit.name, "Check", "", limit.help, flag});
+    options.push_back(
+        {"report", "Reports", "FILE",
+         "Write a page of all models (.html), or their checks as JUnit's XML (.xml; as --check, it fails past "
+         "a limit). Several: --report once for each",
+         list});
+    options.push_back({"junit", "Reports", "FILE", "The same as --report FILE.xml, whatever the file's name"});
     options.push_back({"heatmap", "Heat map", "FILE",
                        "Write a picture of the seams, colored by their angle. {model} stands for the model's name"});
+    options.push_back(
+        {"heatmap-legend", "Heat map", "", "Write angles and the largest seam on it (default on)", switched});
     return options;
 }
 
@@ -79,17 +89,19 @@ Command inspect_command() {
             "Say what is in models: objects, materials, textures, seams",
             inspect_footer,
             {{"MODEL", models_help}},
-            apps::joined({normal_options(), own_options(), heat_map_options(), apps::common_options()})};
+            apps::joined(
+                {apps::input_options(), normal_options(), own_options(), heat_map_options(), apps::common_options()})};
 }
 
 namespace {
 
-std::optional<CheckLimits> limits_of(const Given& given) {
+/// @param is_checked  by a report, whether --check was given or not
+std::optional<CheckLimits> limits_of(const Given& given, bool is_checked) {
     CheckLimits limits;
     bool of_surfaces = false;
     for (const Limit& limit : limits_of_surfaces) of_surfaces |= limits.*limit.member = given.has(limit.name);
     const bool has_seam = given.has("max-seam"), no_borders = given.has("no-borders");
-    if (!given.has("check")) {
+    if (!given.has("check") && !is_checked) {
         if (!of_surfaces && !has_seam) return {};
         throw Error(ErrorCode::usage, "limits are for --check", {}, "add --check");
     }
@@ -105,44 +117,99 @@ std::optional<CheckLimits> limits_of(const Given& given) {
     return limits;
 }
 
+/// What is written of all models.
+struct Reports {
+    std::vector<std::string> pages, junit;
+    bool is_any() const { return !pages.empty() || !junit.empty(); }
+
+    explicit Reports(const Given& given) {
+        for (const std::string& file : given.words("report")) {
+            if (is_page(file))
+                pages.push_back(file);
+            else if (file.ends_with(".xml"))
+                junit.push_back(file);
+            else
+                throw values::wrong("report", "'" + one_line(file, 80) + "' is neither .html nor .xml");
+        }
+        if (given.has("junit")) junit.push_back(given.word("junit"));
+        for (const std::string& file : pages) check_text_output(file);
+        for (const std::string& file : junit) check_text_output(file);
+    }
+};
+
+bool draws_heat_maps(const Run& run) {
+    return run.given.has("heatmap") || std::ranges::any_of(run.given.words("report"), is_page);
+}
+
 void check_heat_map(const Run& run) {
     const RenderSettings& s = run.picture.settings;
-    if (!run.given.has("heatmap")) {
+    if (!draws_heat_maps(run)) {
         const bool is_given = std::ranges::any_of(run.command.options, [&](const Option& option) {
             return option.is_setting && std::string_view(option.group) == "Heat map" && run.given.has(option.name);
         });
         if (is_given)
-            throw Error(ErrorCode::usage, "the view and its resolution are for --heatmap", {}, "add --heatmap FILE");
+            throw Error(ErrorCode::usage, "the view and its resolution are for --heatmap", {},
+                        "add --heatmap FILE, or --report FILE.html");
         return;
     }
-    if (run.given.has("no-borders")) throw Error(ErrorCode::usage, "--no-borders and --heatmap exclude each other");
+    if (run.given.has("no-borders") && run.given.has("heatmap"))
+        throw Error(ErrorCode::usage, "--no-borders and --heatmap exclude each other");
     constexpr std::int64_t most_pixels = 1 << 26;  // it is kept whole, 28 bytes a pixel
     if (std::int64_t(s.width) * s.height > most_pixels)
         throw values::wrong("resolution", "a heat map has at most 64 million pixels");
 }
 
-InspectOptions options_of(const Given& given) {
+InspectOptions options_of(const Run& run) {
+    const Given& given = run.given;
     InspectOptions options;
     options.borders = !given.has("no-borders");
     options.surfaces = !given.has("no-surfaces");
-    options.seam_lines = given.has("heatmap");
-    if (given.has("weld-distance")) {
-        options.weld_distance = values::number("weld-distance", given.word("weld-distance"));
-        if (!(options.weld_distance >= 0)) throw values::wrong("weld-distance", "must be 0 or more");
-    }
+    options.seam_lines = draws_heat_maps(run) && options.borders;
     return options;
 }
 
+/// What is done with each file.
+struct Task {
+    InspectOptions options;
+    std::optional<CheckLimits> limits;
+    SeamMarks marks = SeamMarks::legend;
+    bool has_page = false;
+};
+
+/// All of the model where nobody asks for a camera: one of the file may show a part alone.
+ViewRequest seam_view(const PictureRequest& picture) {
+    ViewRequest view = picture.view;
+    const bool is_asked = !view.side.empty() || !view.camera.empty() || view.is_placed();
+    if (!is_asked && !is_world_file(picture.input)) view.side = "default";
+    return view;
+}
+
+/// As it is asked for, and from behind: seams lie on both sides.
+std::vector<ReportPicture> page_pictures(const Scene& scene, const PictureRequest& picture, const Task& task,
+                                         const Inspection& inspection, const Frame& asked, Context& context) {
+    std::vector<ReportPicture> pictures = {report_picture("Seams, by their angle", asked)};
+    ViewRequest behind = seam_view(picture);
+    behind.azimuth_rad = behind.azimuth_rad.value_or(0) + pi;
+    pictures.push_back(report_picture(
+        "From behind", draw_seams(scene, inspection, task.options, behind, picture.settings, context, task.marks)));
+    return pictures;
+}
+
 /// The work on one file.
-void inspect_file(const PictureRequest& picture, InspectOptions options, const std::optional<CheckLimits>& limits,
-                  InspectionRow& row, Context& context) {
+void inspect_file(const PictureRequest& picture, Task task, InspectionRow& row, std::vector<ReportPicture>& pictures,
+                  Context& context) {
     const Scene scene = load(picture.input, picture.load, context);
-    options.prepare = picture.prepare;
-    row.inspection = inspect(scene, options, context);
-    if (limits) row.check = check_limits(*row.inspection, *limits);
-    if (picture.output.empty()) return;
-    save(draw_seams(scene, *row.inspection, options, picture.view, picture.settings, context), picture.output);
-    row.heat_map = picture.output;
+    task.options.prepare = picture.prepare;
+    task.options.weld_distance = picture.prepare.weld_distance;
+    row.inspection = inspect(scene, task.options, context);
+    if (task.limits) row.check = check_limits(*row.inspection, *task.limits);
+    if (task.options.seam_lines) {
+        const Frame map =
+            draw_seams(scene, *row.inspection, task.options, seam_view(picture), picture.settings, context, task.marks);
+        if (task.has_page) pictures = page_pictures(scene, picture, task, *row.inspection, map, context);
+        context.progress("write", 0);
+        if (!picture.output.empty()) save(map, row.heat_map = picture.output);
+    }
     row.inspection->seam_lines = {};
 }
 
@@ -176,30 +243,54 @@ std::vector<InputRequest> requests_of(Run run) {
 
 }  // namespace
 
+namespace {
+
+void write_reports(const Reports& reports, const InspectionPage& page, const std::vector<InspectionRow>& rows,
+                   const std::optional<CheckLimits>& limits) {
+    if (CancelOnInterrupt::happened()) return;
+    for (const std::string& file : reports.pages) page.save(file);
+    for (const std::string& file : reports.junit) save_text(file, to_junit(rows, *limits));
+}
+
+}  // namespace
+
 int run_inspect(const Run& run) {
-    const InspectOptions inspected = options_of(run.given);
-    const std::optional<CheckLimits> limits = limits_of(run.given);
+    const Reports reports(run.given);
+    const Task task{.options = options_of(run),
+                    .limits = limits_of(run.given, !reports.junit.empty()),
+                    .marks = run.given.has("heatmap-legend") &&
+                                     !values::switched("heatmap-legend", run.given.word("heatmap-legend"))
+                                 ? SeamMarks::none
+                                 : SeamMarks::legend,
+                    .has_page = !reports.pages.empty()};
     check_heat_map(run);
+    InspectionPage page;
     std::vector<InspectionRow> rows;
+    std::string text;  // what is said once the reports are written: who reads it may stop
     int worst = 0;
     for (const InputRequest& input : requests_of(run)) {
         const PictureRequest& picture = input.picture;
         InspectionRow row{.file = picture.input};
+        std::vector<ReportPicture> pictures;
         if (CancelOnInterrupt::happened()) {
             row.error = Error(ErrorCode::failed, "cancelled").with_file(picture.input);
             rows.push_back(std::move(row));
             continue;
         }
         worst = std::max(
-            worst, run_input(run, input, row, [&](Context& c) { inspect_file(picture, inspected, limits, row, c); }));
-        if (!run.is_json && row.inspection) print_text(text_of(run, row, limits, rows.empty()));
+            worst, run_input(run, input, row, [&](Context& c) { inspect_file(picture, task, row, pictures, c); }));
+        if (!run.is_json && row.inspection) text += text_of(run, row, task.limits, rows.empty());
+        if (!reports.is_any()) print_text(std::exchange(text, {}));
         worst = std::max(worst, print_failures(row));
         if (!row.heat_map.empty())
             print_note(
                 row.heat_map + ": seams from 0.01 degrees dark blue over 1 violet, 5 red, 20 orange to 60 yellow",
                 run.loudness);
+        if (task.has_page) page.add(row, pictures);
         rows.push_back(std::move(row));
     }
+    write_reports(reports, page, rows, task.limits);
+    print_text(text);
     if (run.is_json) print_data(to_json(rows));
     return worst;
 }

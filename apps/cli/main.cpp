@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program `rakelight`. What the commands do is the library's; here are files in, messages out and the exit code.
+#include <algorithm>
+
 #include <rakelight/tools/exit_code.h>
 
+#include "../common/manual.h"
 #include "../common/view_command.h"
 #include "bench_verb.h"
 #include "check_verb.h"
 #include "compare_verb.h"
 #include "explain_verb.h"
 #include "help_texts.h"
+#include "implied_verb.h"
 #include "inspect_verb.h"
 #include "interrupt.h"
 #include "render_verb.h"
@@ -27,7 +31,6 @@ struct Verb {
 };
 
 int run(int argc, const char* const* argv) {
-    if (is_model_to_view(argc, argv)) become_viewer(argc, argv, 1);
     const Verb verbs[] = {
         {render_command(), run_render},   {inspect_command(), run_inspect}, {smooth_command(), run_smooth},
         {bench_command(), run_bench},     {explain_command(), run_explain}, {stages_command(), run_stages},
@@ -35,14 +38,18 @@ int run(int argc, const char* const* argv) {
     std::vector<Command> commands;
     for (const Verb& verb : verbs) commands.push_back(verb.command);
     const apps::Program program{"rakelight", "Renders 3D models made of many parts: bumps show, seams do not.",
-                                main_footer, commands};
-    apps::CommandLine line = apps::read_command_line(program, argc, argv);
+                                main_footer, commands, "rakelight MODEL... [-o FILE] [OPTIONS]"};
+    const std::vector<std::string> words = with_implied_verb(commands, {argv + std::min(argc, 1), argv + argc});
+    apps::CommandLine line;
+    line.help = apps::manual_for(program, words);
+    if (line.help.empty()) line = apps::read_command_line(program, words);
     if (!line.help.empty() || line.is_version) {
         print_data(line.is_version ? version_text() : line.help);
         return 0;
     }
     const std::size_t number = line.command;
-    if (!verbs[number].run) become_viewer(argc, argv, 2);
+    if (!verbs[number].run)
+        become_viewer({words.begin() + 1, words.end()}, line.positionals, line.given.has("recursive"));
     return verbs[number].run(run_of(commands[number], std::move(line)));
 }
 

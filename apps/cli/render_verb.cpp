@@ -1,27 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render_verb.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <filesystem>
 
 #include <rakelight/tools/rows.h>
 
 #include "../common/picture_options.h"
 #include "help_texts.h"
 #include "interrupt.h"
+#include "output_names.h"
+#include "references.h"
 #include "run_file.h"
 #include "stats_text.h"
+#include "watch.h"
 
 namespace rakelight::cli {
 
 Command render_command() {
-    const Option picture = {.name = "output",
-                            .group = "Output",
-                            .type = "FILE",
-                            .help =
-                                "Picture to write: .png .jpg .webp (sRGB) .exr .hdr (linear). {model} stands for "
-                                "the model's name",
-                            .is_required = true,
-                            .letter = 'o'};
+    const Option picture = {
+        .name = "output",
+        .group = "Output",
+        .type = "FILE",
+        .help =
+            "Picture to write: .png .jpg .webp .ppm (sRGB) .exr .hdr (linear); a folder, for a "
+            "picture of each model; - or ppm:- for standard output. Filled in are {model} {ext} {dir} "
+            "(name, ending and folder of the model), {n} (its number; {n:3} has three digits), "
+            "{camera} (of --camera-index or --view) and {frame} (of --watch). Missing folders are made",
+        .is_required = true,
+        .letter = 'o'};
+    const Option watch = {"watch", "Output", "",
+                          "Draw again whenever a file that the picture is made of changes, until a signal ends it",
+                          apps::Form::flag};
     const Option stats = {"stats", "Output", "",
                           "Say what the engine counted: lighting evaluations, triangles, pixels, overdraw",
                           apps::Form::flag};
@@ -32,15 +44,55 @@ Command render_command() {
             "Draw models to picture files",
             render_footer,
             {{"MODEL", models_help}},
-            apps::joined({{picture}, apps::picture_options(), {stats, partial}, apps::common_options()})};
+            apps::joined({{picture, watch},
+                          apps::input_options(),
+                          apps::picture_options(),
+                          {stats, partial},
+                          reference_options(),
+                          apps::common_options()})};
 }
 
-int run_render(const Run& run) {
-    std::vector<InputRequest> requests = picture_requests(run);
-    const bool keeps_partial = run.given.has("keep-partial");
-    for (InputRequest& input : requests) input.picture.keep_partial = keeps_partial;
-    if (keeps_partial) CancelOnInterrupt::let_finish();
+namespace {
+
+using Time = std::filesystem::file_time_type;
+
+/// A picture in a pipe: one, whole, and nothing else beside it.
+void check_standard_output(const Run& run, std::size_t pictures) {
+    for (const char* const other : {"json", "stats", "watch", "ref", "reference"})
+        if (run.given.has(other))
+            throw Error(ErrorCode::usage, "-o - and --" + std::string(other) + " exclude each other");
+    if (pictures > 1)
+        throw Error(ErrorCode::usage, "one picture goes to standard output", {}, "--as-one puts models into one");
+    if (isatty(STDOUT_FILENO))
+        throw Error(ErrorCode::usage, "standard output is a terminal", {}, "pipe the picture on, or write -o FILE");
+}
+
+/// The name of a picture on standard output, which says its format.
+std::string standard_output_name(const Run& run) {
+    const std::string& output = run.picture.output;
+    const std::string format = output == "-" ? picture_format(run) : output.substr(0, output.size() - 2);
+    return "standard output." + (format.empty() ? "png" : format);
+}
+
+PictureResult draw_to_standard_output(const PictureRequest& request, Context& context) {
+    std::vector<std::byte> file;
+    const PictureResult result = render_picture(request, file, context);
+    print_data({reinterpret_cast<const char*>(file.data()), file.size()});
+    return result;
+}
+
+/// Draws all once. @param watched  what they were made of; null: nobody asks
+int draw_all(const Run& run, int frame, WatchedInputs* watched) {
+    std::vector<InputRequest> requests = picture_requests(run, frame);
+    *run.files = {.of = requests.size()};
+    const bool is_piped = is_standard_output(run.picture.output);
+    if (is_piped) check_standard_output(run, requests.size());
+    for (InputRequest& input : requests) {
+        input.picture.keep_partial = run.given.has("keep-partial");
+        if (is_piped) input.picture.output = standard_output_name(run);
+    }
     check_requests(requests);
+    References references(run, requests);
     std::vector<PictureRow> rows;
     int worst = 0;
     for (const InputRequest& input : requests) {
@@ -51,13 +103,42 @@ int run_render(const Run& run) {
             row.error = Error(ErrorCode::failed, "cancelled").with_file(request.input);
             continue;
         }
-        const int code = run_input(run, input, row, [&](Context& c) { row.result = render_picture(request, c); });
+        const Time began = Time::clock::now();
+        const auto watch = [&](const std::vector<std::string>& files) {
+            if (watched) watched->add(files, began);
+        };
+        watch({request.input});
+        watch(request.load.joined);
+        const int code = run_input(run, input, row, [&](Context& c) {
+            try {
+                row.result = is_piped ? draw_to_standard_output(request, c) : render_picture(request, c);
+            } catch (...) {
+                watch(c.files());
+                throw;
+            }
+            watch(c.files());
+            references.check(rows.size() - 1, row, c);
+        });
         if (code == 0) print_note(summary(row.result), run.loudness);
         if (code == 0 && run.given.has("stats") && !run.is_json) print_text(stats_text(row.result));
-        worst = std::max(worst, code);
+        worst = std::max({worst, code, references.print_failure(row)});
     }
+    references.finish(rows);
     if (run.is_json) print_data(to_json(rows));
     return worst;
+}
+
+}  // namespace
+
+int run_render(const Run& run) {
+    if (run.given.has("keep-partial")) CancelOnInterrupt::let_finish();
+    if (!run.given.has("watch")) return draw_all(run, 1, nullptr);
+    WatchedInputs watched;
+    for (int frame = 1;; ++frame) {
+        const int code = draw_all(run, frame, &watched);
+        if (CancelOnInterrupt::happened()) return code;
+        watched.wait();
+    }
 }
 
 }  // namespace rakelight::cli

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 
+#include <rakelight/tools/settings_file.h>
 #include <rakelight/tools/values.h>
 
 #include "../common/view_command.h"
+#include "inputs.h"
+#include "output_names.h"
 
 namespace rakelight::cli {
 namespace {
@@ -14,7 +17,7 @@ namespace {
 bool takes(const Run& run, std::string_view key) {
     if (!apps::takes_setting(run.command, key)) return false;
     return std::string_view(apps::find_or_null(run.command.options, key)->group) != "Heat map" ||
-           run.given.has("heatmap");
+           run.given.has("heatmap") || run.given.has("report");
 }
 
 /// Then what several settings can only get wrong together depends on what the worlds say.
@@ -25,10 +28,45 @@ bool are_all_worlds(const Run& run) {
     return !run.inputs.empty() && models == (is_bench ? 1 : 0) && run.inputs.size() > (is_bench ? 1u : 0u);
 }
 
+/// The settings of --config that the command line says nothing of go before its own.
+void take_config(Run& run) {
+    Context quiet({.threads = 1});
+    std::vector<WorldValue> given = run.given.settings();
+    const RenderOverrides overrides{given, [&run](std::string_view key) { return takes(run, key); }};
+    run.config = read_settings_file(run.given.word("config"), run.picture.load, overrides, quiet);
+    std::vector<WorldValue> all = run.config->taken;
+    all.insert(all.end(), given.begin(), given.end());
+    run.given.set_settings(std::move(all));
+}
+
+constexpr std::uint64_t most_standard_input = std::uint64_t(4) << 30;  ///< [bytes] without --max-memory
+
+/// Folders are gone through, standard input is read, and --as-one leaves one.
+void take_inputs(Run& run) {
+    const std::vector<std::string> words = std::move(run.inputs);
+    run.inputs.clear();
+    for (Input& input : expanded(words, run.given.has("recursive"))) {
+        if (input.path == "-" && run.picture.load.memory_files.empty())
+            run.picture.load.memory_files.push_back(
+                standard_input(model_format(run), run.max_memory ? run.max_memory : most_standard_input));
+        if (input.path == "-") input.path = run.picture.load.memory_files[0].name;
+        run.folders.emplace(input.path, input.folder);
+        run.inputs.push_back(std::move(input.path));
+    }
+    if (!run.given.has("as-one") || run.inputs.empty()) return;
+    run.picture.load.joined.assign(run.inputs.begin() + 1, run.inputs.end());
+    run.inputs.resize(1);
+}
+
 }  // namespace
 
 Run run_of(const Command& command, apps::CommandLine line) {
-    Run run{.command = command, .given = std::move(line.given), .inputs = std::move(line.positionals), .picture = {}};
+    Run run{.command = command,
+            .given = std::move(line.given),
+            .inputs = std::move(line.positionals),
+            .folders = {},
+            .config = {},
+            .picture = {}};
     const Given& given = run.given;
     if (given.has("quiet") && given.has("verbose"))
         throw Error(ErrorCode::usage, "--quiet and --verbose exclude each other");
@@ -39,6 +77,9 @@ Run run_of(const Command& command, apps::CommandLine line) {
     run.picture.load.allow_outside = given.has("allow-outside");
     run.picture.output = given.word("output");
     run.picture.look = Look::standard;
+    if (given.has("config")) take_config(run);
+    if (apps::find_or_null(command.options, "recursive")) take_inputs(run);
+    run.files->of = std::max(run.inputs.size(), std::size_t(1));
     if (!are_all_worlds(run)) read_render_keys(given.settings(), run.picture);
     run.picture.settings.own_shading = !shades_the_whole(given.settings());
     return run;
@@ -62,8 +103,29 @@ void check_requests(std::vector<InputRequest>& requests) {
         }
 }
 
+namespace {
+
+std::string camera_of(const PictureRequest& picture) {
+    std::string name = !picture.view.camera.empty() ? picture.view.camera : picture.view.side;
+    for (char& c : name) c = c == '/' ? '-' : c;
+    return name.empty() ? "default" : name;
+}
+
+}  // namespace
+
+std::vector<InputRequest> picture_requests(const Run& run, int frame) {
+    std::vector<InputRequest> requests;
+    OutputNames names(run, run.inputs.size());
+    for (const std::string& input : run.inputs) {
+        InputRequest whole = request_for(run, input);
+        whole.picture.output = names.of(input, {camera_of(whole.picture), frame});
+        requests.push_back(std::move(whole));
+    }
+    return requests;
+}
+
 InputRequest request_for(const Run& run, const std::string& input) {
-    InputRequest request{run.picture, {}, {}};
+    InputRequest request{run.picture, {}, run.config};
     try {
         if (is_world_file(input)) {
             request.world = world_request(run, input, run.given.settings());

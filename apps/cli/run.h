@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@
 
 #include "../common/command_line.h"
 #include "console.h"
+#include "inputs.h"
+#include "progress_line.h"
 
 namespace rakelight::cli {
 
@@ -22,11 +25,15 @@ using apps::Option;
 struct Run {
     const Command& command;
     Given given;
-    std::vector<std::string> inputs;
+    std::vector<std::string> inputs;             ///< models; folders are gone through, standard input has a name
+    std::map<std::string, InputFolder> folders;  ///< of the inputs
     int threads = 0;
     std::uint64_t max_memory = 0;
     bool is_json = false;
     Loudness loudness = Loudness::normal;
+    std::optional<WorldRequest> config;  ///< of --config: its settings are among those that were given
+    /// For progress lines: counted up by each file that is begun. A command that has another number of them than inputs says so.
+    std::shared_ptr<FileCount> files = std::make_shared<FileCount>();
     PictureRequest picture;  ///< by the settings that were given; its output holds the name template
 };
 
@@ -37,28 +44,16 @@ Run run_of(const Command& command, apps::CommandLine line);
 struct InputRequest {
     PictureRequest picture;
     std::optional<Error> error;
-    std::optional<WorldRequest> world;  ///< of a world file
+    std::optional<WorldRequest> world;  ///< of a world file, else of --config: where settings stand
 };
 
 /// The request for an input: as the command line says, and for a world file by its [render], too.
 InputRequest request_for(const Run& run, const std::string& input);
 
-/// Names of outputs, one for each input: '{model}' stands for the input's name without folder and ending.
-class OutputNames {
-public:
-    /// @throws Error usage: braces around anything else; several inputs for one output
-    OutputNames(const Run& run, std::size_t inputs);
-    /// @throws Error usage: the same output as another input's
-    std::string of(const std::string& input);
-
-private:
-    std::string template_;
-    std::map<std::string, std::string> inputs_of_;  ///< output -> input
-};
-
-/// A request for each input: '{model}' in the output stands for the input's name without folder and ending.
+/// A request for each input, each with an output of its own (output_names.h).
+/// @param frame  how often the pictures are drawn, with this time
 /// @throws Error usage: several inputs for one output, or two inputs for the same
-std::vector<InputRequest> picture_requests(const Run& run);
+std::vector<InputRequest> picture_requests(const Run& run, int frame = 1);
 
 /// How a world is drawn by its [render] and the settings that were given.
 /// @throws Error bad_file with line and column, usage

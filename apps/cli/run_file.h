@@ -9,6 +9,7 @@
 
 #include "console.h"
 #include "interrupt.h"
+#include "progress_line.h"
 #include "run.h"
 
 namespace rakelight::cli {
@@ -17,7 +18,7 @@ namespace rakelight::cli {
 /// code.
 template <class Row>
 int run_file(const Run& run, const std::string& file, Row& row, const std::function<void(Context&)>& work) {
-    ProgressLine progress(file, run.loudness);
+    ProgressLine progress(file, run.loudness, *run.files);
     Context context({.threads = run.threads, .max_memory = run.max_memory, .progress = progress.callback()});
     const CancelOnInterrupt guard(context, file);
     try {

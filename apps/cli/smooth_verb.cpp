@@ -2,7 +2,10 @@
 #include "smooth_verb.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
+#include <rakelight/compare.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/values.h>
 
@@ -18,58 +21,120 @@ Command smooth_command() {
     std::vector<Option> shared = apps::picture_options();
     Option keep = apps::find(shared, "keep-instances");
     keep.help = "glTF: instances go on sharing a mesh even where they touch different things";
-    return {"smooth",
-            "Write models back with seam-free normals and tangents",
-            smooth_footer,
-            {{"MODEL", "Model files, or builtin:teapot, builtin:sphere:tolerance=0.01, ..."}},
-            apps::joined({{{.name = "output",
-                            .group = "Output",
-                            .type = "FILE",
-                            .help = "File to write, may be the model itself: .glb or .gltf from glTF and .obj from OBJ "
-                                    "(everything else of the file is kept), .glb or .ply from any format. {model} "
-                                    "stands for the model's name",
-                            .is_required = true,
-                            .letter = 'o'},
-                           {"scope", "Normals", "WHICH",
-                            "Over what normals are smoothed: model (default: all objects, no seams), object, face "
-                            "(flat)"},
-                           apps::find(shared, "crease-angle"),
-                           apps::find(shared, "weight"),
-                           {"weld-distance", "Normals", "M",
-                            "Positions of different objects at most this far apart [m] count as one (default: equal, "
-                            "but for rounding)"},
-                           {"tangents", "Normals", "WHICH",
-                            "auto (default: where there is a normal map or tangents were), always (where there are "
-                            "texture coordinates), never"},
-                           keep},
-                          apps::common_options()})};
+    return {
+        "smooth",
+        "Write models back with seam-free normals and tangents",
+        smooth_footer,
+        {{"MODEL", models_help}},
+        apps::joined(
+            {{{.name = "output",
+               .group = "Output",
+               .type = "FILE",
+               .help = "File to write, may be the model itself: .glb or .gltf from glTF and .obj from OBJ "
+                       "(everything else of the file is kept), .glb, .gltf, .obj or .ply from any format. {model} "
+                       "stands for the model's name",
+               .letter = 'o'},
+              {"preview", "Output", "PLACE",
+               "Write no model but a page with heat maps of the seams before and after: an .html file, or a "
+               "folder for NAME.html and its pictures"},
+              {"keep-unused", "Output", "", "glTF: keep the bytes of buffer views that nothing uses any more", flag},
+              {"normals", "Normals", "WHICH",
+               "seams (default where the file has normals: they stay, and are joined only where parts meet), "
+               "or made anew: model (default for files without; over all objects, no seams), object, face "
+               "(flat)"},
+              {"scope", "Normals", "WHICH", "Old name of --normals"},
+              apps::find(shared, "crease-angle"),
+              apps::find(shared, "weight"),
+              {"weld-distance", "Normals", "M",
+               "Positions of different objects at most this far apart [m] count as one (default: equal, "
+               "but for rounding)"},
+              {"tangents", "Normals", "WHICH",
+               "auto (default: those of the file turn with their normals; beside normals made anew, where "
+               "there is a normal map or tangents were), always (where there are texture coordinates), never"},
+              keep},
+             apps::without(apps::input_options(), {"format", "as-one"}),
+             apps::common_options()})};
 }
 
 namespace {
 
-SmoothFileOptions smooth_options(const Run& run) {
-    constexpr Word<Scope> scopes[] = {{"model", Scope::model}, {"object", Scope::object}, {"face", Scope::face}};
+/// --normals, or its old name.
+void read_normals(const Given& given, SmoothFileOptions& options) {
+    struct Way {
+        AuthoredNormals authored;
+        Scope scope;
+    };
+    constexpr Word<Way> ways[] = {{"seams", {AuthoredNormals::seams, Scope::model}},
+                                  {"model", {AuthoredNormals::replaced, Scope::model}},
+                                  {"object", {AuthoredNormals::replaced, Scope::object}},
+                                  {"face", {AuthoredNormals::replaced, Scope::face}},
+                                  {"flat", {AuthoredNormals::replaced, Scope::face}}};
+    if (given.has("normals") && given.has("scope"))
+        throw Error(ErrorCode::usage, "--normals and --scope, its old name, exclude each other");
+    const char* const name = given.has("scope") ? "scope" : "normals";
+    if (!given.has(name)) return;
+    const Way way = values::word(name, given.word(name), ways);
+    options.authored = way.authored;
+    options.attributes.scope = way.scope;
+}
+
+/// @param picture  of one model: a world file may set the crease angle and the weight
+SmoothFileOptions smooth_options(const Run& run, const PictureRequest& picture) {
     constexpr Word<TangentChoice> choices[] = {
         {"auto", TangentChoice::automatic}, {"always", TangentChoice::always}, {"never", TangentChoice::never}};
     SmoothFileOptions options;
     AttributeOptions& a = options.attributes;
-    a.crease_angle_rad = run.picture.prepare.crease_angle_rad;
-    a.weight = run.picture.prepare.weight;
-    if (run.given.has("scope")) a.scope = values::word("scope", run.given.word("scope"), scopes);
+    a.crease_angle_rad = picture.prepare.crease_angle_rad;
+    a.weight = picture.prepare.weight;
+    read_normals(run.given, options);
     if (run.given.has("tangents")) options.tangents = values::word("tangents", run.given.word("tangents"), choices);
     if (run.given.has("weld-distance")) {
         a.weld_distance = values::number("weld-distance", run.given.word("weld-distance"));
         if (!(a.weld_distance >= 0)) throw values::wrong("weld-distance", "must be 0 or more");
     }
-    options.keep_instances = run.picture.prepare.keep_instances;
-    options.load = run.picture.load;
+    options.keep_unused = run.given.has("keep-unused");
+    options.keep_instances = picture.prepare.keep_instances;
+    options.load = picture.load;
     return options;
+}
+
+/// The same run with an output for each model: the model, or the page of its preview.
+Run with_output(Run run) {
+    if (run.given.has("preview") == run.given.has("output"))
+        throw Error(ErrorCode::usage,
+                    run.given.has("preview") ? "--preview writes no model: it excludes -o" : "an output is missing", {},
+                    "write -o FILE for the model, or --preview FILE.html for a page that shows what would change");
+    if (!run.given.has("preview")) return run;
+    run.picture.output = run.given.word("preview");
+    if (!is_page(run.picture.output))
+        run.picture.output += (run.picture.output.ends_with('/') ? "" : "/") + std::string("{model}.html");
+    return run;
+}
+
+/// Beside a page in a folder its pictures; a page that was named stands alone.
+PreviewPlace preview_place(const Run& run, const std::string& page) {
+    if (is_page(run.given.word("preview"))) return {page, {}, {}};
+    const std::string stem = page.substr(0, page.size() - std::string_view(".html").size());
+    return {page, stem + "-before.png", stem + "-after.png"};
+}
+
+SmoothedFile smooth_input(const Run& run, const PictureRequest& request, const SmoothFileOptions& options, Context& c) {
+    if (!run.given.has("preview")) return smooth_file(request.input, request.output, options, c);
+    const PreviewPlace place = preview_place(run, request.output);
+    if (!place.picture_before.empty()) {
+        std::error_code fault;  // what is not there then is said when the page is written
+        std::filesystem::create_directories(std::filesystem::path(place.page).parent_path(), fault);
+    }
+    return preview_smooth(request.input, place, options, request.view, request.settings, c);
 }
 
 }  // namespace
 
-int run_smooth(const Run& run) {
-    const SmoothFileOptions options = smooth_options(run);
+int run_smooth(const Run& given) {
+    if (std::ranges::any_of(given.inputs, [](const std::string& file) { return file.starts_with("standard input"); }))
+        throw Error(ErrorCode::usage, "smooth takes files, not standard input", {}, "write the model to a file first");
+    const Run run = with_output(given);
+    (void)smooth_options(run, run.picture);  // what is wrong for all is said once
     std::vector<SmoothedFileRow> rows;
     int worst = 0;
     for (const InputRequest& input : picture_requests(run)) {
@@ -77,10 +142,8 @@ int run_smooth(const Run& run) {
         if (CancelOnInterrupt::happened()) break;
         SmoothedFileRow& row = rows.emplace_back();
         row.file = request.input;
-        const int code = run_file(run, request.input, row, [&](Context& c) {
-            if (is_world_file(request.input))
-                throw Error(ErrorCode::usage, "world files are not smoothed", {}, "smooth their models");
-            row.result = smooth_file(request.input, request.output, options, c);
+        const int code = run_input(run, input, row, [&](Context& c) {
+            row.result = smooth_input(run, request, smooth_options(run, request), c);
         });
         if (code == 0) print_note(summary(*row.result), run.loudness);
         worst = std::max(worst, code);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include <rakelight/compare.h>
 #include <rakelight/tools/rows.h>
+#include <rakelight/tools/values.h>
 
 #include "../common/picture_options.h"
 #include "help_texts.h"
@@ -21,6 +23,9 @@ Command stages_command() {
                                "command. {model} stands for the model's name",
                            .is_required = true,
                            .letter = 'o'};
+    const Option single = {"single-file", "Output", "",
+                           "Write one page that holds all pictures and tables itself: -o names the .html file",
+                           apps::Form::flag};
     std::vector<Option> options = apps::without(
         apps::picture_options(), {"window", "channels", "channel-files", "exr-colors", "engine", "line-color"});
     apps::hide_drawn_lines(options);  // the sizes stay: the picture has the model's own lines and points
@@ -28,10 +33,18 @@ Command stages_command() {
             "Show what each stage makes of a model, as a page",
             stages_footer,
             {{"MODEL", models_help}},
-            apps::joined({{folder}, options, apps::common_options()})};
+            apps::joined({{folder, single}, apps::input_options(), options, apps::common_options()})};
 }
 
 int run_stages(const Run& run) {
+    const StagesForm form = run.given.has("single-file") ? StagesForm::single_file : StagesForm::folder;
+    if (form == StagesForm::single_file && !is_page(run.picture.output))
+        throw values::wrong("single-file", "writes a page, and '" + one_line(run.picture.output, 80) + "' is no .html",
+                            "write for example -o stages.html");
+    if (form == StagesForm::folder && is_page(run.picture.output))
+        throw values::wrong("output",
+                            "'" + one_line(run.picture.output, 80) + "' names a page, and a folder is written",
+                            "add --single-file");
     std::vector<StagesRow> rows;
     int worst = 0;
     for (const InputRequest& input : picture_requests(run)) {
@@ -42,11 +55,15 @@ int run_stages(const Run& run) {
         if (CancelOnInterrupt::happened()) {
             row.error = Error(ErrorCode::failed, "cancelled").with_file(request.input);
         } else {
-            const int code = run_input(run, input, row, [&](Context& c) { row.result = write_stages(request, c); });
+            const int code =
+                run_input(run, input, row, [&](Context& c) { row.result = write_stages(request, c, form); });
             worst = std::max(worst, code);
             if (code == 0)
-                print_note(row.result.folder + "/index.html: " + std::to_string(row.result.files.size()) + " files",
-                           run.loudness);
+                print_note(
+                    form == StagesForm::single_file
+                        ? row.result.folder + ": a page of all stages"
+                        : row.result.folder + "/index.html: " + std::to_string(row.result.files.size()) + " files",
+                    run.loudness);
         }
         rows.push_back(std::move(row));
     }

@@ -3,36 +3,69 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include <rakelight/error.h>
 
-namespace rakelight::cli {
+#include "inputs.h"
 
-bool is_model_to_view(int argc, const char* const* argv) {
-    if (argc < 2 || (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY"))) return false;
-    const std::string word = argv[1];
-    std::error_code ignored;
-    return word.starts_with("builtin:") ||
-           (word.find('.') != std::string::npos && std::filesystem::is_regular_file(word, ignored));
+namespace rakelight::cli {
+namespace {
+
+constexpr const char* name = "rakelight-view";
+
+/// Empty: this program's place is not known.
+std::string beside_this_program() {
+    std::error_code fault;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", fault);
+    return fault ? std::string() : (program.parent_path() / name).string();
 }
 
-void become_viewer(int argc, const char* const* argv, int first) {
-    const std::string name = "rakelight-view";
-    std::error_code fault;
-    const std::filesystem::path beside = std::filesystem::read_symlink("/proc/self/exe", fault).parent_path() / name;
-    std::vector<char*> words;
-    std::string path = beside.string();
-    words.push_back(path.data());
-    for (int i = first; i < argc; ++i) words.push_back(const_cast<char*>(argv[i]));  // execv() changes none
-    words.push_back(nullptr);
-    if (!fault) execv(path.c_str(), words.data());
-    execvp(name.c_str(), words.data());
-    throw Error(ErrorCode::failed, "the viewer '" + name + "' is neither beside this program nor in PATH", {},
-                "build it with -DRAKELIGHT_VIEWER=ON, which needs GLFW and Dear ImGui");
+bool is_set(const char* variable) {
+    const char* const value = std::getenv(variable);
+    return value && *value;
+}
+
+bool is_program(const std::string& path) { return !path.empty() && access(path.c_str(), X_OK) == 0; }
+
+bool is_in_path() {
+    const char* const value = std::getenv("PATH");
+    std::string folders = value ? value : "";
+    for (std::size_t at = 0; at <= folders.size();) {
+        const std::size_t end = std::min(folders.find(':', at), folders.size());
+        if (is_program((std::filesystem::path(folders.substr(at, end - at)) / name).string())) return true;
+        at = end + 1;
+    }
+    return false;
+}
+
+}  // namespace
+
+bool can_view() {
+    const bool has_display = is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
+    return has_display && (is_program(beside_this_program()) || is_in_path());
+}
+
+void become_viewer(const std::vector<std::string>& words, const std::vector<std::string>& models, bool is_recursive) {
+    std::vector<std::string> all{beside_this_program()};
+    for (const std::string& word : words) {
+        if (word == "--recursive") continue;
+        const bool is_model = std::ranges::find(models, word) != models.end();
+        if (!is_model || !is_folder(word)) {
+            all.push_back(word);
+            continue;
+        }
+        for (const Input& input : expanded({&word, 1}, is_recursive)) all.push_back(input.path);
+    }
+    std::vector<char*> given;
+    for (std::string& word : all) given.push_back(word.data());
+    given.push_back(nullptr);
+    if (!all[0].empty()) execv(given[0], given.data());
+    execvp(name, given.data());
+    throw Error(ErrorCode::failed, "the viewer '" + std::string(name) + "' is neither beside this program nor in PATH",
+                {}, "build it with -DRAKELIGHT_VIEWER=ON, which needs GLFW and Dear ImGui");
 }
 
 }  // namespace rakelight::cli

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// `rakelight view`: starts the viewer, which is a program of its own, so that this one runs where no window can be.
+// `rakelight view MODEL ...`: a window, which is another program.
 #pragma once
+#include <string>
+#include <vector>
 
 namespace rakelight::cli {
 
-/// Whether a command line is `rakelight MODEL`: a file, or a built-in shape, in the place of a command, where there is a display.
-bool is_model_to_view(int argc, const char* const* argv);
+/// Whether there is a display, and the viewer beside this program or in PATH.
+bool can_view();
 
-/// Becomes rakelight-view with the words from number `first`: the one beside this program, else the one of PATH.
-/// @throws Error failed: there is none
-[[noreturn]] void become_viewer(int argc, const char* const* argv, int first);
+/// Runs rakelight-view in place of this program with the words behind "view"; folders stand for the models in them.
+/// @throws Error failed: it is not there; not_found: a folder without models
+[[noreturn]] void become_viewer(const std::vector<std::string>& words, const std::vector<std::string>& models,
+                                bool is_recursive);
 
 }  // namespace rakelight::cli

@@ -17,7 +17,12 @@ constexpr const char* switch_type = "[on|off]";
 /// CLI11's layout with descriptions wrapped to the page and single blank lines.
 class HelpLayout final : public CLI::Formatter {
 public:
-    HelpLayout() { column_width(apps::column_width); }
+    explicit HelpLayout(const char* usage) : usage_(usage) { column_width(apps::column_width); }
+
+    std::string make_usage(const CLI::App* app, std::string name) const override {
+        if (app->get_parent() != nullptr || !usage_) return Formatter::make_usage(app, name);
+        return std::string("Usage: ") + usage_ + "\n       " + name + " SUBCOMMAND [OPTIONS]\n\n";
+    }
 
     std::string make_option_opts(const CLI::Option* option) const override {
         const bool is_switch = option->get_type_name() == switch_type;
@@ -41,6 +46,9 @@ public:
         for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
         return text;
     }
+
+private:
+    const char* usage_;
 };
 
 /// What CLI11 writes to; it stays where it is.
@@ -64,7 +72,7 @@ struct Target {
 
 void declare(CLI::App& app, const Option& option, Target& to) {
     const std::string letter = option.letter ? std::string("-") + option.letter + "," : "";
-    const std::string name = letter + "--" + option.name;
+    const std::string name = letter + "--" + option.name + (option.also ? std::string(",--") + option.also : "");
     to.option = &option;
     switch (option.form) {
         case Form::value:
@@ -143,11 +151,11 @@ std::vector<std::string> without_help_word(const Program& program, std::vector<s
 
 }  // namespace
 
-CommandLine read_command_line(const Program& program, int argc, const char* const* argv) {
-    std::vector<std::string> words = without_help_word(program, {argv + std::min(argc, 1), argv + argc});
+CommandLine read_command_line(const Program& program, const std::vector<std::string>& given) {
+    std::vector<std::string> words = without_help_word(program, given);
     check_words(program, words);
     CLI::App app(program.help, program.name);
-    app.formatter(std::make_shared<HelpLayout>());  // before the commands, which inherit it
+    app.formatter(std::make_shared<HelpLayout>(program.usage));  // before the commands, which inherit it
     app.set_help_flag("-h,--help", std::string("Show this help; ") + program.name + " VERB --help shows a verb's");
     app.set_version_flag("-V,--version", std::string("-"), "Say version, formats, engines and instruction sets");
     app.require_subcommand(1);

@@ -13,6 +13,7 @@ namespace rakelight::apps {
 struct Program {
     const char *name, *help, *footer;
     std::span<const Command> commands;
+    const char* usage = nullptr;  ///< of the program without a command; null: there is none
 };
 
 struct CommandLine {
@@ -24,6 +25,7 @@ struct CommandLine {
 };
 
 /// @throws Error usage, one line: unknown commands and options with the nearest that there is
-CommandLine read_command_line(const Program& program, int argc, const char* const* argv);
+/// @param words  behind the program's name
+CommandLine read_command_line(const Program& program, const std::vector<std::string>& words);
 
 }  // namespace rakelight::apps

@@ -14,12 +14,13 @@ namespace rakelight::apps {
 /// The command that the words behind the program's name ask for; null: none, or none that there is.
 const Command* command_of(const Program& program, std::span<const std::string> words);
 
-/// @throws Error usage: a command that there is not, an empty value or name, a flag with a value, such as --edges=5
+/// @throws Error usage: a command that there is not, an empty value or name, a flag with another value than on or off, such as
+///         --json=5
 /// @param words  behind the program's name
 void check_words(const Program& program, std::span<const std::string> words);
 
 /// The words with "--shadows", "off" as "--shadows=off" where that is a switch of the command, so that a model's name
-/// behind a switch stays one. @throws Error usage: a word behind a switch that looks like neither
+/// behind a switch stays one; flags stand alone ("--json", "on" is "--json", "--json=off" is nothing). @throws Error usage: a word behind a switch that looks like neither
 std::vector<std::string> join_switches(const Program& program, std::vector<std::string> words);
 
 /// The parser's message as one line that says where help is. An option that is not known is said with the nearest that is.

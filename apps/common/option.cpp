@@ -7,7 +7,8 @@
 namespace rakelight::apps {
 
 const Option* find_or_null(const std::vector<Option>& options, std::string_view name) {
-    const auto found = std::ranges::find_if(options, [&](const Option& option) { return option.name == name; });
+    const auto found = std::ranges::find_if(
+        options, [&](const Option& option) { return option.name == name || (option.also && option.also == name); });
     return found == options.end() ? nullptr : &*found;
 }
 

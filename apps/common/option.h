@@ -28,8 +28,9 @@ struct Option {
     Form form = Form::value;
     bool is_setting = false;  ///< a key of [render] in world files
     bool is_required = false;
-    bool is_hidden = false;  ///< known, but not in the help
-    char letter = 0;         ///< "-o"; 0: none
+    bool is_hidden = false;      ///< known, but not in the help
+    char letter = 0;             ///< "-o"; 0: none
+    const char* also = nullptr;  ///< another name of it, in the help too; null: none
 };
 
 /// Words without dashes.
@@ -67,6 +68,7 @@ public:
     std::string_view first_of(std::initializer_list<std::string_view> names) const;
     /// Those that are settings.
     const std::vector<WorldValue>& settings() const { return settings_; }
+    void set_settings(std::vector<WorldValue> settings) { settings_ = std::move(settings); }
 
 private:
     const WorldValue* find(std::string_view name) const;

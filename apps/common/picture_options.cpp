@@ -6,9 +6,10 @@
 namespace rakelight::apps {
 namespace {
 
-constexpr const char *output = "Output", *shading = "Shading", *bumps = "Bumps", *shadows = "Shadows",
+constexpr const char *input = "Input", *output = "Output", *shading = "Shading", *bumps = "Bumps", *shadows = "Shadows",
                      *subdivision = "Subdivision", *materials = "Materials", *light = "Light", *camera = "Camera",
-                     *normals = "Normals", *lines = "Lines and points";
+                     *normals = "Normals", *lines = "Lines and points", *numbers = "Colors by numbers of vertices",
+                     *overlays = "Overlays";
 
 struct Entry {
     const char *group, *name, *type, *help;
@@ -18,15 +19,18 @@ constexpr Entry entries[] = {
     {output, "resolution", "W,H", "Size of the picture in pixels, also WxH (default 1280,720)"},
     {output, "window", "X,Y,W,H", "Draw and write only this part of the picture; 0,0 is the top left pixel"},
     {output, "samples", "N",
-     "Samples a pixel: 1 (default), 4 or 8 make edges smooth; surfaces are shaded once a pixel, by trace at each "
+     "Samples a pixel: 1, 4 (default; with --look plain 1) or 8: more make edges smooth; surfaces are shaded once a "
+     "pixel, by trace at each "
      "sample where rays go on or shadows are. With --method path (default 64, or what --noise and --max-seconds "
      "let) any number of paths, in passes"},
     {output, "anisotropy", "N",
      "Texture samples along a pixel's longer side, 1 (default) to 16: sharp at grazing angles"},
-    {output, "background", "COLOR", "r,g,b from 0 to 1 or '#rrggbb' as seen on a display, or transparent"},
+    {output, "background", "COLOR",
+     "r,g,b from 0 to 1, '#rrggbb', '#rgb' or a name of CSS such as white, as seen on a display; or transparent"},
     {output, "channels", "LIST",
      "Also write data: depth, normal, face-normal, tangent, uv, uv1, position, object, mesh, material, triangle, "
-     "barycentric, overdraw, base-color, ambient, diffuse, specular, emission; lighting: the last four; all; by paths "
+     "barycentric, overdraw, base-color, ambient, diffuse, specular, emission; lighting: the last four; all; "
+     "ambient-occlusion, with --ambient-occlusion; by paths "
      "albedo, direct, indirect, variance; paths: these four"},
     {output, "channel-files", "HOW",
      "exr (default: NAME.depth.exr, ...), layers (all in one EXR: FILE itself, else NAME.channels.exr), png (for the "
@@ -77,10 +81,16 @@ constexpr Entry entries[] = {
     {bumps, "tangent-space", "WHERE", "Normal maps are lit in: world (default), pixel, vertex, transposed"},
     {bumps, "normalize-frames", "",
      "Unit normal and tangent before a normal map acts (default on; off: as MikkTSpace bakes)"},
-    {shadows, "shadows", "", "Lights cast shadows (default off; on with --engine trace)"},
+    {shadows, "shadows", "",
+     "Lights cast shadows (default: off, but of the default look's key light and with --engine trace)"},
     {shadows, "shadow-size", "N", "Texels a side of a shadow map, 16 to 8192 (default 1024)"},
     {shadows, "shadow-bias", "F", "Bias against acne, times what is needed, 0 to 100 (default 1)"},
-    {shadows, "shadow-filter", "N", "Radius of the filter in texels, 0 to 4 (default 1)"},
+    {shadows, "shadow-filter", "N", "Radius of the filter in texels, 0 to 4 (default 1; of the default look 2)"},
+    {shadows, "ambient-occlusion", "",
+     "Nearby surfaces keep ambient light and that of the surroundings away, found from the picture's depths"},
+    {shadows, "ambient-occlusion-radius", "M",
+     "What is farther away hides nothing [m] (default: a twentieth of the diagonal of the scene's box)"},
+    {shadows, "ambient-occlusion-samples", "N", "Places that each pixel asks, 8 to 256 (default 32)"},
     {shading, "front-face", "ccw|cw",
      "How the model's triangles turn, seen from their front: counter-clockwise (default) or clockwise"},
     {shading, "cull", "WHICH", "Faces left out: auto (default: as the material says), none, back, front"},
@@ -96,12 +106,28 @@ constexpr Entry entries[] = {
     {lines, "points", "SHAPE", "Draw the vertices of the triangles over the picture: square, disc (default none)"},
     {lines, "point-sprites", "", "Draw only the vertices, no surfaces (as --points says, else discs)"},
     {lines, "line-width", "PX", "Width of lines in pixels, the model's own too (default 1)"},
-    {lines, "point-size", "PX", "Size of points in pixels, the model's own too (default 4)"},
+    {lines, "point-size", "PX",
+     "Size of points in pixels, the model's own too (default 4; of the model's own with the default look: by their "
+     "spacing, and points with normals are small pieces of lit surface)"},
     {lines, "line-color", "COLOR", "Color of edges and vertices (default: black over surfaces, else the material's)"},
+    {numbers, "scalar-coloring", "", "Color by numbers of the vertices: the first array that the file has; not lit"},
+    {numbers, "scalars", "NAME",
+     "Color by the array of that name: a property of PLY files such as intensity, an attribute _NAME of glTF; inspect "
+     "lists them"},
+    {numbers, "coloring-component", "N", "Of arrays with several numbers the one, from 0; -1 (default): their length"},
+    {numbers, "coloring-range", "MIN,MAX", "Values at the ends of the colormap (default: the least and the greatest)"},
+    {numbers, "colormap", "NAME", "viridis (default), magma, inferno, plasma, turbo, coolwarm, gray"},
+    {numbers, "bar", "", "Draw the colormap with numbers at the right side of the picture"},
+    {overlays, "grid", "", "A grid on the ground below the model, with steps of 1, 2 or 5 times a power of ten"},
+    {overlays, "axis", "", "Which way x, y and z point, in the corner at the bottom left"},
+    {overlays, "filename", "", "The model's name on top of the picture"},
+    {overlays, "metadata", "", "Objects, triangles and size of the model in the corner at the bottom right"},
     {normals, "normals", "WHICH",
      "auto (default: the file's, else as its format says, else model), file, flat, object (smooth within each object), "
-     "model (smooth over all objects: no seams)"},
+     "model (smooth over all objects: no seams), seams (the file's, joined only where parts meet)"},
     {normals, "crease-angle", "DEG", "Edges bent more than this stay sharp, 0 to 180 (default 60)"},
+    {normals, "weld-distance", "M",
+     "Positions of different objects at most this far apart [m] count as one (default: equal, but for rounding)"},
     {normals, "weight", "HOW", "How a triangle pulls on a normal: angle (default), uniform, area, angle-area"},
     {normals, "tangents", "HOW",
      "auto (default: the file's, else mikktspace with the file's normals, else averaged), averaged, mikktspace, "
@@ -153,7 +179,7 @@ constexpr Entry entries[] = {
     {camera, "far", "D", "Nothing farther is drawn [m] (default: the camera's, else behind the model)"},
     {camera, "camera-orthographic", "",
      "Parallel projection, as high as what the angle of view shows at the focal point"},
-    {materials, "color", "COLOR", "Color of all materials, r,g,b or '#rrggbb' as seen; textures are multiplied by it"},
+    {materials, "color", "COLOR", "Color of all materials, as --background has it; textures are multiplied by it"},
     {materials, "opacity", "A", "Opacity of all materials, 0 to 1; below 1 they are blended"},
     {materials, "roughness", "R", "Roughness of all materials, 0 to 1"},
     {materials, "metallic", "M", "How metallic all materials are, 0 to 1"},
@@ -176,7 +202,7 @@ constexpr Entry entries[] = {
     {light, "hdri-ambient", "", "The surroundings give light"},
     {light, "hdri-skybox", "", "The surroundings are the background"},
     {light, "hdri-intensity", "F", "Multiplies the light of the surroundings (default 1)"},
-    {light, "hdri-rotation", "DEG", "Turns the surroundings about +Y (default 0)"},
+    {light, "hdri-rotation", "DEG", "Turns the surroundings about the up axis (default 0)"},
     {output, "tone-mapping", "CURVE", "Of 8-bit pictures: none (default: cut off at 1), reinhard, neutral, aces, agx"},
     {output, "exposure", "EV", "Light is multiplied by 2^EV first, -30 to 30 (default 0)"},
     {light, "light", "SPEC",
@@ -211,6 +237,8 @@ std::vector<Option> picture_options() {
             options.emplace_back(Option{entry.name, entry.group, entry.type, entry.help, form_of(key->kind)});
         option.is_setting = true;
         if (std::string_view(entry.name) == "edges") option.letter = 'e';
+        if (std::string_view(entry.name) == "background") option.also = "background-color";
+        if (std::string_view(entry.name) == "scalars") option.also = "coloring-array";
     }
     return options;
 }
@@ -219,16 +247,47 @@ void hide_drawn_lines(std::vector<Option>& options) {
     for (const char* name : {"edges", "wireframe", "points", "point-sprites"}) find(options, name).is_hidden = true;
 }
 
-std::vector<Option> common_options() {
+std::vector<Option> input_options() {
     return {
+        {"recursive", input, "", "Of folders, take the models in their subfolders too", Form::flag},
+        {"format", input, "LIST",
+         "What no name says: the format of a model from standard input (-) as glb, gltf, obj, stl, ... (default: by "
+         "its "
+         "first bytes), and that of pictures on standard output (-o -) or in a folder as png (default), ppm, jpg, "
+         "webp, exr, hdr. Both: glb,ppm"},
+        {"as-one", input, "", "Put all models into one scene, each where its own coordinates say", Form::flag},
+    };
+}
+
+std::vector<Option> common_options() {
+    const char* const machine = "Machine";
+    return {
+        {"config", output, "FILE",
+         "Settings from a TOML file: [render] with the long names of these options, as in world files. What the "
+         "command "
+         "line says goes first"},
         {"json", output, "", "Write the results as JSON to standard output", Form::flag},
-        {"quiet", output, "", "Print no warnings, only errors", Form::flag},
-        {"verbose", output, "", "Print notes and times too", Form::flag},
-        {"threads", "Machine", "N", "Worker threads (default: all processors). The result does not depend on it"},
-        {"max-memory", "Machine", "SIZE",
+        {.name = "quiet",
+         .group = output,
+         .type = "",
+         .help = "Print no warnings, only errors",
+         .form = Form::flag,
+         .letter = 'q'},
+        {.name = "verbose",
+         .group = output,
+         .type = "",
+         .help = "Print notes and times too",
+         .form = Form::flag,
+         .letter = 'v'},
+        {.name = "threads",
+         .group = machine,
+         .type = "N",
+         .help = "Worker threads (default: all processors). The result does not depend on it",
+         .letter = 'j'},
+        {"max-memory", machine, "SIZE",
          "Memory that a model's data may ask for, for example 4G (default: 2G, or 64 bytes for each byte of its "
          "files)"},
-        {"allow-outside", "Machine", "", "Let a model refer to files outside its own folder", Form::flag},
+        {"allow-outside", machine, "", "Let a model refer to files outside its own folder", Form::flag},
     };
 }
 

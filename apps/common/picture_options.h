@@ -14,7 +14,10 @@ std::vector<Option> picture_options();
 /// out.
 void hide_drawn_lines(std::vector<Option>& options);
 
-/// Options of every command of a program: --json, --quiet, --verbose, --threads, --max-memory, --allow-outside.
+/// Options of commands that take models: --recursive, --format, --as-one.
+std::vector<Option> input_options();
+
+/// Options of every command of a program: --config, --json, --quiet, --verbose, --threads, --max-memory, --allow-outside.
 std::vector<Option> common_options();
 
 /// Several lists in one.

@@ -18,7 +18,7 @@ using namespace io::import_stream;
 /// What the ending of the file's name says about what Assimp's reader of that format does.
 struct Format {
     std::string ending;          ///< lower case, without the dot
-    bool file_normals = false;   ///< normals are the file's (FBX, DAE, X, PLY)
+    bool file_normals = false;   ///< normals are the file's (FBX, DAE, X)
     bool hint_normals = false;   ///< normals were made from smoothing groups (3DS, ASE)
     bool max_placement = false;  ///< texture placement is 3ds Max's
 };

@@ -27,7 +27,7 @@ void convert_faces(const aiMesh& mesh, std::uint32_t topology, bool with_hint, P
         if (!with_hint) continue;
         for (unsigned k = 0; k < 3; ++k) part.smoothing_hint.push_back(to_vec3(mesh.mNormals[face.mIndices[k]]));
     }
-    if (mesh.mNumFaces == 0 && topology == 2)  // a point cloud: PLY without faces
+    if (mesh.mNumFaces == 0 && topology == 2)  // a point cloud
         for (unsigned v = 0; v < mesh.mNumVertices; ++v) part.indices.push_back(v);
 }
 

@@ -14,7 +14,7 @@
 #include <cstring>
 #include <new>
 
-#include "utf16.h"
+#include "base/utf16.h"
 
 namespace rakelight::import_helper {
 namespace {

@@ -172,7 +172,7 @@ Format format_of(const std::string& path) {
     for (char& c : format.ending)
         if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
     const std::string& e = format.ending;
-    format.file_normals = e == "fbx" || e == "dae" || e == "x" || e == "ply";
+    format.file_normals = e == "fbx" || e == "dae" || e == "x";
     format.hint_normals = e == "3ds" || e == "ase";
     format.max_placement = format.hint_normals;
     return format;

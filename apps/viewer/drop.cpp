@@ -24,8 +24,8 @@ bool ends_in_one_of(const char* const (&endings)[n], const std::string& file) {
 }
 
 bool may_be_model(const std::string& file) {
-    constexpr const char* endings[] = {".glb", ".gltf",  ".obj", ".fbx", ".dae", ".3ds",
-                                       ".ase", ".blend", ".stl", ".ply", ".off", ".x"};
+    constexpr const char* endings[] = {".glb",   ".gltf", ".obj", ".fbx", ".dae", ".3ds", ".ase",
+                                       ".blend", ".stl",  ".ply", ".off", ".x",   ".xyz", ".pts"};
     return ends_in_one_of(endings, file) || is_world_file(file);
 }
 

@@ -14,8 +14,8 @@ namespace rakelight::viewer {
 namespace {
 
 /// The words behind the program's name as those of `rakelight view`.
-std::vector<const char*> words_of(int argc, char** argv) {
-    std::vector<const char*> words{"rakelight", "view"};
+std::vector<std::string> words_of(int argc, char** argv) {
+    std::vector<std::string> words{"view"};
     words.insert(words.end(), argv + std::min(argc, 1), argv + argc);
     return words;
 }
@@ -36,8 +36,7 @@ Start start_of(const apps::Command& command, const apps::CommandLine& line) {
 int run(int argc, char** argv) {
     const apps::Command commands[] = {apps::view_command()};
     const apps::Program program{"rakelight", "Shows 3D models made of many parts in a window.", "", commands};
-    const std::vector<const char*> words = words_of(argc, argv);
-    const apps::CommandLine line = apps::read_command_line(program, int(words.size()), words.data());
+    const apps::CommandLine line = apps::read_command_line(program, words_of(argc, argv));
     if (!line.help.empty()) return std::fputs(line.help.c_str(), stdout) < 0;
     return App(start_of(commands[0], line)).run();
 }

@@ -228,6 +228,8 @@ bool Painter::paint_pass(const PaintJob& job, double scale, int samples, bool is
 
 void Painter::draw_by_session(const PaintJob& job, const PictureRequest& request, Painting& to, Context& context) {
     is_in_gl_ = false;
+    PictureRequest drawn = request;
+    const vec4 behind = keep_background(drawn.settings, drawn.tone);
     const std::uint32_t wished = job.wants_depth ? std::uint32_t(channel_depth) : 0u;
     const auto begin = std::chrono::steady_clock::now();
     PassSink sink([&](const Frame& frame, int samples) {
@@ -235,7 +237,7 @@ void Painter::draw_by_session(const PaintJob& job, const PictureRequest& request
         auto painting = std::make_shared<Painting>(to);
         painting->model = job.model, painting->number = job.number, painting->prepared = studio_->prepared();
         painting->is_whole = true, painting->stats.rays.samples = samples, painting->ms = ms_since(begin);
-        painting->codes = to_srgb8(frame, request.tone), painting->depth = frame.depth;
+        painting->codes = to_srgb8(frame, request.tone, behind), painting->depth = frame.depth;
         {
             const std::scoped_lock lock(mutex_);
             if (next_) return;
@@ -243,12 +245,12 @@ void Painter::draw_by_session(const PaintJob& job, const PictureRequest& request
         }
         wake_();
     });
-    to.stats = studio_->draw(job.model, job.look, request, to.camera, wished, sink, context);
+    to.stats = studio_->draw(job.model, job.look, drawn, to.camera, wished, sink, context);
     Frame& frame = sink.frame();
     to.prepared = studio_->prepared();
     to.codes = job.look.channel
                    ? channel_codes(frame, job.look.channel, view_range_of(job.model->box.bounds(), to.camera))
-                   : to_srgb8(frame, request.tone);
+                   : to_srgb8(frame, request.tone, behind);
     to.depth = std::move(frame.depth);
 }
 

@@ -7,11 +7,9 @@ namespace rakelight::viewer {
 
 void draw_normals_panel(PanelView& view) {
     PrepareOptions& p = view.look.request.prepare;
-    constexpr Word<NormalSource> sources[] = {{"auto", NormalSource::automatic},
-                                              {"file", NormalSource::file},
-                                              {"flat", NormalSource::flat},
-                                              {"object", NormalSource::object},
-                                              {"model", NormalSource::model}};
+    constexpr Word<NormalSource> sources[] = {{"auto", NormalSource::automatic}, {"file", NormalSource::file},
+                                              {"flat", NormalSource::flat},      {"object", NormalSource::object},
+                                              {"model", NormalSource::model},    {"seams", NormalSource::seams}};
     constexpr Word<CornerWeight> weights[] = {{"angle", CornerWeight::angle},
                                               {"uniform", CornerWeight::uniform},
                                               {"area", CornerWeight::area},

@@ -106,6 +106,7 @@ void draw_shading_panel(PanelView& view) {
     else
         choose("samples", sample_words, s.samples);
     slide("anisotropy", s.anisotropy, 1, 16);
+    if (r.engine == "soft" || r.engine == "auto") ImGui::Checkbox("ambient occlusion", &s.ambient_occlusion);
     constexpr Word<Cull> cull_words[] = {
         {"auto", Cull::automatic}, {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}};
     choose("culling", cull_words, s.cull);

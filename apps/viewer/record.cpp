@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include <rakelight/linear.h>
+#include <rakelight/picture_parts.h>
 #include <rakelight/render.h>
 
 #include "studio.h"
@@ -44,12 +45,13 @@ Turn record_turn(const std::shared_ptr<const Model>& model, const Look& look, in
             context.set_progress_part(done, double(turn.written + 1) / count);
             context.progress("record", 0);
             const Look now = turned(look, *model, width, height, 2 * pi * done);
-            const PictureRequest request = request_of(now, width, height);
+            PictureRequest request = request_of(now, width, height);
+            const vec4 behind = keep_background(request.settings, request.tone);
             Frame frame;
             studio.draw(model, now, request, camera_of(now, *model, width, height), 0, frame, context);
             char name[32];
             std::snprintf(name, sizeof name, "%04d.png", turn.written + 1);
-            save(frame, (fs::path(folder) / name).string(), request.tone);
+            save(frame, (fs::path(folder) / name).string(), request.tone, behind);
         }
     } catch (const Error&) {
         std::error_code ignored;

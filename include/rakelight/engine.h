@@ -2,6 +2,7 @@
 // What every engine takes and gives: settings, a pixel window, channels, and a sink for finished tiles.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -97,12 +98,19 @@ enum Channel : std::uint32_t {
     channel_direct = 1u << 19,
     channel_indirect = 1u << 20,
     channel_variance = 1u << 21,  ///< of the mean of the samples' luminance
+    /// Of RenderSettings::ambient_occlusion alone: share of the light from all around that surfaces nearby let through; 1
+    /// where there is no surface.
+    channel_ambient_occlusion = 1u << 22,
 };
 inline constexpr std::uint32_t channels_lighting =
     channel_ambient | channel_diffuse | channel_specular | channel_emission;
 inline constexpr std::uint32_t channels_of_paths =
     channel_albedo | channel_direct | channel_indirect | channel_variance;
 inline constexpr std::uint32_t channels_all = (channel_emission << 1) - 1;  ///< of every engine: not those of paths
+
+/// The defaults of RenderSettings::ambient_occlusion.
+inline constexpr double usual_occlusion_share = 0.1;  ///< of the radius of the sphere about the scene
+inline constexpr int least_occlusion_samples = 8, usual_occlusion_samples = 32, most_occlusion_samples = 256;
 
 /// How paths find what shines: surfaces and environment are asked at every surface, and met by chance, each by the weight of the
 /// balance heuristic (Veach 1997, section 9.2.2); only asked; only met. All have the same mean.
@@ -151,6 +159,10 @@ struct RenderSettings {
     int shadow_size = 1024;  ///< [texels] a side of a shadow map, 16..8192
     float shadow_bias = 1;   ///< of the bias that the maps' texels and slopes ask for
     int shadow_filter = 1;   ///< [texels] radius of the filter, 0..4: (2 r + 2)^2 comparisons
+    /// Surfaces nearby keep light from all around away, ambient light and the environment's: docs/ambient-occlusion.md.
+    bool ambient_occlusion = false;
+    double ambient_occlusion_radius = 0;  ///< [m] >= 0; what is farther away hides nothing; 0: usual_occlusion_share
+    int ambient_occlusion_samples = usual_occlusion_samples;  ///< places that are asked for each pixel
     /// How triangles turn as seen from their front. Normals that are made before have to be made for that side:
     /// PrepareOptions::clockwise_fronts.
     FrontFace front_face = FrontFace::counter_clockwise;
@@ -180,8 +192,14 @@ struct RenderSettings {
     vec4 line_color{0, 0, 0,
                     0};  ///< of edges and vertices, linear; alpha 0: black over surfaces, else the material's own
     vec4 background{0.18f, 0.18f, 0.2f, 1};  ///< linear RGB and alpha
-    bool specular_horizon = true;            ///< no highlight where the light is below the surface (false: as printed)
-    bool orthogonalize = true;  ///< normal maps: the tangent is made perpendicular to the normal at every pixel
+    /// Linear light that glass and mirrors see of the background; absent: `background`. keep_background() sets it to what exposure and
+    /// tone curve make the background's color of.
+    std::optional<vec3> background_light{};
+    /// false: the background is laid behind the picture later, beyond its tone curve. Pixels have the alpha of what covers
+    /// them, and rays that go on from mirrors and glass see the background all the same.
+    bool lays_background = true;
+    bool specular_horizon = true;  ///< no highlight where the light is below the surface (false: as printed)
+    bool orthogonalize = true;     ///< normal maps: the tangent is made perpendicular to the normal at every pixel
     bool operator==(const RenderSettings&) const = default;
 };
 
@@ -199,7 +217,7 @@ struct Tile {
     std::span<const vec2> uv{}, uv1{};
     std::span<const vec3> base_color{}, ambient{}, diffuse{}, specular{}, emission{};
     std::span<const vec3> albedo{}, direct{}, indirect{};
-    std::span<const float> variance{};
+    std::span<const float> variance{}, ambient_occlusion{};
 };
 
 /// Takes finished tiles. Bit-equal results whatever the order of the tiles. Progressive engines deliver passes.
@@ -224,7 +242,7 @@ struct ChannelArrays {
     std::vector<vec2> uv{}, uv1{};
     std::vector<vec3> base_color{}, ambient{}, diffuse{}, specular{}, emission{};
     std::vector<vec3> albedo{}, direct{}, indirect{};
-    std::vector<float> variance{};
+    std::vector<float> variance{}, ambient_occlusion{};
 };
 
 /// The sink that keeps everything of a window. Pixel (x, y) of the picture is at (y - window.y) * window.width + x - window.x.
@@ -245,6 +263,7 @@ struct StageTimes {
     double front_end =
         0;             ///< transformation, clipping, culling, set-up, sorting into tiles; lighting of faces or vertices
     double tiles = 0;  ///< from outside: all that follows
+    double occlusion = 0;  ///< from outside: depths for RenderSettings::ambient_occlusion; the rest of it is shading
     double visibility = 0, shading = 0, blending = 0;
     double delivery = 0;  ///< what the sink does with the tiles, tone mapping included
 };
@@ -302,6 +321,7 @@ struct EngineAbilities {
     bool screen_interpolation = false;  ///< AttributeInterpolation::screen
     bool lines_and_points = false;      ///< edges, points
     bool shadows = false;               ///< RenderSettings::shadows
+    bool ambient_occlusion = false;     ///< RenderSettings::ambient_occlusion
     bool user_lighting = false;         ///< RenderSettings::lighting_text
     bool rays = false;                  ///< RenderSettings::method, naive; colors may be false
     std::uint32_t path_channels = 0;    ///< Channel bits of path tracing, beside `channels`

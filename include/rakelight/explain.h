@@ -29,6 +29,14 @@ std::vector<std::uint8_t> codes_of(const ExplainedPixel& pixel);
 /// Linear RGB and alpha.
 vec4 color_of(const ExplainedPixel& pixel);
 
+/// A pixel of a picture: 0,0 is the top left one.
+struct PixelPlace {
+    int x = 0, y = 0;
+};
+/// Several pixels of one picture, which is loaded and prepared once. In their order.
+std::vector<std::shared_ptr<const ExplainedPixel>> explain(const PictureRequest& request,
+                                                           std::span<const PixelPlace> pixels, Context& context);
+
 /// For people: lines that end with line feeds. Numbers are written with as many digits as tell the float apart.
 std::string to_text(const ExplainedPixel& pixel);
 

@@ -107,11 +107,23 @@ struct InsideOutBody {
     std::vector<std::uint32_t> objects{};  ///< that it is made of, into Inspection::objects
 };
 
+/// The numbers that vertices have under one name (Mesh::arrays).
+struct ArraySummary {
+    std::string name{};
+    std::uint32_t components = 1;
+    double low = 0, high = 0;      ///< of the finite numbers of all components; 0 where there are none
+    std::uint64_t vertices = 0;    ///< that have it
+    std::uint64_t not_finite = 0;  ///< numbers
+};
+
 struct Inspection {
     std::string file{};
+    /// Of all lengths: "m", or "units" where the file's format knows none (OBJ, STL, PLY, 3DS, ASE, OFF, X).
+    std::string unit = "m";
     std::uint64_t triangles = 0;  ///< instances counted each time
     std::vector<ObjectSummary> objects{};
     std::vector<std::uint32_t> material_objects{};    ///< [scene.materials] how many objects have it; 0: unused
+    std::vector<ArraySummary> arrays{};               ///< in the order of the meshes, each name once
     std::vector<SurfaceSummary> surfaces{};           ///< [objects], or empty when not asked for
     std::uint64_t t_junctions = 0;                    ///< each position once
     std::vector<TJunctionPlace> t_junction_places{};  ///< at most 1000
@@ -150,6 +162,9 @@ struct CheckLimits {
          no_inside_out = false, closed = false, unit_normals = false;
 };
 
+/// The names of the limits that are set, in their order: "max-seam", "closed".
+std::vector<std::string> names_of(const CheckLimits& limits);
+
 /// The options that were set, for people: "max-seam 1, closed".
 std::string to_text(const CheckLimits& limits);
 
@@ -162,11 +177,18 @@ struct CheckFailure {
 /// One entry for each limit that is passed, in the order of CheckLimits; empty: all is well.
 std::vector<CheckFailure> check_limits(const Inspection& inspection, const CheckLimits& limits);
 
+/// What is written on a heat map.
+enum class SeamMarks : std::uint8_t {
+    none,
+    legend  ///< the bar of colors, the largest seam's angle and objects, and a ring about it; in pictures of 240 x 180 and more
+};
+
 /// The model in plain gray with the normals `before`, and its seams over it, as wide as 0.6 % of the picture's height,
 /// in colors by their angle: heat_color(). Lights and textures of the scene are not used. Needs Inspection::seam_lines.
 /// @throws Error usage: an impossible camera; bad_file "nothing to draw"
 Frame draw_seams(const Scene& scene, const Inspection& inspection, const InspectOptions& options,
-                 const ViewRequest& view, const RenderSettings& settings, Context& context);
+                 const ViewRequest& view, const RenderSettings& settings, Context& context,
+                 SeamMarks marks = SeamMarks::none);
 
 /// The color of a seam angle, linear RGB; from dark to light: 0.01 degrees dark blue, 1 violet, 5 red, 20 orange, 60
 /// and more light yellow; linear between them.

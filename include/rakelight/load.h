@@ -2,6 +2,7 @@
 // Where scenes come from: files of all formats, world files, built-in shapes.
 #pragma once
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,19 @@
 
 namespace rakelight {
 
+/// A file that lies in memory: load() takes its bytes where its name is asked for.
+struct MemoryFile {
+    std::string name{};  ///< its ending says the format; what it names is looked for in its folder
+    std::shared_ptr<const std::vector<std::byte>> bytes{};
+    bool operator==(const MemoryFile&) const = default;
+};
+
 struct LoadOptions {
     bool allow_outside = false;  ///< references may leave the model's own folder tree
+    std::vector<MemoryFile> memory_files{};
+    /// More of what load() takes, put into the same scene, each where its own coordinates say. load() takes them into account
+    /// when it reads `path`, but not when it reads these.
+    std::vector<std::string> joined{};
     /// Settings in [render] of a world file whose place others have taken, such as "camera-index": what they name need
     /// not be there.
     std::vector<std::string> overridden{};

@@ -54,6 +54,10 @@ PictureResult render_picture(const PictureRequest& request, Context& context);
 /// The same of a scene that is there; `request.input` is its name in what is returned. @throws Error as above; bad_file: see validate()
 PictureResult render_picture(const Scene& scene, const PictureRequest& request, Context& context);
 
+/// The same into memory: the bytes of the file that `request.output` names, by its ending; nothing is written.
+/// @throws Error as above; usage: data channels in files of their own
+PictureResult render_picture(const PictureRequest& request, std::vector<std::byte>& file, Context& context);
+
 /// The color alone, in memory: what the PNG file would hold, RGB, or RGBA where background.w < 1. `request.output` and the data channels
 /// count for nothing.
 /// @throws Error as above

@@ -24,6 +24,11 @@ void take_look_of_picture(const Scene& asked, PictureRequest& request, Context& 
 /// @throws Error bad_file: see validate(); not_found, bad_file: a picture of the request
 Scene with_asked_surfaces(Scene scene, const PictureRequest& request, Context& context);
 
+/// For pictures that are shown or written as codes: where there is an exposure or a tone curve, the background is laid behind the picture
+/// after them, so that it stays the color that was named. @return what is to be laid behind the picture of these settings: save(),
+/// to_srgb8()
+vec4 keep_background(RenderSettings& settings, const ToneSettings& tone);
+
 /// The lights of a picture seen by a camera of choose_camera(): those that were asked for, the scene's or the default rig,
 /// with light_intensity and light_cutoff.
 std::vector<Light> asked_lights(const Scene& scene, const PictureRequest& request, const Camera& camera);

@@ -7,6 +7,7 @@
 
 #include <rakelight/attributes.h>
 #include <rakelight/scene.h>
+#include <rakelight/seams.h>
 
 namespace rakelight {
 
@@ -25,6 +26,7 @@ struct PrepareOptions {
     NormalSource normals = NormalSource::automatic;  ///< `automatic`: Mesh::normal_choice counts where there is one
     CornerWeight weight = CornerWeight::angle;
     double crease_angle_rad = radians(60);  ///< for meshes whose own choice has none, or does not count
+    double weld_distance = -1;              ///< [m] AttributeOptions::weld_distance
     UvProjection uv = UvProjection::none;   ///< for meshes without texture coordinates
     /// How tangents are made, in place of the file's too. Unset: the file's; else as MikkTSpace where the file's normals are kept
     /// (that is what its maps were baked for); else averaged.
@@ -50,5 +52,13 @@ struct PrepareOptions {
 /// A scene that an engine can draw: every triangle mesh has finite unit normals, and tangents where a normal or height
 /// map needs them. Says in the report what it replaced (zero or non-finite normals of the file, w = 0 tangents, ...).
 Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context);
+
+/// The rule of <rakelight/seams.h> over all drawn triangle meshes that have normals: placed in the world, skinned ones in
+/// bind pose. Tangents and the offsets of morph targets turn with their normals; every other number keeps its bits, and
+/// arrays in which nothing turns stay shared. Placements of one mesh that come out differently get a mesh of their own.
+/// @param keep_instances  they go on sharing it, with the normals of the first; said in the report
+/// @param seams  not null: what was done
+Scene repair_seams(const Scene& scene, const SeamOptions& options, Context& context, SeamReport* seams = nullptr,
+                   bool keep_instances = false);
 
 }  // namespace rakelight

@@ -22,6 +22,7 @@
 #include <rakelight/request.h>
 #include <rakelight/scene.h>
 #include <rakelight/scene_queries.h>
+#include <rakelight/seams.h>
 #include <rakelight/session.h>
 #include <rakelight/smooth_file.h>
 #include <rakelight/stages.h>

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // An optional value that few have.
 #pragma once
+#include <algorithm>
+#include <initializer_list>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace rakelight {
 
@@ -33,6 +36,31 @@ public:
 
 private:
     std::unique_ptr<T> value_;
+};
+
+/// A list that is nearly always empty, and then takes the room of a pointer only.
+template <class T>
+class RareList {
+public:
+    RareList() = default;
+    RareList(std::initializer_list<T> values) : list_(std::vector<T>(values)) {}
+    bool empty() const noexcept { return size() == 0; }
+    std::size_t size() const noexcept { return list_ ? list_->size() : 0; }
+    T* begin() noexcept { return list_ ? list_->data() : nullptr; }
+    T* end() noexcept { return begin() + size(); }
+    const T* begin() const noexcept { return list_ ? list_->data() : nullptr; }
+    const T* end() const noexcept { return begin() + size(); }
+    T& operator[](std::size_t i) { return (*list_)[i]; }
+    const T& operator[](std::size_t i) const { return (*list_)[i]; }
+    void push_back(T value) {
+        if (!list_) list_ = std::vector<T>();
+        list_->push_back(std::move(value));
+    }
+    void clear() { list_ = {}; }
+    bool operator==(const RareList& other) const { return std::equal(begin(), end(), other.begin(), other.end()); }
+
+private:
+    Rare<std::vector<T>> list_;
 };
 
 }  // namespace rakelight

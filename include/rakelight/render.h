@@ -28,8 +28,10 @@ Frame render(const Scene& scene, const Camera& camera, const RenderSettings& set
 Frame render(const Scene& scene, const RenderSettings& settings, Context& context);
 
 /// Writes a frame's color: sRGB 8 bit, tone-mapped, for PNG, JPEG and WebP, linear float for EXR and HDR.
+/// @param behind  linear color, and its alpha, that is laid behind pixels which are not opaque after exposure and tone curve, which do not
+///                change it: for frames drawn with RenderSettings::lays_background off
 /// @throws Error usage (unknown ending, exposure out of range), failed (cannot write). Nothing is left half-written.
-void save(const Frame& frame, const std::string& path, const ToneSettings& tone = {});
+void save(const Frame& frame, const std::string& path, const ToneSettings& tone = {}, vec4 behind = {});
 
 /// Writes a scene: .glb keeps all but what glTF has no place for, .ply the triangles alone; what is lost is said in the report.
 /// @throws Error usage: another ending; bad_file: see validate(), or there is nothing to write; failed: cannot be written
@@ -37,10 +39,11 @@ void save(const Scene& scene, const std::string& path, Context& context);
 
 /// The bytes of the file that save() writes. @param ending  of its name: ".png", ".exr", ...
 /// @throws Error usage: unknown ending, exposure out of range
-std::vector<std::byte> encode(const Frame& frame, const std::string& ending, const ToneSettings& tone = {});
+std::vector<std::byte> encode(const Frame& frame, const std::string& ending, const ToneSettings& tone = {},
+                              vec4 behind = {});
 
 /// A frame's color as display values: [width * height of its window] sRGB codes, R in the low byte, then G, B and alpha, which
 /// is not premultiplied. @throws Error usage: exposure out of range
-std::vector<std::uint32_t> to_srgb8(const Frame& frame, const ToneSettings& tone = {});
+std::vector<std::uint32_t> to_srgb8(const Frame& frame, const ToneSettings& tone = {}, vec4 behind = {});
 
 }  // namespace rakelight

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rakelight/colormap.h>
 #include <rakelight/engine.h>
 #include <rakelight/image.h>
 #include <rakelight/load.h>
@@ -73,6 +74,21 @@ struct MaterialOverrides {
 /// @throws Error not_found: a picture file that is not there, or a folder; bad_file: one that cannot be decoded
 Scene override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context);
 
+/// Colors by the numbers of one array of the vertices (Mesh::arrays), not lit.
+struct Coloring {
+    bool is_on = false;
+    std::string array{};             ///< its name; empty: the first that there is
+    std::optional<int> component{};  ///< from 0; absent: the length of all components
+    std::optional<dvec2> range{};    ///< values at the ends of the colormap, x <= y; absent: the least and the greatest
+    ColorMap map = ColorMap::viridis;
+    bool has_bar = false;  ///< the colormap with numbers stands at the picture's right side
+    bool operator==(const Coloring&) const = default;
+};
+
+/// The scene in these colors, which take the place of materials and vertex colors; what has no such numbers is gray.
+/// @throws Error usage: no vertices have such numbers, or such a component; the message lists what there is
+Scene color_by_array(Scene scene, const Coloring& coloring, Context& context);
+
 /// How data channels are written, as bits.
 enum ChannelFiles : std::uint32_t {
     channel_files_exr = 1u << 0,  ///< a file each, NAME.depth.exr: 32-bit floats in Y, R G, R G B or R G B A; numbers
@@ -91,13 +107,24 @@ enum class Look : std::uint8_t {
     standard  ///< take_look() fills in what neither the file nor PictureRequest::named has a say in
 };
 
+/// What is drawn over the finished picture, beside the model: docs/overlays.md.
+struct Overlays {
+    bool grid = false;      ///< on the ground below the model
+    bool axis = false;      ///< which way the world's axes point, in a corner
+    bool filename = false;  ///< the model's name
+    bool metadata = false;  ///< how much there is of the model
+    bool any() const { return grid || axis || filename || metadata; }
+    bool operator==(const Overlays&) const = default;
+};
+
 /// One picture to be made.
 struct PictureRequest {
     std::string input{};   ///< model file, or builtin:teapot, sphere, cylinder, cone, torus, plane
-    std::string output{};  ///< ending .png, .jpg, .webp (sRGB, 8 bit), .exr or .hdr (linear)
+    std::string output{};  ///< ending .png, .jpg, .webp, .ppm (sRGB, 8 bit), .exr or .hdr (linear)
     std::string engine = "soft";
     LoadOptions load{};
     MaterialOverrides materials{};
+    Coloring coloring{};
     PrepareOptions prepare{};
     ViewRequest view{};
     std::optional<std::vector<Light>>
@@ -111,8 +138,9 @@ struct PictureRequest {
     /// where less than this is left of them; no surface loses more of a light than this. 0: none does.
     double light_cutoff = 0;
     std::optional<Fog> fog{};  ///< in place of the scene's
-    ToneSettings tone{};       ///< of 8-bit pictures; EXR and HDR stay linear
-    std::string hdri_file{};   ///< equirectangular picture, takes the place of the scene's environment; empty: none
+    Overlays overlays{};
+    ToneSettings tone{};      ///< of 8-bit pictures; EXR and HDR stay linear
+    std::string hdri_file{};  ///< equirectangular picture, takes the place of the scene's environment; empty: none
     /// Whether the environment (without a file: the scene's, else the built-in studio) gives light, and whether it is
     /// the background; absent: as the scene says, else not.
     std::optional<bool> hdri_ambient{}, hdri_skybox{};
@@ -125,6 +153,8 @@ struct PictureRequest {
     /// A picture that is cancelled is written with what is there, the rest in the background's color; false: nothing is.
     bool keep_partial = false;
     bool half_colors = false;  ///< colors in EXR files, those of channels too, as 16-bit halves; data stays at 32 bits
+    /// Something is drawn over the finished picture.
+    bool has_overlays() const { return overlays.any() || (coloring.is_on && coloring.has_bar); }
     bool operator==(const PictureRequest&) const = default;
 };
 

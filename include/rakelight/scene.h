@@ -130,13 +130,18 @@ struct MetallicRoughnessParameters {
     vec3 sheen_color{0, 0, 0};  ///< KHR_materials_sheen, linear
     float sheen_roughness = 0;
     TextureUse sheen_color_texture{}, sheen_roughness_texture{};
-    float transmission = 0;             ///< KHR_materials_transmission, 0..1; engine trace only, as all that follows
+    float transmission = 0;             ///< KHR_materials_transmission, 0..1
     TextureUse transmission_texture{};  ///< data: R
     float thickness = 0;                ///< [m] KHR_materials_volume; 0: thin, rays go straight on
-    TextureUse thickness_texture{};     ///< data: G; kept only: rays find the thickness themselves
+    TextureUse thickness_texture{};     ///< data: G; rays find the thickness themselves
     float attenuation_distance = 0;     ///< [m] in which light becomes attenuation_color; 0: nothing is absorbed
     vec3 attenuation_color{1, 1, 1};    ///< linear
-    float dispersion = 0;               ///< KHR_materials_dispersion: 20 / Abbe number of a body; of paths alone
+    float dispersion = 0;               ///< KHR_materials_dispersion: 20 / Abbe number of a body
+    float iridescence = 0;              ///< KHR_materials_iridescence, 0..1: a thin film over the material
+    float iridescence_ior = 1.3f;
+    float iridescence_thickness_min_nm = 100,
+          iridescence_thickness_max_nm = 400;                           ///< at texel 0; at 1, and without map
+    TextureUse iridescence_texture{}, iridescence_thickness_texture{};  ///< data: R; G
     bool operator==(const MetallicRoughnessParameters&) const = default;
 };
 
@@ -216,8 +221,9 @@ struct MorphTarget {
 };
 
 /// Whose normals count. `automatic`: the file's where it has them; else flat for formats that say so (glTF); else
-/// smoothing groups where the file has any; else over the model with the crease angle.
-enum class NormalSource : std::uint8_t { automatic, file, flat, object, model };
+/// smoothing groups where the file has any; else over the model with the crease angle. `seams`: the file's (over the
+/// model where it has none), joined where meshes meet: <rakelight/seams.h>.
+enum class NormalSource : std::uint8_t { automatic, file, flat, object, model, seams };
 
 /// What one part of a scene says of its normals, for pictures whose options leave it open.
 struct NormalChoice {
@@ -238,10 +244,19 @@ struct ExactShape {
     bool operator==(const ExactShape&) const = default;
 };
 
+/// Numbers that a file has for every vertex and that mean nothing to a picture by themselves: measurements, labels.
+struct VertexArray {
+    std::string name{};
+    std::uint32_t components = 1;  ///< 1..16
+    Block<float> values{};         ///< [V * components]; may hold NaN
+    bool operator==(const VertexArray&) const = default;
+};
+
 /// Primitives of one topology and one material. Vertex arrays are [V] or empty.
 struct Mesh {
     std::string name{};
     Topology topology = Topology::triangles;
+    SmoothingKind smoothing_kind = SmoothingKind::none;  ///< of `smoothing`
     dvec3 origin{0, 0,
                  0};  ///< positions count from here; one for all meshes of a file, zero unless its numbers need it
     Block<vec3> positions{};  ///< [V] about `origin`
@@ -253,8 +268,8 @@ struct Mesh {
     Block<vec4> tangents{};                ///< [V] xyz unit, w = +1 or -1, or empty
     std::vector<Block<vec2>> texcoords{};  ///< sets, each [V], v down
     Block<vec4> colors{};                  ///< [V] linear RGBA or empty
+    RareList<VertexArray> arrays{};        ///< as the file has them; prepare leaves them out
     Block<std::uint32_t> smoothing{};      ///< [T] smoothing group or mask of each triangle, or empty
-    SmoothingKind smoothing_kind = SmoothingKind::none;
     /// [3T] corner normals that the file's *reader* made from smoothing groups (3DS, ASE through Assimp), or empty: equal
     /// across an edge exactly where the groups joined. A hint for grouping, never shown as the file's normals.
     Block<vec3> smoothing_hint{};

@@ -42,6 +42,9 @@ public:
     /// @throws Error usage: impossible settings, no scene was set; bad_file, failed: cancelled
     std::shared_ptr<const PreparedScene> prepared(const RenderSettings& settings, Context& context);
 
+    /// All that render() does before it draws: the engine has the scene with its textures then, and what is to be said of them
+    /// is in the report. @throws Error as render()
+    void take_up(const Camera& camera, const RenderSettings& settings, Context& context);
     /// Draws through a camera of the scene, or one placed in the world. A scene that has no lights, and no environment that is one, gets
     /// the default rig, which stands with the camera.
     /// @throws Error as prepared(); what the engine throws: settings beyond its abilities

@@ -14,7 +14,12 @@ namespace rakelight {
 /// What was written.
 struct StagesResult {
     std::string file{}, folder{};
-    std::vector<std::string> files{};  ///< names in the folder, index.html first
+    std::vector<std::string> files{};  ///< names in the folder, index.html first; empty: `folder` is a page alone
+};
+
+enum class StagesForm : std::uint8_t {
+    folder,
+    single_file  ///< `request.output` names a page that holds its pictures and tables itself
 };
 
 /// Writes a folder with index.html (readable without scripts), a JSON table for each stage and PNG pictures: model, world,
@@ -23,6 +28,6 @@ struct StagesResult {
 /// at all; a folder that exists is replaced when it is empty or holds nothing but what this function once wrote.
 /// @throws Error usage: more than 16 million pixels, impossible settings; failed: the folder holds other things or cannot be
 ///         written; not_found, bad_file
-StagesResult write_stages(const PictureRequest& request, Context& context);
+StagesResult write_stages(const PictureRequest& request, Context& context, StagesForm form = StagesForm::folder);
 
 }  // namespace rakelight

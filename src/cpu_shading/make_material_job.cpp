@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cpu_shading/make_material_job.h"
 
+#include "shading/behind.h"
 #include "shading/choices.h"
 #include "shading/draw_choices.h"
 
@@ -66,6 +67,7 @@ MaterialJob make_material_job(const shading::DrawList& list, const MaterialViews
     out.relief = shading::relief_of(list, draw, settings, height_aspect(*out.material));
     if (views.environment && list.scene.environment->is_light) out.environment = &views.environment_view;
     out.has_light_around = is_explained || out.environment != nullptr || shading::has_ambient_light(list.scene);
+    out.thickness_scale = shading::thickness_scale(draw);
     out.fog = shading::fog_factors(list.scene.fog);
     return out;
 }

@@ -33,6 +33,11 @@ struct EnvironmentView : shading::EnvironmentFactors {
     const TextureView* sky;       ///< the picture itself, equirectangular
 };
 
+/// What is behind transmissive surfaces.
+struct BehindView : shading::BehindFactors {
+    const TextureView* picture;
+};
+
 struct MaterialJob {
     const MaterialView* material;
     const lighting::LightParameters* lights;
@@ -58,7 +63,11 @@ struct MaterialJob {
     shading::ReliefFactors relief;
 
     const EnvironmentView* environment;  ///< null: none
-    int32_t has_light_around;            ///< of ambient lights or the environment; 0: what they would give is unused
+    /// [points] 0..1: share of the light from all around that surfaces nearby let through; null: all of it
+    const float* openness;
+    int32_t has_light_around;  ///< of ambient lights or the environment; 0: what they would give is unused
+    const BehindView* behind;  ///< null: what transmits is drawn opaque, or rays go on
+    float thickness_scale;     ///< of the draw: lengths in the world over those of its mesh
     shading::FogFactors fog;
     lighting::AlbedoTables albedo;
 };

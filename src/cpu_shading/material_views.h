@@ -26,7 +26,8 @@ struct MaterialViews {
 /// Of a list whose textures a TexturePacker of textures.h has packed into the cache.
 MaterialViews make_material_views(const shading::DrawList& list, const shading::TextureCache& textures);
 
-/// The scene's environment, whose picture the cache keeps.
-void set_environment(const Scene& scene, shading::EnvironmentCache& cache, MaterialViews& views, Context& context);
+/// The scene's environment, whose picture the cache keeps. @param follows_rays  as EnvironmentCache::update()
+void set_environment(const Scene& scene, shading::EnvironmentCache& cache, bool follows_rays, MaterialViews& views,
+                     Context& context);
 
 }  // namespace rakelight::cpu_shading

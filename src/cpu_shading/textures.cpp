@@ -6,7 +6,6 @@
 #include <limits>
 #include <span>
 
-#include "base/huge_pages.h"
 #include "math/color.h"
 
 namespace rakelight::cpu_shading {
@@ -15,33 +14,36 @@ using shading::TextureKey;
 namespace {
 
 /// sRGB codes -> TextureView::rgba16.
-void append_linear15(std::uint32_t codes, std::vector<std::uint32_t>& to) {
-    static const std::array<std::uint32_t, 256> color = [] {
-        std::array<std::uint32_t, 256> t{};
-        for (std::size_t i = 0; i < 256; ++i)
-            t[i] = std::uint32_t(linear_from_srgb8(std::uint8_t(i)) * 32767.0f + 0.5f);
-        return t;
-    }();
-    const std::uint32_t alpha = ((codes >> 24) * 32767u * 2 + 255) / 510;
-    to.push_back(color[codes & 255u] | color[codes >> 16 & 255u] << 16);
-    to.push_back(color[codes >> 8 & 255u] | alpha << 16);
-}
+struct Linear15 {
+    std::array<std::uint32_t, 256> color{}, alpha{};  ///< in the low and in the high half
+
+    Linear15() {
+        for (std::uint32_t i = 0; i < 256; ++i) {
+            color[i] = std::uint32_t(linear_from_srgb8(std::uint8_t(i)) * 32767.0f + 0.5f);
+            alpha[i] = (i * 32767u * 2 + 255) / 510 << 16;
+        }
+    }
+    void put(std::uint32_t codes, std::uint32_t* to) const {
+        to[0] = color[codes & 255u] | color[codes >> 16 & 255u] << 16;
+        to[1] = color[codes >> 8 & 255u] | alpha[codes >> 24];
+    }
+};
 
 /// Place of what stands at i, -1..size: in the border it is the opposite edge's, or the same edge's.
 int wrapped(int i, int size, Wrap wrap) {
     return wrap == Wrap::repeat ? (i + size) % size : std::clamp(i, 0, size - 1);
 }
 
-/// Appends the texels of a level with its border, row by row.
-template <class Texel, class Append>
-void append_bordered(const std::vector<Texel>& texels, const MipLevel& level, const TextureKey& key,
-                     const Append& append) {
+/// Puts the texels of a level with its border, row by row. @param words  that each takes
+template <class Texel, class Word, class Put>
+void put_bordered(const std::vector<Texel>& texels, const MipLevel& level, const TextureKey& key, std::size_t words,
+                  Word* to, const Put& put) {
     for (int y = -1; y <= level.height; ++y) {
         const Texel* const row =
             texels.data() + std::size_t(wrapped(y, level.height, key.wrap_v)) * std::size_t(level.width);
-        append(row[wrapped(-1, level.width, key.wrap_u)]);
-        std::for_each(row, row + level.width, append);
-        append(row[wrapped(level.width, level.width, key.wrap_u)]);
+        put(row[wrapped(-1, level.width, key.wrap_u)], to), to += words;
+        for (int x = 0; x < level.width; ++x, to += words) put(row[x], to);
+        put(row[wrapped(level.width, level.width, key.wrap_u)], to), to += words;
     }
 }
 
@@ -64,30 +66,29 @@ bool fits_texel_index(std::size_t texels, bool is_float) {
     return texels <= std::size_t(std::numeric_limits<std::int32_t>::max()) / (is_float ? 4 : 1);
 }
 
-void append_level(const MipChain& chain, const MipLevel& level, const TextureKey& key, TextureData& to) {
+/// @param at  [texels] where the level begins
+void put_level(const MipChain& chain, const MipLevel& level, const TextureKey& key, std::size_t at, TextureData& to) {
+    static const Linear15 linear15;
     if (chain.is_float)
-        append_bordered(level.rgba32f, level, key, [&](vec4 t) {
-            to.rgba32f.insert(to.rgba32f.end(), {t.x, t.y, t.z, t.w});
-        });
+        put_bordered(level.rgba32f, level, key, 4, to.rgba32f.data() + 4 * at,
+                     [](const vec4& t, float* out) { out[0] = t.x, out[1] = t.y, out[2] = t.z, out[3] = t.w; });
     else if (chain.is_srgb)
-        append_bordered(level.rgba8, level, key, [&](std::uint32_t t) { append_linear15(t, to.rgba16); });
+        put_bordered(level.rgba8, level, key, 2, to.rgba16.data() + 2 * at,
+                     [](std::uint32_t t, std::uint32_t* out) { linear15.put(t, out); });
     else
-        append_bordered(level.rgba8, level, key, [&](std::uint32_t t) { to.rgba8.push_back(t); });
+        put_bordered(level.rgba8, level, key, 1, to.rgba8.data() + at,
+                     [](std::uint32_t t, std::uint32_t* out) { *out = t; });
 }
 
-void reserve(const MipChain& chain, std::size_t texels, TextureData& data) {
+void make_room(const MipChain& chain, std::size_t texels, TextureData& data) {
     if (!fits_texel_index(texels, chain.is_float))
         throw Error(ErrorCode::bad_file, "the picture has too many texels for the soft engine");
-    const auto reserve = [](auto& values, std::size_t count) {
-        values.reserve(count);
-        wish_huge_pages(values.data(), count * sizeof(values[0]));
-    };
     if (chain.is_float)
-        reserve(data.rgba32f, texels * 4);
+        data.rgba32f = TexelArray<float>(texels * 4);
     else if (chain.is_srgb)
-        reserve(data.rgba16, texels * 2);
+        data.rgba16 = TexelArray<std::uint32_t>(texels * 2);
     else
-        reserve(data.rgba8, texels);
+        data.rgba8 = TexelArray<std::uint32_t>(texels);
 }
 
 }  // namespace
@@ -107,7 +108,7 @@ std::shared_ptr<TextureData> pack_texture(const MipChain& chain, const TextureKe
     const std::span levels(chain.levels.data(), std::size_t(view.levels));
     std::size_t texels = 0;
     for (const MipLevel& level : levels) texels += bordered_size(level);
-    reserve(chain, texels, *data);
+    make_room(chain, texels, *data);
     std::size_t offset = 0;
     for (std::size_t l = 0; l < levels.size(); ++l) {
         view.width[l] = levels[l].width;
@@ -116,8 +117,8 @@ std::shared_ptr<TextureData> pack_texture(const MipChain& chain, const TextureKe
         view.fixed_width[l] = float(levels[l].width) * 32768.0f;
         view.fixed_height[l] = float(levels[l].height) * 32768.0f;
         view.origin[l] = std::int32_t(offset) + levels[l].width + 3;
+        put_level(chain, levels[l], key, offset, *data);
         offset += bordered_size(levels[l]);
-        append_level(chain, levels[l], key, *data);
     }
     if (chain.is_float)
         view.rgba32f = data->rgba32f.data();

@@ -2,17 +2,36 @@
 // Textures as the kernels read them.
 #pragma once
 #include <memory>
-#include <vector>
 
+#include "base/huge_pages.h"
 #include "cpu_shading/texture_view.h"
 #include "shading/texture_cache.h"
 
 namespace rakelight::cpu_shading {
 
+/// Memory for texels that is written once: nothing is in it at first. In huge pages where the system grants them.
+template <class Word>
+class TexelArray {
+public:
+    TexelArray() = default;
+    explicit TexelArray(std::size_t count) : words_(new Word[count]), size_(count) {
+        wish_huge_pages(words_.get(), count * sizeof(Word));
+    }
+    Word* data() { return words_.get(); }
+    const Word* data() const { return words_.get(); }
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    const Word& operator[](std::size_t i) const { return words_[i]; }
+
+private:
+    std::unique_ptr<Word[]> words_;
+    std::size_t size_ = 0;
+};
+
 /// All mip levels of one picture in one array.
 struct TextureData final : shading::PackedTexture {
-    std::vector<std::uint32_t> rgba8, rgba16;  ///< data and colors: see TextureView
-    std::vector<float> rgba32f;
+    TexelArray<std::uint32_t> rgba8, rgba16;  ///< data and colors: see TextureView
+    TexelArray<float> rgba32f;
     TextureView view;     ///< without the sampler's filters
     MemoryCharge charge;  ///< pays for the arrays
 };

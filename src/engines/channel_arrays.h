@@ -33,13 +33,16 @@ void for_each_channel(const Visit& visit, Holders&... of) {
     visit(channel_direct, of.direct...);
     visit(channel_indirect, of.indirect...);
     visit(channel_variance, of.variance...);
+    visit(channel_ambient_occlusion, of.ambient_occlusion...);
 }
 
 /// What stands in a channel where nothing is seen.
 template <class T>
 T empty_value(std::uint32_t channel, const std::vector<T>&) {
     if constexpr (std::is_same_v<T, float>)
-        return channel == channel_depth ? std::numeric_limits<float>::infinity() : 0.0f;
+        return channel == channel_depth               ? std::numeric_limits<float>::infinity()
+               : channel == channel_ambient_occlusion ? 1.0f
+                                                      : 0.0f;
     if constexpr (std::is_same_v<T, std::uint32_t>) return channel == channel_overdraw ? 0u : no_index;
     return T{};
 }

@@ -78,13 +78,21 @@ void check_numbers(const RenderSettings& s) {
     require(s.shadow_filter >= 0 && s.shadow_filter <= 4, "shadow-filter",
             "the radius of the shadow filter must be 0 to 4 texels");
     require(s.shadow_bias >= 0 && s.shadow_bias <= 100, "shadow-bias", "the shadow bias must be 0 to 100");
+    require(s.ambient_occlusion_radius >= 0 && std::isfinite(s.ambient_occlusion_radius), "ambient-occlusion-radius",
+            "must be a number >= 0");
+    require(
+        s.ambient_occlusion_samples >= least_occlusion_samples && s.ambient_occlusion_samples <= most_occlusion_samples,
+        "ambient-occlusion-samples", "must be 8 to 256");
     require(s.anisotropy >= 1 && s.anisotropy <= 16, "anisotropy", "anisotropy must be 1 to 16");
     for (const auto& [setting, width] : {std::pair("line-width", s.line_width), {"point-size", s.point_size}})
         require(width > 0 && width <= widest_mark_px, setting,
                 "the width of lines and the size of points must be more than 0 and at most 256 pixels");
     require(is_finite(s.line_color), "line-color", "the color of lines is not finite");
     require(is_finite(s.background), "background", "the background is not finite");
-    require((s.channels & ~(channels_all | channels_of_paths)) == 0, "channels", "there is no such data channel");
+    require((s.channels & ~(channels_all | channels_of_paths | channel_ambient_occlusion)) == 0, "channels",
+            "there is no such data channel");
+    require(s.ambient_occlusion || !(s.channels & channel_ambient_occlusion), "channels",
+            "the data channel ambient-occlusion is of pictures with 'ambient-occlusion'");
     require(s.max_depth >= 0 && s.max_depth <= 64, "max-depth", "the depth of rays must be 0 to 64");
     require(!s.naive || s.method == RayMethod::cast, "naive", "is for the method cast alone");
     require(s.naive_limit >= 0, "naive-limit", "must be 0 or more");

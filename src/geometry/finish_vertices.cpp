@@ -12,13 +12,16 @@ namespace {
 
 constexpr dvec3 no_normal{0, 0, 1};
 
-// A matrix that flattens has no inverse; its normals lie along the only direction that its cofactor matrix takes anywhere.
+}  // namespace
+
 dvec3 to_object(const Placement& placement, dvec3 normal) {
     const dvec3 back = times_transposed(placement.linear, normal);
     const Direction direction = direction_of(back);
     if (direction.length > 1e-12 * placement.scale) return direction.unit;
     return normalize_or(times_transposed(placement.normal_to_world, normal), no_normal);
 }
+
+namespace {
 
 struct TangentRules {
     bool orthogonal;  // Gram-Schmidt

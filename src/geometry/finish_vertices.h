@@ -5,6 +5,10 @@
 
 namespace rakelight::geometry {
 
+/// A normal of the world in object space, unit. A matrix that flattens has no inverse; its normals lie along the only direction that
+/// its cofactor matrix takes anywhere.
+dvec3 to_object(const Placement& placement, dvec3 normal);
+
 /// Output vertices whose own sum of normals is zero though faces vote.
 using Cancelled = std::vector<std::uint32_t>;
 

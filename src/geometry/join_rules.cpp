@@ -18,16 +18,15 @@ constexpr double turned_back = -0.9986;
 // Up to here pairs are compared directly.
 constexpr std::size_t few = 16;
 
-/// Of the largest angle that joins; -2 for pi, which no cosine is below.
-double cosine_of(double crease_angle_rad) {
-    const double limit = crease_angle_rad + crease_slack;
-    return limit >= pi ? -2 : math::cos(limit);
-}
-
 bool is_hinted(const AttributeMesh& mesh) { return mesh.smoothing.empty() && !mesh.smoothing_hint.empty(); }
 bool is_grouped(const AttributeMesh& mesh) { return !mesh.smoothing.empty() && mesh.group_kind != GroupKind::none; }
 
 }  // namespace
+
+double crease_cosine(double crease_angle_rad) {
+    const double limit = crease_angle_rad + crease_slack;
+    return limit >= pi ? -2 : math::cos(limit);
+}
 
 JoinRules::JoinRules(const AttributeInput& input, const Topology& topology, const AttributeOptions& options,
                      JoinRule rule, const FaceNormals& normals)
@@ -37,11 +36,11 @@ JoinRules::JoinRules(const AttributeInput& input, const Topology& topology, cons
       rule_(rule),
       groups_across_(options.groups_across) {
     const CreaseRange creases = crease_range(input.meshes, options);
-    least_cos_ = cosine_of(creases.least);
+    least_cos_ = crease_cosine(creases.least);
     joins_all_ = least_cos_ == -2 && !options.fans;
-    joins_some_ = cosine_of(creases.most) == -2 && !options.fans;
+    joins_some_ = crease_cosine(creases.most) == -2 && !options.fans;
     if (creases.least != creases.most)
-        for (const AttributeMesh& mesh : input.meshes) own_cos_.push_back(cosine_of(crease_angle(mesh, options)));
+        for (const AttributeMesh& mesh : input.meshes) own_cos_.push_back(crease_cosine(crease_angle(mesh, options)));
     for (const AttributeMesh& mesh : input.meshes) {
         has_hints_ |= is_hinted(mesh);
         has_groups_ |= is_hinted(mesh) || is_grouped(mesh);

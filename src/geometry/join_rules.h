@@ -21,6 +21,9 @@ enum class JoinRule : std::uint8_t {
 /// is longer than a hundredth of the weights, so it cannot cancel.
 constexpr double looks_away = 0.01;
 
+/// Of the largest angle [rad] between faces that a crease angle joins; -2 for pi, which no cosine is below.
+double crease_cosine(double crease_angle_rad);
+
 /// One edge of a face, at the place from which it is looked at.
 struct Spoke {
     std::uint32_t place, index;  ///< other end of the edge (its position class); which corner of the fan

@@ -7,7 +7,7 @@
 namespace rakelight {
 namespace {
 
-constexpr int parts_a_side = 8, least_side = 32, most_window = 68;
+constexpr int parts_a_side = 8, least_side = 32, most_window = 36;
 constexpr double least_relief = 4e-4;  ///< a texel; differences of a code or so are rounding
 constexpr double least_agreement = 0.25;
 

@@ -26,7 +26,7 @@ private:
     }
 };
 
-/// Of windows in the middle of each part, 300 000 texels at most; nothing of maps smaller than 32 x 32.
+/// Of windows in the middle of each part, 83 000 texels at most; nothing of maps smaller than 32 x 32.
 /// @param texels  [height][stride], R in the low byte; a row's first `width` are looked at
 GreenDirection find_green_direction(std::span<const std::uint32_t> texels, int width, int height, int stride);
 

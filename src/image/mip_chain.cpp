@@ -2,11 +2,12 @@
 #include "image/mip_chain.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 
+#include "image/mip_rows.h"
 #include "image/srgb_encoder.h"
 #include "math/color.h"
+#include "math/isa.h"
 #include "math/linear.h"
 
 namespace rakelight {
@@ -30,49 +31,13 @@ Taps taps_of(int i, int larger) {
     return {2 * i, 3, {float((k - i) / n), float(k / n), float((i + 1) / n)}};
 }
 
-using Table = std::array<float, 256>;
-
-/// Code values as what is averaged: linear light for sRGB colors, the code itself for data and alpha.
-struct Decoder {
-    Table color, plain;
-
-    explicit Decoder(bool srgb) {
-        for (std::size_t i = 0; i < 256; ++i) {
-            plain[i] = float(i);
-            color[i] = srgb ? linear_from_srgb8(std::uint8_t(i)) : float(i);
-        }
-    }
-    vec4 operator()(std::uint32_t rgba) const {
-        return {color[rgba & 255], color[rgba >> 8 & 255], color[rgba >> 16 & 255], plain[rgba >> 24]};
-    }
-};
-
-struct Identity {
-    vec4 operator()(const vec4& v) const { return v; }
-};
-
-std::uint32_t round_code(float v) { return std::uint32_t(v + 0.5f); }
-
-void encode_row(const vec4* from, int width, bool srgb, std::uint32_t* to) {
-    if (srgb) {
-        const SrgbEncoder& encode = SrgbEncoder::instance();
-        for (int x = 0; x < width; ++x)
-            to[x] = encode(from[x].x) | encode(from[x].y) << 8 | encode(from[x].z) << 16 | round_code(from[x].w) << 24;
-    } else {
-        for (int x = 0; x < width; ++x)
-            to[x] = round_code(from[x].x) | round_code(from[x].y) << 8 | round_code(from[x].z) << 16 |
-                    round_code(from[x].w) << 24;
-    }
-}
-
 /// Averages the rows that one row of the smaller level covers.
-template <class Texel, class Decode>
-void filter_vertically(const Texel* rows, int width, const Taps& taps, const Decode& decode, vec4* out) {
-    const Texel* row = rows + std::size_t(taps.first) * std::size_t(width);
-    for (int x = 0; x < width; ++x) out[x] = decode(row[x]) * taps.weight[0];
+void filter_vertically(const vec4* rows, int width, const Taps& taps, vec4* out) {
+    const vec4* row = rows + std::size_t(taps.first) * std::size_t(width);
+    for (int x = 0; x < width; ++x) out[x] = row[x] * taps.weight[0];
     for (int t = 1; t < taps.count; ++t) {
         row += width;
-        for (int x = 0; x < width; ++x) out[x] = out[x] + decode(row[x]) * taps.weight[t];
+        for (int x = 0; x < width; ++x) out[x] = out[x] + row[x] * taps.weight[t];
     }
 }
 
@@ -89,16 +54,15 @@ void filter_horizontally(const vec4* row, int larger, int smaller, vec4* out) {
     }
 }
 
-/// The next smaller level as unrounded averages.
-template <class Texel, class Decode>
-std::vector<vec4> halve(std::span<const Texel> larger, int width, int height, const Decode& decode, Context& context) {
+/// The next smaller level of a float picture.
+std::vector<vec4> halve(std::span<const vec4> larger, int width, int height, Context& context) {
     const int half_width = std::max(1, width / 2), half_height = std::max(1, height / 2);
     std::vector<vec4> smaller(std::size_t(half_width) * std::size_t(half_height));
     context.parallel_for(std::size_t((half_height + rows_per_task - 1) / rows_per_task), [&](std::size_t task) {
         std::vector<vec4> row{std::size_t(width)};
         const int first = int(task) * rows_per_task, last = std::min(half_height, first + rows_per_task);
         for (int y = first; y < last; ++y) {
-            filter_vertically(larger.data(), width, taps_of(y, height), decode, row.data());
+            filter_vertically(larger.data(), width, taps_of(y, height), row.data());
             filter_horizontally(row.data(), width, half_width,
                                 smaller.data() + std::size_t(y) * std::size_t(half_width));
         }
@@ -106,36 +70,108 @@ std::vector<vec4> halve(std::span<const Texel> larger, int width, int height, co
     return smaller;
 }
 
-std::vector<std::uint32_t> encode(const std::vector<vec4>& averages, int width, int height, bool srgb,
-                                  Context& context) {
-    std::vector<std::uint32_t> codes(averages.size());
-    context.parallel_for(std::size_t((height + rows_per_task - 1) / rows_per_task), [&](std::size_t task) {
-        const int first = int(task) * rows_per_task, last = std::min(height, first + rows_per_task);
-        const std::size_t at = std::size_t(first) * std::size_t(width);
-        encode_row(averages.data() + at, (last - first) * width, srgb, codes.data() + at);
-    });
-    return codes;
+using HalveRow = void (*)(const mip::Row&, const mip::Tables&);
+
+HalveRow kernel_for(Isa isa) {
+    switch (isa) {
+        case Isa::scalar:
+            break;
+        case Isa::sse2:
+            return mip::sse2::halve_row;
+        case Isa::avx2:
+            return mip::avx2::halve_row;
+        case Isa::avx512:
+            return mip::avx512::halve_row;
+    }
+    return mip::scalar::halve_row;
 }
 
-void add_rgba8_levels(MipChain& chain, Context& context) {
-    const Decoder decode(chain.is_srgb);
-    std::vector<vec4> averages;
-    while (chain.levels.back().width > 1 || chain.levels.back().height > 1) {
-        const MipLevel& larger = chain.levels.back();
-        averages = chain.levels.size() == 1
-                       ? halve<std::uint32_t>(larger.rgba8, larger.width, larger.height, decode, context)
-                       : halve<vec4>(averages, larger.width, larger.height, Identity(), context);
-        MipLevel smaller{std::max(1, larger.width / 2), std::max(1, larger.height / 2), {}, {}};
-        smaller.rgba8 = encode(averages, smaller.width, smaller.height, chain.is_srgb, context);
-        chain.levels.push_back(std::move(smaller));
-    }
+mip::Tables make_tables() {
+    mip::Tables tables{};
+    for (std::size_t i = 0; i < 256; ++i) tables.linear[i] = linear_from_srgb8(std::uint8_t(i));
+    tables.encode_srgb = SrgbEncoder::instance().table();
+    return tables;
 }
+
+/// How much the texels of an odd row count.
+struct ColumnWeights {
+    std::vector<float> first, last;
+    float middle = 0;
+
+    explicit ColumnWeights(int larger) {
+        if (larger == 1 || larger % 2 == 0) return;
+        for (int x = 0; x < larger / 2; ++x) {
+            const Taps taps = taps_of(x, larger);
+            first.push_back(taps.weight[0]), last.push_back(taps.weight[2]);
+            middle = taps.weight[1];
+        }
+    }
+};
+
+/// The levels of 8-bit pictures, by kernels: each from the unrounded averages of the one above.
+class CodeLevels {
+public:
+    CodeLevels(MipChain& chain, Context& context)
+        : chain_(chain), context_(context), halve_row_(kernel_for(isa_from_environment())) {}
+
+    void add_all() {
+        while (chain_.levels.back().width > 1 || chain_.levels.back().height > 1) add();
+    }
+
+private:
+    void add() {
+        const MipLevel& larger = chain_.levels.back();
+        MipLevel smaller{std::max(1, larger.width / 2), std::max(1, larger.height / 2), {}, {}};
+        smaller.rgba8.resize(std::size_t(smaller.width) * std::size_t(smaller.height));
+        std::vector<float> averages(smaller.rgba8.size() * 4);
+        const ColumnWeights weights(larger.width);
+        static const mip::Tables tables = make_tables();
+        const auto tasks = std::size_t((smaller.height + rows_per_task - 1) / rows_per_task);
+        context_.parallel_for(tasks, [&](std::size_t task) {
+            const int first = int(task) * rows_per_task, last = std::min(smaller.height, first + rows_per_task);
+            for (int y = first; y < last; ++y) {
+                mip::Row row = row_of(larger, weights, y);
+                const std::size_t at = std::size_t(y) * std::size_t(smaller.width);
+                row.smaller = smaller.width;
+                row.to_averages = averages.data() + 4 * at;
+                row.to_codes = smaller.rgba8.data() + at;
+                halve_row_(row, tables);
+            }
+        });
+        averages_ = std::move(averages);
+        chain_.levels.push_back(std::move(smaller));
+    }
+
+    mip::Row row_of(const MipLevel& larger, const ColumnWeights& weights, int y) const {
+        mip::Row row{};
+        const Taps taps = taps_of(y, larger.height);
+        row.rows = taps.count;
+        for (int t = 0; t < taps.count; ++t) {
+            const std::size_t at = std::size_t(taps.first + t) * std::size_t(larger.width);
+            if (averages_.empty())
+                row.codes[t] = larger.rgba8.data() + at;
+            else
+                row.averages[t] = averages_.data() + 4 * at;
+            row.row_weight[t] = taps.weight[t];
+        }
+        row.larger = larger.width;
+        row.first_weight = weights.first.data(), row.last_weight = weights.last.data();
+        row.middle_weight = weights.middle;
+        row.is_srgb = chain_.is_srgb;
+        return row;
+    }
+
+    MipChain& chain_;
+    Context& context_;
+    HalveRow halve_row_;
+    std::vector<float> averages_;  ///< of the last level; none of the first one
+};
 
 void add_rgba32f_levels(MipChain& chain, Context& context) {
     while (chain.levels.back().width > 1 || chain.levels.back().height > 1) {
         const MipLevel& larger = chain.levels.back();
         MipLevel smaller{std::max(1, larger.width / 2), std::max(1, larger.height / 2), {}, {}};
-        smaller.rgba32f = halve<vec4>(larger.rgba32f, larger.width, larger.height, Identity(), context);
+        smaller.rgba32f = halve(larger.rgba32f, larger.width, larger.height, context);
         chain.levels.push_back(std::move(smaller));
     }
 }
@@ -187,7 +223,7 @@ MipChain make_mip_chain(const Pixels& pixels, ColorSpace space, Context& context
     } else {
         base.rgba8 = to_rgba8(pixels, context);
         chain.levels.push_back(std::move(base));
-        add_rgba8_levels(chain, context);
+        CodeLevels(chain, context).add_all();
     }
     return chain;
 }

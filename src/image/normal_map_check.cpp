@@ -10,7 +10,7 @@
 namespace rakelight {
 namespace {
 
-constexpr std::size_t texels_wanted = 300'000;
+constexpr std::size_t texels_wanted = 40'000;
 
 struct Normal {
     double x, y, z;

@@ -27,7 +27,7 @@ struct NormalMapCheck {
     bool looks_srgb() const { return mean_xy > 0.25 && length_error > 0.1 && srgb_length_error < length_error / 3; }
 };
 
-/// `below` counts all texels; the rest looks at rows spread over the map, some 300,000 texels.
+/// `below` counts all texels; the rest looks at rows spread over the map, some 40,000 texels.
 /// @param texels  [height][stride], R in the low byte; a row's first `width` are looked at
 NormalMapCheck check_normal_map(std::span<const std::uint32_t> texels, int width, int height, int stride);
 

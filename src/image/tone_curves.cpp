@@ -71,10 +71,11 @@ float gain_of(double exposure_ev) {
 
 }  // namespace
 
-ToneCurve::ToneCurve(const ToneSettings& settings)
+ToneCurve::ToneCurve(const ToneSettings& settings, vec4 behind)
     : mapping_(settings.mapping),
       gain_(gain_of(settings.exposure_ev)),
-      is_identity_(mapping_ == ToneMapping::none && gain_ == 1) {}
+      behind_(behind),
+      is_identity_(mapping_ == ToneMapping::none && gain_ == 1 && !(behind_.w > 0)) {}
 
 vec3 ToneCurve::operator()(vec3 light) const {
     const AgxCurves* const curves = mapping_ == ToneMapping::agx ? &agx_curves() : nullptr;
@@ -83,6 +84,40 @@ vec3 ToneCurve::operator()(vec3 light) const {
     return {mapped[0], mapped[1], mapped[2]};
 }
 
+/// Each component grows by the root of what it lacks, again and again: curves rise in every component, at most with its square.
+vec3 ToneCurve::light_for(vec3 displayed) const {
+    constexpr int steps = 64;
+    constexpr float most = 1e4f, largest_step = 16;
+    vec3 light;
+    for (std::size_t c = 0; c < 3; ++c) light[c] = std::clamp(displayed[c], 0.0f, 1.0f) / gain_;
+    for (int step = 0; step < steps; ++step) {
+        const vec3 now = (*this)(light);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float lacks = std::clamp(displayed[c], 0.0f, 1.0f) / std::max(now[c], 1e-6f);
+            light[c] = std::min(light[c] * std::sqrt(std::clamp(lacks, 1 / largest_step, largest_step)), most / gain_);
+        }
+    }
+    return light;
+}
+
+/// Porter & Duff 1984. Where nothing covers the pixel it is what lies behind, to the bit.
+vec4 ToneCurve::laid(vec4 pixel) const {
+    if (!(behind_.w > 0) || pixel.w >= 1) return pixel;
+    const float cover = pixel.w > 0 ? pixel.w : 0.0f, under = behind_.w * (1 - cover);
+    if (cover == 0) return behind_;
+    const float alpha = behind_.w >= 1 ? 1.0f : cover + under;
+    return {(pixel.x * cover + behind_.x * under) / alpha, (pixel.y * cover + behind_.y * under) / alpha,
+            (pixel.z * cover + behind_.z * under) / alpha, alpha};
+}
+
+vec4 ToneCurve::mixed(vec3 mapped, float alpha) const {
+    if (!(behind_.w > 0) || alpha >= 1) return {mapped.x, mapped.y, mapped.z, alpha};
+    const auto in_range = [](float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; };  // NaN too
+    return laid({in_range(mapped.x), in_range(mapped.y), in_range(mapped.z), alpha});
+}
+
+vec4 ToneCurve::displayed(vec4 pixel) const { return mixed((*this)(pixel.xyz()), pixel.w); }
+
 void ToneCurve::apply(std::span<const vec4> in, std::span<vec4> out) const {
     RL_ASSERT(in.size() == out.size(), "rows of one length");
     vec3 before{};  // most of a background is one color
@@ -90,7 +125,7 @@ void ToneCurve::apply(std::span<const vec4> in, std::span<vec4> out) const {
     for (std::size_t i = 0; i < in.size(); ++i) {
         const vec4 color = in[i];  // which may be out[i]
         if (!(color.xyz() == before)) before = color.xyz(), mapped = (*this)(before);
-        out[i] = {mapped.x, mapped.y, mapped.z, color.w};
+        out[i] = mixed(mapped, color.w);
     }
 }
 

@@ -24,17 +24,31 @@ inline constexpr double most_exposure_ev = 32;
 /// Curves take negative light and NaN as 0 and everything over a million as a million.
 class ToneCurve {
 public:
+    /// @param behind  linear color that lies behind pixels which are not opaque, and its alpha: what is seen of it is not changed
+    ///                by exposure and curve. Alpha 0: nothing lies there
     /// @throws Error usage: an exposure that is not a number or beyond most_exposure_ev
-    explicit ToneCurve(const ToneSettings& settings = {});
-    /// Nothing changes: no curve and exposure 0.
+    explicit ToneCurve(const ToneSettings& settings = {}, vec4 behind = {});
+    /// Nothing changes: no curve, exposure 0, and nothing lies behind.
     bool is_identity() const { return is_identity_; }
     vec3 operator()(vec3 light) const;
-    /// Alpha stays. `in` may be `out`.
+    /// Light that becomes a linear color 0..1 under exposure and curve; where no light does, one that comes near.
+    vec3 light_for(vec3 displayed) const;
+    /// A pixel as it is displayed, straight alpha: its color under the curve, clamped to 0..1 where it is mixed with what
+    /// lies behind it by its alpha.
+    vec4 displayed(vec4 pixel) const;
+    /// The pixel, linear as it is, over what lies behind.
+    vec4 laid(vec4 pixel) const;
+    /// Whether what lies behind leaves no pixel transparent.
+    bool is_opaque_behind() const { return behind_.w >= 1; }
+    /// displayed() of each. `in` may be `out`.
     void apply(std::span<const vec4> in, std::span<vec4> out) const;
 
 private:
+    vec4 mixed(vec3 mapped, float alpha) const;
+
     ToneMapping mapping_;
     float gain_;
+    vec4 behind_;
     bool is_identity_;
 };
 

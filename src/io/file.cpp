@@ -56,11 +56,10 @@ void read_all(const std::string& path, int fd, std::vector<std::byte>& bytes) {
 
 bool is_ascii_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// "http://x", "file:x", "data:x" and "C:x"; a colon elsewhere may stand in a file name.
-bool has_scheme_or_drive(const std::string& reference) {
+/// "http://x", "file:x" and "data:x"; a colon elsewhere may stand in a file name.
+bool has_scheme(const std::string& reference) {
     const std::size_t colon = reference.find(':');
     if (colon == std::string::npos || colon == 0 || !is_ascii_letter(reference[0])) return false;
-    if (colon == 1) return true;
     std::string scheme = reference.substr(0, colon);
     for (char& c : scheme) {
         if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
@@ -72,16 +71,18 @@ bool has_scheme_or_drive(const std::string& reference) {
     return reference.compare(colon, 3, "://") == 0;
 }
 
-/// The last component only: the rest of a refused path is nobody's business in a message.
-std::string last_component(const std::string& reference) {
-    const std::size_t slash = reference.find_last_of('/');
-    return one_line(slash == std::string::npos ? reference : reference.substr(slash + 1), 100);
-}
-
 [[noreturn]] void refuse_reference(const std::string& reference, const std::string& why) {
-    throw Error(ErrorCode::bad_file, "the reference to '" + last_component(reference) + "' " + why, {},
+    throw Error(ErrorCode::bad_file, "the reference to '" + one_line(reference, 160) + "' " + why, {},
                 "copy the file into the model's folder, or use 'allow-outside' if you trust the model")
         .naming({"allow-outside"});
+}
+
+/// "C:\x" and "C:x": such a file is not on this machine, wherever references may lead.
+void refuse_drive(const std::string& reference) {
+    if (reference.size() < 2 || reference[1] != ':' || !is_ascii_letter(reference[0])) return;
+    const std::size_t slash = reference.find_last_of("/\\:");
+    throw Error(ErrorCode::bad_file, "the reference to '" + one_line(reference, 160) + "' is a path of another machine",
+                {}, "put '" + one_line(reference.substr(slash + 1), 80) + "' beside the model and let it name that");
 }
 
 bool lies_inside(const fs::path& path, const fs::path& folder) {
@@ -157,13 +158,23 @@ std::string resolve_reference(const std::string& model_path, const std::string& 
     for (char& c : relative)
         if (c == '\\') c = '/';
     if (relative.empty()) throw Error(ErrorCode::bad_file, "an empty file reference");
-    if (relative.find('\0') != std::string::npos) refuse_reference(relative, "holds a zero byte");
-    if (!allow_outside && has_scheme_or_drive(relative)) refuse_reference(relative, "is not a file beside the model");
-    if (!allow_outside && relative[0] == '/') refuse_reference(relative, "is an absolute path");
+    if (relative.find('\0') != std::string::npos) refuse_reference(reference, "holds a zero byte");
+    refuse_drive(reference);
+    if (!allow_outside && has_scheme(relative)) refuse_reference(reference, "is not a file beside the model");
+    if (!allow_outside && relative[0] == '/') refuse_reference(reference, "is an absolute path");
     const fs::path folder = fs::path(model_path).parent_path();
     const fs::path joined = folder / relative;
-    if (!allow_outside) require_inside(folder, joined, relative);
+    if (!allow_outside) require_inside(folder, joined, reference);
     return joined.string();
+}
+
+std::string why_not_found(const std::string& model_path, const std::string& reference, const std::string& done) {
+    try {
+        if (is_regular_file(resolve_reference(model_path, reference, true)))
+            return " lies outside the model's folder; " + done + " ('allow-outside' takes it)";
+    } catch (const Error&) {  // not even a name
+    }
+    return " is not in the model's folder; " + done;
 }
 
 std::optional<std::string> percent_decode(const std::string& uri) {

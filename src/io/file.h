@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -35,8 +36,12 @@ bool is_regular_file(const std::string& path);
 /// Where a reference inside a model points: `reference` (a relative path, as written; '\\' counts as '/') resolved against
 /// the folder of `model_path`. Percent-encoding must be undone by the caller where the format has it.
 /// @throws Error bad_file when it would leave the model's own folder tree (absolute, "..", through a symbolic link, another
-///         scheme such as http:) unless `allow_outside`; the message names only the last path component.
+///         scheme such as http:) unless `allow_outside`, or names a drive ("C:\\x"); the message has it as written.
 std::string resolve_reference(const std::string& model_path, const std::string& reference, bool allow_outside);
+
+/// Why a file that a model names is not taken: " is not in the model's folder; " with what was done, or that it lies outside of it
+/// and that 'allow-outside' takes it.
+std::string why_not_found(const std::string& model_path, const std::string& reference, const std::string& done);
 
 /// Bytes of a percent-encoded URI; nullopt when an escape is broken.
 std::optional<std::string> percent_decode(const std::string& uri);
@@ -54,12 +59,29 @@ struct OutputTarget {
     std::string comment{};  ///< ASCII, into the metadata of PNG, JPEG, EXR and HDR files; empty: none
 };
 
+/// The missing folders above a file that is to be written, from the outermost. They are removed again, where they are empty,
+/// unless the file was written.
+class MadeFolders {
+public:
+    MadeFolders() = default;
+    ~MadeFolders();
+    MadeFolders(const MadeFolders&) = delete;
+    MadeFolders& operator=(const MadeFolders&) = delete;
+    /// @throws Error failed, with `path` as its file
+    void make_above(const std::string& path);
+    void keep();
+
+private:
+    std::deque<std::string> folders_;          ///< those that were made
+    std::deque<UnfinishedOutput> unfinished_;  ///< [folders]
+};
+
 /// A file written under a temporary name beside its place, and renamed when whole and on the disk; removed when never
-/// committed. In memory the bytes appear when whole. Symbolic links are followed, also to a file that is not there yet. Devices and pipes are written to as
+/// committed. Folders above it that are missing are made. In memory the bytes appear when whole. Symbolic links are followed, also to a file that is not there yet. Devices and pipes are written to as
 /// they are.
 class OutputFile {
 public:
-    /// @throws Error failed: the folder is missing or not writable, the path is a folder, links that lead in a circle.
+    /// @throws Error failed: the folder cannot be made or is not writable, the path is a folder, links that lead in a circle.
     explicit OutputFile(const OutputTarget& target);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
@@ -76,6 +98,7 @@ private:
     void open_file();
     void take_memory();
     std::string path_, temporary_;
+    MadeFolders folders_;          ///< outlives what is in them
     UnfinishedOutput unfinished_;  ///< of temporary_
     std::FILE* file_ = nullptr;
     std::vector<std::byte>* memory_;  ///< null: a file

@@ -2,11 +2,15 @@
 #include "io/glb_writer.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
+#include <system_error>
 
 #include "io/file.h"
 #include "io/glb_writer_materials.h"
+#include "io/glb_writer_motion.h"
 #include "io/gltf/save_data.h"
+#include "io/gltf/save_files.h"
 #include "math/linear.h"
 #include "scene/scene_tools.h"
 
@@ -31,7 +35,7 @@ dmat4 placed_light(const Light& light) {
 
 class GlbWriter {
 public:
-    GlbWriter(const Scene& scene, Context& context) : scene_(scene), context_(context) {
+    GlbWriter(const Scene& scene, Context& context) : scene_(scene), context_(context), motion_(root_, scene, context) {
         root_["asset"] = {{"version", "2.0"}, {"generator", "Rakelight"}};
         root_["scene"] = 0;
         root_["scenes"] = OrderedJson::array({OrderedJson::object()});
@@ -46,6 +50,7 @@ public:
         while (binary.size() % 4 != 0) binary.push_back(std::byte{0});
         NewData data(root_, 0, binary.size());
         nodes(data);
+        motion_.animations(mesh_node_, data);
         cameras();
         lights();
         extensions_.insert(extensions_.end(), materials.extensions().begin(), materials.extensions().end());
@@ -55,25 +60,25 @@ public:
         binary.insert(binary.end(), data.bytes().begin(), data.bytes().end());
         if (root_["meshes"].empty()) throw Error(ErrorCode::bad_file, "nothing to write: there is no mesh");
         root_["buffers"] = OrderedJson::array({{{"byteLength", binary.size()}}});
-        write_container(path, binary);
+        path.ends_with(".gltf") ? write_text(path, binary) : write_container(path, binary);
     }
 
 private:
     void lost(const char* what) { context_.report().add(Remark::dropped, scene_.source, {}, what); }
 
     void say_what_is_lost() {
-        if (!scene_.skins.empty()) lost("skins are not written: the model stands in its bind pose");
-        if (!scene_.animations.empty()) lost("animations are not written");
         const auto has_groups = [](const Mesh& m) { return !m.smoothing.empty() || !m.smoothing_hint.empty(); };
         if (std::any_of(scene_.meshes.begin(), scene_.meshes.end(), has_groups))
             context_.report().add(
                 Remark::note, scene_.source, {},
                 "smoothing groups have no place in glTF: they are in the normals, and gone for a later run");
-        const auto has_targets = [](const Mesh& m) { return !m.targets.empty(); };
-        if (std::any_of(scene_.meshes.begin(), scene_.meshes.end(), has_targets)) lost("morph targets are not written");
+        if (std::any_of(scene_.meshes.begin(), scene_.meshes.end(), [](const Mesh& m) { return !m.arrays.empty(); }))
+            lost("other numbers of the vertices are not written");
     }
 
-    OrderedJson primitive(const Mesh& mesh, NewData& data) {
+    /// @param targets  how many morph targets the glTF mesh has
+    OrderedJson primitive(std::uint32_t number, std::size_t targets, NewData& data) {
+        const Mesh& mesh = scene_.meshes[number];
         const auto floats = [&](const auto& block, const char* type) {
             using T = std::remove_cvref_t<decltype(block[0])>;
             Elements e;
@@ -102,8 +107,10 @@ private:
         for (std::size_t set = 0; set < mesh.texcoords.size() && !mesh.texcoords[set].empty(); ++set)
             attributes["TEXCOORD_" + std::to_string(set)] = floats(mesh.texcoords[set], "VEC2");
         if (!mesh.colors.empty()) attributes["COLOR_0"] = floats(mesh.colors, "VEC4");
+        motion_.add_influences(attributes, mesh, number, data);
         OrderedJson json = {{"attributes", std::move(attributes)},
                             {"indices", data.indices(mesh.indices, ComponentType::u16)}};
+        motion_.add_targets(json, mesh, targets, data);
         if (mesh.material != no_index) json["material"] = mesh.material;
         if (mesh.topology != Topology::triangles) json["mode"] = mesh.topology == Topology::lines ? 1 : 0;
         return json;
@@ -115,14 +122,35 @@ private:
         OrderedJson primitives = OrderedJson::array();
         for (const std::uint32_t m : list)
             if (!scene_.meshes[m].indices.empty() && !scene_.meshes[m].positions.empty())
-                primitives.push_back(primitive(scene_.meshes[m], data));
+                primitives.push_back(primitive(m, target_count(scene_, list), data));
         if (primitives.empty()) return meshes_[list] = no_index;
         OrderedJson mesh = OrderedJson::object();
         if (!scene_.meshes[list[0]].name.empty()) mesh["name"] = one_line(scene_.meshes[list[0]].name);
         mesh["primitives"] = std::move(primitives);
+        add_target_names(mesh, list);
         const auto number = std::uint32_t(root_["meshes"].size());
         root_["meshes"].push_back(std::move(mesh));
         return meshes_[list] = number;
+    }
+
+    /// Where programs look for them.
+    void add_target_names(OrderedJson& mesh, const std::vector<std::uint32_t>& list) {
+        OrderedJson names = OrderedJson::array();
+        for (const std::uint32_t m : list)
+            for (std::size_t t = names.size(); t < scene_.meshes[m].targets.size(); ++t)
+                names.push_back(one_line(scene_.meshes[m].targets[t].name));
+        if (!names.empty()) mesh["extras"]["targetNames"] = std::move(names);
+    }
+
+    /// What the node that shows a mesh has beside it.
+    void show_mesh(OrderedJson& json, const Node& node, std::uint32_t mesh, dvec3 origin, NewData& data) {
+        json["mesh"] = mesh;
+        if (node.skin != no_index) json["skin"] = motion_.skin_of(node.skin, origin, data);
+        const std::size_t targets = target_count(scene_, node.meshes);
+        if (targets == 0 || node.morph_weights.empty()) return;
+        std::vector<float> weights = node.morph_weights;
+        weights.resize(targets, 0.0f);
+        json["weights"] = weights;
     }
 
     std::size_t add_node(OrderedJson node, std::uint32_t parent) {
@@ -147,6 +175,7 @@ private:
     void nodes(NewData& data) {
         std::vector<std::pair<std::size_t, dvec3>>
             away;  // meshes that do not count from zero: each on a child of its own
+        mesh_node_.assign(scene_.nodes.size(), no_index);
         for (std::size_t n = 0; n < scene_.nodes.size(); ++n) {
             context_.throw_if_cancelled();
             const Node& node = scene_.nodes[n];
@@ -155,14 +184,20 @@ private:
             add_placement(json, node.local);
             const dvec3 origin = node.meshes.empty() ? dvec3{} : scene_.meshes[node.meshes[0]].origin;
             const std::uint32_t mesh = node.meshes.empty() ? no_index : mesh_of(node.meshes, data);
-            const bool is_away = mesh != no_index && !(origin == dvec3{});
-            if (mesh != no_index && !is_away) json["mesh"] = mesh;
+            // That of a skinned one does not count: its joints take the origin in.
+            const bool is_away = mesh != no_index && !(origin == dvec3{}) && node.skin == no_index;
+            if (mesh != no_index && !is_away) {
+                show_mesh(json, node, mesh, origin, data);
+                mesh_node_[n] = n;
+            }
             add_node(std::move(json), node.parent);
             if (is_away) away.emplace_back(n, origin);
         }
-        for (const auto& [n, origin] : away)
-            add_node({{"translation", {origin.x, origin.y, origin.z}}, {"mesh", mesh_of(scene_.nodes[n].meshes, data)}},
-                     std::uint32_t(n));
+        for (const auto& [n, origin] : away) {
+            OrderedJson json = {{"translation", {origin.x, origin.y, origin.z}}};
+            show_mesh(json, scene_.nodes[n], mesh_of(scene_.nodes[n].meshes, data), origin, data);
+            mesh_node_[n] = add_node(std::move(json), std::uint32_t(n));
+        }
     }
 
     void cameras() {
@@ -198,6 +233,26 @@ private:
                                   "with the square was kept");
     }
 
+    /// JSON with its data in NAME.bin beside it. Both are whole before one takes the place of an older file.
+    void write_text(const std::string& path, const std::vector<std::byte>& binary) {
+        const std::filesystem::path place(path);
+        const std::string name = place.stem().string() + ".bin";
+        const std::filesystem::path beside = place.parent_path() / name;
+        std::error_code fault;
+        if (std::filesystem::exists(beside, fault) && !std::filesystem::exists(place, fault))
+            throw Error(ErrorCode::failed, "'" + one_line(name, 80) + "' is there already, and not of this model", {},
+                        "choose another name, or write .glb");
+        root_["buffers"][0]["uri"] = percent_encoded(name);
+        OutputFile data(beside.string()), file(path);
+        data.write(binary);
+        data.finish();
+        const std::string json = root_.dump(2, ' ', false, OrderedJson::error_handler_t::replace);
+        file.write(std::as_bytes(std::span(json)));
+        file.finish();
+        data.commit();
+        file.commit();
+    }
+
     void write_container(const std::string& path, const std::vector<std::byte>& binary) {
         std::string json = root_.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
         while (json.size() % 4 != 0) json += ' ';
@@ -220,6 +275,8 @@ private:
     const Scene& scene_;
     Context& context_;
     OrderedJson root_;
+    MotionWriter motion_;
+    std::vector<std::size_t> mesh_node_;  ///< [nodes] the node of the file that shows each one's meshes, or `no_index`
     std::map<std::vector<std::uint32_t>, std::uint32_t> meshes_;
     std::vector<std::string> extensions_;
 };

@@ -48,6 +48,8 @@ std::unique_ptr<ImageWriter> write_exr(const OutputTarget& target, int width, in
                                        Component component);
 std::unique_ptr<ImageWriter> write_hdr(const OutputTarget& target, int width, int height, int channels,
                                        Component component);
+std::unique_ptr<ImageWriter> write_ppm(const OutputTarget& target, int width, int height, int channels,
+                                       Component component);
 std::unique_ptr<ImageWriter> write_exr_channels(const OutputTarget& target, int width, int height,
                                                 std::vector<ExrChannel> channels, ExrPlace place);
 

@@ -35,10 +35,10 @@ public:
     virtual void finish(Sync sync = Sync::now) = 0;
 };
 
-/// What a file name's ending asks for: png, jpg/jpeg, webp take 8-bit components (PNG 16 too), exr and hdr take f32.
+/// What a file name's ending asks for: png, jpg/jpeg, webp, ppm take 8-bit components (PNG 16 too), exr and hdr take f32.
 /// @throws Error usage: unknown ending.
 Component component_for(const std::string& path);
-/// @param channels 1, 3 or 4 (JPEG and HDR: 3; a fourth is dropped). @throws Error usage / failed.
+/// @param channels 1, 3 or 4 (JPEG, PPM and HDR: 3; a fourth is dropped). @throws Error usage / failed.
 std::unique_ptr<ImageWriter> make_image_writer(const OutputTarget& target, int width, int height, int channels,
                                                Component component);
 

@@ -22,7 +22,8 @@ struct Ending {
 constexpr std::array endings{
     Ending{"png", Component::u8, codec::write_png},   Ending{"jpg", Component::u8, codec::write_jpeg},
     Ending{"jpeg", Component::u8, codec::write_jpeg}, Ending{"webp", Component::u8, codec::write_webp},
-    Ending{"exr", Component::f32, codec::write_exr},  Ending{"hdr", Component::f32, codec::write_hdr}};
+    Ending{"ppm", Component::u8, codec::write_ppm},   Ending{"exr", Component::f32, codec::write_exr},
+    Ending{"hdr", Component::f32, codec::write_hdr}};
 
 std::string lower_case_ending(const std::string& path) {
     const std::size_t dot = path.find_last_of("./");

@@ -111,7 +111,9 @@ void OutputFile::open_file() {
     if (exists && S_ISDIR(status.st_mode)) refuse_output(path_, EISDIR);
     // Renaming over /dev/null or a FIFO would replace it: such targets are written to as they are.
     const bool direct = exists && !S_ISREG(status.st_mode);
-    if (!direct) path_ = behind_links(path_);
+    const std::string behind = direct ? path_ : behind_links(path_);
+    if (!exists && behind == path_) folders_.make_above(path_);  // none for a link that leads nowhere
+    path_ = behind;
     if (exists && ::stat(path_.c_str(), &status) != 0) refuse_output(path_, errno);  // /dev/stdout of a deleted file
     Descriptor file{direct ? ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY)
                            : create_beside(path_, temporary_, unfinished_)};
@@ -153,6 +155,7 @@ void OutputFile::commit(Sync sync) {
     if (temporary_.empty()) return;
     if (std::rename(temporary_.c_str(), path_.c_str()) != 0) refuse_output(path_, errno);
     temporary_.clear();
+    folders_.keep();
     if (sync == Sync::later) return;
     const std::string folder = folder_part(path_);
     sync_folder(folder.empty() ? "." : folder);

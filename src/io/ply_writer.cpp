@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/ply_writer.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "io/file.h"
+#include "math/color.h"
 #include "math/linear.h"
+#include "scene/placed_normal.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight::io {
@@ -12,9 +15,17 @@ namespace {
 
 struct Layout {
     bool normals = true, texcoords = true;
-    bool pad = false;  ///< vertices begin with a byte of 1
+    bool colors = false;  ///< some mesh has them
+    bool pad = false;     ///< vertices begin with a byte of 1
     std::uint64_t vertices = 0, faces = 0;
 };
+
+/// As display values.
+void put_color(std::vector<std::byte>& out, vec4 c) {
+    for (const std::uint8_t code : {srgb8_from_linear(c.x), srgb8_from_linear(c.y), srgb8_from_linear(c.z),
+                                    std::uint8_t(std::min(std::max(c.w, 0.0f), 1.0f) * 255 + 0.5f)})
+        out.push_back(std::byte{code});
+}
 
 vec3 world_position(const Mesh& mesh, std::size_t v, const dmat4& place) {
     return cast<float>(transform_point(place, cast<double>(mesh.positions[v]) + mesh.origin));
@@ -38,6 +49,7 @@ Layout layout_of(const Scene& scene, const std::vector<dmat4>& world) {
             layout.vertices += mesh.positions.size();
             layout.faces += mesh.triangle_count();
             layout.normals = layout.normals && !mesh.normals.empty();
+            layout.colors = layout.colors || !mesh.colors.empty();
             layout.texcoords = layout.texcoords && !mesh.texcoords.empty() && !mesh.texcoords[0].empty();
         }
     return layout;
@@ -50,6 +62,7 @@ std::string header_of(const Layout& layout) {
     text += "property float x\nproperty float y\nproperty float z\n";
     if (layout.normals) text += "property float nx\nproperty float ny\nproperty float nz\n";
     if (layout.texcoords) text += "property float s\nproperty float t\n";
+    if (layout.colors) text += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n";
     return text + "element face " + std::to_string(layout.faces) +
            "\nproperty list uchar int vertex_indices\nend_header\n";
 }
@@ -61,15 +74,13 @@ void put(std::vector<std::byte>& out, const T& value) {  // little-endian, as ev
 }
 
 void put_vertices(std::vector<std::byte>& out, const Mesh& mesh, const dmat4& place, const Layout& layout) {
-    const dmat3 linear = upper_left(place);
-    const double sign = determinant(linear) < 0 ? -1.0 : 1.0;
-    const dmat3 turn = cofactor(linear);
+    const PlacedNormals placed(place);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         if (layout.pad) put(out, std::uint8_t(1));
         put(out, world_position(mesh, v, place));
-        if (layout.normals)
-            put(out, cast<float>(normalize_or((turn * cast<double>(mesh.normals[v])) * sign, dvec3{0, 0, 1})));
+        if (layout.normals) put(out, placed(mesh.normals[v]));
         if (layout.texcoords) put(out, vec2{mesh.texcoords[0][v].x, 1 - mesh.texcoords[0][v].y});
+        if (layout.colors) put_color(out, mesh.colors.empty() ? vec4{1, 1, 1, 1} : mesh.colors[v]);
     }
 }
 
@@ -90,7 +101,7 @@ void say_what_is_lost(const Scene& scene, const Layout& layout, Report& report) 
         report.add(Remark::dropped, scene.source, {}, std::string("PLY has no place for ") + what);
     };
     std::size_t objects = 0;
-    bool texcoords = false, tangents = false, others = false, has_groups = false;
+    bool texcoords = false, tangents = false, others = false, has_groups = false, arrays = false;
     for (const Node& node : scene.nodes) {
         objects += !node.meshes.empty();
         for (const std::uint32_t m : node.meshes) {
@@ -98,6 +109,7 @@ void say_what_is_lost(const Scene& scene, const Layout& layout, Report& report) 
             texcoords = texcoords || mesh.texcoords.size() > (layout.texcoords ? 1u : 0u);
             tangents = tangents || !mesh.tangents.empty();
             has_groups = has_groups || !mesh.smoothing.empty() || !mesh.smoothing_hint.empty();
+            arrays = arrays || !mesh.arrays.empty();
             others = others || mesh.topology != Topology::triangles;
         }
     }
@@ -107,6 +119,7 @@ void say_what_is_lost(const Scene& scene, const Layout& layout, Report& report) 
         lost(layout.texcoords ? "more than one set of texture coordinates"
                               : "texture coordinates that only some meshes have");
     if (tangents) lost("tangents");
+    if (arrays) report.add(Remark::dropped, scene.source, {}, "other numbers of the vertices are not written");
     if (others) lost("lines and points here");
     if (has_groups)
         report.add(Remark::note, scene.source, {},

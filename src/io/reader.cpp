@@ -16,32 +16,38 @@
 #include "io/file.h"
 #include "io/gltf/read_gltf.h"
 #include "io/obj/read_obj.h"
+#include "io/plain_text.h"
+#include "io/ply/read_ply.h"
+#include "io/read_xyz.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight::io {
 namespace {
 
-enum class Reader : std::uint8_t { gltf, obj, import_helper };
+enum class Reader : std::uint8_t { gltf, obj, ply, xyz, import_helper };
 
 struct Format {
     std::string_view ending, name;
     Reader reader;
+    bool has_meters;  ///< or says what its unit is; the others are numbers alone
 };
 
 constexpr Format formats[] = {
-    {"gltf", "glTF 2.0", Reader::gltf},
-    {"glb", "GLB", Reader::gltf},
-    {"obj", "OBJ", Reader::obj},
+    {"gltf", "glTF 2.0", Reader::gltf, true},
+    {"glb", "GLB", Reader::gltf, true},
+    {"obj", "OBJ", Reader::obj, false},
+    {"ply", "PLY", Reader::ply, false},
+    {"xyz", "XYZ", Reader::xyz, false},
+    {"pts", "PTS", Reader::xyz, false},
 #if RL_IMPORT
-    {"fbx", "FBX", Reader::import_helper},
-    {"dae", "DAE", Reader::import_helper},
-    {"3ds", "3DS", Reader::import_helper},
-    {"ase", "ASE", Reader::import_helper},
-    {"blend", "Blend", Reader::import_helper},
-    {"stl", "STL", Reader::import_helper},
-    {"ply", "PLY", Reader::import_helper},
-    {"off", "OFF", Reader::import_helper},
-    {"x", "X", Reader::import_helper},
+    {"fbx", "FBX", Reader::import_helper, true},
+    {"dae", "DAE", Reader::import_helper, true},
+    {"3ds", "3DS", Reader::import_helper, false},
+    {"ase", "ASE", Reader::import_helper, false},
+    {"blend", "Blend", Reader::import_helper, true},
+    {"stl", "STL", Reader::import_helper, false},
+    {"off", "OFF", Reader::import_helper, false},
+    {"x", "X", Reader::import_helper, false},
 #endif
 };
 
@@ -110,7 +116,7 @@ const Format& choose_format(const std::string& path, std::span<const std::byte> 
         throw Error(ErrorCode::bad_file,
                     ending.empty() ? "the file has no ending that says its format"
                                    : "files with the ending ." + ending + " are not supported",
-                    {}, "supported: " + supported_formats());
+                    {}, (ending.empty() ? "--format names one; supported: " : "supported: ") + supported_formats());
     context.report().add(Remark::guessed, path, {}, "read as " + std::string(format->name) + " by its content");
     return *format;
 }
@@ -121,11 +127,17 @@ Scene read_as(const Format& format, const std::string& path, const ReadOptions& 
             return read_gltf(path, options, context);
         case Reader::obj:
             return read_obj(path, options, context);
+        case Reader::ply:
+            return read_ply(path, options, context);
+        case Reader::xyz:
+            return read_xyz(path, options, context);
         case Reader::import_helper:
             return read_with_import_helper(path, options, context);
     }
     return {};
 }
+
+std::string_view text_of(const Bytes& bytes) { return {reinterpret_cast<const char*>(bytes->data()), bytes->size()}; }
 
 Scene read_as(const Format& format, const std::string& path, Bytes bytes, const ReadOptions& options,
               Context& context) {
@@ -133,8 +145,11 @@ Scene read_as(const Format& format, const std::string& path, Bytes bytes, const 
         case Reader::gltf:
             return gltf::read_gltf_bytes(path, std::move(bytes), options, context);
         case Reader::obj:
-            return obj::read_obj_text({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path, options,
-                                      context);
+            return obj::read_obj_text(PlainText(text_of(bytes), path, context).view(), path, options, context);
+        case Reader::ply:
+            return ply::read_ply_bytes(text_of(bytes), path, options, context);
+        case Reader::xyz:
+            return read_xyz_text(text_of(bytes), path, context);
         case Reader::import_helper:
             return read_with_import_helper(path, bytes, options, context);
     }
@@ -160,6 +175,11 @@ Scene read_valid(const std::string& path, Context& context, const Read& read) {
 }  // namespace
 
 bool has_model_ending(const std::string& path) { return format_of(ending_of(path)) != nullptr; }
+
+const char* length_unit(const std::string& path) {
+    const Format* const format = format_of(ending_of(path));
+    return format && !format->has_meters ? "units" : "m";
+}
 
 Scene read_scene(const std::string& path, const ReadOptions& options, Context& context) {
     return read_valid(path, context, [&] {

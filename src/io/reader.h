@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loading behind one interface: a file name in, a validated scene out, remarks into the context's report.
 #pragma once
+#include <memory>
 #include <string>
 
 #include <rakelight/scene.h>
@@ -9,10 +10,13 @@
 
 namespace rakelight::io {
 
+struct KeptObj;
+
 struct ReadOptions {
     bool allow_outside = false;  ///< references may leave the model's own folder tree
     double import_seconds =
         8;  ///< time limit of the import helper for files of up to 32 MiB; larger ones get more in proportion
+    std::shared_ptr<const KeptObj>* keep_obj = nullptr;  ///< of an OBJ file: gets what rewrite_obj_normals() needs
 };
 
 /// Reads a model file of any supported format; the content is held against the ending's format.
@@ -32,6 +36,9 @@ Scene read_with_import_helper(const std::string& path, const Bytes& bytes, const
 
 /// Whether a name's ending is that of a model format which this build reads.
 bool has_model_ending(const std::string& path);
+
+/// What the lengths of a file are in, by its name's ending: "m", or "units" where the format has no unit of length.
+const char* length_unit(const std::string& path);
 
 /// The formats that this build reads, for --version and messages: "glTF 2.0, GLB, OBJ, FBX, ...".
 std::string supported_formats();

@@ -12,7 +12,7 @@
 //   environment/  irradiance, mirrored, environment_terms, sky_color
 //   shadow/       shadow_factor(maps, map, position, normal) -> 0..1
 // Functions that read maps take `maps`, a struct of the caller's with sample_height(maps, uv, level),
-// sample_environment(), sample_sky(), sample_albedo(maps, table, x, y), fetch_nearness(maps, column, row), fetch_slopes()
+// sample_environment(), sample_sky(), sample_behind(), sample_albedo(maps, table, x, y), fetch_nearness(maps, column, row), fetch_slopes()
 // beside it, as far as they are needed.
 //
 // A pixel: Surface s {n, v, k_a, k_d, k_s, exponent, lobe_scale}; Reflection r {RL_BLINN_PHONG, RL_TEXTBOOK, 1};
@@ -41,6 +41,7 @@ namespace rakelight::lighting::RL_ISA {
 #include "lighting/models/clearcoat.glsl"
 #include "lighting/models/sheen.glsl"
 #include "lighting/models/dielectric.glsl"
+#include "lighting/models/iridescence.glsl"
 #include "lighting/light/attenuation.glsl"
 #include "lighting/light/sample_light.glsl"
 #include "lighting/light/viewer.glsl"
@@ -62,6 +63,7 @@ namespace rakelight::lighting::RL_ISA {
 #include "lighting/material/sample_surface.glsl"
 #include "lighting/material/point.glsl"
 #include "lighting/material/transport.glsl"
+#include "lighting/material/transmission.glsl"
 #include "lighting/environment/irradiance.glsl"
 #include "lighting/environment/facet_fan.glsl"
 #include "lighting/environment/mirrored.glsl"

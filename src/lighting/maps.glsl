@@ -25,6 +25,7 @@ uniform vec3 rl_environment_levels[RL_ENVIRONMENT_LEVELS];  // [texels] x, y of 
 uniform sampler2D rl_sky;              // equirectangular
 uniform highp usampler2D rl_shadow_atlas;
 uniform int rl_shadow_size;            // [texels] a side of a map
+uniform sampler2D rl_behind;           // the picture of what is behind transmissive surfaces; levels mixed, ended at its edges
 vec2 decode_slopes(vec2 codes);        // shadow/shadow_map.glsl
 
 float sample_height(Maps maps, vec2 uv, float level) { return maps.height_offset + maps.height_scale * textureLod(rl_heights, uv, level).x; }
@@ -40,6 +41,7 @@ vec3 sample_environment(Maps maps, vec2 uv, float level)
     int lower = int(inside);
     return mix(environment_level(uv, lower), environment_level(uv, min(lower + 1, RL_ENVIRONMENT_LEVELS - 1)), inside - float(lower));
 }
+vec3 sample_behind(Maps maps, vec2 uv, float level) { return textureLod(rl_behind, uv, level).xyz; }
 vec3 sample_sky(Maps maps, vec2 uv, float level) { return textureLod(rl_sky, uv, level).xyz; }
 
 uvec2 shadow_texel(Maps maps, float column, float row)

@@ -11,7 +11,8 @@ NormalRule normal_rule(const Scene& scene, const Mesh& mesh, NormalSource source
         missing_are_flat = mesh.normal_choice->missing_are_flat;
         rule.crease_angle_rad = mesh.normal_choice->crease_angle_rad.value_or(-1);
     }
-    rule.keeps_given = source == NormalSource::automatic || source == NormalSource::file;
+    rule.joins_seams = source == NormalSource::seams;
+    rule.keeps_given = rule.joins_seams || source == NormalSource::automatic || source == NormalSource::file;
     switch (source) {
         case NormalSource::automatic:
             rule.scope = missing_are_flat ? Scope::face : Scope::model;
@@ -26,6 +27,10 @@ NormalRule normal_rule(const Scene& scene, const Mesh& mesh, NormalSource source
             break;
         case NormalSource::model:
             rule.scope = Scope::model;
+            break;
+        case NormalSource::seams:
+            rule.scope = Scope::model;
+            rule.groups = true;
             break;
     }
     return rule;

@@ -9,6 +9,7 @@ namespace rakelight {
 struct NormalRule {
     bool keeps_given = true;       ///< the mesh's own normals count; those that are missing are made
     Scope scope = Scope::model;    ///< over which they are smoothed
+    bool joins_seams = false;      ///< kept normals are joined where meshes meet: <rakelight/seams.h>
     bool groups = false;           ///< smoothing groups count, inside an object; across objects the crease angle does
     double crease_angle_rad = -1;  ///< the mesh's own; < 0: as the picture's options say
 };

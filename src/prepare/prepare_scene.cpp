@@ -11,6 +11,7 @@
 #include "prepare/normal_rule.h"
 #include "prepare/prepare.h"
 #include "prepare/repair.h"
+#include "prepare/repair_seams.h"
 #include "prepare/smooth_request.h"
 #include "prepare/subdivide_scene.h"
 #include "prepare/tangent_report.h"
@@ -29,6 +30,7 @@ SmoothRequest request_for(const PrepareOptions& options) {
     SmoothRequest request;
     request.attributes.weight = options.weight;
     request.attributes.crease_angle_rad = options.crease_angle_rad;
+    request.attributes.weld_distance = options.weld_distance;
     request.attributes.orthogonalize = options.orthogonalize;
     request.attributes.measure_orthogonality = options.measure_orthogonality;
     request.keep_instances = options.keep_instances;
@@ -180,6 +182,7 @@ public:
     Scene run(Scene scene) const {
         Report& report = context_.report();
         check_nodes(scene, report);
+        for (Mesh& mesh : scene.meshes) mesh.arrays.clear();
         scene = paid(repair_scene(std::move(scene), options_.normals, context_));
         const auto places = places_of(scene);
         scene = paid(subdivided(std::move(scene), options_, context_));
@@ -193,7 +196,7 @@ public:
                 mesh.tangents = {};  // the file's do not count
         context_.throw_if_cancelled();
         if (options_.measure_orthogonality) report_kept_tangents(scene, report);
-        scene = displaced(with_normals(std::move(scene)));
+        scene = displaced(with_seams_joined(with_normals(std::move(scene))));
         return paid(add_missing_tangents(std::move(scene), request_, context_));
     }
 
@@ -212,6 +215,18 @@ private:
             request.attributes.scope = scope;
             scene = paid(smooth_meshes(std::move(scene), request, context_));
         }
+        return scene;
+    }
+
+    /// Over all parts that ask for it together.
+    Scene with_seams_joined(Scene scene) const {
+        const auto asks = [&](const Mesh& mesh) { return normal_rule(scene, mesh, options_.normals).joins_seams; };
+        if (std::none_of(scene.meshes.begin(), scene.meshes.end(), asks)) return scene;
+        SeamReport seams;
+        const SeamRequest request{
+            {.crease_angle_rad = options_.crease_angle_rad}, options_.normals, options_.keep_instances};
+        scene = paid(join_seams(std::move(scene), request, seams, context_));
+        if (seams.turned + seams.flat_pairs > 0) context_.report().add(Remark::note, scene.source, {}, describe(seams));
         return scene;
     }
 
@@ -247,7 +262,7 @@ void check_options(const PrepareOptions& o) {
         if (!is_fine) throw Error(ErrorCode::usage, fault);
     };
     require(o.crease_angle_rad >= 0 && o.crease_angle_rad <= pi, "the crease angle must be 0 to 180 degrees");
-    require(exists(o.normals, NormalSource::model), no_such("source of normals", o.normals));
+    require(exists(o.normals, NormalSource::seams), no_such("source of normals", o.normals));
     require(exists(o.weight, CornerWeight::angle_area), no_such("weight", o.weight));
     require(exists(o.uv, UvProjection::cylinder), no_such("projection of texture coordinates", o.uv));
     require(exists(o.orthogonalize, Orthogonalize::off), no_such("way to orthogonalize", o.orthogonalize));

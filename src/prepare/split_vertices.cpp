@@ -25,6 +25,7 @@ std::uint64_t vertex_bytes(const Mesh& mesh) {
     if (!mesh.tangents.empty()) bytes += sizeof(vec4);
     if (!mesh.colors.empty()) bytes += sizeof(vec4);
     if (!mesh.influences.empty()) bytes += sizeof(JointInfluence);
+    for (const VertexArray& array : mesh.arrays) bytes += array.components * sizeof(float);
     return bytes + mesh.texcoords.size() * sizeof(vec2) + mesh.targets.size() * 3 * sizeof(vec3);
 }
 
@@ -42,6 +43,14 @@ void split_vertices(Mesh& mesh, std::vector<std::uint32_t> indices, std::span<co
     extend(mesh.tangents, source_vertex);
     for (Block<vec2>& set : mesh.texcoords) extend(set, source_vertex);
     extend(mesh.colors, source_vertex);
+    for (VertexArray& array : mesh.arrays) {
+        std::vector<float> values(array.values.begin(), array.values.end());
+        values.reserve((mesh.positions.size()) * array.components);
+        for (const std::uint32_t v : source_vertex)
+            for (std::uint32_t k = 0; k < array.components; ++k)
+                values.push_back(array.values[std::size_t(v) * array.components + k]);
+        array.values = std::move(values);
+    }
     extend(mesh.influences, source_vertex);
     for (MorphTarget& target : mesh.targets) {
         extend(target.positions, source_vertex);

@@ -7,6 +7,7 @@
 #include "math/color.h"
 #include "math/functions.h"
 #include "render/look.h"
+#include "render/point_look.h"
 
 namespace rakelight {
 namespace {
@@ -36,8 +37,12 @@ Frame small_picture(const RenderSettings& of, Session& session, const Camera& ca
     settings.samples = 1;
     settings.shadows = false;
     settings.background = {0, 0, 0, 0};
+    settings.ambient_occlusion = false;
+    session.take_up(camera, settings, context);  // what it remarks on, textures that are broken, is said once
+    // What there is to remark on in drawing is remarked on by the picture itself, and progress is that picture's.
+    Context quiet({.threads = context.threads(), .max_memory = context.memory().limit(), .parent = &context});
     Frame frame;
-    session.render(camera, settings, frame, context);
+    session.render(camera, settings, frame, quiet);
     return frame;
 }
 
@@ -85,7 +90,9 @@ void expose(const Frame& frame, PictureRequest& request, Context& context) {
 }  // namespace
 
 void adjust_to_picture(PictureRequest& request, Session& session, const Camera& camera, Context& context) {
-    if (request.look == Look::plain || request.engine == "trace" || !request.settings.colors) return;
+    if (request.look == Look::plain || request.engine == "trace") return;
+    size_points(request, session, camera, context);
+    if (!request.settings.colors) return;
     const bool may_expose = !request.lights && !request.default_lights && !request.studio_lights &&
                             !names(request, "exposure") && !names(request, "tone-mapping");
     if (names(request, "background") && !may_expose) return;

@@ -24,7 +24,7 @@ BuildInfo build_info() {
     info.engines = engine_names();
     info.model_formats = io::supported_formats();
     info.image_formats_read = "PNG, JPEG, WebP, EXR, HDR, TGA, BMP";  // what io/image_io.h promises
-    info.image_formats_written = "PNG, JPEG, WebP, EXR, HDR";
+    info.image_formats_written = "PNG, JPEG, WebP, PPM, EXR, HDR";
     info.isas = usable_isas();
     info.isa = engine_isa(info.engines.front());
     info.threads = Context().threads();

@@ -62,7 +62,14 @@ Code view(const ChannelInfo& channel, const ViewRange& range, const std::uint32_
             return color_of_position(w, range);
         case ChannelKind::weights:
             return {code_of(real(w[0])), code_of(real(w[1])), code_of(real(w[2]))};
-        case ChannelKind::amount:
+        case ChannelKind::amount: {
+            const std::uint8_t gray = srgb8_from_linear(std::bit_cast<float>(w[0]));
+            return {gray, gray, gray};
+        }
+        case ChannelKind::share: {
+            const std::uint8_t gray = code_of(real(w[0]));
+            return {gray, gray, gray};
+        }
         case ChannelKind::color:
             return {srgb8_from_linear(std::bit_cast<float>(w[0])), srgb8_from_linear(std::bit_cast<float>(w[1])),
                     srgb8_from_linear(std::bit_cast<float>(w[2]))};

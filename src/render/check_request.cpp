@@ -30,10 +30,11 @@ void check_output(const PictureRequest& request) {
 void check_output_place(const std::string& output) {
     std::error_code ignored;
     const std::filesystem::path path(output);
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    if (!std::filesystem::is_directory(folder, ignored))
-        throw Error(ErrorCode::failed, "the folder '" + one_line(folder.string(), 160) + "' does not exist", {},
-                    "create it first");
+    std::filesystem::path folder = path.parent_path();
+    while (!folder.empty() && !std::filesystem::exists(std::filesystem::symlink_status(folder, ignored)))
+        folder = folder.has_filename() ? folder.parent_path() : folder.parent_path().parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
+        throw Error(ErrorCode::failed, "'" + one_line(folder.string(), 160) + "' is no folder");
     if (std::filesystem::is_directory(path, ignored)) throw Error(ErrorCode::failed, "a folder has this name");
 }
 

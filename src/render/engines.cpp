@@ -65,6 +65,7 @@ std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
     require(can.lines_and_points || (s.surfaces && !s.edges && s.points == PointShape::none),
             "draw edges and vertices");
     require(can.shadows || !s.shadows, "draw shadows");
+    require(can.ambient_occlusion || !s.ambient_occlusion, "find ambient occlusion: engine soft does");
     require(can.rays || s.colors, "leave the colors out");
     require(can.user_lighting || s.lighting_text.empty(), "light by a text in GLSL, " + one_line(s.lighting_name, 80));
     return first;

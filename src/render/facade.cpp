@@ -45,10 +45,11 @@ void check_colors(const Frame& frame, const std::string& path) {
             .with_file(path);
 }
 
-void write(const Frame& frame, const io::OutputTarget& target, const ToneSettings& tone) {
+void write(const Frame& frame, const io::OutputTarget& target, const ToneSettings& tone, vec4 behind) {
     check_colors(frame, target.path);
-    const ToneCurve curve(tone);
-    const bool transparent = std::any_of(frame.color.begin(), frame.color.end(), [](const vec4& c) { return c.w < 1; });
+    const ToneCurve curve(tone, behind);
+    const bool transparent = !curve.is_opaque_behind() &&
+                             std::any_of(frame.color.begin(), frame.color.end(), [](const vec4& c) { return c.w < 1; });
     const PixelFormat format = format_for(target.path, transparent);
     check_alpha(target.path, format);
     const auto writer = make_color_writer(target, frame.window.width, frame.window.height, format);
@@ -63,7 +64,9 @@ void write(const Frame& frame, const io::OutputTarget& target, const ToneSetting
 
 }  // namespace
 
-void save(const Frame& frame, const std::string& path, const ToneSettings& tone) { write(frame, path, tone); }
+void save(const Frame& frame, const std::string& path, const ToneSettings& tone, vec4 behind) {
+    write(frame, path, tone, behind);
+}
 
 void save(const Scene& scene, const std::string& path, Context& context) {
     try {
@@ -78,11 +81,11 @@ void save(const Scene& scene, const std::string& path, Context& context) {
     }
 }
 
-std::vector<std::byte> encode(const Frame& frame, const std::string& ending, const ToneSettings& tone) {
+std::vector<std::byte> encode(const Frame& frame, const std::string& ending, const ToneSettings& tone, vec4 behind) {
     std::vector<std::byte> bytes;
     try {
         if (!ending.starts_with('.')) throw Error(ErrorCode::usage, "endings begin with a dot: \".png\"");
-        write(frame, {"frame" + ending, bytes}, tone);
+        write(frame, {"frame" + ending, bytes}, tone, behind);
     } catch (const Error& error) {  // there is no file that it could be of
         throw Error(error.code(), error.reason(), error.place(), error.advice())
             .about(error.setting(), error.related());
@@ -90,10 +93,10 @@ std::vector<std::byte> encode(const Frame& frame, const std::string& ending, con
     return bytes;
 }
 
-std::vector<std::uint32_t> to_srgb8(const Frame& frame, const ToneSettings& tone) {
+std::vector<std::uint32_t> to_srgb8(const Frame& frame, const ToneSettings& tone, vec4 behind) {
     check_colors(frame, {});
     std::vector<std::uint32_t> codes(frame.color.size());
-    convert_row(frame.color.data(), frame.color.size(), {Component::u8, 4}, ToneCurve(tone),
+    convert_row(frame.color.data(), frame.color.size(), {Component::u8, 4}, ToneCurve(tone, behind),
                 reinterpret_cast<std::byte*>(codes.data()));
     return codes;
 }

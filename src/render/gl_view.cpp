@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <rakelight/gl_view.h>
+#include <rakelight/picture_parts.h>
 #include <rakelight/render.h>
 
 #include "engines/check_settings.h"
@@ -46,7 +47,9 @@ RenderStats GlView::draw(const Camera& camera, const RenderSettings& settings, c
     const Camera at = camera_in_world(s.whole->scene, camera, double(settings.width) / double(settings.height));
     s.view.set_lights(s.whole->has_chosen_lights ? s.whole->scene.lights
                                                  : lights_of(s.whole->scene, at, RayMethod::automatic));
-    return s.view.draw(at, settings, tone, context);
+    RenderSettings drawn = settings;
+    const vec4 behind = keep_background(drawn, tone);
+    return s.view.draw(at, drawn, tone, behind, context);
 }
 
 void GlView::show(int width, int height, std::span<const std::uint32_t> srgb8, bool smooth) {

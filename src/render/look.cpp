@@ -6,8 +6,11 @@
 #include <cstdio>
 
 #include "render/picture_steps.h"
+#include "render/point_look.h"
+#include "render/up_axis.h"
 #include "render/view.h"
 #include "scene/scene_tools.h"
+#include "world/coloring.h"
 
 namespace rakelight {
 namespace {
@@ -60,6 +63,16 @@ bool take_camera(const Scene& scene, PictureRequest& request, Context& context) 
     return false;
 }
 
+/// Where nobody has said how the model stands, and its format does not.
+void note_up(const Scene& scene, PictureRequest& request, Context& context) {
+    const bool is_placed =
+        names(request, {"up", "camera-view-up", "camera-position", "camera-direction", "view", "camera-index"});
+    if (is_placed || !has_no_up_axis(request.input)) return;
+    const std::string why = why_z_is_up(scene);
+    if (!why.empty())
+        note(context, request, "the model looks as if Z were up: " + why + "; 'up' +Z turns it upright", {"up"});
+}
+
 /// Metallic-roughness materials are lit by the studio, where nobody has said what lights the scene.
 void take_light(const Scene& scene, bool takes_file, PictureRequest& request) {
     if (!takes_file && !names(request, {"light"})) request.default_lights = !scene.lights.empty();
@@ -80,7 +93,9 @@ void take_light(const Scene& scene, bool takes_file, PictureRequest& request) {
 }  // namespace
 
 void take_look(const Scene& scene, PictureRequest& request, Context& context) {
-    if (request.look == Look::plain || request.engine == "trace") return;
+    if (request.look == Look::plain) return;
+    note_up(scene, request, context);
+    if (request.engine == "trace") return;
     RenderSettings& settings = request.settings;
     const bool takes_file = take_camera(scene, request, context);
     take_light(scene, takes_file, request);
@@ -98,11 +113,11 @@ void take_look_of_picture(const Scene& asked, PictureRequest& request, Context& 
 
 Scene looked_as_asked(Scene scene, PictureRequest& request, Context& context) {
     take_look(scene, request, context);
-    return as_asked(std::move(scene), request, context);
+    request.coloring = completed(scene, request.coloring);
+    return with_splats(as_asked(std::move(scene), request, context), request, context);
 }
 
 Scene loaded_as_asked(PictureRequest& request, Context& context) {
-    context.progress("load", 0);
     return looked_as_asked(load(request.input, request.load, context), request, context);
 }
 

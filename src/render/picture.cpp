@@ -5,10 +5,12 @@
 #include <new>
 
 #include "engines/check_settings.h"
+#include "engines/empty_pixel.h"
 #include "math/linear.h"
 #include "render/drawable.h"
 #include "render/engines.h"
 #include "render/look.h"
+#include "render/overlay.h"
 #include "render/picture_files.h"
 #include "render/picture_steps.h"
 #include "render/prepared_scene.h"
@@ -76,24 +78,47 @@ Window whole_window(const RenderSettings& s) {
     return s.window.width == 0 ? Window{0, 0, s.width, s.height} : s.window;
 }
 
-void draw_to_files(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
-                   Context& context) {
-    const RenderSettings& settings = request.settings;
+namespace {
+
+/// What is drawn over the picture, if anything is. Its settings ask for depths then, where it needs them.
+std::optional<Overlay> overlay_of(const PictureRequest& request, Session& session, const Camera& camera,
+                                  RenderSettings& settings, Context& context) {
+    if (!request.has_overlays()) return {};
+    const std::shared_ptr<const PreparedScene> prepared = session.prepared(request.settings, context);
+    const double aspect = double(settings.width) / double(settings.height);
+    Overlay overlay(request, prepared->scene, camera_in_world(prepared->scene, camera, aspect));
+    if (overlay.needs_depth()) settings.channels |= channel_depth;
+    return overlay;
+}
+
+void keep_depth_for(const std::optional<Overlay>& overlay, const RenderSettings& asked, PictureSink& sink) {
+    if (overlay && overlay->needs_depth()) sink.keep_depth(!(asked.channels & channel_depth));
+}
+
+/// @param memory  where the colors' file goes; null: to its name
+void draw_to_outputs(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
+                     std::vector<std::byte>* memory, Context& context) {
+    RenderSettings settings = request.settings;
     const Window window = whole_window(settings);
     const PixelFormat format = format_for(request.output, settings.background.w < 1);
-    PictureFiles files(
-        request.output, window.width, window.height, format,
-        {settings.channels, request.channel_files, request.half_colors, result.view_range, comment_of(settings)},
-        {window.x, window.y, settings.width, settings.height});
+    const vec4 behind = format.component == Component::u8 ? keep_background(settings, request.tone) : vec4{};
+    const std::optional<Overlay> overlay = overlay_of(request, session, camera, settings, context);
+    PictureFiles files(request.output, window.width, window.height, format,
+                       {request.settings.channels, request.channel_files, request.half_colors, result.view_range,
+                        comment_of(settings), memory},
+                       {window.x, window.y, settings.width, settings.height});
     double written_ms = 0;
-    PictureSink sink(format, request.tone, files.needs_linear(), [&](int rows) {
+    PictureSink sink(format, ToneCurve(request.tone, behind), files.needs_linear(), [&](int rows) {
         const Stopwatch watch;
+        if (overlay) overlay->draw(sink.color_rows(rows), context);
+        if (overlay && files.needs_linear()) overlay->draw(sink.linear_rows(rows), context);
         files.write(sink, rows);
         written_ms += watch.ms();
     });
+    keep_depth_for(overlay, request.settings, sink);
     ExtremePixels extremes;
     sink.count_in(&extremes);
-    if (request.keep_partial) sink.expect_gaps(settings.background);
+    if (request.keep_partial) sink.expect_gaps(empty_pixel(settings));
     Stopwatch drawing;
     try {
         result.stats = session.render(camera, settings, sink, context);
@@ -112,10 +137,18 @@ void draw_to_files(Session& session, const Camera& camera, const PictureRequest&
     result.render_ms += drawing.lap_ms() - written_ms;
     result.write_ms += written_ms;
     const Stopwatch watch;
+    context.progress("write", 0);
     files.finish();
     result.write_ms += watch.ms();
     note_drawn(window, extremes, result);
     result.channel_files = files.channel_names();
+}
+
+}  // namespace
+
+void draw_to_files(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
+                   Context& context) {
+    draw_to_outputs(session, camera, request, result, nullptr, context);
 }
 
 PictureResult draw_picture(const PictureRequest& request, Session& session, Context& context) {
@@ -138,13 +171,18 @@ void draw_to_memory(Session& session, const Camera& camera, const PictureRequest
     color = {window.width, window.height, format.channels, format.component, false, {}};
     color.charge = share(
         MemoryCharge(context.memory(), std::uint64_t(color.row_bytes()) * std::uint64_t(window.height), "the picture"));
-    PictureSink sink(format, request.tone);
+    RenderSettings settings = request.settings;
+    const vec4 behind = keep_background(settings, request.tone);
+    const std::optional<Overlay> overlay = overlay_of(request, session, camera, settings, context);
+    PictureSink sink(format, ToneCurve(request.tone, behind));
+    keep_depth_for(overlay, request.settings, sink);
     ExtremePixels extremes;
     sink.count_in(&extremes);
     Stopwatch drawing;
-    result.stats = session.render(camera, request.settings, sink, context);
+    result.stats = session.render(camera, settings, sink, context);
     result.render_ms += drawing.lap_ms();
     context.throw_if_cancelled();
+    if (overlay) overlay->draw(sink.color_rows(window.height), context);
     color.bytes = sink.take_colors();
     note_drawn(window, extremes, result);
 }
@@ -223,6 +261,24 @@ PictureResult render_picture(const Scene& scene, const PictureRequest& request, 
         PictureRequest looked = request;
         Scene asked = looked_as_asked(scene, looked, context);
         return draw_picture(std::move(asked), looked, session, context);
+    });
+}
+
+PictureResult render_picture(const PictureRequest& asked, std::vector<std::byte>& file, Context& context) {
+    check_request(asked);
+    const bool is_in_layers = asked.channel_files == channel_files_layers && is_exr(asked.output);
+    if (asked.settings.channels != 0 && !is_in_layers)
+        throw Error(ErrorCode::usage, "is for pictures in files: data channels go to files beside them", {},
+                    "write the picture to a file, or as exr with 'channel-files' layers")
+            .about("channels", {"channel-files"});
+    PictureRequest request = asked;
+    return picture_by(request, context, [&](Session& session) {
+        Scene loaded = loaded_as_asked(request, context);
+        return draw_loaded(
+            std::move(loaded), request, session, context,
+            [&](Session& engine, const Camera& camera, const PictureRequest& looked, PictureResult& result) {
+                draw_to_outputs(engine, camera, looked, result, &file, context);
+            });
     });
 }
 

@@ -47,9 +47,10 @@ std::uint32_t float_word(const ChannelInfo& info, std::uint32_t number) {
     return std::bit_cast<std::uint32_t>(info.kind == ChannelKind::number && number == no_index ? -1.0f : float(number));
 }
 
-io::OutputTarget commented(const std::string& path, const std::string& comment) {
+/// The file of the colors.
+io::OutputTarget color_target(const std::string& path, const ChannelWishes& wishes) {
     io::OutputTarget target(path);
-    target.comment = comment;
+    target.comment = wishes.comment, target.memory = wishes.memory;
     return target;
 }
 
@@ -66,7 +67,7 @@ bool is_exr(const std::string& path) { return ending_of(path) == ".exr"; }
 
 void check_alpha(const std::string& path, const PixelFormat& format) {
     const std::string ending = ending_of(path);
-    if (format.channels == 4 && (ending == ".jpg" || ending == ".jpeg" || ending == ".hdr"))
+    if (format.channels == 4 && (ending == ".jpg" || ending == ".jpeg" || ending == ".ppm" || ending == ".hdr"))
         throw Error(ErrorCode::usage, "this format has no alpha for a transparent background", {},
                     "use .png, .webp or .exr");
 }
@@ -114,7 +115,7 @@ void PictureFiles::add_color(const ChannelWishes& wishes) {
     add(
         color_, output_,
         [&] {
-            return make_color_writer(commented(output_, wishes.comment), width_, height_, format_, wishes.half_colors,
+            return make_color_writer(color_target(output_, wishes), width_, height_, format_, wishes.half_colors,
                                      place_);
         },
         [](const PictureSink& strip, int y) -> const void* { return strip.color_row(y); });
@@ -163,7 +164,7 @@ void PictureFiles::add_layers(const std::string& path, const ChannelWishes& wish
     };
     add(
         path == output_ ? color_ : channels_, path,
-        [&] { return io::make_exr_writer(commented(path, wishes.comment), width_, height_, std::move(list), place_); },
+        [&] { return io::make_exr_writer(color_target(path, wishes), width_, height_, std::move(list), place_); },
         std::move(row));
 }
 

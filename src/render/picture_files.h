@@ -36,7 +36,8 @@ struct ChannelWishes {
     std::uint32_t files = channel_files_exr;  ///< ChannelFiles bits
     bool half_colors = false;
     ViewRange range;
-    std::string comment{};  ///< into the metadata of the colors' file
+    std::string comment{};                     ///< into the metadata of the colors' file
+    std::vector<std::byte>* memory = nullptr;  ///< what the colors' file is written to; null: it is a file
 };
 
 class PictureFiles {

@@ -6,6 +6,8 @@
 #include <cstring>
 
 #include "engines/channel_arrays.h"
+#include "engines/empty_pixel.h"
+#include "image/tone_curves.h"
 #include "render/channel_view.h"
 #include "render/picture_steps.h"
 #include "render/prepared_scene.h"
@@ -41,6 +43,14 @@ Scene with_asked_surfaces(Scene scene, const PictureRequest& request, Context& c
     return as_asked(std::move(scene), request, context);
 }
 
+vec4 keep_background(RenderSettings& settings, const ToneSettings& tone) {
+    const bool changes_colors = tone.mapping != ToneMapping::none || tone.exposure_ev != 0;
+    if (!changes_colors || !(settings.background.w > 0)) return {};
+    settings.lays_background = false;
+    settings.background_light = ToneCurve(tone).light_for(settings.background.xyz());
+    return laid_behind(settings);
+}
+
 std::vector<Light> chosen_lights(const Scene& scene, const PictureRequest& request, const Camera& camera) {
     std::vector<Light> lights = request.lights           ? *request.lights
                                 : request.default_lights ? default_lights(camera.to_world)
@@ -58,7 +68,8 @@ std::vector<Light> asked_lights(const Scene& scene, const PictureRequest& reques
 }
 
 std::vector<std::uint32_t> channel_codes(const Frame& frame, std::uint32_t channel, const ViewRange& range) {
-    const bool is_one = channel != 0 && (channel & (channel - 1)) == 0 && (channel & ~channels_all) == 0;
+    const bool is_one =
+        channel != 0 && (channel & (channel - 1)) == 0 && (channel & ~(channels_all | channel_ambient_occlusion)) == 0;
     const std::vector<std::uint32_t> words = is_one ? words_of(frame, channel) : std::vector<std::uint32_t>();
     const std::size_t count = std::size_t(frame.window.width) * std::size_t(frame.window.height);
     if (!is_one || words.size() != count * std::size_t(info_of(channel).components()))

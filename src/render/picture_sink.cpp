@@ -29,14 +29,16 @@ void PictureSink::begin(int width, int height, Window window, std::uint32_t chan
     first_ = window_.y;
     std::size_t pixel_bytes = format_.bytes() + (keeps_linear_ ? sizeof(float) * std::size_t(format_.channels) : 0);
     std::vector<ChannelPlane> planes;
-    for (const ChannelInfo& info : all_channels()) {
-        if (!(channels & info.channel)) continue;
+    const auto add = [&](const ChannelInfo& info) {
         const std::size_t number = planes.size();
         planes.push_back({info.channel, info.components(), {}});
         if (number < planes_.size())
             planes.back().words = std::move(planes_[number].words);  // memory of the picture before
         pixel_bytes += sizeof(std::uint32_t) * std::size_t(info.components());
-    }
+    };
+    for (const ChannelInfo& info : all_channels())
+        if ((channels & info.channel) && !(hides_depth_ && info.channel == channel_depth)) add(info);
+    if (hides_depth_) add(info_of(channel_depth));  // behind those that are seen
     planes_ = std::move(planes);
     rows_ = strip_done_ ? rows_that_fit(pixel_bytes * std::size_t(window_.width), window_.height) : window_.height;
     if (strip_done_ && rows_ < strip_granularity) rows_ = strip_granularity;  // what rows_at_once() may say
@@ -72,6 +74,21 @@ void PictureSink::empty_strip() {
                     std::memcpy(plane.words.data() + at, values.data(), sizeof(values[0]));
             },
             one);
+}
+
+PictureRows PictureSink::color_rows(int rows) {
+    PictureRows out{format_, window_.x, first_, window_.width, rows, color_.data()};
+    for (const ChannelPlane& plane : planes_)
+        if (keeps_depth_ && plane.channel == channel_depth)
+            out.depth = reinterpret_cast<const float*>(plane.words.data());
+    return out;
+}
+
+PictureRows PictureSink::linear_rows(int rows) {
+    PictureRows out = color_rows(rows);
+    out.format.component = Component::f32;
+    out.bytes = reinterpret_cast<std::byte*>(linear_.data());
+    return out;
 }
 
 double PictureSink::done() const {

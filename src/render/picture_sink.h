@@ -26,10 +26,10 @@ struct ChannelPlane {
 class PictureSink final : public StripSink {
 public:
     /// Keeps the whole window.
-    explicit PictureSink(PixelFormat format, const ToneSettings& tone = {}) : format_(format), tone_(tone) {}
+    explicit PictureSink(PixelFormat format, const ToneCurve& tone = ToneCurve()) : format_(format), tone_(tone) {}
     /// Keeps a strip, and calls `strip_done` with its number of rows when they are there.
     /// @param linear  keep colors as linear floats too, for files of layers
-    PictureSink(PixelFormat format, const ToneSettings& tone, bool linear, std::function<void(int)> strip_done)
+    PictureSink(PixelFormat format, const ToneCurve& tone, bool linear, std::function<void(int)> strip_done)
         : format_(format), tone_(tone), keeps_linear_(linear), strip_done_(std::move(strip_done)) {}
 
     void begin(int width, int height, Window window, std::uint32_t channels) override;
@@ -54,13 +54,21 @@ public:
     /// Hands out the strips that are left, as they are.
     void finish_partial();
 
+    /// Before begin(): depths are there for who draws over the picture. They are no plane where the channel is hidden, one that the caller
+    /// has asked the engine for himself.
+    void keep_depth(bool is_hidden) { keeps_depth_ = true, hides_depth_ = is_hidden; }
+    /// The colors of the strip (or of the window), to be drawn on, with their depths where they are kept.
+    PictureRows color_rows(int rows);
+    /// The same of the linear colors, where they are kept.
+    PictureRows linear_rows(int rows);
+
     /// Rows of the strip (or of the window), the first is 0.
     const std::byte* color_row(int y) const { return color_.data() + at_row(y) * format_.bytes(); }
     const float* linear_row(int y) const { return linear_.data() + at_row(y) * std::size_t(format_.channels); }
     const std::uint32_t* channel_row(std::size_t plane, int y) const {
         return planes_[plane].words.data() + at_row(y) * std::size_t(planes_[plane].components);
     }
-    const std::vector<ChannelPlane>& planes() const { return planes_; }
+    std::span<const ChannelPlane> planes() const { return std::span(planes_).first(planes_.size() - hides_depth_); }
     /// The colors of the whole window, row by row; the sink has none then.
     std::vector<std::byte> take_colors() { return std::move(color_); }
 
@@ -76,7 +84,7 @@ private:
 
     PixelFormat format_;
     ToneCurve tone_;
-    bool keeps_linear_ = false;
+    bool keeps_linear_ = false, keeps_depth_ = false, hides_depth_ = false;
     std::optional<vec4> gaps_;
     std::atomic<std::uint64_t> brought_{0};  ///< pixels
     ExtremePixels* extremes_ = nullptr;

@@ -33,7 +33,8 @@ void warn_of_unknown_names(const Scene& scene, const RenderSettings& settings, R
 void draw_to_files(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
                    Context& context);
 
-/// @throws Error failed: the output's folder does not exist, or the output is a folder
+/// Folders that are missing are made when the file is. @throws Error failed: something else has the name of such a folder, or
+/// the output is a folder
 void check_output_place(const std::string& output);
 
 /// Everything but the choice of the engine and the checks.

@@ -11,10 +11,10 @@
 namespace rakelight {
 namespace {
 
-void linear_row(const vec4* pixels, std::size_t count, int channels, std::byte* out) {
+void linear_row(const vec4* pixels, std::size_t count, int channels, const ToneCurve& tone, std::byte* out) {
     const std::size_t bytes = std::size_t(channels) * sizeof(float);
     for (std::size_t i = 0; i < count; ++i) {
-        const vec4& p = pixels[i];
+        const vec4 p = tone.laid(pixels[i]);
         const vec4 c = channels == 4 ? vec4{p.x * p.w, p.y * p.w, p.z * p.w, p.w} : p;
         std::memcpy(out + i * bytes, &c, bytes);
     }
@@ -37,7 +37,7 @@ void convert_row(const vec4* pixels, std::size_t count, const PixelFormat& forma
                  std::byte* out) {
     std::uint8_t* const codes = reinterpret_cast<std::uint8_t*>(out);
     if (format.component == Component::f32)
-        linear_row(pixels, count, format.channels, out);
+        linear_row(pixels, count, format.channels, tone, out);
     else if (tone.is_identity())
         to_srgb8({pixels, count}, format.channels, {codes, count * format.bytes()});
     else

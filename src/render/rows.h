@@ -18,8 +18,18 @@ struct PixelFormat {
     std::size_t bytes() const { return size_of(component) * std::size_t(channels); }
 };
 
+/// Some rows of a picture that are to be drawn on.
+struct PictureRows {
+    PixelFormat format;
+    int x = 0, y = 0;              ///< [px] of the first pixel, in the whole picture
+    int width = 0, height = 0;     ///< [px]
+    std::byte* bytes = nullptr;    ///< [height * width] as convert_row() makes them
+    const float* depth = nullptr;  ///< [m] [height * width] along the view axis; null: not known
+};
+
 /// Converts `count` pixels; `out` takes count * format.bytes(). Engines deliver colors that are not premultiplied by
-/// alpha: 8-bit formats store them so, EXR by its convention multiplied. `tone` acts on display values alone.
+/// alpha: 8-bit formats store them so, EXR by its convention multiplied. Exposure and curve of `tone` act on display values
+/// alone; what lies behind the pixels is laid behind all.
 void convert_row(const vec4* pixels, std::size_t count, const PixelFormat& format, const ToneCurve& tone,
                  std::byte* out);
 

@@ -35,17 +35,23 @@ void remark_missing_rays(const Scene& scene, const Engine& engine, Report& repor
     for (const Node& node : scene.nodes)
         for (const std::uint32_t mesh : node.meshes)
             if (scene.meshes[mesh].material != no_index) is_drawn[scene.meshes[mesh].material] = true;
-    std::size_t mirrors = 0, open = 0;
+    std::size_t mirrors = 0, open = 0, layers = 0;
     for (std::size_t i = 0; i < is_drawn.size(); ++i) {
         const Material& m = scene.materials[i];
         if (!is_drawn[i] || m.model == MaterialModel::unlit) continue;
         const bool is_classical = m.model == MaterialModel::classical;
         mirrors += is_classical && m.classical.mirror != Mirror::none && m.classical.specular != vec3{};
-        open += is_classical ? m.classical.transmission != vec3{} : m.metallic_roughness.transmission > 0;
+        open += is_classical && m.classical.transmission != vec3{};
+        layers += !is_classical && m.metallic_roughness.transmission > 0;
     }
     const std::string tail = ": engine " + engine.name() + " shows the surface alone, --engine trace follows rays";
     if (open > 0)
         report.add(Remark::dropped, scene.source, "", "light goes through " + counted(open, "material") + tail,
+                   {"engine"});
+    if (layers > 0)
+        report.add(Remark::note, scene.source, "",
+                   "light goes through " + counted(layers, "material") + ": under pbr engine " + engine.name() +
+                       " shows the opaque surfaces behind the nearest one, --engine trace follows rays",
                    {"engine"});
     if (mirrors > 0)
         report.add(Remark::note, scene.source, "",
@@ -111,7 +117,7 @@ struct Session::State {
     void begin(Source from) { scene = {}, prepared.reset(), owned.reset(), source = from; }
     const Scene& current() const;
     void hand_over(Context& context);
-    const Scene& take_up(const RenderSettings& settings, const Camera& camera, Session& session, Context& context);
+    void take_up(const RenderSettings& settings, const Camera& camera, Session& session, Context& context);
 };
 
 Session::Session(const std::string& engine) : Session(make_engine(engine)) {}
@@ -196,10 +202,9 @@ void Session::State::hand_over(Context& context) {
 }
 
 /// The scene that the engine has now, with the lights of the picture.
-const Scene& Session::State::take_up(const RenderSettings& settings, const Camera& camera, Session& session,
-                                     Context& context) {
+void Session::State::take_up(const RenderSettings& settings, const Camera& camera, Session& session, Context& context) {
     if (source == Source::owned) hand_over(context);
-    if (source == Source::given) return engine->scene();
+    if (source == Source::given) return;
     const std::shared_ptr<const PreparedScene> ready = session.prepared(settings, context);
     const double aspect = double(settings.width) / double(settings.height);
     std::vector<Light> lights =
@@ -208,7 +213,7 @@ const Scene& Session::State::take_up(const RenderSettings& settings, const Camer
             : lights_of(ready->scene, camera_in_world(ready->scene, camera, aspect), settings.method);
     if (taken == ready) {
         if (lights != engine->scene().lights) engine->set_lights(std::move(lights));
-        return engine->scene();
+        return;
     }
     taken.reset();  // what fails leaves the engine with another scene, or none
     Scene drawn = ready->scene;
@@ -216,15 +221,20 @@ const Scene& Session::State::take_up(const RenderSettings& settings, const Camer
     engine->prepare(std::move(drawn), context);
     taken = ready;
     remark_missing_rays(engine->scene(), *engine, context.report());
-    return engine->scene();
 }
 
-RenderStats Session::render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) {
+void Session::take_up(const Camera& camera, const RenderSettings& settings, Context& context) {
     State& s = *state_;
     check_settings(settings);
     check_abilities(s.engine->name(), s.engine->abilities(), settings);
     check_camera(camera, s.current().nodes.size(), CameraUse::in_scene);
-    const Scene& scene = s.take_up(settings, camera, *this, context);
+    s.take_up(settings, camera, *this, context);
+}
+
+RenderStats Session::render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) {
+    take_up(camera, settings, context);
+    State& s = *state_;
+    const Scene& scene = s.engine->scene();
     const double aspect = double(settings.width) / double(settings.height);
     return s.engine->render(camera_in_world(scene, camera, aspect), settings, sink, context);
 }

@@ -15,7 +15,7 @@ constexpr double least_black = 0.9;  ///< the same of multisampled pictures, who
 
 /// Pixels of the background that are as `code` in red, green and blue.
 std::uint64_t background_pixels(const PictureRequest& request, const RenderStats& stats, std::uint8_t code) {
-    if (!shows_as(request, request.settings.background.xyz(), code)) return 0;
+    if (!is_code(request.settings.background.xyz(), code)) return 0;  // which no curve changes
     const Window window = whole_window(request.settings);
     return std::uint64_t(window.width) * std::uint64_t(window.height) - stats.pixels_covered;
 }

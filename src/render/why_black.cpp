@@ -154,12 +154,15 @@ std::string why_unlit(const Scene& scene, const PictureRequest& request, const s
 
 }  // namespace
 
-bool shows_as(const PictureRequest& request, vec3 linear, std::uint8_t code) {
-    const vec3 shown = ToneCurve(request.tone)(linear);
-    const vec4 color{shown.x, shown.y, shown.z, 1};
+bool is_code(vec3 linear, std::uint8_t code) {
+    const vec4 color{linear.x, linear.y, linear.z, 1};
     std::uint8_t rgb[3];
     to_srgb8({&color, 1}, 3, rgb);
     return rgb[0] == code && rgb[1] == code && rgb[2] == code;
+}
+
+bool shows_as(const PictureRequest& request, vec3 linear, std::uint8_t code) {
+    return is_code(ToneCurve(request.tone)(linear), code);
 }
 
 bool is_unlit(const Scene& scene, const PictureRequest& request) {

@@ -8,6 +8,8 @@
 
 namespace rakelight {
 
+/// Whether a linear color, encoded as it is, has `code` in red, green and blue.
+bool is_code(vec3 linear, std::uint8_t code);
 /// Whether a linear color is `code` in red, green and blue of the request's 8-bit pictures.
 bool shows_as(const PictureRequest& request, vec3 linear, std::uint8_t code);
 

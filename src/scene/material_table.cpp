@@ -28,6 +28,7 @@ constexpr TextureFactor sheen_roughness = {"sheen_roughness",
 constexpr TextureFactor transmission = {"transmission",
                                         [](const M& m) { return m.metallic_roughness.transmission <= 0; }};
 constexpr TextureFactor thickness = {"thickness", [](const M& m) { return m.metallic_roughness.thickness <= 0; }};
+constexpr TextureFactor iridescence = {"iridescence", [](const M& m) { return m.metallic_roughness.iridescence <= 0; }};
 
 constexpr const char* khr_specular = "KHR_materials_specular";
 constexpr const char* khr_anisotropy = "KHR_materials_anisotropy";
@@ -36,6 +37,7 @@ constexpr const char* khr_sheen = "KHR_materials_sheen";
 constexpr const char* khr_transmission = "KHR_materials_transmission";
 constexpr const char* khr_volume = "KHR_materials_volume";
 constexpr const char* khr_dispersion = "KHR_materials_dispersion";
+constexpr const char* khr_iridescence = "KHR_materials_iridescence";
 
 // clang-format off
 const TextureRole roles[] = {
@@ -70,8 +72,13 @@ const TextureRole roles[] = {
      data, {}, {}, &P::sheen_roughness_texture, {khr_sheen, "sheenRoughnessTexture"}, sheen, sheen_roughness},
     {role_transmission, "transmission", "transmission_texture", "Red multiplies transmission", metallic_roughness, data, {}, {},
      &P::transmission_texture, {khr_transmission, "transmissionTexture"}, transmission},
-    {role_thickness, "thickness", "thickness_texture", "Kept for other programs: rays find the thickness themselves",
-     metallic_roughness, data, {}, {}, &P::thickness_texture, {khr_volume, "thicknessTexture"}, thickness},
+    {role_thickness, "thickness", "thickness_texture", "Green multiplies thickness; not in engine trace, whose rays find it themselves",
+     metallic_roughness, data, {}, {}, &P::thickness_texture, {khr_volume, "thicknessTexture"}, transmission, thickness},
+    {role_iridescence, "iridescence", "iridescence_texture", "Red multiplies iridescence", metallic_roughness, data, {}, {},
+     &P::iridescence_texture, {khr_iridescence, "iridescenceTexture"}, iridescence},
+    {role_iridescence_thickness, "iridescence_thickness", "iridescence_thickness_texture",
+     "Green leads from the least to the greatest thickness of the film", metallic_roughness, data, {}, {},
+     &P::iridescence_thickness_texture, {khr_iridescence, "iridescenceThicknessTexture"}, iridescence},
 };
 
 using Kind = MaterialParameter::Kind;
@@ -93,15 +100,23 @@ const MaterialParameter parameters[] = {
      &P::clearcoat_normal_scale},  // glTF: in the texture's object
     {"sheen_color", khr_sheen, Kind::color, 0, 0, {}, &P::sheen_color, {khr_sheen, "sheenColorFactor"}},
     {"sheen_roughness", khr_sheen, Kind::number, 0, 1, &P::sheen_roughness, {}, {khr_sheen, "sheenRoughnessFactor"}},
-    {"transmission", "How much light goes through instead of being scattered; engine trace", Kind::number, 0, 1, &P::transmission, {},
+    {"transmission", "How much light goes through instead of being scattered", Kind::number, 0, 1, &P::transmission, {},
      {khr_transmission, "transmissionFactor"}},
     {"thickness", "More than 0: a body that refracts and absorbs; 0 (default): a thin wall", Kind::number, 0, 1e6, &P::thickness, {},
      {khr_volume, "thicknessFactor"}, Range::not_negative},
     {"attenuation_distance", "[m] in which light in the body becomes attenuation_color; 0 (default): nothing is absorbed",
      Kind::number, 0, 1e6, &P::attenuation_distance, {}, {khr_volume, "attenuationDistance"}, Range::not_negative},
     {"attenuation_color", khr_volume, Kind::color, 0, 0, {}, &P::attenuation_color, {khr_volume, "attenuationColor"}},
-    {"dispersion", "20 / Abbe number of a body: how far it parts colors (default 0); method path", Kind::number, 0, 100, &P::dispersion,
-     {}, {khr_dispersion, "dispersion"}, Range::not_negative},
+    {"dispersion", "20 / Abbe number of a body: how far it parts colors (default 0); engines soft and gl, method path", Kind::number, 0,
+     100, &P::dispersion, {}, {khr_dispersion, "dispersion"}, Range::not_negative},
+    {"iridescence", "A thin film whose color changes with the angle", Kind::number, 0, 1, &P::iridescence, {},
+     {khr_iridescence, "iridescenceFactor"}},
+    {"iridescence_ior", "Index of refraction of the film (default 1.3)", Kind::number, 1, 100, &P::iridescence_ior, {},
+     {khr_iridescence, "iridescenceIor"}, Range::not_negative},
+    {"iridescence_thickness_min_nm", "[nm] of the film where its thickness texture is 0 (default 100)", Kind::number, 0, 1e6,
+     &P::iridescence_thickness_min_nm, {}, {khr_iridescence, "iridescenceThicknessMinimum"}, Range::not_negative},
+    {"iridescence_thickness_max_nm", "[nm] of the film where that is 1, or there is none (default 400)", Kind::number, 0, 1e6,
+     &P::iridescence_thickness_max_nm, {}, {khr_iridescence, "iridescenceThicknessMaximum"}, Range::not_negative},
 };
 // clang-format on
 static_assert(std::size(roles) == texture_role_count);
@@ -112,7 +127,6 @@ std::span<const TextureRole, texture_role_count> texture_roles() { return roles;
 std::span<const MaterialParameter> metallic_roughness_parameters() { return parameters; }
 
 bool TextureRole::is_shown_by(const Material& m) const {
-    if (number == role_thickness) return false;
     if (number == role_opacity) return m.alpha_mode != AlphaMode::opaque;
     if (m.model == MaterialModel::unlit) return number == role_base_color;
     return is_of(m.model) && !layer.silences(m);

@@ -24,6 +24,8 @@ enum TextureRoleNumber : int32_t {
     role_sheen_roughness,
     role_transmission,
     role_thickness,
+    role_iridescence,
+    role_iridescence_thickness,
     texture_role_count
 };
 

@@ -135,7 +135,7 @@ void check_channel(const Scene& scene, const Place& place, const AnimationChanne
 }
 
 void check_choice(const Place& place, const NormalChoice& choice) {
-    place.enumerator("choice of normals", choice.source, NormalSource::model);
+    place.enumerator("choice of normals", choice.source, NormalSource::seams);
     const double crease = choice.crease_angle_rad.value_or(0);
     if (!(crease >= 0 && crease <= pi)) place.fail("the crease angle is not 0 to pi");
 }
@@ -160,6 +160,12 @@ std::uint32_t check_mesh(const Scene& scene, std::size_t number, const Mesh* kno
     for (const Block<vec2>& set : mesh.texcoords)
         place.size_or_empty("texture coordinates", set.size(), vertices, "vertices");
     place.size_or_empty("colors", mesh.colors.size(), vertices, "vertices");
+    for (const VertexArray& array : mesh.arrays) {
+        if (array.components < 1 || array.components > 16)
+            place.fail("numbers of vertices have 0 or more than 16 components");
+        if (array.values.size() != vertices * array.components)
+            place.fail("the numbers '" + one_line(array.name, 40) + "' are not those of all vertices");
+    }
     place.size_or_empty("joint influences", mesh.influences.size(), vertices, "vertices");
     place.size_or_empty("smoothing groups", mesh.smoothing.size(), mesh.triangle_count(), "triangles");
     place.size_or_empty("smoothing hints", mesh.smoothing_hint.size(), 3 * std::size_t(mesh.triangle_count()),

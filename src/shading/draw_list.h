@@ -17,8 +17,8 @@ namespace rakelight::shading {
 struct Draw {
     std::uint32_t node = no_index, mesh = no_index;
     std::uint32_t material = 0;  ///< into DrawList::materials
-    dmat4 to_world;              ///< including the mesh's origin
     bool mirrored = false;       ///< det(to_world) < 0
+    dmat4 to_world;              ///< including the mesh's origin
     vec3 low, high;              ///< bounds of the positions, object space
 };
 

@@ -22,6 +22,13 @@ struct EnvironmentFactors {
     float intensity;
 };
 
+/// Where a point about the eye, world axes, lies on the picture of what is behind transmissive surfaces: u w, v w, w of
+/// (x, y, z, 1); u, v from its top left corner.
+struct BehindFactors {
+    float to_u[4], to_v[4], to_w[4];
+    float last_level;  ///< of its mip chain, 1 x 1
+};
+
 struct FogFactors {
     int32_t kind;  ///< FogNumber
     float color[3], start, end, density;

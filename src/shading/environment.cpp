@@ -4,6 +4,7 @@
 #include "image/decode.h"
 #include "math/functions.h"
 #include "scene/scene_tools.h"
+#include "shading/studio_light.h"
 
 namespace rakelight::shading {
 namespace {
@@ -12,10 +13,11 @@ MipChain sky_of(const ImageHandle& image, Context& context) {
     return make_mip_chain(image ? decode(*image, context) : studio_panorama(), ColorSpace::srgb, context);
 }
 
-EnvironmentImages images_of(const ImageHandle& image, Context& context) {
+EnvironmentImages images_of(const ImageHandle& image, bool with_sky, Context& context) {
     EnvironmentImages out;
-    out.sky = sky_of(image, context);
-    out.light = make_environment_light(out.sky, context);
+    if (image || with_sky) out.sky = sky_of(image, context);
+    out.light = image ? make_environment_light(out.sky, context) : studio_light();
+    if (!with_sky) out.sky = {};
     return out;
 }
 
@@ -42,13 +44,16 @@ bool uses_environment(const Scene& scene) {
 }
 
 std::optional<UsedEnvironment> EnvironmentCache::update(const Scene& scene, const EnvironmentPacker& packer,
-                                                        Context& context) {
+                                                        bool follows_rays, Context& context) {
     const ImageHandle image = uses_environment(scene) ? scene.environment->image : nullptr;
     if (packed_ && (!uses_environment(scene) || image_ != image)) packed_ = nullptr;
     if (!uses_environment(scene)) return {};
-    if (!packed_) try {
-            const EnvironmentImages images = images_of(image, context);
+    const bool needs_sky = follows_rays || scene.environment->is_background;
+    if (!packed_ || (needs_sky && !has_sky_)) try {
+            packed_ = nullptr;
+            const EnvironmentImages images = images_of(image, needs_sky, context);
             packed_ = packer.pack(images, image, context);
+            has_sky_ = needs_sky;
             irradiance_ = images.light.irradiance;
             image_ = image;
         } catch (const Error& error) {

@@ -15,7 +15,7 @@ namespace rakelight::shading {
 
 /// The picture of all around with its mip levels, and what is prefiltered of it.
 struct EnvironmentImages {
-    MipChain sky;
+    MipChain sky;  ///< no levels where nothing shows it
     EnvironmentLight light;
 };
 
@@ -48,11 +48,14 @@ class EnvironmentCache {
 public:
     /// Nothing where the scene uses no environment, or where its picture cannot be decoded or packed: that is a warning
     /// in the report.
-    std::optional<UsedEnvironment> update(const Scene& scene, const EnvironmentPacker& packer, Context& context);
+    /// @param follows_rays  rays may meet the picture itself, whether it is the background or not
+    std::optional<UsedEnvironment> update(const Scene& scene, const EnvironmentPacker& packer, bool follows_rays,
+                                          Context& context);
 
 private:
     ImageHandle image_;  ///< of what is packed
     std::shared_ptr<const PackedEnvironment> packed_;
+    bool has_sky_ = false;  ///< in what is packed
     std::array<vec3, 9> irradiance_{};
 };
 

@@ -7,15 +7,20 @@
 namespace rakelight::shading {
 
 /// Numbers of metallic-roughness materials that are handed on as they are, by their names in MetallicRoughnessParameters.
-#define RL_COPIED_PARAMETERS(X) \
-    X(metallic)                 \
-    X(roughness)                \
-    X(anisotropy)               \
-    X(clearcoat)                \
-    X(clearcoat_roughness)      \
-    X(clearcoat_normal_scale)   \
-    X(sheen_roughness)          \
-    X(transmission)
+#define RL_COPIED_PARAMETERS(X)     \
+    X(metallic)                     \
+    X(roughness)                    \
+    X(anisotropy)                   \
+    X(clearcoat)                    \
+    X(clearcoat_roughness)          \
+    X(clearcoat_normal_scale)       \
+    X(sheen_roughness)              \
+    X(transmission)                 \
+    X(thickness)                    \
+    X(iridescence)                  \
+    X(iridescence_ior)              \
+    X(iridescence_thickness_min_nm) \
+    X(iridescence_thickness_max_nm)
 
 struct MaterialFactors {
 #define RL_FIELD(name) float name;
@@ -42,6 +47,10 @@ struct MaterialFactors {
     float refraction;      ///< index of refraction of a body, of both models
     float attenuation[3];  ///< [1/m] of light in the body
     float dispersion;      ///< 20 / Abbe number of a body
+    // What is seen through a surface (engines soft and gl).
+    float through_eta[3];   ///< 1 / index of refraction of a body for red, green, blue; 1: a thin wall
+    float through_blur;     ///< 0..1: how much of the roughness blurs what is behind
+    int32_t through_parts;  ///< a body parts colors
 };
 
 inline constexpr float widest_mirror =

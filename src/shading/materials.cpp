@@ -7,6 +7,7 @@
 #include "math/functions.h"
 #include "math/linear.h"
 #include "scene/scene_tools.h"
+#include "shading/refraction.h"
 
 namespace rakelight::shading {
 namespace {
@@ -41,6 +42,14 @@ vec3 attenuation_of(const MetallicRoughnessParameters& p) {
     return {per_meter(p.attenuation_color.x), per_meter(p.attenuation_color.y), per_meter(p.attenuation_color.z)};
 }
 
+/// What is seen through it. Blur: KHR_materials_ior has none of it at an index of 1, all of it from 1.5 on.
+void add_through(const MetallicRoughnessParameters& p, MaterialFactors& v) {
+    v.through_blur = std::clamp(2 * p.ior - 2, 0.0f, 1.0f);
+    v.through_parts = v.is_body && v.dispersion > 0;
+    for (int color = 0; color < 3; ++color)
+        v.through_eta[color] = v.is_body ? 1 / refraction_of(v, v.through_parts ? color : -1) : 1;
+}
+
 /// Where rays go on.
 void add_transport(const Material& m, MaterialFactors& v) {
     static_assert(int(Mirror::constant) == mirror_constant && int(Mirror::fresnel) == mirror_fresnel);
@@ -55,6 +64,7 @@ void add_transport(const Material& m, MaterialFactors& v) {
     v.is_body = m.metallic_roughness.thickness > 0;
     if (v.is_body) v.refraction = m.metallic_roughness.ior, v.dispersion = m.metallic_roughness.dispersion;
     copy(v.attenuation, attenuation_of(m.metallic_roughness));
+    add_through(m.metallic_roughness, v);
 }
 
 }  // namespace
@@ -100,7 +110,8 @@ bool is_identity(const UvTransform& t) {
 }
 
 bool has_layers(const MaterialFactors& m) {
-    return m.anisotropy > 0 || m.clearcoat > 0 || m.sheen_color[0] > 0 || m.sheen_color[1] > 0 || m.sheen_color[2] > 0;
+    return m.anisotropy > 0 || m.clearcoat > 0 || m.sheen_color[0] > 0 || m.sheen_color[1] > 0 ||
+           m.sheen_color[2] > 0 || m.transmission > 0 || m.iridescence > 0;
 }
 
 }  // namespace rakelight::shading

@@ -18,7 +18,7 @@ std::vector<const TextureRole*> roles_of(const Material& material);
 UvTransform uv_transform(const TextureUse& use);
 bool is_identity(const UvTransform& transform);
 
-/// Clearcoat, sheen, an anisotropic highlight: what is not lit at corners.
+/// Clearcoat, sheen, an anisotropic highlight, a film, what is seen through it: what is not lit at corners.
 bool has_layers(const MaterialFactors& factors);
 
 }  // namespace rakelight::shading

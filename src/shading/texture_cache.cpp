@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shading/texture_cache.h"
 
+#include <algorithm>
+#include <atomic>
+#include <functional>
 #include <string>
 
 #include "image/decode.h"
@@ -87,6 +90,15 @@ void load(Missing& m, const TexturePacker& packer, Context& context) {
     });
 }
 
+/// The largest pictures first: begun last, one of them would be waited for.
+std::vector<Missing*> by_size(std::vector<Missing*> measured) {
+    const auto texels = [](const Missing* m) {
+        return std::uint64_t(m->header->width) * std::uint64_t(m->header->height);
+    };
+    std::ranges::stable_sort(measured, std::greater<>(), texels);
+    return measured;
+}
+
 /// Which are left out where memory is short depends on their order, never on threads: what is kept is charged in order,
 /// before anything is decoded, and what decoding takes beside is refused only where it does not fit alone.
 void load_all(std::vector<Missing>& missing, const TexturePacker& packer, Context& context) {
@@ -96,7 +108,9 @@ void load_all(std::vector<Missing>& missing, const TexturePacker& packer, Contex
     for (Missing& m : missing)
         if (m.header && m.fault.empty()) measured.push_back(&m);
     const std::uint64_t refused = context.memory().refusals();
-    context.parallel_for(measured.size(), [&](std::size_t i) { load(*measured[i], packer, context); });
+    const std::vector<Missing*> largest_first = by_size(measured);
+    std::atomic<std::size_t> begun{0};  // the loop's own order is not that of its indices
+    context.parallel_for(measured.size(), [&](std::size_t) { load(*largest_first[begun++], packer, context); });
     if (context.memory().refusals() != refused)
         for (Missing* m : measured)
             if (!m->fault.empty()) load(*m, packer, context);

@@ -14,6 +14,7 @@
 #include "render/prepared_scene.h"
 #include "render/stopwatch.h"
 #include "render/view.h"
+#include "render/view_range.h"
 #include "scene/scene_tools.h"
 #include "tools/bench_export.h"
 #include "tools/bench_scene.h"
@@ -65,6 +66,7 @@ void check(const RenderBenchOptions& o) {
     request.input = "builtin:bench";
     request.output = o.output;
     request.settings = o.settings;
+    request.channel_files = o.picture.channel_files, request.half_colors = o.picture.half_colors;
     check_request(request);
 }
 
@@ -74,7 +76,7 @@ public:
         : options_(options),
           context_(context),
           settings_(options.settings),
-          sink_(PixelFormat{}, options.picture.tone) {
+          sink_(PixelFormat{}, ToneCurve(options.picture.tone)) {
         if (options.scene.empty())
             take_built_in();
         else
@@ -162,7 +164,9 @@ private:
         request.output = options_.output;
         request.settings = settings_;
         request.tone = options_.picture.tone;
+        request.channel_files = options_.picture.channel_files, request.half_colors = options_.picture.half_colors;
         PictureResult result;
+        result.view_range = view_range(scene_, camera_);
         Session session(measured_.front().row.engine);
         session.set(std::make_shared<PreparedScene>(PreparedScene{scene_, {}}));
         draw_to_files(session, camera_, request, result, context_);
@@ -188,8 +192,9 @@ private:
         row.cpu_ms = median(m.cpu_ms);
         row.mtri_per_s = double(triangle_count(scene_)) / row.median_ms * 1e-3;
         row.mpix_per_s = double(row.stats.pixels_shaded) / row.median_ms * 1e-3;
-        for (const auto stage : {&StageTimes::front_end, &StageTimes::tiles, &StageTimes::visibility,
-                                 &StageTimes::shading, &StageTimes::blending, &StageTimes::delivery})
+        for (const auto stage :
+             {&StageTimes::front_end, &StageTimes::tiles, &StageTimes::visibility, &StageTimes::occlusion,
+              &StageTimes::shading, &StageTimes::blending, &StageTimes::delivery})
             row.stages.*stage = m.median_stage(stage);
         return row;
     }

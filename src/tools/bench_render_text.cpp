@@ -13,7 +13,8 @@ namespace {
 
 Json json_of(const StageTimes& t) {
     return {{"front_end", 1e3 * t.front_end}, {"tiles", 1e3 * t.tiles},       {"visibility", 1e3 * t.visibility},
-            {"shading", 1e3 * t.shading},     {"blending", 1e3 * t.blending}, {"delivery", 1e3 * t.delivery}};
+            {"shading", 1e3 * t.shading},     {"blending", 1e3 * t.blending}, {"delivery", 1e3 * t.delivery},
+            {"occlusion", 1e3 * t.occlusion}};
 }
 
 }  // namespace
@@ -74,9 +75,9 @@ std::string to_text(const RenderBenchReport& report) {
         text += format(
             "  front end %.2f ms, then tiles %.2f ms; summed over threads: visibility %.2f, shading %.2f, blending "
             "%.2f, "
-            "delivery %.2f ms\n",
+            "delivery %.2f ms; depths for ambient occlusion %.2f ms\n",
             1e3 * r.stages.front_end, 1e3 * r.stages.tiles, 1e3 * r.stages.visibility, 1e3 * r.stages.shading,
-            1e3 * r.stages.blending, 1e3 * r.stages.delivery);
+            1e3 * r.stages.blending, 1e3 * r.stages.delivery, 1e3 * r.stages.occlusion);
         text += format(
             "  %llu culled from behind, %llu degenerate or between samples, %llu outside, %llu drawn; %llu pixels "
             "covered "

@@ -69,10 +69,8 @@ Pixels displayed(const DisplayPicture& picture) {
 }
 
 std::string image_html(const char* name, const std::string& alt, const Pixels& pixels) {
-    std::vector<std::byte> file;
-    io::write_image({"picture.png", file}, pixels);
     return std::string("<img class=\"") + name + "\" alt=\"" + html_text(alt) + "\" width=\"" +
-           std::to_string(pixels.width) + "\" src=\"" + data_uri("image/png", file) + "\">\n";
+           std::to_string(pixels.width) + "\" src=\"" + png_uri(pixels) + "\">\n";
 }
 
 std::string numbers_html(const PictureComparison& c) {

@@ -12,6 +12,7 @@
 #include "prepare/prepare.h"
 #include "render/view.h"
 #include "scene/scene_tools.h"
+#include "tools/seam_legend.h"
 #include "tools/seam_normals.h"
 #include "tools/surfaces.h"
 
@@ -91,7 +92,22 @@ public:
         }
     }
 
+    /// Where a point is in the frame; nothing where it is not in the picture.
+    std::optional<SeamPlace> place_of(dvec3 position) const {
+        const dvec3 c = to_camera(position);
+        if (-c.z < camera_.z_near) return {};
+        const PicturePoint p = project(c);
+        const Window& w = frame_.window;
+        const double x = p.x - w.x, y = p.y - w.y;
+        if (!(x >= 0 && y >= 0 && x < w.width && y < w.height)) return {};
+        const std::size_t at = std::size_t(y) * std::size_t(w.width) + std::size_t(x);
+        return SeamPlace{x, y, double(frame_.depth[at]) < p.depth - reach_m(p.depth)};
+    }
+
 private:
+    /// [m] A line lies on a surface that is so near to it.
+    double reach_m(double depth) const { return 2.5 * radius_px_ * half_height_at(depth) / (0.5 * frame_.height); }
+
     dvec3 to_camera(dvec3 p) const {
         const dvec3 d = p - camera_.to_world[3].xyz();
         return {dot(d, camera_.to_world[0].xyz()), dot(d, camera_.to_world[1].xyz()),
@@ -161,7 +177,7 @@ private:
     void dot_at(const PicturePoint& p, double deg) {
         if (!(deg > continuous_deg)) return;
         const Window& window = frame_.window;
-        const double reach_m = 2.5 * radius_px_ * half_height_at(p.depth) / (0.5 * frame_.height);
+        const double reach = reach_m(p.depth);
         const double reach_px = radius_px_ + 0.5;
         const int left = std::max(window.x, int(std::floor(p.x - reach_px)));
         const int right = std::min(window.x + window.width - 1, int(std::floor(p.x + reach_px)));
@@ -173,7 +189,7 @@ private:
                 const double cover = std::clamp(reach_px - std::sqrt(dx * dx + dy * dy), 0.0, 1.0);
                 const std::size_t at =
                     std::size_t(y - window.y) * std::size_t(window.width) + std::size_t(x - window.x);
-                if (cover == 0 || !(std::fabs(double(frame_.depth[at]) - p.depth) <= reach_m)) continue;
+                if (cover == 0 || !(std::fabs(double(frame_.depth[at]) - p.depth) <= reach)) continue;
                 cover_[at] = std::max(cover_[at], float(cover));
                 heat_deg_[at] = std::max(heat_deg_[at], float(deg));
             }
@@ -188,7 +204,7 @@ private:
 }  // namespace
 
 Frame draw_seams(const Scene& scene, const Inspection& inspection, const InspectOptions& options,
-                 const ViewRequest& view, const RenderSettings& settings, Context& context) {
+                 const ViewRequest& view, const RenderSettings& settings, Context& context, SeamMarks marks) {
     check_settings(settings);
     check_options(options.prepare);
     validate(scene);
@@ -198,7 +214,13 @@ Frame draw_seams(const Scene& scene, const Inspection& inspection, const Inspect
     RenderSettings with_depth = settings;
     with_depth.channels |= channel_depth;
     Frame frame = render(gray, camera, with_depth, context);
-    SeamPainter(frame, camera).paint(inspection.seam_lines);
+    SeamPainter painter(frame, camera);
+    painter.paint(inspection.seam_lines);
+    if (marks == SeamMarks::legend) {
+        const bool has_seam = !inspection.borders.empty();
+        draw_seam_legend(frame, inspection,
+                         has_seam ? painter.place_of(inspection.borders[0].seam_position) : std::nullopt);
+    }
     return frame;
 }
 

@@ -3,6 +3,8 @@
 
 #include <new>
 
+#include "engines/empty_pixel.h"
+#include "engines/raster/inspect/nearest_shown.h"
 #include "render/rows.h"
 #include "scene/material_table.h"
 #include "tools/explained_pixel.h"
@@ -15,10 +17,10 @@ namespace {
 using raster::CoveringTriangle;
 using raster::ShadedLayer;
 
-std::vector<std::uint8_t> codes(vec4 color, bool with_alpha, const ToneSettings& tone) {
+std::vector<std::uint8_t> codes(vec4 color, bool with_alpha, const ToneCurve& tone) {
     const PixelFormat format{.component = Component::u8, .channels = with_alpha ? 4 : 3};
     std::vector<std::uint8_t> out(format.bytes());
-    convert_row(&color, 1, format, ToneCurve(tone), reinterpret_cast<std::byte*>(out.data()));
+    convert_row(&color, 1, format, tone, reinterpret_cast<std::byte*>(out.data()));
     return out;
 }
 
@@ -26,32 +28,52 @@ const shading::Draw& draw_of(const ExplainedPixel& e, const ShadedLayer& layer) 
     return e.engine->list().draws[e.pixel.triangles[layer.triangle].draw];
 }
 
+using Explained = std::vector<std::shared_ptr<const ExplainedPixel>>;
+
+void check_place(const RenderSettings& s, PixelPlace pixel) {
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= s.width || pixel.y >= s.height)
+        throw Error(ErrorCode::usage, "pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y) +
+                                          " is not in the picture of " + std::to_string(s.width) + " x " +
+                                          std::to_string(s.height) + " pixels");
+}
+
+/// One pixel; `out` has the engine.
+void explain_pixel(ExplainedPixel& out, PixelPlace pixel, const PictureRequest& request, Context& context) {
+    out.pixel = out.engine->explain(pixel.x, pixel.y, context);
+    if (out.pixel.layers.empty()) out.nearest = raster::nearest_shown(*out.engine, pixel.x, pixel.y, context);
+    if (out.pixel.has_marks)
+        context.report().add(Remark::warning, request.input, {},
+                             "lines or points of the model lie about this pixel: only its surfaces are explained");
+    out.tone = request.tone;
+    const ToneCurve curve(request.tone, laid_behind(request.settings));
+    out.displayed = curve.displayed(out.pixel.color);
+    out.codes = codes(out.pixel.color, request.settings.background.w < 1, curve);
+}
+
 /// @param open  gives the engine with the scene in it
 template <class Open>
-std::shared_ptr<const ExplainedPixel> explained(PictureRequest request, int x, int y, Context& context,
-                                                const Open& open) {
+Explained explained(PictureRequest request, std::span<const PixelPlace> pixels, Context& context, const Open& open) {
     try {
-        auto out = std::make_shared<ExplainedPixel>();
-        out->file = request.input;
-        if (x < 0 || y < 0 || x >= request.settings.width || y >= request.settings.height)  // before anything is loaded
-            throw Error(ErrorCode::usage, "pixel " + std::to_string(x) + "," + std::to_string(y) +
-                                              " is not in the picture of " + std::to_string(request.settings.width) +
-                                              " x " + std::to_string(request.settings.height) + " pixels");
-        out->engine = open(request);
-        out->pixel = out->engine->explain(x, y, context);
-        if (out->pixel.has_marks)
-            context.report().add(Remark::warning, request.input, {},
-                                 "lines or points of the model lie about this pixel: only its surfaces are explained");
+        for (const PixelPlace pixel : pixels) check_place(request.settings, pixel);  // before anything is loaded
+        const PictureRequest asked = request;
+        const std::shared_ptr<const raster::Inspection> engine = open(request);
         const RenderSettings& s = request.settings;
         const bool follows_rays = s.method != RayMethod::cast && s.max_depth > 0;
         if (request.engine == "trace" && (follows_rays || s.shadows))
             context.report().add(
                 Remark::warning, request.input, {},
                 "the pixel is explained as engine soft draws it: no rays go on from it, and shadows are those of maps");
-        const vec3 displayed = ToneCurve(request.tone)(out->pixel.color.xyz());
-        out->displayed = {displayed.x, displayed.y, displayed.z, out->pixel.color.w};
-        out->codes = codes(out->pixel.color, request.settings.background.w < 1, request.tone);
-        return out;
+        Explained all;
+        for (const PixelPlace pixel : pixels) {
+            context.progress("explain", double(all.size()) / double(pixels.size()));
+            auto out = std::make_shared<ExplainedPixel>();
+            out->file = request.input;
+            out->engine = engine;
+            out->look = look_choices(asked, request, *engine);
+            explain_pixel(*out, pixel, request, context);
+            all.push_back(std::move(out));
+        }
+        return all;
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::failed, "out of memory").with_file(request.input);
     } catch (const Error& error) {
@@ -61,16 +83,23 @@ std::shared_ptr<const ExplainedPixel> explained(PictureRequest request, int x, i
 
 }  // namespace
 
+std::vector<std::shared_ptr<const ExplainedPixel>> explain(const PictureRequest& request,
+                                                           std::span<const PixelPlace> pixels, Context& context) {
+    return explained(request, pixels, context, [&](PictureRequest& looked) { return open_engine(looked, context); });
+}
+
 std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int x, int y, Context& context) {
-    return explained(request, x, y, context, [&](PictureRequest& looked) { return open_engine(looked, context); });
+    const PixelPlace pixel{x, y};
+    return explain(request, {&pixel, 1}, context)[0];
 }
 
 std::shared_ptr<const ExplainedPixel> explain(const Scene& scene, const PictureRequest& request, int x, int y,
                                               Context& context) {
-    return explained(request, x, y, context, [&](PictureRequest& looked) {
+    const PixelPlace pixel{x, y};
+    return explained(request, {&pixel, 1}, context, [&](PictureRequest& looked) {
         Scene asked = asked_for_engine(scene, looked, context);
         return open_engine(std::move(asked), looked, context);
-    });
+    })[0];
 }
 
 std::vector<std::uint8_t> codes_of(const ExplainedPixel& pixel) { return pixel.codes; }

@@ -57,6 +57,8 @@ constexpr Words all_words[] = {
     {mirrored, "mirrored", "light that is mirrored", "about the mirror direction, as wide as the lobe"},
     {mirrored_coat, "mirrored", "light that is mirrored", "about the mirror direction, as wide as the lobe"},
     {own_emission, "own_emission", "emission of the material", ""},
+    {through, "through", "color that lets it through", "of the transmission"},
+    {behind, "behind", "light from behind", "refracted, blurred, absorbed by the body"},
 };
 
 constexpr bool are_in_order() {

@@ -160,10 +160,12 @@ void add_parameters(Json& out, const ShadedLayer& layer) {
 void add_extras(Json& out, const raster::PixelTrace& t) {
     if (t.has_relief) out["texcoords_relief"] = {list(t.relief_texcoord[0]), list(t.relief_texcoord[1])};
     if (t.has_relief && t.relief_height >= 0) out["relief_height"] = double(t.relief_height);
+    if (t.openness >= 0) out["ambient_occlusion"] = double(t.openness);
     if (t.has_environment)
         out["environment"] = {{"ambient", list(t.environment[0])},
                               {"diffuse", list(t.environment[1])},
                               {"specular", list(t.environment[2])}};
+    if (t.has_transmission) out["transmitted"] = list(t.transmitted);
     if (!t.has_fog) return;
     out["before_fog"] = list(t.before_fog);
     out["fog"] = {{"distance", double(t.fog_distance)}, {"share", double(t.fog_share)}, {"color", list(t.fog_color)}};
@@ -217,10 +219,17 @@ Json layer_json(const ExplainedPixel& e, const ShadedLayer& layer) {
 Json pixel_json(const ExplainedPixel& e) {
     const RenderSettings& settings = e.engine->settings();
     const raster::PixelExplanation& p = e.pixel;
-    Json out = {{"width", settings.width},           {"height", settings.height}, {"background", list(p.background)},
-                {"is_background", p.layers.empty()}, {"color", list(p.color)},    {"sum", list(p.sum)},
-                {"displayed", list(e.displayed)},    {"codes", e.codes},          {"samples", samples_json(e)},
-                {"triangles", Json::array()},        {"layers", Json::array()}};
+    Json out = {{"width", settings.width},          {"height", settings.height},
+                {"background", list(p.background)}, {"is_background", p.layers.empty() && !p.has_marks},
+                {"color", list(p.color)},           {"sum", list(p.sum)},
+                {"displayed", list(e.displayed)},   {"codes", e.codes},
+                {"samples", samples_json(e)},       {"triangles", Json::array()},
+                {"layers", Json::array()}};
+    if (p.has_marks) out["has_marks"] = true;
+    add_shown(out, e);
+    out["look"] = Json::array();
+    for (const LookChoice& choice : e.look) out["look"].push_back({{"topic", choice.topic}, {"value", choice.value}});
+    out["exposure_ev"] = double(e.tone.exposure_ev);
     for (const CoveringTriangle& t : p.triangles) out["triangles"].push_back(triangle_json(e, t));
     for (const ShadedLayer& layer : p.layers) out["layers"].push_back(layer_json(e, layer));
     return out;

@@ -127,6 +127,7 @@ std::string surface_text(const ExplainedPixel& e, const ShadedLayer& layer) {
             values.add("metallic", t.metallic);
             values.add("roughness", t.roughness);
         }
+        if (t.openness >= 0) values.add("ambient occlusion", t.openness, "share of light from all around that is left");
         values.add("k ambient", t.k_ambient);
         values.add("k diffuse", t.k_diffuse);
         values.add("k specular", t.k_specular);
@@ -255,6 +256,7 @@ std::string sum_text(const ShadedLayer& layer) {
         add("+ environment diffuse", t.environment[1]);
         add("+ environment specular", t.environment[2]);
     }
+    if (t.has_transmission) add("+ transmitted from behind", t.transmitted);
     if (t.has_fog) {
         add("  before the fog", t.before_fog);
         add("  color of the fog", t.fog_color);
@@ -313,13 +315,15 @@ std::string to_text(const ExplainedPixel& e) {
     const raster::PixelExplanation& p = e.pixel;
     std::string text = one_line(e.file) + ": pixel " + digits(p.x) + "," + digits(p.y) + " of " +
                        digits(settings.width) + " x " + digits(settings.height) + "\n";
-    if (p.triangles.empty()) text += "  background: no triangle covers it\n";
+    text += shown_text(e) + look_text(e);
     Values color(4);
     color.add("linear color, alpha", p.color,
-              p.layers.empty()       ? "background"
+              p.layers.empty()
+                  ? p.has_marks ? "background, if none of the lines and points about it covers it" : "background"
               : p.samples.size() > 1 ? "the mean of its samples"
                                      : "");
-    if (!(e.displayed == p.color)) color.add("displayed", e.displayed, "with exposure and tone curve");
+    if (!(e.displayed == p.color))
+        color.add("displayed", e.displayed, "with exposure and tone curve, over the background");
     text += color.text("  ");
     text += "  sRGB code ";
     for (const std::uint8_t code : e.codes) text += " " + digits(int(code));
@@ -327,7 +331,7 @@ std::string to_text(const ExplainedPixel& e) {
     if (!p.triangles.empty()) text += triangles_text(e);
     for (std::size_t i = 0; i < p.layers.size(); ++i) text += layer_text(e, p.layers[i], i);
     if (p.samples.size() > 1 && !p.layers.empty()) text += samples_text(e);
-    return text;
+    return text + code_text(e);
 }
 
 }  // namespace rakelight

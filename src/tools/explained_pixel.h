@@ -13,10 +13,18 @@
 
 namespace rakelight {
 
+/// What the default look chose because nobody named it.
+struct LookChoice {
+    std::string topic, value;  ///< "light", "the built-in studio ..."
+};
+
 struct ExplainedPixel {
     std::string file;
-    std::unique_ptr<const raster::Inspection> engine;  ///< the scene, for names
+    std::shared_ptr<const raster::Inspection> engine;  ///< the scene, for names
+    std::vector<LookChoice> look;                      ///< in the order of docs/default-look.md; empty: a plain picture
     raster::PixelExplanation pixel;
+    std::optional<raster::PixelExplanation> nearest;  ///< where nothing shows: the nearest pixel where something does
+    ToneSettings tone;
     vec4 displayed;  ///< linear, with exposure and tone curve, as it is encoded
     std::vector<std::uint8_t> codes;
 };
@@ -27,6 +35,21 @@ struct TriangleNames {
     std::uint32_t node = no_index, mesh_index = no_index, material_index = no_index;  ///< into the scene's arrays
 };
 TriangleNames names_of(const ExplainedPixel& e, const raster::CoveringTriangle& triangle);
+
+/// The nearest surface of those that show at a pixel; null: there is none.
+const raster::CoveringTriangle* shown_triangle(const raster::PixelExplanation& pixel);
+/// What shows at the pixel, or that nothing does and where the nearest surface is; lines.
+std::string shown_text(const ExplainedPixel& e);
+/// The same as fields of the pixel's row.
+void add_shown(Json& row, const ExplainedPixel& e);
+
+/// What the look made of a request, by what it was before. @param engine  opened on it
+std::vector<LookChoice> look_choices(const PictureRequest& asked, const PictureRequest& looked,
+                                     const raster::Inspection& engine);
+/// The choices, and how the look's exposure acts; lines. Empty: there are none.
+std::string look_text(const ExplainedPixel& e);
+/// From light to codes where there is an exposure or a tone curve; lines, or nothing.
+std::string code_text(const ExplainedPixel& e);
 
 /// "visible", "blended", "hidden", "masked_out", "culled_back", "culled_front"
 const char* word_for(raster::Fate fate);

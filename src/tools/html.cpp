@@ -5,6 +5,8 @@
 
 #include <rakelight/error.h>
 
+#include "io/image_io.h"
+
 namespace rakelight {
 
 std::string html_text(const std::string& text) {
@@ -35,6 +37,12 @@ std::string data_uri(const char* mime_type, std::span<const std::byte> bytes) {
         for (std::size_t k = 0; k < 4; ++k) out += k <= count ? digits[bits >> (18 - 6 * k) & 63] : '=';
     }
     return out;
+}
+
+std::string png_uri(const Pixels& pixels) {
+    std::vector<std::byte> file;
+    io::write_image({"picture.png", file}, pixels);
+    return data_uri("image/png", file);
 }
 
 }  // namespace rakelight

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -11,6 +12,7 @@
 #include "geometry/inside_out.h"
 #include "geometry/mesh_faults.h"
 #include "geometry/t_junctions.h"
+#include "io/reader.h"
 #include "math/linear.h"
 #include "prepare/prepare.h"
 #include "scene/scene_tools.h"
@@ -72,6 +74,32 @@ ObjectSummary summarize(const Scene& scene, std::uint32_t number) {
     object.colors = colors.answer(), object.smoothing_groups = groups.answer();
     object.skin = influences.answer(), object.morph_targets = targets.answer();
     return object;
+}
+
+void add_array(std::vector<ArraySummary>& arrays, const VertexArray& array, std::size_t vertices) {
+    auto known = std::ranges::find(arrays, array.name, &ArraySummary::name);
+    if (known == arrays.end()) {
+        constexpr double most = std::numeric_limits<double>::infinity();
+        arrays.push_back({array.name, array.components, most, -most, 0, 0});
+        known = arrays.end() - 1;
+    }
+    known->vertices += vertices;
+    known->components = std::max(known->components, array.components);
+    for (const float v : array.values) {
+        known->not_finite += !std::isfinite(v);
+        if (std::isfinite(v))
+            known->low = std::min(known->low, double(v)), known->high = std::max(known->high, double(v));
+    }
+}
+
+/// Of the meshes that are there, each once.
+std::vector<ArraySummary> summarize_arrays(const Scene& scene) {
+    std::vector<ArraySummary> arrays;
+    for (const Mesh& mesh : scene.meshes)
+        for (const VertexArray& array : mesh.arrays) add_array(arrays, array, mesh.positions.size());
+    for (ArraySummary& a : arrays)
+        if (a.low > a.high) a.low = a.high = 0;
+    return arrays;
 }
 
 /// [materials] How many of the objects have each.
@@ -223,6 +251,8 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
     validate(scene);
     Inspection result;
     result.file = scene.source;
+    result.unit = io::length_unit(scene.source);
+    context.progress("inspect", 0);
     result.triangles = triangle_count(scene);
     std::vector<std::uint32_t> objects;
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i)
@@ -231,6 +261,7 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
     result.objects.reserve(objects.size());
     for (const std::uint32_t node : objects) result.objects.push_back(summarize(scene, node));
     result.material_objects = objects_of_materials(scene, objects);
+    result.arrays = summarize_arrays(scene);
     const Bounds bounds = world_bounds(scene);
     if (!bounds.empty()) result.low = bounds.low, result.high = bounds.high;
     if (options.borders || options.surfaces) {
@@ -239,8 +270,10 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
         const geometry::PlacedMeshes placed = geometry::place_vertices(surfaces.meshes, options.weld_distance, context);
         const geometry::EdgeCensus census = count_edges(placed, std::uint32_t(objects.size()), context);
         context.throw_if_cancelled();
+        context.progress("inspect", 0.3);
         if (options.surfaces) look_at_surfaces(result, placed, census, context);
         context.throw_if_cancelled();
+        context.progress("inspect", 0.6);
         if (options.borders) look_at_borders(result, surfaces, placed, census, options, context);
         look_at_winding(result, census);
     }

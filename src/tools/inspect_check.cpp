@@ -89,16 +89,27 @@ std::string winding_failure(const Inspection& i) {
 
 }  // namespace
 
+std::vector<std::string> names_of(const CheckLimits& limits) {
+    const std::pair<const char*, bool> all[] = {{"max-seam", limits.max_seam_deg.has_value()},
+                                                {"no-degenerate", limits.no_degenerate},
+                                                {"no-t-junctions", limits.no_t_junctions},
+                                                {"no-non-manifold", limits.no_non_manifold},
+                                                {"consistent-winding", limits.consistent_winding},
+                                                {"no-inside-out", limits.no_inside_out},
+                                                {"closed", limits.closed},
+                                                {"unit-normals", limits.unit_normals}};
+    std::vector<std::string> names;
+    for (const auto& [name, is_set] : all)
+        if (is_set) names.emplace_back(name);
+    return names;
+}
+
 std::string to_text(const CheckLimits& limits) {
     std::string text;
-    const auto add = [&](bool is_set, const std::string& name) {
-        if (is_set) text += (text.empty() ? "" : ", ") + name;
-    };
-    add(limits.max_seam_deg.has_value(), "max-seam " + text_of(limits.max_seam_deg.value_or(0)));
-    add(limits.no_degenerate, "no-degenerate"), add(limits.no_t_junctions, "no-t-junctions");
-    add(limits.no_non_manifold, "no-non-manifold"), add(limits.consistent_winding, "consistent-winding");
-    add(limits.no_inside_out, "no-inside-out");
-    add(limits.closed, "closed"), add(limits.unit_normals, "unit-normals");
+    for (const std::string& name : names_of(limits)) {
+        text += (text.empty() ? "" : ", ") + name;
+        if (name == "max-seam") text += " " + text_of(*limits.max_seam_deg);
+    }
     return text.empty() ? "no limit" : text;
 }
 

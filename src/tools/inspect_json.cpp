@@ -149,6 +149,11 @@ Json json_of(const TJunctionPlace& t) {
     return {{"position", json_of(t.position)}, {"object", t.object}, {"edge_object", t.edge_object}};
 }
 
+Json json_of(const ArraySummary& a) {
+    return {{"name", a.name}, {"components", a.components}, {"low", a.low},
+            {"high", a.high}, {"vertices", a.vertices},     {"not_finite", a.not_finite}};
+}
+
 Json json_of(const InsideOutBody& b) { return {{"triangles", b.triangles}, {"objects", b.objects}}; }
 
 Json json_of(const CheckFailure& f) { return {{"limit", f.limit}, {"message", f.message}}; }
@@ -163,9 +168,11 @@ Json list(const List& values) {
 void add(Json& row, const Inspection& i) {
     check_whole(i);
     row["triangles"] = i.triangles;
+    row["unit"] = i.unit;
     row["bounds"] = {{"low", json_of(i.low)}, {"high", json_of(i.high)}};
     row["objects"] = list(i.objects);
     for (std::size_t o = 0; o < i.surfaces.size(); ++o) row["objects"][o]["surface"] = json_of(i.surfaces[o]);
+    row["arrays"] = list(i.arrays);
     row["materials"] = list(i.scene.materials);
     for (std::size_t m = 0; m < i.material_objects.size(); ++m) row["materials"][m]["objects"] = i.material_objects[m];
     row["textures"] = list(i.scene.textures);

@@ -23,45 +23,29 @@ std::uint64_t fault_count(const SurfaceSummary& s) {
     return s.degenerate_faces + bad_normals(s) + s.inconsistent_edges + s.non_manifold_edges + s.t_junctions;
 }
 
-std::string t_junctions_text(const Inspection& i) {
-    constexpr std::size_t shown = 10;
-    std::string text = section(
-        "T-junctions", {"at", "vertex of", "edge of"},
-        std::span(i.t_junction_places).first(std::min(shown, i.t_junction_places.size())),
-        [&](const TJunctionPlace& t, std::size_t) {
-            return std::vector<std::string>{position_text(t.position), name_or_number(i, t.object),
-                                            name_or_number(i, t.edge_object)};
-        },
-        std::size_t(i.t_junctions) - std::min(shown, i.t_junction_places.size()));
-    if (i.edges_not_searched > 0)
-        text += "  " + counted(i.edges_not_searched, "open edge") +
-                " not searched for T-junctions: too many lie too close\n";
-    return text;
-}
-
 }  // namespace
 
-std::string seams_line(const Inspection& i) {
+std::vector<std::string> seams_lines(const Inspection& i) {
     const SeamTotals& s = i.seams;
-    std::string text = "  " + counted(i.shared_positions, "position") + " shared by objects";
-    if (i.shared_positions == 0) return text + "\n";
-    text += ", " + std::to_string(s.continuous) + " continuous (normals: " + s.normals_before + "), " +
-            std::to_string(s.joined) + " once smoothed over the model at " + number(s.crease_angle_deg) +
-            (s.crease_angle_most_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_most_deg) : "") +
-            " degrees\n";
-    text += "  largest seam " + degrees_text(s.seam_deg) + " degrees; angles at shared positions max " +
-            degrees_text(s.before.max_deg) + ", mean " + degrees_text(s.before.mean_deg) + ", 95% " +
-            degrees_text(s.before.p95_deg) + "; smoothed max " + degrees_text(s.after.max_deg) + ", mean " +
-            degrees_text(s.after.mean_deg) + ", 95% " + degrees_text(s.after.p95_deg) + "\n";
+    std::vector<std::string> lines = {counted(i.shared_positions, "position") + " shared by objects"};
+    if (i.shared_positions == 0) return lines;
+    lines[0] += ", " + std::to_string(s.continuous) + " continuous (normals: " + s.normals_before + "), " +
+                std::to_string(s.joined) + " once smoothed over the model at " + number(s.crease_angle_deg) +
+                (s.crease_angle_most_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_most_deg) : "") +
+                " degrees";
+    lines.push_back("largest seam " + degrees_text(s.seam_deg) + " degrees; angles at shared positions max " +
+                    degrees_text(s.before.max_deg) + ", mean " + degrees_text(s.before.mean_deg) + ", 95% " +
+                    degrees_text(s.before.p95_deg) + "; smoothed max " + degrees_text(s.after.max_deg) + ", mean " +
+                    degrees_text(s.after.mean_deg) + ", 95% " + degrees_text(s.after.p95_deg));
     if (s.crowded_positions > 0)
-        text += "  " + counted(s.crowded_positions, "position") +
-                " of more than 8 objects: " + counted(s.pairings_left_out, "pairing") + " there not looked at\n";
+        lines.push_back(counted(s.crowded_positions, "position") +
+                        " of more than 8 objects: " + counted(s.pairings_left_out, "pairing") + " there not looked at");
     if (s.inconsistent_edges > 0)
-        text += "  " + counted(s.inconsistent_edges, "edge") + " between objects of which one is inside out, most (" +
-                std::to_string(i.inconsistent_pairs[0].edges) + ") between " +
-                quoted_name(i, i.inconsistent_pairs[0].object_a) + " and " +
-                quoted_name(i, i.inconsistent_pairs[0].object_b) + "\n";
-    return text;
+        lines.push_back(counted(s.inconsistent_edges, "edge") + " between objects of which one is inside out, most (" +
+                        std::to_string(i.inconsistent_pairs[0].edges) + ") between " +
+                        quoted_name(i, i.inconsistent_pairs[0].object_a) + " and " +
+                        quoted_name(i, i.inconsistent_pairs[0].object_b));
+    return lines;
 }
 
 std::string inside_out_text(const Inspection& i, const InsideOutBody& body) {
@@ -70,7 +54,29 @@ std::string inside_out_text(const Inspection& i, const InsideOutBody& body) {
            (others == 0 ? "" : " and " + counted(others, "more object"));
 }
 
-std::string surfaces_text(const Inspection& i) {
+Section t_junctions_section(const Inspection& i) {
+    constexpr std::size_t most = 10;
+    const std::size_t shown = std::min(most, i.t_junction_places.size());
+    Section out = section(
+        "T-junctions", {"at", "vertex of", "edge of"}, std::span(i.t_junction_places).first(shown),
+        [&](const TJunctionPlace& t, std::size_t) {
+            return std::vector<std::string>{position_text(t.position), name_or_number(i, t.object),
+                                            name_or_number(i, t.edge_object)};
+        },
+        shown > 0 ? std::size_t(i.t_junctions) - shown : 0);
+    if (i.edges_not_searched > 0)
+        out.note += (out.note.empty() ? "" : "; ") + counted(i.edges_not_searched, "open edge") +
+                    " not searched for T-junctions: too many lie too close";
+    return out;
+}
+
+Section inside_out_section(const Inspection& i) {
+    return section("inside out", {"what"}, i.inside_out, [&](const InsideOutBody& body, std::size_t) {
+        return std::vector<std::string>{inside_out_text(i, body)};
+    });
+}
+
+Section surfaces_section(const Inspection& i) {
     std::vector<std::uint32_t> order;
     for (std::uint32_t n = 0; n < i.surfaces.size(); ++n)
         if (i.objects[n].triangles > 0) order.push_back(n);
@@ -80,8 +86,7 @@ std::string surfaces_text(const Inspection& i) {
     return section("surfaces",
                    {">#", "object", "closed", ">open edges", ">winding", ">non-manifold", ">T-junctions", ">degenerate",
                     ">bad normals", ">mirrored"},
-                   order,
-                   [&](std::uint32_t n, std::size_t) {
+                   order, [&](std::uint32_t n, std::size_t) {
                        const SurfaceSummary& s = i.surfaces[n];
                        return std::vector<std::string>{std::to_string(n),
                                                        name_or_number(i, n),
@@ -93,14 +98,10 @@ std::string surfaces_text(const Inspection& i) {
                                                        count_or_dash(s.degenerate_faces),
                                                        count_or_dash(bad_normals(s)),
                                                        count_or_dash(s.mirrored_positions)};
-                   }) +
-           t_junctions_text(i) +
-           section("inside out", {"what"}, i.inside_out, [&](const InsideOutBody& body, std::size_t) {
-               return std::vector<std::string>{inside_out_text(i, body)};
-           });
+                   });
 }
 
-std::string borders_text(const Inspection& i) {
+Section borders_section(const Inspection& i) {
     return section(
         "borders (degrees)",
         {"object", "object", ">shared", ">continuous", ">smoothed", ">seam", ">max", ">mean", ">95%", ">smoothed max",

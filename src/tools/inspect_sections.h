@@ -23,26 +23,37 @@ inline std::string counted(std::uint64_t count, const char* thing) {
     return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
-/// A table under its title, cut to max_rows; nothing when the list is empty.
+/// A table under its title, and what has to be said below it.
+struct Section {
+    std::string title;
+    TextTable table;   ///< may have no rows
+    std::string note;  ///< a line without its end, or empty
+    bool empty() const { return table.empty() && note.empty(); }
+};
+
+/// The table is cut to max_rows; it has no rows when the list is empty.
 template <class List, class AddRow>
-std::string section(const char* title, std::vector<std::string> head, const List& list, const AddRow& add_row,
-                    std::size_t left_out = 0) {
-    if (list.empty()) return {};
+Section section(const char* title, std::vector<std::string> head, const List& list, const AddRow& add_row,
+                std::size_t left_out = 0) {
     TextTable table(std::move(head));
     const std::size_t shown = list.size() < max_rows ? list.size() : max_rows;
     for (std::size_t i = 0; i < shown; ++i) table.add(add_row(list[i], i));
     const std::size_t more = list.size() - shown + left_out;
-    return std::string(title) + "\n" + table.text("  ") +
-           (more ? "  ... " + std::to_string(more) + " more, all of them in the JSON\n" : "");
+    return {title, std::move(table), more ? "... " + std::to_string(more) + " more, all of them in the JSON" : ""};
 }
 
-/// "300 positions shared by objects, ..." with a line feed.
-std::string seams_line(const Inspection& inspection);
+/// What is said above all tables: "3 objects, ...", bounds, "300 positions shared by objects, ..."; lines without their ends.
+std::vector<std::string> summary_lines(const Inspection& inspection);
+std::vector<std::string> seams_lines(const Inspection& inspection);
+/// All tables, those that are empty left out.
+std::vector<Section> sections_of(const Inspection& inspection);
 /// "closed body of 960 triangles: 'shell' and 13 more objects"
 std::string inside_out_text(const Inspection& inspection, const InsideOutBody& body);
 /// Edges, faces and normals of each object, worst first.
-std::string surfaces_text(const Inspection& inspection);
+Section surfaces_section(const Inspection& inspection);
+Section t_junctions_section(const Inspection& inspection);
+Section inside_out_section(const Inspection& inspection);
 /// Pairs of objects, worst first.
-std::string borders_text(const Inspection& inspection);
+Section borders_section(const Inspection& inspection);
 
 }  // namespace rakelight

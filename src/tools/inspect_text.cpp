@@ -34,7 +34,7 @@ std::string attributes_of(const ObjectSummary& o) {
 
 std::string joined(const std::vector<std::string>& names) { return names.empty() ? "-" : list_of_names(names, 4, 24); }
 
-std::string objects_text(const Inspection& i) {
+Section objects_section(const Inspection& i) {
     return section("objects", {">#", "name", ">meshes", ">triangles", ">vertices", "attributes", "materials"},
                    i.objects, [](const ObjectSummary& o, std::size_t n) {
                        return std::vector<std::string>{std::to_string(n),          name_or(o.name, "node", o.node),
@@ -44,7 +44,7 @@ std::string objects_text(const Inspection& i) {
                    });
 }
 
-std::string materials_text(const Inspection& i) {
+Section materials_section(const Inspection& i) {
     return section("materials", {">#", "name", "objects", "model", "alpha", "sides", "textures"}, i.scene.materials,
                    [&](const Material& m, std::size_t n) {
                        std::string textures;
@@ -68,7 +68,16 @@ std::string unused_text(const Inspection& i) {
     return unused > 0 ? " (" + std::to_string(unused) + " unused)" : "";
 }
 
-std::string textures_text(const Scene& scene) {
+/// What pictures can be colored by.
+Section arrays_section(const Inspection& i) {
+    return section("numbers of vertices", {"name", ">components", ">from", ">to", ">vertices"}, i.arrays,
+                   [](const ArraySummary& a, std::size_t) {
+                       return std::vector<std::string>{one_line(a.name, max_name), std::to_string(a.components),
+                                                       number(a.low), number(a.high), std::to_string(a.vertices)};
+                   });
+}
+
+Section textures_section(const Scene& scene) {
     return section("textures", {">#", "image", "kind"}, scene.textures, [](const Texture& t, std::size_t n) {
         const bool embedded = t.image && t.image->bytes;
         const std::string kind = embedded ? "embedded, " + std::to_string(t.image->bytes->size()) + " bytes" : "file";
@@ -76,7 +85,7 @@ std::string textures_text(const Scene& scene) {
     });
 }
 
-std::string lights_text(const Scene& scene) {
+Section lights_section(const Scene& scene) {
     return section("lights", {">#", "name", "type", "units"}, scene.lights, [](const Light& l, std::size_t n) {
         return std::vector<std::string>{std::to_string(n), name_or(l.name, "light", n), name_of(l.type),
                                         l.units == LightUnits::photometric ? "photometric" : "classical"};
@@ -95,7 +104,7 @@ std::string projection_text(const Camera& c) {
     return "orthographic, height " + number(2 * c.half_height) + (across ? ", width " + number(2 * *across) : "");
 }
 
-std::string cameras_text(const Scene& scene) {
+Section cameras_section(const Scene& scene) {
     return section("cameras", {">#", "name", "projection"}, scene.cameras, [](const Camera& c, std::size_t n) {
         return std::vector<std::string>{std::to_string(n), name_or(c.name, "camera", n), projection_text(c)};
     });
@@ -103,19 +112,38 @@ std::string cameras_text(const Scene& scene) {
 
 }  // namespace
 
+std::vector<std::string> summary_lines(const Inspection& i) {
+    const dvec3 size{i.high.x - i.low.x, i.high.y - i.low.y, i.high.z - i.low.z};
+    const auto text = [](dvec3 v, const char* between) {
+        return number(v.x) + between + number(v.y) + between + number(v.z);
+    };
+    std::vector<std::string> lines = {
+        counted(i.objects.size(), "object") + ", " + counted(i.triangles, "triangle") + ", " +
+            counted(i.scene.materials.size(), "material") + unused_text(i) + ", " +
+            counted(i.scene.textures.size(), "texture") + ", " + counted(i.scene.animations.size(), "animation"),
+        "bounds " + text(i.low, " ") + " to " + text(i.high, " ") + ", size " + text(size, " x ") + " " + i.unit};
+    for (std::string& line : seams_lines(i)) lines.push_back(std::move(line));
+    return lines;
+}
+
+std::vector<Section> sections_of(const Inspection& i) {
+    std::vector<Section> all = {objects_section(i),        arrays_section(i),       materials_section(i),
+                                textures_section(i.scene), lights_section(i.scene), cameras_section(i.scene),
+                                surfaces_section(i),       t_junctions_section(i),  inside_out_section(i),
+                                borders_section(i)};
+    std::erase_if(all, [](const Section& section) { return section.empty(); });
+    return all;
+}
+
 std::string to_text(const Inspection& i) {
     check_whole(i);
-    const dvec3 size{i.high.x - i.low.x, i.high.y - i.low.y, i.high.z - i.low.z};
     std::string text = one_line(i.file) + "\n";
-    text += "  " + counted(i.objects.size(), "object") + ", " + counted(i.triangles, "triangle") + ", " +
-            counted(i.scene.materials.size(), "material") + unused_text(i) + ", " +
-            counted(i.scene.textures.size(), "texture") + ", " + counted(i.scene.animations.size(), "animation") + "\n";
-    text += "  bounds " + number(i.low.x) + " " + number(i.low.y) + " " + number(i.low.z) + " to " + number(i.high.x) +
-            " " + number(i.high.y) + " " + number(i.high.z) + ", size " + number(size.x) + " x " + number(size.y) +
-            " x " + number(size.z) + " m\n";
-    text += seams_line(i);
-    return text + objects_text(i) + materials_text(i) + textures_text(i.scene) + lights_text(i.scene) +
-           cameras_text(i.scene) + surfaces_text(i) + borders_text(i);
+    for (const std::string& line : summary_lines(i)) text += "  " + line + "\n";
+    for (const Section& section : sections_of(i)) {
+        if (!section.table.empty()) text += section.title + "\n" + section.table.text("  ");
+        if (!section.note.empty()) text += "  " + section.note + "\n";
+    }
+    return text;
 }
 
 }  // namespace rakelight

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures as the program's JSON, schema rakelight.render/1: fields are added, never renamed.
+#include <cmath>
+
 #include <rakelight/picture.h>
 #include <rakelight/tools/rows.h>
 
@@ -79,6 +81,16 @@ void add_result(Json& row, const PictureResult& r) {
 
 }  // namespace
 
+static Json reference_json(const ReferenceResult& r) {
+    Json json = {{"file", r.reference},
+                 {"measure", reference_measure_words[std::size_t(r.measure)].name},
+                 {"value", r.value && std::isfinite(*r.value) ? Json(*r.value) : Json()},
+                 {"threshold", r.threshold},
+                 {"passed", r.passed}};
+    if (!r.difference.empty()) json["difference"] = r.difference;
+    return json;
+}
+
 std::string to_json(std::span<const PictureRow> rows) {
     Json list = Json::array();
     for (const PictureRow& r : rows) {
@@ -87,6 +99,7 @@ std::string to_json(std::span<const PictureRow> rows) {
             row["error"] = error_json(*r.error);
         else
             add_result(row, r.result);
+        if (r.reference) row["reference"] = reference_json(*r.reference);
         row["remarks"] = remarks_json(r.remarks);
         row["remarks_left_out"] = r.remarks_left_out;
         list.push_back(std::move(row));

@@ -4,7 +4,6 @@
 #include <rakelight/tools/exit_code.h>
 
 namespace rakelight {
-namespace {
 
 const char* name_of(ErrorCode code) {
     switch (code) {
@@ -22,12 +21,10 @@ const char* name_of(ErrorCode code) {
     return "failed";
 }
 
-}  // namespace
-
 Json remarks_json(const std::vector<ReportEntry>& remarks) {
     Json list = Json::array();
     for (const ReportEntry& r : remarks) {
-        list.push_back({{"remark", rakelight::name_of(r.remark)},
+        list.push_back({{"remark", name_of(r.remark)},
                         {"file", r.file},
                         {"place", r.place},
                         {"message", r.message},

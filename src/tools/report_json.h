@@ -17,6 +17,9 @@ using Json = nlohmann::ordered_json;
 
 Json remarks_json(const std::vector<ReportEntry>& remarks);
 
+/// "failed", "usage", "not_found", "bad_file", "check_failed"
+const char* name_of(ErrorCode code);
+
 /// {"code": "bad_file", "exit_code": 4, "message": ..., "place": ..., "advice": ...}
 Json error_json(const Error& error);
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/seam_normals.h"
 
+#include <rakelight/seams.h>
+
+#include <algorithm>
 #include <set>
 
 namespace rakelight {
@@ -30,6 +33,47 @@ void make_normals(std::vector<PartNormals>& normals, std::span<const AttributeMe
     }
 }
 
+/// A part's positions with those that its made normals split.
+std::vector<vec3> split_positions(const AttributeMesh& mesh, const PartNormals& part) {
+    std::vector<vec3> positions(mesh.positions.begin(), mesh.positions.end());
+    positions.resize(part.made.size());
+    for (std::size_t c = 0; c < part.indices.size(); ++c) positions[part.indices[c]] = mesh.positions[mesh.indices[c]];
+    return positions;
+}
+
+/// Joins the normals of the parts whose rule says so where they meet.
+void join_parts(std::vector<PartNormals>& normals, const Surfaces& surfaces, const InspectOptions& options,
+                Context& context) {
+    std::vector<std::uint32_t> parts;
+    std::vector<AttributeMesh> meshes;
+    std::vector<std::vector<vec3>> positions;  // of the split ones
+    for (std::uint32_t i = 0; i < normals.size(); ++i) {
+        if (!surfaces.rules[i].joins_seams) continue;
+        const PartNormals& part = normals[i];
+        AttributeMesh& m = meshes.emplace_back(surfaces.meshes[i]);
+        parts.push_back(i);
+        if (!part.given.empty()) continue;
+        if (part.made.size() > m.positions.size()) {
+            context.memory().check(part.made.size() * sizeof(vec3), "normals of all objects, to find their seams");
+            m.positions = positions.emplace_back(split_positions(m, part));
+        }
+        if (!part.indices.empty()) m.indices = part.indices;
+        m.normals = part.made;
+    }
+    if (parts.empty()) return;
+    SeamReport report;
+    const std::vector<MeshSeams> turned =
+        join_seams(meshes, {options.prepare.crease_angle_rad, options.weld_distance}, report, context);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (turned[i].vertices.empty()) continue;
+        PartNormals& part = normals[parts[i]];
+        if (!part.given.empty()) part.made.assign(part.given.begin(), part.given.end());
+        part.given = {};
+        for (std::size_t k = 0; k < turned[i].vertices.size(); ++k)
+            part.made[turned[i].vertices[k]] = turned[i].normals[k];
+    }
+}
+
 }  // namespace
 
 std::vector<PartNormals> normals_before(const Surfaces& surfaces, const InspectOptions& options, Context& context) {
@@ -53,6 +97,7 @@ std::vector<PartNormals> normals_before(const Surfaces& surfaces, const InspectO
         }
         make_normals(normals, meshes, scope, options, context, [&](std::size_t i) { return parts[i]; });
     }
+    join_parts(normals, surfaces, options, context);
     return normals;
 }
 
@@ -62,7 +107,7 @@ std::vector<PartNormals> normals_after(const Surfaces& surfaces, const InspectOp
     return normals;
 }
 
-std::string name_of_source(const Surfaces& surfaces) {
+static std::string name_of_unjoined(const Surfaces& surfaces) {
     std::size_t missing = 0;
     std::set<Scope> scopes;
     for (std::size_t i = 0; i < surfaces.meshes.size(); ++i) {
@@ -81,6 +126,12 @@ std::string name_of_source(const Surfaces& surfaces) {
                                           [](const NormalRule& rule) { return !rule.keeps_given; });
     return "the file's, " + made + (is_overruled ? " of others (" : " where it has none (") + std::to_string(missing) +
            " of " + std::to_string(surfaces.meshes.size()) + " meshes)";
+}
+
+std::string name_of_source(const Surfaces& surfaces) {
+    const bool joins = std::any_of(surfaces.rules.begin(), surfaces.rules.end(),
+                                   [](const NormalRule& rule) { return rule.joins_seams; });
+    return name_of_unjoined(surfaces) + (joins ? ", joined where parts meet" : "");
 }
 
 }  // namespace rakelight

@@ -34,7 +34,7 @@ struct SeamNormals {
 /// place.
 std::vector<PartNormals> normals_before(const Surfaces& surfaces, const InspectOptions& options, Context& context);
 
-/// As `rakelight smooth` writes them with the same crease angle and weight.
+/// As `rakelight smooth --normals model` writes them with the same crease angle and weight.
 std::vector<PartNormals> normals_after(const Surfaces& surfaces, const InspectOptions& options, Context& context);
 
 /// Whose normals normals_before() gives, for people: "the file's, smoothed per object where it has none (2 of 5

@@ -10,6 +10,7 @@
 #include "io/glb_writer.h"
 #include "io/gltf/save_gltf.h"
 #include "io/obj/rewrite_normals.h"
+#include "io/obj/write_obj.h"
 #include "io/ply_writer.h"
 #include "io/same_attributes.h"
 #include "tools/smooth_file_scene.h"
@@ -20,7 +21,7 @@ namespace {
 
 using Change = SmoothedMesh::Change;
 
-enum class Way : std::uint8_t { gltf_in_place, obj_in_place, new_glb, new_ply };
+enum class Way : std::uint8_t { gltf_in_place, obj_in_place, new_gltf, new_obj, new_ply };
 
 std::string ending_of(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
@@ -35,19 +36,16 @@ Way way_of(const std::string& input, const std::string& output) {
     const std::string from = ending_of(input), to = ending_of(output);
     if (is_gltf(from) && is_gltf(to)) return Way::gltf_in_place;
     if (from == ".obj" && to == ".obj") return Way::obj_in_place;
-    if (to == ".glb") return Way::new_glb;
+    if (is_gltf(to)) return Way::new_gltf;
+    if (to == ".obj") return Way::new_obj;
     if (to == ".ply") return Way::new_ply;
+    const std::string name = one_line(std::filesystem::path(output).filename().string(), 80);
     if (to == ".stl")
-        throw Error(ErrorCode::usage,
-                    "cannot write '" + one_line(std::filesystem::path(output).filename().string(), 80) +
-                        "': STL has no place for the normals of vertices, only for one a triangle",
-                    {}, "write .glb or .ply");
-    throw Error(
-        ErrorCode::usage,
-        "cannot write '" + one_line(std::filesystem::path(output).filename().string(), 80) + "' from this model", {},
-        is_gltf(from)    ? "write .glb, .gltf or .ply"
-        : from == ".obj" ? "write .obj, .glb or .ply"
-                         : "write .glb or .ply");
+        throw Error(
+            ErrorCode::usage,
+            "cannot write '" + name + "': STL has no place for the normals of vertices, only for one a triangle", {},
+            "write .glb or .ply");
+    throw Error(ErrorCode::usage, "cannot write '" + name + "'", {}, "write .glb, .gltf, .obj or .ply");
 }
 
 Change change_of(bool had, bool has, bool changed) {
@@ -55,8 +53,15 @@ Change change_of(bool had, bool has, bool changed) {
     return !had ? Change::made : changed ? Change::replaced : Change::kept;
 }
 
+/// Of arrays that stay but for what turns.
+template <class T>
+Change change_of(const Block<T>& before, const Block<T>& after) {
+    if (before == after) return before.empty() ? Change::none : Change::kept;
+    return before.empty() ? Change::made : after.empty() ? Change::removed : Change::turned;
+}
+
 /// @param before  the mesh that `after` came from
-SmoothedMesh describe(const Mesh& before, const Mesh& after, bool changed) {
+SmoothedMesh describe(const Mesh& before, const Mesh& after, bool changed, bool is_repair) {
     SmoothedMesh m;
     m.name = before.name;
     m.vertices = before.positions.size();
@@ -66,6 +71,11 @@ SmoothedMesh describe(const Mesh& before, const Mesh& after, bool changed) {
         return m;
     }
     m.vertices_split = after.positions.size() - before.positions.size();
+    if (is_repair) {
+        m.normals = change_of(before.normals, after.normals);
+        m.tangents = change_of(before.tangents, after.tangents);
+        return m;
+    }
     m.normals = change_of(!before.normals.empty(), !after.normals.empty(), true);
     m.tangents = change_of(!before.tangents.empty(), !after.tangents.empty(), true);
     return m;
@@ -84,19 +94,22 @@ void describe_all(const Scene& before, const Scene& after, SmoothedFile& result)
     const std::vector<std::uint32_t> origin = shown_before(before, after);
     for (std::size_t i = 0; i < origin.size(); ++i)
         if (origin[i] != no_index)
-            result.meshes.push_back(describe(before.meshes[origin[i]], after.meshes[i], result.changed));
+            result.meshes.push_back(
+                describe(before.meshes[origin[i]], after.meshes[i], result.changed, result.seams.has_value()));
 }
 
 void save_as_gltf(const Scene& before, const Scene& after, const SmoothFileOptions& options, SmoothedFile& result,
                   Context& context) {
-    const io::GltfSaveOptions save{{.allow_outside = options.load.allow_outside}, options.keep_instances};
+    const io::GltfSaveOptions save{
+        {.allow_outside = options.load.allow_outside}, options.keep_instances, options.keep_unused};
     const io::GltfSaveResult done = io::save_gltf(result.file, before, after, result.output, save, context);
     result.changed = done.changed;
     result.meshes_added = done.meshes_added;
     const std::vector<std::uint32_t> origin = shown_before(before, after);
     for (const io::SavedPrimitive& p : done.primitives) {
         if (origin[p.scene_mesh] == no_index) continue;
-        SmoothedMesh m = describe(before.meshes[origin[p.scene_mesh]], after.meshes[p.scene_mesh], p.changed);
+        SmoothedMesh m = describe(before.meshes[origin[p.scene_mesh]], after.meshes[p.scene_mesh], p.changed,
+                                  result.seams.has_value());
         m.mesh = p.mesh;
         m.primitive = p.primitive;
         result.meshes.push_back(std::move(m));
@@ -126,24 +139,33 @@ SmoothedFile smooth_file(const std::string& input, const std::string& wanted, co
     const Way way = way_of(input, output);
     SmoothedFile result{.file = input, .output = output};
     SmoothFileOptions smoothing = options;
-    Scene before = load(input, options.load, context);
-    if (way == Way::new_glb) before = in_bind_pose(before);
-    if (way == Way::new_ply) {
-        before = placed_in_world(before, context);
+    std::shared_ptr<const io::KeptObj> kept;  // the OBJ file that is written back
+    const io::ReadOptions reading{.allow_outside = options.load.allow_outside, .keep_obj = &kept};
+    context.progress("load", 0);
+    Scene before =
+        way == Way::obj_in_place ? io::read_scene(input, reading, context) : load(input, options.load, context);
+    if (way == Way::new_obj || way == Way::new_ply) {
+        before = placed_in_world(before, way == Way::new_obj, context);
         if (options.attributes.weld_distance < 0) smoothing.attributes.weld_distance = world_rounding(before);
     }
-    const Scene after = smooth_for_file(before, smoothing, context);
+    context.progress("smooth", 0);
+    const auto [after, seams] = smooth_for_file(before, smoothing, context);
+    result.seams = seams;
     context.throw_if_cancelled();
+    context.progress("write", 0);
     switch (way) {
         case Way::gltf_in_place:
             save_as_gltf(before, after, options, result, context);
             return result;
         case Way::obj_in_place:
-            result.changed =
-                io::rewrite_obj_normals(input, after, output, {.allow_outside = options.load.allow_outside}, context);
+            result.changed = io::rewrite_obj_normals(input, after, output, reading, context);
             break;
-        case Way::new_glb:
+        case Way::new_gltf:
             io::write_glb(after, output, context);
+            result.changed = true;
+            break;
+        case Way::new_obj:
+            io::write_obj(after, output, context);
             result.changed = true;
             break;
         case Way::new_ply:

@@ -2,6 +2,7 @@
 #include <rakelight/smooth_file.h>
 #include <rakelight/tools/rows.h>
 
+#include "prepare/repair_seams.h"
 #include "tools/report_json.h"
 
 namespace rakelight {
@@ -19,6 +20,8 @@ const char* name_of(SmoothedMesh::Change change) {
             return "replaced";
         case SmoothedMesh::Change::removed:
             return "removed";
+        case SmoothedMesh::Change::turned:
+            return "turned";
     }
     return "";
 }
@@ -33,6 +36,11 @@ Json json_of(const SmoothedMesh& m) {
             {"vertices_split", m.vertices_split},
             {"normals", name_of(m.normals)},
             {"tangents", name_of(m.tangents)}};
+}
+
+Json json_of(const SeamReport& s) {
+    return {{"normals", s.normals},   {"turned", s.turned},         {"max_deg", s.max_deg},
+            {"mean_deg", s.mean_deg}, {"flat_pairs", s.flat_pairs}, {"unusable", s.unusable}};
 }
 
 std::uint64_t split_of(const SmoothedFile& result) {
@@ -56,6 +64,7 @@ std::string to_json(std::span<const SmoothedFileRow> rows) {
             Json meshes = Json::array();
             for (const SmoothedMesh& m : r.result->meshes) meshes.push_back(json_of(m));
             row["meshes"] = std::move(meshes);
+            if (r.result->seams) row["seams"] = json_of(*r.result->seams);
         }
         row["remarks"] = remarks_json(r.remarks);
         row["remarks_left_out"] = r.remarks_left_out;
@@ -65,15 +74,22 @@ std::string to_json(std::span<const SmoothedFileRow> rows) {
 }
 
 std::string summary(const SmoothedFile& result) {
-    if (!result.changed) return result.output + ": nothing to change, the normals and tangents are these already";
+    using Change = SmoothedMesh::Change;
+    const std::string seams = result.seams ? describe(*result.seams) : "";
+    if (!result.changed)
+        return result.output + ": nothing to change, " +
+               (result.seams ? seams : "the normals and tangents are these already");
     std::uint64_t normals = 0, tangents = 0;
     for (const SmoothedMesh& m : result.meshes) {
-        normals += m.normals == SmoothedMesh::Change::made || m.normals == SmoothedMesh::Change::replaced;
-        tangents += m.tangents == SmoothedMesh::Change::made || m.tangents == SmoothedMesh::Change::replaced;
+        normals += m.normals == Change::made || m.normals == Change::replaced;
+        tangents += m.tangents == Change::made || m.tangents == Change::replaced;
     }
-    return result.output + ": normals of " + std::to_string(normals) + " meshes and tangents of " +
-           std::to_string(tangents) + " written, " + std::to_string(split_of(result)) + " vertices split, " +
-           std::to_string(result.meshes_added) + " meshes added";
+    const std::string written = "normals of " + std::to_string(normals) + " meshes and tangents of " +
+                                std::to_string(tangents) + " written, " + std::to_string(split_of(result)) +
+                                " vertices split";
+    std::string text = result.output + ": " + (result.seams ? seams : written);
+    if (result.seams && normals + tangents > 0) text += ", " + written;
+    return text + ", " + std::to_string(result.meshes_added) + " meshes added";
 }
 
 }  // namespace rakelight

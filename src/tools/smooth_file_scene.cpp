@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/smooth_file_scene.h"
 
+#include <algorithm>
+
+#include "prepare/repair_seams.h"
 #include "prepare/smooth_request.h"
+#include "prepare/variants.h"
 #include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
 
@@ -32,19 +36,25 @@ std::vector<Block<vec2>> followed(const Mesh& before, const Mesh& after) {
     return sets;
 }
 
-}  // namespace
+bool has_normals(const Scene& scene) {
+    const std::vector<Instance> drawn = drawn_instances(scene);
+    return std::any_of(drawn.begin(), drawn.end(),
+                       [&](const Instance& i) { return !scene.meshes[i.mesh].normals.empty(); });
+}
 
-Scene smooth_for_file(const Scene& scene, const SmoothFileOptions& options, Context& context) {
+/// @param only_missing  of meshes that have no normals
+Scene with_new_normals(const Scene& scene, const SmoothFileOptions& options, bool only_missing, Context& context) {
     SmoothRequest request;
     request.attributes = options.attributes;
     request.attributes.normals = true;
     request.tangents = TangentWish::everywhere;
-    SharedCharge charge = share(MemoryCharge(context.memory(), table_bytes(scene), "the smoothed scene"));
+    request.only_missing = only_missing;
     Scene open =
         scene;  // without texture coordinates where no tangents are wanted: a mirrored chart then splits no vertex
     std::vector<bool> hidden(scene.meshes.size(), false);
     for (std::size_t i = 0; i < hidden.size(); ++i) {
-        hidden[i] = !wants_tangents(scene, scene.meshes[i], options.tangents);
+        const Mesh& mesh = scene.meshes[i];
+        hidden[i] = (mesh.normals.empty() || !only_missing) && !wants_tangents(scene, mesh, options.tangents);
         if (hidden[i]) open.meshes[i].texcoords.clear();
     }
     Scene out = smooth_meshes(std::move(open), request, context);
@@ -55,8 +65,42 @@ Scene smooth_for_file(const Scene& scene, const SmoothFileOptions& options, Cont
             Mesh& mesh = out.meshes[out.nodes[n].meshes[slot]];
             if (hidden[was] && mesh.texcoords.empty()) mesh.texcoords = followed(scene.meshes[was], mesh);
         }
-    charge_new_arrays(out, unpaid_arrays(scene), context);
-    out.charges.push_back(std::move(charge));
+    return out;
+}
+
+Scene without_tangents(Scene scene) {
+    for (const Instance& instance : drawn_instances(scene)) {
+        Mesh& mesh = scene.meshes[instance.mesh];
+        mesh.tangents = {};
+        for (MorphTarget& target : mesh.targets) target.tangents = {};
+    }
+    return scene;
+}
+
+/// What authors made stays, but at borders.
+SmoothedScene repaired(const Scene& scene, const SmoothFileOptions& options, Context& context) {
+    SmoothedScene out{with_new_normals(scene, options, true, context), SeamReport{}};
+    if (options.tangents == TangentChoice::never) out.scene = without_tangents(std::move(out.scene));
+    const AttributeOptions& a = options.attributes;
+    const SeamRequest request{{a.crease_angle_rad, a.weld_distance}, {}, options.keep_instances};
+    out.scene = join_seams(std::move(out.scene), request, *out.seams, context);
+    if (options.tangents != TangentChoice::always) return out;
+    SmoothRequest tangents;
+    tangents.attributes = a;
+    tangents.tangents = TangentWish::everywhere;
+    out.scene = add_missing_tangents(std::move(out.scene), tangents, context);
+    return out;
+}
+
+}  // namespace
+
+SmoothedScene smooth_for_file(const Scene& scene, const SmoothFileOptions& options, Context& context) {
+    SharedCharge charge = share(MemoryCharge(context.memory(), table_bytes(scene), "the smoothed scene"));
+    const bool keeps = options.authored == AuthoredNormals::seams && has_normals(scene);
+    SmoothedScene out =
+        keeps ? repaired(scene, options, context) : SmoothedScene{with_new_normals(scene, options, false, context), {}};
+    charge_new_arrays(out.scene, unpaid_arrays(scene), context);
+    out.scene.charges.push_back(std::move(charge));
     return out;
 }
 

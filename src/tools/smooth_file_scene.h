@@ -5,8 +5,15 @@
 
 namespace rakelight {
 
-/// New normals for all drawn triangle meshes and tangents by the choice (meshes that are not to have any have none);
-/// nodes and the first meshes in the order of `scene`, copies for placements of their own after them.
-Scene smooth_for_file(const Scene& scene, const SmoothFileOptions& options, Context& context);
+struct SmoothedScene {
+    Scene scene;
+    std::optional<SeamReport> seams;  ///< where authored normals were kept
+};
+
+/// Nodes and the first meshes in the order of `scene`, copies for placements of their own after them. AuthoredNormals::replaced, or
+/// no mesh has normals: new ones for all drawn triangle meshes, and tangents by the choice (meshes that are not to have any
+/// have none). Else the normals and tangents that are there, joined where meshes meet; what has no normals gets both as
+/// above; `always` makes the tangents that are missing (MikkTSpace), `never` takes all away.
+SmoothedScene smooth_for_file(const Scene& scene, const SmoothFileOptions& options, Context& context);
 
 }  // namespace rakelight

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/position_origin.h"
 #include "math/linear.h"
 #include "prepare/bind_pose.h"
+#include "scene/placed_normal.h"
 
 namespace rakelight {
 namespace {
@@ -19,25 +21,42 @@ Block<T> rewound(const Block<T>& corners, Context& context) {
     return {std::move(values), std::move(charge)};
 }
 
-Mesh placed(const Mesh& mesh, const dmat4& place, Context& context) {
+dvec3 in_world(const Mesh& mesh, std::size_t v, const dmat4& place) {
+    return transform_point(place, cast<double>(mesh.positions[v]) + mesh.origin);
+}
+
+/// From where floats hold the positions of the placed scene.
+dvec3 origin_of(const Scene& scene, const std::vector<dmat4>& world) {
+    dvec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    double error = 0;
+    for (std::size_t n = 0; n < scene.nodes.size(); ++n)
+        for (const std::uint32_t m : scene.nodes[n].meshes)
+            for (std::size_t v = 0; v < scene.meshes[m].positions.size(); ++v) {
+                const dvec3 q = in_world(scene.meshes[m], v, world[n]);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    if (!std::isfinite(q[k])) continue;
+                    low[k] = std::min(low[k], q[k]), high[k] = std::max(high[k], q[k]);
+                    error = std::max(error, std::fabs(double(float(q[k])) - q[k]));
+                }
+            }
+    return io::position_origin(low, high, error);
+}
+
+Mesh placed(const Mesh& mesh, const dmat4& place, dvec3 origin, Context& context) {
     MemoryCharge charge(context.memory(), (mesh.positions.size() + mesh.normals.size()) * sizeof(vec3),
                         "a model placed in the world");
     Mesh out = mesh;
     std::vector<vec3> positions(mesh.positions.size()), normals(mesh.normals.size());
-    for (std::size_t v = 0; v < positions.size(); ++v)
-        positions[v] = cast<float>(transform_point(place, cast<double>(mesh.positions[v]) + mesh.origin));
-    const dmat3 linear = upper_left(place), turn = cofactor(linear);
-    const bool is_mirrored = determinant(linear) < 0;
-    for (std::size_t v = 0; v < normals.size(); ++v)
-        normals[v] = cast<float>(
-            normalize_or(turn * cast<double>(mesh.normals[v]) * (is_mirrored ? -1.0 : 1.0), dvec3{0, 0, 1}));
-    out.origin = {};
+    for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = cast<float>(in_world(mesh, v, place) - origin);
+    const PlacedNormals turn(place);
+    for (std::size_t v = 0; v < normals.size(); ++v) normals[v] = turn(mesh.normals[v]);
+    out.origin = origin;
     out.positions = {std::move(positions), charge.split(mesh.positions.size() * sizeof(vec3))};
     out.normals = {std::move(normals), std::move(charge)};
     out.tangents = {};
     out.influences = {};
     out.targets.clear();
-    if (is_mirrored && mesh.topology == Topology::triangles) {
+    if (turn.is_mirrored() && mesh.topology == Topology::triangles) {
         out.indices = rewound(mesh.indices, context);
         out.smoothing_hint = rewound(mesh.smoothing_hint, context);
     }
@@ -46,24 +65,9 @@ Mesh placed(const Mesh& mesh, const dmat4& place, Context& context) {
 
 }  // namespace
 
-Scene in_bind_pose(const Scene& scene) {
-    const std::vector<dmat4> place = bind_pose_matrices(scene);
-    Scene out = scene;
-    for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
-        if (scene.nodes[n].skin == no_index) continue;
-        Node standing;  // the node itself may carry others, and moves with its parents
-        standing.name = out.nodes[n].name;
-        standing.local.matrix = place[n];
-        std::swap(standing.meshes, out.nodes[n].meshes);
-        out.nodes[n].skin = no_index;
-        out.nodes.push_back(std::move(standing));
-    }
-    for (Mesh& mesh : out.meshes) mesh.influences = {};
-    return out;
-}
-
-Scene placed_in_world(const Scene& scene, Context& context) {
+Scene placed_in_world(const Scene& scene, bool holds_doubles, Context& context) {
     const std::vector<dmat4> world = bind_pose_matrices(scene);
+    const dvec3 origin = holds_doubles ? origin_of(scene, world) : dvec3{};
     Scene out = scene;
     out.meshes.clear();
     for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
@@ -74,7 +78,7 @@ Scene placed_in_world(const Scene& scene, Context& context) {
         node.skin = no_index;
         for (std::uint32_t& m : node.meshes) {
             context.throw_if_cancelled();
-            out.meshes.push_back(placed(scene.meshes[m], world[n], context));
+            out.meshes.push_back(placed(scene.meshes[m], world[n], origin, context));
             m = std::uint32_t(out.meshes.size() - 1);
         }
     }

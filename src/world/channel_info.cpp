@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include <rakelight/request.h>
+#include <rakelight/tools/words.h>
 
 namespace rakelight {
 namespace {
@@ -36,12 +37,13 @@ constexpr std::array channels{
     ChannelInfo{channel_direct, "direct", "direct", "RGB", color},
     ChannelInfo{channel_indirect, "indirect", "indirect", "RGB", color},
     ChannelInfo{channel_variance, "variance", "variance", "Y", amount},
+    ChannelInfo{channel_ambient_occlusion, "ambient-occlusion", "ambient_occlusion", "Y", share},
 };
 
 constexpr bool are_in_order() {
     for (std::size_t i = 0; i < channels.size(); ++i)
         if (channels[i].channel != 1u << i) return false;
-    return (1u << channels.size()) - 1 == (channels_all | channels_of_paths);
+    return (1u << channels.size()) - 1 == (channels_all | channels_of_paths | channel_ambient_occlusion);
 }
 static_assert(are_in_order());
 
@@ -55,11 +57,11 @@ const ChannelInfo& info_of(std::uint32_t channel) { return channels[std::size_t(
 
 std::uint32_t channels_by_name(std::string_view name) {
     for (const ChannelInfo& c : channels)
-        if (name == c.word) return c.channel;
-    if (name == "lighting") return channels_lighting;
-    if (name == "paths") return channels_of_paths;
-    if (name == "all") return channels_all;
-    if (name == "none") return 0;
+        if (same_word(name, c.word)) return c.channel;
+    if (same_word(name, "lighting")) return channels_lighting;
+    if (same_word(name, "paths")) return channels_of_paths;
+    if (same_word(name, "all")) return channels_all;
+    if (same_word(name, "none")) return 0;
     std::string words;
     for (const ChannelInfo& c : channels) words += std::string(c.word) + ", ";
     throw Error(ErrorCode::usage, "unknown channel '" + one_line(std::string(name), 40) + "'", {},

@@ -15,7 +15,8 @@ enum class ChannelKind : std::uint8_t {
     position,
     weights,
     color,
-    amount
+    amount,
+    share
 };
 
 struct ChannelInfo {

@@ -3,44 +3,39 @@
 #include <rakelight/tools/values.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
+#include <optional>
 
 #include "math/color.h"
+#include "math/color_names.h"
 
 namespace rakelight::values {
 namespace {
 
-int hex_digit(char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-}
-
-bool is_hex(std::string_view text) {
-    return (text.size() == 3 || text.size() == 6) &&
-           std::all_of(text.begin(), text.end(), [](char c) { return hex_digit(c) >= 0; });
+/// By name or code; the '#' of a code may be left out.
+std::optional<std::array<std::uint8_t, 3>> codes_of(std::string_view text) {
+    if (const auto codes = color_by_text(text)) return codes;
+    return text.starts_with('#') ? std::nullopt : color_by_text("#" + std::string(text));
 }
 
 }  // namespace
 
 vec4 background(const std::string& option, std::string_view text) {
-    if (text == "transparent") return {0, 0, 0, 0};
-    return display_color(option, text, "write r,g,b from 0 to 1, '#rrggbb', or transparent");
+    if (same_word(text, "transparent")) return {0, 0, 0, 0};
+    return display_color(option, text, "write r,g,b from 0 to 1, '#rrggbb', a name such as white, or transparent");
 }
 
 vec4 display_color(const std::string& option, std::string_view text, const char* advice) {
-    const std::string_view hex = text.starts_with('#') ? text.substr(1) : text;
     dvec3 display;
-    if (is_hex(hex)) {
-        const std::size_t digits = hex.size() / 3;
-        for (std::size_t i = 0; i < 3; ++i)
-            display[i] = (hex_digit(hex[i * digits]) * 16 + hex_digit(hex[i * digits + digits - 1])) / 255.0;
+    if (const auto codes = codes_of(text)) {
+        for (std::size_t i = 0; i < 3; ++i) display[i] = (*codes)[i] / 255.0;
     } else if (text.find(',') != std::string_view::npos) {
         display = vector3(option, text);
     } else {
-        throw wrong(option, "'" + one_line(std::string(text), 40) + "' is not a color", advice);
+        const std::string nearest = nearest_word(text, color_names());
+        throw wrong(option, "'" + one_line(std::string(text), 40) + "' is not a color",
+                    (nearest.empty() ? "" : "did you mean " + nearest + "? ") + advice);
     }
     for (std::size_t i = 0; i < 3; ++i)
         if (display[i] < 0 || display[i] > 1) throw wrong(option, "the color's parts must be from 0 to 1");
@@ -49,6 +44,7 @@ vec4 display_color(const std::string& option, std::string_view text, const char*
 }
 
 vec3 light_color(const std::string& option, std::string_view text) {
+    if (text.find(',') == text.npos && !is_number(text)) return display_color(option, text).xyz();
     const dvec3 c = vector3(option, text);
     if (c.x < 0 || c.y < 0 || c.z < 0) throw wrong(option, "a color must not be negative");
     if (std::max({c.x, c.y, c.z}) > double(std::numeric_limits<float>::max()))

@@ -69,5 +69,6 @@ std::span<const RenderKey> surface_keys();
 std::span<const RenderKey> normal_keys();
 std::span<const RenderKey> view_keys();
 std::span<const RenderKey> scene_keys();
+std::span<const RenderKey> coloring_keys();
 
 }  // namespace rakelight::keys

@@ -5,11 +5,9 @@
 namespace rakelight::keys {
 namespace {
 
-constexpr Word<NormalSource> normal_words[] = {{"auto", NormalSource::automatic},
-                                               {"file", NormalSource::file},
-                                               {"flat", NormalSource::flat},
-                                               {"object", NormalSource::object},
-                                               {"model", NormalSource::model}};
+constexpr Word<NormalSource> normal_words[] = {{"auto", NormalSource::automatic}, {"file", NormalSource::file},
+                                               {"flat", NormalSource::flat},      {"object", NormalSource::object},
+                                               {"model", NormalSource::model},    {"seams", NormalSource::seams}};
 constexpr Word<CornerWeight> weight_words[] = {{"uniform", CornerWeight::uniform},
                                                {"area", CornerWeight::area},
                                                {"angle", CornerWeight::angle},
@@ -53,6 +51,12 @@ void read_crease(PictureRequest& r, Words w) {
     r.prepare.crease_angle_rad = angle == 180 ? pi : radians(angle);
 }
 
+double weld_distance(const std::string& text) {
+    const double meters = values::number("weld-distance", text);
+    if (!(meters >= 0)) throw values::wrong("weld-distance", "must be 0 or more");
+    return meters;
+}
+
 void read_subdivide_edge(PictureRequest& r, Words w) {
     r.prepare.subdivision.edge = values::number("subdivide-edge", w[0], 1e-6, 1e6);
     r.prepare.subdivision.level = 8;  // `subdivide`, which is read behind it, may say less
@@ -69,6 +73,7 @@ constexpr RenderKey table[] = {
     {"crease-angle", Kind::value, read_crease,
      RL_WRITE(r.prepare.crease_angle_rad, {degrees_of(r.prepare.crease_angle_rad)})},
     RL_WORD_KEY("weight", r.prepare.weight, weight_words),
+    RL_KEY("weld-distance", value, r.prepare.weld_distance, weld_distance(w[0]), {text_of(r.prepare.weld_distance)}),
     RL_WORD_KEY("tangents", r.prepare.tangents, tangent_words),
     {"orthogonalize", Kind::value, read_orthogonalize, write_orthogonalize},
     RL_KEY("tessellate", flag, r.prepare.tessellate, w[0] == "on", {"on"}),

@@ -34,6 +34,7 @@ constexpr Word<PointShape> point_words[] = {
 /// Rays have shadows by nature; `shadows`, which is read behind it, may say otherwise.
 void read_engine(PictureRequest& r, Words w) {
     r.engine = w[0];
+    for (char& c : r.engine) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
     if (r.engine == "trace") r.settings.shadows = true;
 }
 
@@ -217,6 +218,10 @@ constexpr RenderKey table[] = {
          return !r.settings.surfaces && r.settings.points != PointShape::none ? Written{"on"} : Written{};
      }},
     RL_WORD_KEY("points", r.settings.points, point_words),
+    RL_KEY("grid", flag, r.overlays.grid, w[0] == "on", {"on"}),
+    RL_KEY("axis", flag, r.overlays.axis, w[0] == "on", {"on"}),
+    RL_KEY("filename", flag, r.overlays.filename, w[0] == "on", {"on"}),
+    RL_KEY("metadata", flag, r.overlays.metadata, w[0] == "on", {"on"}),
     RL_KEY("line-width", value, r.settings.line_width, pixels("line-width", w[0]),
            {text_of_float(r.settings.line_width)}),
     RL_KEY("point-size", value, r.settings.point_size, pixels("point-size", w[0]),

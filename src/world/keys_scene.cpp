@@ -8,15 +8,17 @@ namespace rakelight::keys {
 namespace {
 
 void read_lights(PictureRequest& r, Words w) {
-    r.default_lights = w.size() == 1 && w[0] == "default";
-    r.studio_lights = w.size() == 1 && w[0] == "studio";
+    const auto has = [&](const char* word) {
+        return std::ranges::any_of(w, [&](const std::string& text) { return same_word(text, word); });
+    };
+    r.default_lights = w.size() == 1 && has("default");
+    r.studio_lights = w.size() == 1 && has("studio");
     r.lights.reset();
     if (r.default_lights || r.studio_lights) return;
     for (const char* const word : {"none", "default", "studio"})
-        if (std::ranges::find(w, word) != w.end() && w.size() > 1)
-            throw values::wrong("light", std::string(word) + " stands alone");
+        if (has(word) && w.size() > 1) throw values::wrong("light", std::string(word) + " stands alone");
     r.lights.emplace();
-    if (w[0] == "none") return;
+    if (has("none")) return;
     for (const std::string& text : w) r.lights->push_back(values::light("light", text));
 }
 

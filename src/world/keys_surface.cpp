@@ -69,6 +69,10 @@ constexpr RenderKey table[] = {
     RL_INTEGER_KEY("shadow-size", r.settings.shadow_size, 16, 8192),
     RL_FLOAT_KEY("shadow-bias", r.settings.shadow_bias, 0, 100),
     RL_INTEGER_KEY("shadow-filter", r.settings.shadow_filter, 0, 4),
+    RL_KEY("ambient-occlusion", flag, r.settings.ambient_occlusion, w[0] == "on", {"on"}),
+    RL_NUMBER_KEY("ambient-occlusion-radius", r.settings.ambient_occlusion_radius, 0, 1e30),
+    RL_INTEGER_KEY("ambient-occlusion-samples", r.settings.ambient_occlusion_samples, least_occlusion_samples,
+                   most_occlusion_samples),
 };
 
 }  // namespace

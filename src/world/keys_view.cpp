@@ -9,6 +9,13 @@ constexpr Word<bool> side_words[] = {{"front", true},     {"back", true},    {"l
                                      {"right", true},     {"top", true},     {"bottom", true},
                                      {"isometric", true}, {"default", true}, {"file", true}};
 
+/// In the table's own case.
+std::string side(const std::string& text) {
+    std::vector<const char*> names;
+    for (const Word<bool>& word : side_words) names.push_back(word.name);
+    return names[values::word_number("view", text, names)];
+}
+
 double angle(const char* key, const std::string& text) {
     const double degrees = values::number(key, text);
     if (!(degrees > 0 && degrees < 180)) throw values::wrong(key, "must be more than 0 and less than 180 degrees");
@@ -48,11 +55,7 @@ std::string axis_of(dvec3 v) {
 }
 
 constexpr RenderKey table[] = {
-    {"view", Kind::value,
-     [](PictureRequest& r, Words w) {
-         values::word("view", w[0], side_words);
-         r.view.side = w[0];
-     },
+    {"view", Kind::value, [](PictureRequest& r, Words w) { r.view.side = side(w[0]); },
      [](const PictureRequest& r) -> Written { return r.view.side.empty() ? Written{} : Written{r.view.side}; }},
     RL_KEY("camera-index", value, r.view.camera, w[0], {r.view.camera}),
     RL_KEY("camera-position", value, r.view.position, values::vector3("camera-position", w[0]),

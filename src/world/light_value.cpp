@@ -16,7 +16,8 @@ struct Kind {
 };
 
 Kind kind(const std::string& option, std::string_view text) {
-    if (text == "default") throw wrong(option, "default stands alone, without numbers");
+    for (const char* const alone : {"default", "studio", "none"})
+        if (same_word(text, alone)) throw wrong(option, std::string(alone) + " stands alone, without numbers");
     constexpr LightUnits classical = LightUnits::classical, photometric = LightUnits::photometric;
     return word<Kind>(option, text,
                       {{"point", {LightType::point, classical}},
@@ -26,7 +27,9 @@ Kind kind(const std::string& option, std::string_view text) {
                        {"photometric-point", {LightType::point, photometric}},
                        {"photometric-directional", {LightType::directional, photometric}},
                        {"photometric-spot", {LightType::spot, photometric}},
-                       {"default", {}}});  // refused above: for the list in the message
+                       {"default", {}},
+                       {"studio", {}},
+                       {"none", {}}});  // refused above: for the list in the message
 }
 
 }  // namespace

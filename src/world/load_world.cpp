@@ -45,6 +45,7 @@ NormalSource normals_of(const std::string& word) {
     if (word == "file") return NormalSource::file;
     if (word == "flat") return NormalSource::flat;
     if (word == "object") return NormalSource::object;
+    if (word == "seams") return NormalSource::seams;
     return word == "model" ? NormalSource::model : NormalSource::automatic;
 }
 
@@ -142,7 +143,9 @@ private:
             const bool is_builtin = model.file.starts_with("builtin:");
             const std::string file =
                 is_builtin ? model.file : io::resolve_reference(path_, model.file, options_.allow_outside);
-            Scene scene = load(file, options_, context_);
+            LoadOptions alone = options_;
+            alone.joined.clear();
+            Scene scene = load(file, alone, context_);
             name_default_material(scene);  // so that [[material]] finds it
             return loaded_.emplace(model.file, std::move(scene)).first->second;
         } catch (const Error& error) {

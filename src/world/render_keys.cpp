@@ -11,8 +11,8 @@ namespace {
 
 std::vector<RenderKey> all_keys() {
     std::vector<RenderKey> all;
-    for (const std::span<const RenderKey> part :
-         {keys::picture_keys(), keys::surface_keys(), keys::normal_keys(), keys::view_keys(), keys::scene_keys()})
+    for (const std::span<const RenderKey> part : {keys::picture_keys(), keys::surface_keys(), keys::normal_keys(),
+                                                  keys::view_keys(), keys::scene_keys(), keys::coloring_keys()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }
@@ -76,10 +76,21 @@ void check_subdivision(const Given& given) {
             .about(how, {"subdivide"});
 }
 
-void check_flag(const RenderKey& key, const WorldValue& value) {
-    const bool is_flag = key.kind == RenderKey::Kind::flag;
-    if (is_flag && value.words != std::vector<std::string>{"on"} && value.words != std::vector<std::string>{"off"})
-        throw values::wrong(key.name, "must be on or off");
+void check_coloring(const PictureRequest& r, const Given& given) {
+    const char* const how = given.first_of({"coloring-component", "coloring-range", "colormap", "bar"});
+    if (how && !r.coloring.is_on)
+        throw Error(ErrorCode::usage, "says how to color by numbers of the vertices, but nothing asks for that", {},
+                    "add 'scalar-coloring', or 'scalars' with a name")
+            .about(how, {"scalar-coloring", "scalars"});
+}
+
+/// The words of a value; those of flags are "on" or "off".
+std::vector<std::string> words_of(const RenderKey& key, const WorldValue& value) {
+    if (value.words.empty()) throw values::wrong(key.name, "a value is needed");
+    const bool is_flag = key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::switched;
+    if (!is_flag) return value.words;
+    if (value.words.size() > 1) throw values::wrong(key.name, "must be on or off");
+    return {values::switched(key.name, value.words[0]) ? "on" : "off"};
 }
 
 void check_once(std::span<const WorldValue> values) {
@@ -128,16 +139,16 @@ void read_render_keys(std::span<const WorldValue> values, PictureRequest& to) {
     for (const RenderKey& key : render_keys())
         for (const WorldValue& value : values) {
             if (value.key != key.name) continue;
-            if (value.words.empty()) throw values::wrong(key.name, "a value is needed");
-            check_flag(key, value);
-            const std::string one = joined(value.words);
-            key.read(to, key.kind == RenderKey::Kind::list ? value.words : std::span(&one, 1));
+            const std::vector<std::string> words = words_of(key, value);
+            const std::string one = joined(words);
+            key.read(to, key.kind == RenderKey::Kind::list ? words : std::span(&one, 1));
         }
     for (const WorldValue& value : values) to.named.push_back(value.key);
     const Given given(values);
     check_picture(to, given);
     check_view(to, given);
     check_subdivision(given);
+    check_coloring(to, given);
 }
 
 namespace {

@@ -4,7 +4,9 @@
 #include <optional>
 
 #include <rakelight/request.h>
+#include <rakelight/tools/settings_file.h>
 
+#include "io/world/read_settings.h"
 #include "world/lighting_text.h"
 
 namespace rakelight {
@@ -117,10 +119,12 @@ Error at_world_value(const Error& error, const WorldRequest& world) {
     return error;
 }
 
-WorldRequest read_world_request(const std::string& path, const LoadOptions& options, const RenderOverrides& overrides,
-                                Context& context) {
+namespace {
+
+WorldRequest request_of(std::vector<WorldValue> render, const std::string& path, const LoadOptions& options,
+                        const RenderOverrides& overrides) {
     Taking taking(path, overrides, options.allow_outside);
-    for (WorldValue& value : read_world(path, context).render) taking.take(std::move(value));
+    for (WorldValue& value : render) taking.take(std::move(value));
     WorldRequest world;
     world.picture.input = path;
     world.picture.load = options;
@@ -137,6 +141,18 @@ WorldRequest read_world_request(const std::string& path, const LoadOptions& opti
     std::vector<std::string>& overridden = world.picture.load.overridden;
     overridden.insert(overridden.end(), taking.overridden.begin(), taking.overridden.end());
     return world;
+}
+
+}  // namespace
+
+WorldRequest read_world_request(const std::string& path, const LoadOptions& options, const RenderOverrides& overrides,
+                                Context& context) {
+    return request_of(read_world(path, context).render, path, options, overrides);
+}
+
+WorldRequest read_settings_file(const std::string& path, const LoadOptions& options, const RenderOverrides& overrides,
+                                Context& context) {
+    return request_of(io::world::read_settings(path, context), path, options, overrides);
 }
 
 PictureRequest request_of_world(const std::string& path, const LoadOptions& options, Context& context) {

@@ -15,6 +15,7 @@ Scene scene_of_request(const PictureRequest& request, Context& context) {
 Scene as_asked(Scene scene, const PictureRequest& request, Context& context) {
     if (!(request.materials == MaterialOverrides{}))
         scene = valid::override_materials(std::move(scene), request.materials, context);
+    if (request.coloring.is_on) scene = color_by_array(std::move(scene), request.coloring, context);
     return with_environment(std::move(scene), request, context);
 }
 

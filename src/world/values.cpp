@@ -25,7 +25,7 @@ bool parse(std::string_view text, T& value) {
 std::size_t word_number(const std::string& setting, std::string_view text, std::span<const char* const> names) {
     std::string all;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (text == names[i]) return i;
+        if (same_word(text, names[i])) return i;
         all += (i > 0 ? ", " : "") + std::string(names[i]);
     }
     if (is_number(text)) throw wrong(setting, "'" + one_line(std::string(text), 40) + "' is not one of " + all);
@@ -74,8 +74,11 @@ double number(const std::string& option, std::string_view text, double low, doub
 }
 
 bool switched(const std::string& option, std::string_view text) {
-    if (text == "true" || text == "false") return text == "true";
-    return word<bool>(option, text, {{"on", true}, {"off", false}});
+    for (const char* const word : {"on", "true", "1"})
+        if (same_word(text, word)) return true;
+    for (const char* const word : {"off", "false", "0"})
+        if (same_word(text, word)) return false;
+    throw wrong(option, "must be on or off, not '" + one_line(std::string(text), 40) + "'");
 }
 
 dvec3 vector3(const std::string& option, std::string_view text) {
@@ -93,7 +96,8 @@ int integer(const std::string& option, std::string_view text, int low, int high)
 std::vector<int> integers(const std::string& option, std::string_view text, std::size_t count) {
     const char separator = count == 2 && text.find(',') == std::string_view::npos ? 'x' : ',';
     const std::vector<std::string_view> parts = split(text, separator);
-    const std::string expected = std::to_string(count) + " whole numbers separated by commas";
+    const std::string expected =
+        std::to_string(count) + " whole numbers separated by " + (count == 2 ? "a comma or x" : "commas");
     if (parts.size() != count) refuse(option, text, expected);
     std::vector<int> values(count);
     for (std::size_t i = 0; i < count; ++i)

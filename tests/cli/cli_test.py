@@ -165,7 +165,7 @@ class Cli(program.Case):
                  ("--camera-position", "1,2"), ("--camera-position", "1,2,inf"), ("--camera-view-angle", "180"), ("--view", "behind"),
                  ("--view", "front", "--camera-index", "0"), ("--light", "sun"), ("--light", "point"), ("--light", "point:0,0"),
                  ("--light", "directional:0,0,0"), ("--light", "ambient:1,1,1:cutoff=3"), ("--light", "spot:0,0,1:cutoff=100"), ("--light", "spot:0,0,1:cutoff=0.0001"), ("--light", "point:0,0,1:range=1e-7"),
-                 ("--light", "point:0,0,0:attenuation=0,0,0"), ("--light", "ambient:-1,0,0"), ("--background", "purple"), ("--light", "ambient:1e39,0,0"), ("--light", "point:0,0,0:attenuation=0,1e39,0"),
+                 ("--light", "point:0,0,0:attenuation=0,0,0"), ("--light", "ambient:-1,0,0"), ("--background", "purpel"), ("--light", "ambient:1e39,0,0"), ("--light", "point:0,0,0:attenuation=0,1e39,0"),
                  ("--background", "2,0,0"), ("--channels", "depth,smell"), ("--threads", "0"), ("--threads", "two"),
                  ("--threads", "1025"), ("--max-memory", "lots"), ("--max-memory", "99999999999T"), ("--quiet", "--verbose"),
                  ("--no-such-option",), ("-o",), ("-o", "b.png"))
@@ -203,11 +203,11 @@ class Cli(program.Case):
         render = ("render", "a.obj", "-o", "a.png")
         self.check_refused(self.run_program(*render, "--resolution", "8,8", "--resolution=9,9"), 2, "--resolution is given more than once")
         self.check_refused(self.run_program(*render, "-o", "b.png"), 2, "--output is given more than once")
-        for flag in ("--json=x", "--quiet=true"):
+        for flag in ("--json=x", "--quiet=maybe"):
             with self.subTest(flag=flag):
                 name, value = flag.split("=")
-                self.check_refused(self.run_program(*render, flag), 2, f"{name} takes no value, but is given '{value}'")
-        for switch in ("--edges=5", "--wireframe=0", "--camera-orthographic=yes"):
+                self.check_refused(self.run_program(*render, flag), 2, f"{name}: must be on or off, not '{value}'")
+        for switch in ("--edges=5", "--wireframe=2", "--camera-orthographic=yes"):
             self.check_refused(self.run_program(*render, switch), 2, switch.split("=")[0] + ": must be on or off")
         self.assertEqual(self.files(), ["a.obj"])
 

@@ -6,6 +6,7 @@
 import base64
 import json
 import math
+import pathlib
 import re
 import struct
 import zlib
@@ -98,7 +99,7 @@ class Compare(program.Case):
                                 (("--engines", "soft,nosuch", "builtin:teapot"), "'nosuch' is not built in")):
             with self.subTest(arguments):
                 self.check_refused(self.run_program("compare", *arguments), 2, word)
-        self.check_refused(self.run_program("compare", "a.png", "a.png", "-o", "none/d.png"), 1, "none")
+        self.check_refused(self.run_program("compare", "a.png", "a.png", "-o", "a.png/d.png"), 1, "a.png")
 
     def test_the_difference_is_a_picture(self):
         a, b = self.picture("a.png", 100), self.picture("b.png", 103)
@@ -154,6 +155,13 @@ class Compare(program.Case):
         self.assertEqual(png(self.folder / "from_page.png"), png(self.folder / "b.png"))
         self.assertNotEqual(png(self.folder / "a.png"), png(self.folder / "b.png"))
 
+    def test_a_scene_beside_a_picture_is_drawn_as_large_as_that(self):
+        self.assertEqual(self.run_program("render", "builtin:teapot", "-o", "old.png", "--resolution", "64,48", "--look", "default").code, 0)
+        for pair in (("old.png", "builtin:teapot"), ("builtin:teapot", "old.png")):
+            self.assertEqual(self.run_program("compare", *pair, "--max-error", "0").code, 0)
+        self.assertEqual(self.run_program("compare", "old.png", "builtin:teapot", "--resolution", "64,49").code, 5)
+        self.assertEqual(self.run_program("compare", "old.png", "builtin:sphere", "--max-flip", "0.01").code, 5)
+
     def test_two_scenes_are_drawn_and_compared(self):
         for name, color in (("one", "#ffffff"), ("two", "#ff0000")):
             self.write(f"{name}.scene.toml", f"[[primitive]]\ntype = 'sphere'\n[render]\nresolution = [64, 48]\ncolor = '{color}'\n")
@@ -173,6 +181,18 @@ class Compare(program.Case):
         self.run_program("render", "one.scene.toml", "-o", "one.png")
         (row,) = self.rows("one.scene.toml", "one.png")
         self.assertTrue(row["equal"])
+
+    def test_scenes_have_the_default_look_as_render_gives_it(self):
+        metal = pathlib.Path(__file__).resolve().parents[2] / "data/materials/layers.gltf"
+        for model in (metal, "builtin:teapot"):
+            size = ("--resolution", "96,64")
+            self.assertEqual(self.run_program("render", model, "-o", "look.png", *size, "--look", "default").code, 0)
+            (row,) = self.rows(model, "look.png", *size, "--look", "default")
+            self.assertTrue(row["equal"])
+            (row,) = self.rows(model, "look.png", *size, "--look", "plain")
+            self.assertFalse(row["equal"])
+            looks = [self.rows("--engines", "soft,trace", model, *size, "--look", look)[0]["flip"] for look in ("default", "plain")]
+            self.assertEqual(*looks)
 
     def test_the_numbers_do_not_depend_on_the_threads(self):
         for name, options in (("a.png", ()), ("b.png", ("--shading", "flat"))):

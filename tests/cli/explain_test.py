@@ -8,7 +8,7 @@ import pathlib
 import struct
 
 import program
-from models import write_quarters
+from models import TRIANGLE, triangle_gltf, write_glb, write_quarters
 from program import png
 
 SIZE = (96, 64)
@@ -47,6 +47,75 @@ class Explain(program.Case):
                     row = self.explain(model, x, y, *options)
                     self.assertEqual(row["codes"], list(png(picture)[3][y][3 * x:3 * x + 3]), (model, options, x, y))
                     self.assertEqual(row["sum"], row["color"])
+
+    def test_the_default_look_comes_to_the_rendered_pixel_and_is_listed(self):
+        for model, topics in (("builtin:teapot", ["samples", "background"]), (self.metal(), ["samples", "light", "shadows", "background"]),
+                              (self.metal(light=50000), ["samples", "light", "background", "exposure"])):
+            run = self.run_program("render", model, "-o", "picture.png", "--resolution", "%d,%d" % SIZE, "--look", "default")
+            self.assertEqual(run.code, 0, run.err)
+            for x, y in ((0, 0), (48, 32), (40, 40), (95, 63)):
+                row = self.explain(model, x, y, "--look", "default")
+                self.assertEqual(row["codes"], list(png(self.folder / "picture.png")[3][y][3 * x:3 * x + 3]), (model, x, y))
+                self.assertEqual(row["sum"], row["color"])
+                self.assertEqual([choice["topic"] for choice in row["look"]], topics)
+        self.assertEqual(self.explain("builtin:teapot", 48, 32)["look"], [])
+        row = self.explain(self.metal(), 40, 40, "--look", "default")
+        self.assertEqual(row["layers"][0]["lights"][0]["name"], "studio key")
+        self.assertIn("environment", row["layers"][0])
+        exposed = self.run_program("explain", self.metal(light=50000), "--pixel", "40,40", "--resolution", "%d,%d" % SIZE, "--look", "default").out
+        for word in ("the default look", "built-in studio as environment", "x 2^exposure", "= color of the surface"):
+            self.assertIn(word, exposed)
+
+    def metal(self, light=None):
+        nodes, extra = [{"mesh": 0}], {"materials": [{"pbrMetallicRoughness": {"metallicFactor": 1, "roughnessFactor": 0.4}}]}
+        if light:
+            nodes.append({"extensions": {"KHR_lights_punctual": {"light": 0}}, "translation": [0, 0, 2]})
+            extra.update(extensionsUsed=["KHR_lights_punctual"],
+                         extensions={"KHR_lights_punctual": {"lights": [{"type": "point", "intensity": light}]}})
+        tree = triangle_gltf(nodes, **extra)
+        tree["meshes"][0]["primitives"][0]["material"] = 0
+        name = self.folder / ("lit.glb" if light else "metal.glb")
+        write_glb(name, tree, TRIANGLE)
+        return name
+
+    def test_several_pixels_are_rows_of_their_own(self):
+        words = ("explain", "scene.obj", "builtin:teapot", "--pixel", "48,32", "--pixel", "0,0", "--resolution", "%d,%d" % SIZE)
+        rows = json.loads(self.run_program(*words, "--json").out)["rows"]
+        self.assertEqual([(row["file"], row["pixel"]) for row in rows],
+                         [(name, pixel) for name in ("scene.obj", "builtin:teapot") for pixel in ([48, 32], [0, 0])])
+        for row in rows:
+            alone = self.explain(row["file"], *row["pixel"])
+            self.assertEqual({**alone, "remarks": []}, {**row, "remarks": []})
+        text = self.run_program(*words).out
+        self.assertEqual(text.count("of 96 x 64"), 4)
+
+    def test_a_file_takes_text_or_json(self):
+        words = ("explain", "scene.obj", "--pixel", "48,32", "--resolution", "%d,%d" % SIZE)
+        for options, name, made in ((("-o", "a.txt"), "a.txt", self.run_program(*words).out), (("-o", "a.json"), "a.json", self.run_program(*words, "--json").out),
+                                    (("-o", "b.txt", "--json"), "b.txt", self.run_program(*words, "--json").out)):
+            run = self.run_program(*words, *options)
+            self.assertEqual((run.code, run.out, run.err), (0, "", ""))
+            self.assertEqual((self.folder / name).read_text(), made)
+        self.assertEqual(self.run_program(*words, "-o", "made/a.txt").code, 0)
+        self.assertTrue((self.folder / "made/a.txt").read_text().startswith("scene.obj: pixel 48,32"))
+
+    def test_the_object_under_the_pixel_is_named(self):
+        row = self.explain("scene.obj", 48, 32, "--view", "front")
+        self.assertEqual((row["shows"]["object"], row["shows"]["material_name"]), ("pane", "glass"))
+        text = self.run_program("explain", "scene.obj", "--pixel", "48,32", "--resolution", "%d,%d" % SIZE, "--view", "front").out
+        self.assertIn("  shows object 'pane', mesh ", text)
+
+    def test_a_background_pixel_names_the_nearest_that_shows_something(self):
+        for options in ((), ("--samples", "4")):
+            row = self.explain("scene.obj", 0, 32, "--view", "front", *options)
+            self.assertEqual((row["shows"], row["is_background"]), (None, True))
+            near = row["nearest"]
+            self.assertEqual((near["object"], near["pixel"][1]), ("back", 32))
+            x = near["pixel"][0]
+            self.assertEqual(self.explain("scene.obj", x, 32, "--view", "front", *options)["shows"]["object"], "back")
+            self.assertTrue(self.explain("scene.obj", x - 1, 32, "--view", "front", *options)["is_background"])
+        text = self.run_program("explain", "scene.obj", "--pixel", "0,32", "--resolution", "%d,%d" % SIZE, "--view", "front").out
+        self.assertRegex(text, r"background: no triangle covers it; the nearest pixel that shows something is \d+,32: object 'back'")
 
     def test_exposure_and_tone_curve_are_said_where_they_act(self):
         options = ("--tone-mapping", "reinhard", "--exposure", "1")

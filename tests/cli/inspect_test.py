@@ -6,6 +6,7 @@
 import base64
 import json
 import struct
+import xml.etree.ElementTree
 
 import program
 from program import png
@@ -40,7 +41,9 @@ class Inspect(program.Case):
                 self.assertEqual(len(lines), 1, before.err)
                 for word in ("object." + ending, "max-seam", "'left'", "'right'", "33.4 degrees"):
                     self.assertIn(word, lines[0])
-                self.smooth("object." + ending, "model." + ending)
+                self.smooth("object." + ending, "kept." + ending)  # flat on both sides: an authored edge, of 33 degrees
+                self.assertEqual(self.run_program("inspect", "kept." + ending, "--check").code, 5)
+                self.smooth("object." + ending, "model." + ending, "--normals", "model")
                 after = self.run_program("inspect", "model." + ending, "--check")
                 self.assertEqual((after.code, after.err), (0, ""))
 
@@ -167,16 +170,73 @@ class Inspect(program.Case):
             self.run_program("inspect", "parts.obj", "--heatmap", f"{threads}.png", "--threads", threads)
         self.assertEqual((self.folder / "1.png").read_bytes(), (self.folder / "3.png").read_bytes())
 
+    def test_the_heat_map_has_a_legend_and_a_ring_unless_told_otherwise(self):
+        view = ("--view", "front", "--resolution", "480,320")
+        self.run_program("inspect", "parts.obj", "--heatmap", "with.png", *view)
+        self.run_program("inspect", "parts.obj", "--heatmap", "without.png", "--heatmap-legend", "off", *view)
+        rows, plain = (png(self.folder / name)[3] for name in ("with.png", "without.png"))
+        changed = {(x, y) for y in range(320) for x in range(480) if rows[y][3 * x:3 * x + 3] != plain[y][3 * x:3 * x + 3]}
+        legend = {p for p in changed if p[1] > 270 and p[0] < 226}
+        self.assertGreater(len(legend), 1000)
+        bar = [tuple(rows[y][3 * x:3 * x + 3]) for y in range(270, 320) for x in range(10, 170)]
+        self.assertIn(True, [r > 220 and g > 220 and b < 90 for r, g, b in bar])  # 60 degrees: light yellow
+        ring = changed - legend
+        self.assertGreater(len(ring), 100)
+        self.assertLess(abs(sum(x for x, _ in ring) / len(ring) - 240), 40)  # about the seam, in the middle; its angle is to the right
+
+    def test_lengths_without_a_unit_are_called_units(self):
+        self.assertEqual(self.row("parts.obj")["unit"], "units")
+        self.assertRegex(self.run_program("inspect", "parts.obj").out, r"size 2 x 1 x \S+ units\n")
+        self.assertEqual(self.row("builtin:teapot")["unit"], "m")
+        self.assertRegex(self.run_program("inspect", "builtin:teapot").out, r"size .* m\n")
+        (self.folder / "t.stl").write_text("solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 25 0 0\nvertex 0 25 0\nendloop\nendfacet\nendsolid t\n")
+        row = self.row("t.stl")
+        self.assertEqual((row["unit"], row["bounds"]["high"]), ("units", [25, 25, 0]))
+        self.run_program("inspect", "t.stl", "--report", "t.html", "--resolution", "64,48")
+        self.assertIn("size 25 x 25 x 0 units", (self.folder / "t.html").read_text())
+
+    def test_a_report_is_a_page_that_holds_everything(self):
+        done = self.run_program("inspect", "parts.obj", "cube.obj", "none.obj", "--report", "r.html", "--check", "--max-seam", "2", "--resolution", "320,240")
+        self.assertEqual(done.code, 5, done.err)
+        text = (self.folder / "r.html").read_text()
+        self.assertEqual(text.count("<section "), 3)
+        self.assertEqual(text.count('src="data:image/png;base64,'), 4)  # of two models two each
+        self.assertNotRegex(text, r'(src|href)="(?!data:|#)')
+        self.assertNotIn("<script", text)
+        for word in ("max-seam: seam of ", "The largest seam, ", "borders (degrees)", "surfaces", "cannot be read", "All limits are kept", "fails 1 limit"):
+            self.assertIn(word, text)
+
+    def test_junit_has_a_case_for_each_limit_and_model(self):
+        done = self.run_program("inspect", "parts.obj", "cube.obj", "none.obj", "--report", "r.xml", "--max-seam", "2", "--closed")
+        self.assertEqual(done.code, 5, done.err)
+        root = xml.etree.ElementTree.parse(self.folder / "r.xml").getroot()
+        self.assertEqual((root.tag, root.get("tests"), root.get("failures"), root.get("errors")), ("testsuites", "7", "2", "1"))
+        suites = {suite.get("name"): suite for suite in root}
+        self.assertEqual(sorted(suites), ["cube.obj", "none.obj", "parts.obj"])
+        cases = {case.get("name"): case for case in suites["parts.obj"]}
+        self.assertEqual(sorted(cases), ["closed", "load", "max-seam"])
+        self.assertIn("degrees between", cases["max-seam"].find("failure").get("message"))
+        self.assertEqual(cases["max-seam"].get("classname"), "parts.obj")
+        self.assertEqual([case.find("failure") for case in suites["cube.obj"]], [None, None, None])
+        self.assertEqual(suites["none.obj"][0].find("error").get("type"), "not_found")
+        self.run_program("inspect", "cube.obj", "--junit", "other")
+        self.assertEqual(xml.etree.ElementTree.parse(self.folder / "other").getroot().get("tests"), "2")
+        self.write('a "<&>\x01.obj', CUBE)
+        self.run_program("inspect", 'a "<&>\x01.obj', "--report", "r.xml", "--report", "r.html", "--resolution", "64,48")
+        self.assertEqual(xml.etree.ElementTree.parse(self.folder / "r.xml").getroot()[0].get("name"), 'a "<&>?.obj')
+        self.assertIn("<h2>a &quot;&lt;&amp;&gt;?.obj</h2>", (self.folder / "r.html").read_text())
+        self.check_refused(self.run_program("inspect", "cube.obj", "--report", "r.txt"), 2, "neither .html nor .xml")
+
     def test_wrong_usage_is_one_line_and_exit_code_2(self):
         for options in (["--closed"], ["--max-seam", "2"], ["--check", "--max-seam", "-1"], ["--check", "--max-seam", "x"],
                         ["--check", "--max-seam", "181"], ["--weld-distance", "-1"], ["--weld-distance", "inf"], ["--check", "--no-borders", "--max-seam", "1"],
                         ["--check", "--no-surfaces", "--closed"], ["--view", "front"], ["--resolution", "10,10"],
-                        ["--no-borders", "--heatmap", "a.png"], ["--heatmap", "a.txt"], ["--heatmap", "no/such/folder.png"],
+                        ["--no-borders", "--heatmap", "a.png"], ["--heatmap", "a.txt"], ["--heatmap", "cube.obj/folder.png"],
                         ["cube.obj", "--heatmap", "a.png"], ["--heatmap", "a.png", "--view", "inside"],
                         ["--heatmap", "a.png", "--resolution", "60000,60000"]):
             with self.subTest(options=options):
                 done = self.run_program("inspect", "parts.obj", *options)
-                self.assertIn(done.code, (1, 2) if "no/such/folder.png" in options else (2,), done.err)
+                self.assertIn(done.code, (1, 2) if "cube.obj/folder.png" in options else (2,), done.err)
                 self.assertEqual((len(done.err.splitlines()), done.out), (1, ""))
                 if "cube.obj" in options:
                     self.assertIn("--heatmap 'out/{model}.png'", done.err)

@@ -50,7 +50,7 @@ class Lines(program.Case):
                         ("--line-color", "transparent"), ("--point-sprites", "--points", "none")):
             run = self.run_program("render", "builtin:teapot", "-o", "out.png", *options)
             self.check_refused(run, 2, options[0])
-        self.assertNotIn("or transparent", self.run_program("render", "builtin:teapot", "-o", "out.png", "--line-color", "red").err)
+        self.assertNotIn("or transparent", self.run_program("render", "builtin:teapot", "-o", "out.png", "--line-color", "rod").err)
         self.assertEqual(self.files(), [])
 
     def test_only_surfaces_can_be_explained_and_the_scenes_own_lines_are_pointed_out(self):

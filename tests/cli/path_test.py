@@ -116,7 +116,7 @@ class Paths(program.Case):
         except OSError:  # the other end was closed
             pass
         self.assertEqual(work.wait(), 0)
-        self.assertRegex(said.decode(), r"render \d+%, about \d+ s left")
+        self.assertRegex(said.decode(), r"render \d+ %, \d+ s, about \d+ s left")
 
     def test_denoised_pictures_say_so_and_windows_of_them_are_parts(self):
         plain, _ = self.picture("a.png")

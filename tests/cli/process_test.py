@@ -69,7 +69,7 @@ class Process(program.Case):
     def test_an_output_that_cannot_be_written_is_exit_1(self):
         self.write("a.obj")
         (self.folder / "taken.png").mkdir()
-        self.check_refused(self.run_program("render", "a.obj", "-o", "no/such/a.png"), 1, "no/such")
+        self.check_refused(self.run_program("render", "a.obj", "-o", "a.obj/such/a.png"), 1, "a.obj/such", "is no folder")
         self.check_refused(self.run_program("render", "a.obj", "-o", "taken.png"), 1, "taken.png")
         self.assertEqual(self.files(), ["a.obj", "taken.png"])
 
@@ -88,7 +88,7 @@ class Process(program.Case):
         self.assertIn("standard output", done.stderr)
 
     def test_hostile_names_are_shown_in_one_printable_line(self):
-        for name in ("line\nfeed.obj", "esc\033[31m.obj", "x" * 200 + ".obj", "bytes\udcff.obj", "--", "-"):
+        for name in ("line\nfeed.obj", "esc\033[31m.obj", "x" * 200 + ".obj", "bytes\udcff.obj", "--"):
             with self.subTest(name=name):
                 done = subprocess.run([program.PROGRAM, "render", "-o", "a.png", "--", os.fsencode(name)], cwd=self.folder, capture_output=True,
                                       timeout=60)

@@ -54,7 +54,7 @@ class Smooth(program.Case):
             rows = json.loads(self.run_program("inspect", name, "--normals", "file", "--json").stdout)["rows"]
             return max(b["largest_deg"] for b in rows[0]["borders"])
         self.assertEqual(self.run_program("smooth", "parts.obj", "-o", "object.obj", "--scope", "object", "--crease-angle", "180").returncode, 0)
-        self.assertEqual(self.run_program("smooth", "object.obj", "-o", "model.obj", "--crease-angle", "180").returncode, 0)
+        self.assertEqual(self.run_program("smooth", "object.obj", "-o", "model.obj", "--normals", "model", "--crease-angle", "180").returncode, 0)
         self.assertGreater(seam("object.obj"), 5)
         self.assertEqual(seam("model.obj"), 0)
 
@@ -62,7 +62,7 @@ class Smooth(program.Case):
         (self.dir / "in.gltf").write_text(json.dumps(quantized_corner(5120, "b", 4)))
         (self.dir / "real").mkdir()
         (self.dir / "out.gltf").symlink_to("real/model.gltf")
-        done = self.run_program("smooth", "in.gltf", "-o", "out.gltf", "--crease-angle", "180")
+        done = self.run_program("smooth", "in.gltf", "-o", "out.gltf", "--normals", "model", "--crease-angle", "180")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertTrue((self.dir / "out.gltf").is_symlink())
         self.assertEqual(sorted(p.name for p in (self.dir / "real").iterdir()), ["model.bin", "model.gltf"])
@@ -72,10 +72,10 @@ class Smooth(program.Case):
         model = quantized_corner(5120, "b", 4)
         model["extras"] = "x" * 500000  # the model file fails, its data would still fit
         (self.dir / "in.gltf").write_text(json.dumps(model))
-        self.assertEqual(self.run_program("smooth", "in.gltf", "-o", "out.gltf", "--crease-angle", "180").returncode, 0)
+        self.assertEqual(self.run_program("smooth", "in.gltf", "-o", "out.gltf", "--normals", "model", "--crease-angle", "180").returncode, 0)
         older = {p.name: p.read_bytes() for p in self.dir.iterdir()}
         self.assertIn("out.bin", older)
-        arguments = (program.PROGRAM, "smooth", "in.gltf", "-o", "out.gltf", "--crease-angle", "1")
+        arguments = (program.PROGRAM, "smooth", "in.gltf", "-o", "out.gltf", "--normals", "model", "--crease-angle", "1")
         done = subprocess.run(arguments, cwd=self.dir, capture_output=True, text=True, timeout=300,
                               restore_signals=False,  # the signal of the limit stays ignored: writing fails, as on a full disk
                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100000, 100000)))
@@ -97,7 +97,7 @@ class Smooth(program.Case):
         self.assertEqual(sorted(os.listdir(self.dir / "out")), ["more.glb", "parts.glb"])
 
     def test_wrong_usage_is_one_line_and_exit_code_2(self):
-        for more in (["-o", "x.stl"], ["-o", "x.obj", "--scope", "all"], ["-o", "x.obj", "--crease-angle", "181"],
+        for more in (["-o", "x.stl"], ["-o", "x.obj", "--scope", "all"], ["-o", "x.obj", "--normals", "file"], ["--preview", "x.html", "-o", "x.obj"], ["-o", "x.obj", "--crease-angle", "181"],
                      ["-o", "x.obj", "--weld-distance", "-1"], ["-o", "x.obj", "--tangents", "some"], []):
             done = self.run_program("smooth", "parts.obj", *more)
             self.assertEqual(done.returncode, 2, more)
@@ -106,7 +106,7 @@ class Smooth(program.Case):
         self.assertEqual(os.listdir(self.dir), ["parts.obj"])
 
     def test_an_output_that_cannot_be_written_leaves_nothing(self):
-        done = self.run_program("smooth", "parts.obj", "-o", "no/such/folder.obj")
+        done = self.run_program("smooth", "parts.obj", "-o", "parts.obj/such/folder.obj")
         self.assertEqual(done.returncode, 1)
         self.assertEqual(os.listdir(self.dir), ["parts.obj"])
 
@@ -136,8 +136,9 @@ class Smooth(program.Case):
 
     def test_the_khronos_validator_finds_no_new_error(self):
         self.validate([])  # skips the test where the validator is not there
-        pairs = [(model, self.smoothed(model, model.suffix, "--tangents", tangents, "--crease-angle", crease))
-                 for model in self.models({".glb", ".gltf"}) for tangents, crease in (("auto", "60"), ("always", "0"))]
+        pairs = [(model, self.smoothed(model, model.suffix, "--normals", normals, "--tangents", tangents, "--crease-angle", crease))
+                 for model in self.models({".glb", ".gltf"})
+                 for normals, tangents, crease in (("seams", "auto", "60"), ("model", "auto", "60"), ("model", "always", "0"))]
         pairs += [(None, self.smoothed(model, ".glb")) for model in self.models(OTHER_FORMATS)]
         pairs += [(model, self.smoothed(model, ".glb")) for model in self.models({".gltf"})]
         pairs += [(None, self.smoothed("builtin:teapot", ".glb")), (None, self.smoothed("parts.obj", ".glb"))]
@@ -152,7 +153,7 @@ class Smooth(program.Case):
             model = self.dir / f"quantized{width}.gltf"
             model.write_text(json.dumps(quantized_corner(component, code, width)))
             for ending in (".gltf", ".glb"):
-                out = self.smoothed(model, ending, "--crease-angle", "180")
+                out = self.smoothed(model, ending, "--normals", "model", "--crease-angle", "180")
                 self.assertNotEqual(out.stat().st_size, 0)
                 pairs.append((model, out))
         done = self.validate(pairs)

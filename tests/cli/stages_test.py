@@ -3,6 +3,7 @@
 """Runs `rakelight stages`: everything is written or nothing, pages and tables agree with the program's other words.
 
   stages_test.py PROGRAM [unittest arguments]"""
+import base64
 import html.parser
 import json
 import math
@@ -12,6 +13,7 @@ import program
 from program import png
 
 SIZE = "96,64"
+METAL = pathlib.Path(__file__).resolve().parents[2] / "data/materials/layers.gltf"
 BRICKS = pathlib.Path(__file__).resolve().parents[2] / "data/maps/brick_height.png"
 STAGES = ["model", "world", "camera", "normalized-frustum", "central-projection", "depth-mapping", "clip-space", "clipped", "clip-planes",
           "wrap-round", "device", "screen", "culled", "coverage", "depth", "depth-precision", "visibility", "normal", "shading-frequency",
@@ -67,6 +69,29 @@ class Stages(program.Case):
             self.assertTrue(target, link)
         listed = json.loads((self.out / "stages.json").read_text())["files"]
         self.assertEqual(set(listed) | {"stages.json"}, {p.name for p in self.out.iterdir()})
+
+    def test_a_single_file_holds_all_that_the_folder_does(self):
+        self.stages()
+        run = self.run_program("stages", "builtin:teapot", "-o", "all.html", "--single-file", "--resolution", SIZE, "--json")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertEqual(json.loads(run.out)["rows"][0]["page"], "all.html")
+        text = (self.folder / "all.html").read_text()
+        links = Links(text)
+        self.assertEqual((links.open, "script" in links.tags), ([], False))
+        data = [link for link in links.found if not link.startswith("#")]
+        self.assertTrue(all(link.startswith("data:") for link in data))
+        pictures = {base64.b64decode(link.split(",")[1]) for link in data if link.startswith("data:image/png")}
+        self.assertEqual(pictures, {p.read_bytes() for p in self.out.glob("*.png")})
+        tables = [base64.b64decode(link.split(",")[1]).decode() for link in data if link.startswith("data:application/json")]
+        self.assertEqual(tables, [(self.out / f"{stage}.json").read_text() for stage in STAGES])
+        self.check_refused(self.run_program("stages", "builtin:teapot", "-o", "dir", "--single-file"), 2, ".html")
+        self.check_refused(self.run_program("stages", "builtin:teapot", "-o", "page.html"), 2, "add --single-file")
+
+    def test_the_default_look_is_that_of_render(self):
+        for model in (METAL, "builtin:teapot"):
+            self.run_program("render", model, "-o", "a.png", "--resolution", SIZE, "--look", "default")
+            self.stages("--look", "default", model=model)
+            self.assertEqual((self.out / "picture.png").read_bytes(), (self.folder / "a.png").read_bytes())
 
     def test_the_page_names_the_model_without_its_folder(self):
         (self.folder / "sub").mkdir()
@@ -430,9 +455,10 @@ class Stages(program.Case):
         self.assertEqual(self.run_program("stages", "builtin:teapot", "-o", "other", "--resolution", SIZE).code, 1)
 
     def test_refusals_speak_of_folders(self):
-        self.check_refused(self.run_program("stages", "builtin:teapot", "-o", "no/such/out"), 1, "no/such/out: the folder", "does not exist; create it first")
+        self.write("file", "")
+        self.check_refused(self.run_program("stages", "builtin:teapot", "-o", "file/such/out"), 1, "file/such/out: the folder", "cannot be made")
         self.check_refused(self.run_program("stages", "a.obj", "b.obj", "-o", "out"), 2, "a name for each folder", "-o 'out/{model}'\n")
-        self.assertEqual(self.files(), [])
+        self.assertEqual(self.files(), ["file"])
 
     def test_the_help_leaves_out_what_would_be_refused_or_changes_nothing(self):
         for verb in ("stages", "explain"):
@@ -463,7 +489,7 @@ class Stages(program.Case):
             self.assertEqual(picture, pictures[0])
 
     def test_nothing_is_left_of_what_fails(self):
-        for arguments in (("none.obj", "-o", "out"), ("builtin:teapot", "-o", "no/such/out"), ("builtin:teapot", "-o", "out", "--camera-index", "9"),
+        for arguments in (("none.obj", "-o", "out"), ("builtin:teapot", "-o", "no/such/out", "--camera-index", "9"),
                           ("builtin:teapot", "-o", "out", "--resolution", "65536,65536")):
             run = self.run_program("stages", *arguments)
             self.assertNotEqual(run.code, 0)

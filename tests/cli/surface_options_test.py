@@ -16,7 +16,7 @@ TAKEN = [f"--lighting {m}" for m in "auto lambert phong blinn-phong oren-nayar w
     [f"--tone-mapping {t}" for t in "none reinhard neutral aces agx".split()] + \
     [f"--fog {f}" for f in "none linear:1,9 exp:0.1 exp2:0.2:color=#c0c8d0 linear:0,1:color=1,0.5,0".split()] + \
     """--multiple-scattering|--viewer-infinity|--displacement-edge 0.1|--displacement-triangles 1000|--subdivide 2|--subdivide-edge 0.5|--subdivide-edge 1 --subdivide 3|--subdivide 1 --subdivide-scheme loop|--subdivide 1 --subdivide-crease 30 --subdivide-sharpness 1.5|--subdivide 1 --subdivide-boundary edge --subdivide-uv smooth|--bump-depth 0.1|--bump-bias 0.5|--bump-polarity depth|--bump-steps 8,64|--bump-refinement 3
---bump-self-shadow|--bump-silhouette|--normalize-frames off|--shadows|--shadow-size 256|--shadow-bias 2|--shadow-filter 0|--exposure -1.5
+--bump-self-shadow|--bump-silhouette|--normalize-frames off|--shadows|--shadow-size 256|--shadow-bias 2|--shadow-filter 0|--exposure -1.5|--ambient-occlusion --ambient-occlusion-radius 0.1 --ambient-occlusion-samples 8
 --hdri-ambient|--hdri-skybox|--color #ff8000|--color 1,0.5,0|--opacity 0.5|--roughness 0.3|--metallic 1|--normal-map-green down
 --normal-map-zero 128|--light-intensity 2|--light-cutoff 0|--light-cutoff 0.004 --light point:0,1,2:attenuation=1,0,4|--light photometric-point:0,1,2:intensity=9:color=1,1,0.5:range=20
 --light photometric-spot:0,1,2:direction=0,-1,-2:inner=10:outer=20|--light photometric-directional:0,0,-1:intensity=2:shadow=off
@@ -25,8 +25,8 @@ TAKEN = [f"--lighting {m}" for m in "auto lambert phong blinn-phong oren-nayar w
 
 REFUSED = """--lighting x|--ward-form x|--bump x|--bump-terms x|--displacement-edge 0|--displacement-triangles 0|--subdivide 9|--subdivide -1|--subdivide-edge 0|--subdivide-scheme x|--subdivide-scheme loop|--subdivide-crease 181|--subdivide-sharpness 11|--subdivide-boundary x|--subdivide-uv x|--bump-depth -0.1|--bump-depth 11|--bump-depth nan|--bump-bias 1.1|--bump-polarity up
 --bump-steps 8|--bump-steps 9,8|--bump-steps 0,8|--bump-steps 8,1025|--bump-refinement 33|--tangent-space x|--normal-map-green left
---normal-map-zero 127|--shadow-size 15|--shadow-size 8193|--shadow-bias -1|--shadow-filter 5|--fog x|--fog linear|--fog linear:1|--fog linear:2,1
---fog exp:-1|--fog exp:1:colour=1,1,1|--fog none:1|--fog exp:0.1:color=purple|--tone-mapping filmic|--exposure 31|--exposure inf|--color purple
+--normal-map-zero 127|--shadow-size 15|--shadow-size 8193|--shadow-bias -1|--shadow-filter 5|--ambient-occlusion-radius -1|--ambient-occlusion-samples 257|--grid=maybe|--fog x|--fog linear|--fog linear:1|--fog linear:2,1
+--fog exp:-1|--fog exp:1:colour=1,1,1|--fog none:1|--fog exp:0.1:color=purpel|--tone-mapping filmic|--exposure 31|--exposure inf|--color purpel
 --color 1,1,2|--opacity 1.1|--roughness -1|--metallic 2|--light-intensity -1|--light-cutoff -0.1|--light-cutoff 2|--light-cutoff nan|--shadows=maybe|--hdri-ambient=5|--light photometric-point:0,0,0:attenuation=1,0,0
 --light point:0,0,0:intensity=2|--light photometric-spot:0,0,0:inner=20:outer=10|--light photometric-spot:0,0,0:outer=91
 --material clearcoat|--material clearcot=1|--material clearcoat=2|--material clearcoat=much|--material specular=1,1|--material bump_steps=9,4

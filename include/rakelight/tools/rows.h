@@ -18,6 +18,7 @@
 #include <rakelight/smooth_file.h>
 #include <rakelight/stages.h>
 #include <rakelight/tools/check_scene.h>
+#include <rakelight/tools/reference.h>
 
 namespace rakelight {
 
@@ -29,7 +30,8 @@ struct ReportRow {
 };
 
 struct PictureRow : ReportRow {
-    PictureResult result{};  ///< at least `file` and `output`
+    PictureResult result{};                      ///< at least `file` and `output`
+    std::optional<ReferenceResult> reference{};  ///< when it was held against one
 };
 
 struct CheckRow : ReportRow {

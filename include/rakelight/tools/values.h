@@ -31,13 +31,13 @@ std::vector<int> integers(const std::string& setting, std::string_view text, std
 /// "500M", "1.5G", "1073741824": bytes, powers of 1024.
 std::uint64_t byte_size(const std::string& setting, std::string_view text);
 
-/// Display color "0.2,0.2,0.2", "#ff8000", "ff8000", "#f80", or "transparent": linear RGB and alpha.
+/// Display color "0.2,0.2,0.2", "#ff8000", "ff8000", "#f80", a name of CSS ("white"), or "transparent": linear RGB and alpha.
 vec4 background(const std::string& setting, std::string_view text);
 /// The same without "transparent". `advice` says what may be written.
 vec4 display_color(const std::string& setting, std::string_view text,
-                   const char* advice = "write r,g,b from 0 to 1 or '#rrggbb'");
+                   const char* advice = "write r,g,b from 0 to 1, '#rrggbb' or a name such as white");
 
-/// Linear light "1,0.9,0.8", none of it negative.
+/// Linear light "1,0.9,0.8", none of it negative, or a display color by code or name.
 vec3 light_color(const std::string& setting, std::string_view text);
 /// A direction of length 1.
 dvec3 unit(const std::string& setting, dvec3 direction);
@@ -49,7 +49,7 @@ Light light(const std::string& setting, std::string_view text);
 /// "none", "linear:2,30:color=#c0c8d0", "exp:0.1", "exp2:0.1".
 Fog fog(const std::string& setting, std::string_view text);
 
-/// "on", "off"; as F3D has it also "true", "false".
+/// "on", "off"; also "true", "false", "1", "0".
 bool switched(const std::string& setting, std::string_view text);
 
 /// Whether a text is meant as a number, for which no word is near.

@@ -60,6 +60,9 @@ inline constexpr Word<ToneMapping> tone_mapping_words[] = {{"none", ToneMapping:
                                                            {"aces", ToneMapping::aces},
                                                            {"agx", ToneMapping::agx}};
 
+/// Whether two words are equal but for the case of ASCII letters, which means nothing in words that name choices.
+bool same_word(std::string_view a, std::string_view b);
+
 /// How many letters have to be put in, left out, replaced or swapped with their neighbor to make one word the other.
 /// Source: Damerau 1964, "A technique for computer detection and correction of spelling errors".
 std::size_t spelling_distance(std::string_view a, std::string_view b);

@@ -24,8 +24,9 @@ struct EveryMaterial {
     using UnderLight = EveryMaterial;  ///< the kind whose code finds one light's terms: kinds that do so alike share it
     static constexpr Models models = Models::every;
     static constexpr bool has_bump_choices =
-        true;                                 ///< relief, tangent spaces, bumps on some terms, other readings of maps
-    static constexpr bool has_layers = true;  ///< clearcoat, sheen, anisotropy, light between the facets
+        true;  ///< relief, tangent spaces, bumps on some terms, other readings of maps
+    static constexpr bool has_layers =
+        true;  ///< clearcoat, sheen, anisotropy, films, transmission, light between the facets
     static constexpr bool has_environment = true;
     static constexpr bool has_fog = true;
     static constexpr TexelFormats formats = TexelFormats::every;
@@ -79,7 +80,7 @@ struct Job {
     }
     /// What the draw's material has, the same for all its points.
     lit::MaterialTraits traits() const {
-        lit::MaterialTraits traits = {of.ward_form, 0, 0, 0, 0, 0};
+        lit::MaterialTraits traits = {of.ward_form, 0, 0, 0, 0, 0, 0, 0};
         if constexpr (Kind::has_bump_choices) traits.has_two_normals = of.bump_terms != shading::bump_both;
         if constexpr (!Kind::has_layers) return traits;
         const MaterialView& m = material();
@@ -88,6 +89,8 @@ struct Job {
         traits.is_anisotropic = m.anisotropy > 0.0f;
         traits.has_sheen = m.sheen_color[0] > 0.0f || m.sheen_color[1] > 0.0f || m.sheen_color[2] > 0.0f;
         traits.has_coat = m.clearcoat > 0.0f;
+        traits.has_transmission = of.behind != nullptr && m.transmission > 0.0f;
+        traits.has_iridescence = m.iridescence > 0.0f;
         return traits;
     }
 };
@@ -95,7 +98,7 @@ struct Job {
 /// Of what is lit before there are pixels: no layers.
 template <class Kind>
 lit::MaterialTraits point_traits(const Job<Kind>& job) {
-    return {job.of.ward_form, 0, job.of.multiple_scattering, 0, 0, 0};
+    return {job.of.ward_form, 0, job.of.multiple_scattering, 0, 0, 0, 0, 0};
 }
 
 }  // namespace rakelight::cpu_shading::RL_ISA

@@ -11,10 +11,14 @@ struct Maps {
     real height_scale, height_offset;  ///< lit::HeightSense
     const EnvironmentView* environment;
     const lighting::AlbedoTables* tables;
+    const TextureView* behind;
 };
 
 /// Those of a job, without its heights.
-inline Maps maps_of(const MaterialJob& job) { return {nullptr, real(0.0f), real(0.0f), job.environment, &job.albedo}; }
+inline Maps maps_of(const MaterialJob& job) {
+    return {nullptr,         real(0.0f),  real(0.0f),
+            job.environment, &job.albedo, job.behind != nullptr ? job.behind->picture : nullptr};
+}
 
 /// Inline, so that channels which nobody reads cost nothing.
 [[gnu::always_inline]] inline vec4 sample_level(const TextureView& t, vec2 uv, real level) {
@@ -37,6 +41,8 @@ inline real sample_height(const Maps& maps, vec2 uv, real level) {
 inline vec3 sample_environment(const Maps& maps, vec2 uv, real level) {
     return rgb(sample_level(*maps.environment->specular, uv, level));
 }
+
+inline vec3 sample_behind(const Maps& maps, vec2 uv, real level) { return rgb(sample_level(*maps.behind, uv, level)); }
 
 inline vec3 sample_sky(const Maps& maps, vec2 uv, real level) {
     return rgb(sample_level(*maps.environment->sky, uv, level));

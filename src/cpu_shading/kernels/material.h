@@ -46,6 +46,12 @@ inline MaterialTexels material_texels(const Job<Kind>& job, const ShadingPoint& 
     return t;
 }
 
+/// Something keeps light from all around away.
+template <class Kind>
+inline bool is_occluded(const Job<Kind>& job) {
+    return job.material().map[role_occlusion].view != nullptr || job.of.openness != nullptr;
+}
+
 /// What a metallic-roughness material is at a point, for every lighting model.
 template <class Kind>
 inline lit::MetallicRoughness metallic_roughness_at(const Job<Kind>& job, const ShadingPoint& p,
@@ -80,7 +86,7 @@ inline void set_classical_sum(const Job<Kind>& job, const ShadingPoint& p, const
     } else {
         set_classical(job, p, rgb(base.paint), s);
     }
-    if (m.map[role_occlusion].view != nullptr) s.ambient = s.ambient * t.occlusion;
+    if (is_occluded(job)) s.ambient = s.ambient * t.occlusion;
     s.lobe_scale = lit::lobe_scale(s.exponent, job.reflection());
 }
 
@@ -115,6 +121,41 @@ inline void set_layers(const Job<Kind>& job, const ShadingPoint& p, const lit::M
     if (traits.has_coat != 0)
         lit::set_coat(s, real(m.clearcoat), real(m.clearcoat_roughness), texel_or_white(job, role_clearcoat, p),
                       texel_or_white(job, role_clearcoat_roughness, p));
+    if (traits.has_transmission != 0)
+        lit::set_transmission(s, real(m.transmission), texel_or_white(job, role_transmission, p));
+}
+
+/// What a transmissive surface lets light through.
+template <class Kind>
+inline lit::Body body_at(const Job<Kind>& job, const ShadingPoint& p) {
+    const MaterialView& m = job.material();
+    lit::Body body;
+    body.thickness = real(m.thickness * job.of.thickness_scale) * texel_or_white(job, role_thickness, p).y;
+    body.eta = splat(m.through_eta), body.attenuation = splat(m.attenuation);
+    body.blur = real(m.through_blur);
+    body.bends = m.is_body, body.parts = m.through_parts;
+    return body;
+}
+
+inline lit::BehindView behind_view(const BehindView& b) {
+    const auto row = [](const float(&r)[4]) { return vec4(real(r[0]), real(r[1]), real(r[2]), real(r[3])); };
+    return {row(b.to_u), row(b.to_v), row(b.to_w), real(b.last_level)};
+}
+
+/// @param job  of a transmissive material
+template <class Kind>
+inline lit::LightTerms terms_from_behind(const Job<Kind>& job, const ShadingPoint& p, const lit::MaterialSurface& s) {
+    return lit::terms_from_behind(maps_of(job.of), behind_view(*job.of.behind), body_at(job, p), s, p.position);
+}
+
+template <class Kind>
+inline void set_film(const Job<Kind>& job, const ShadingPoint& p, lit::MaterialSurface& s) {
+    const MaterialView& m = job.material();
+    const real thickness =
+        lit::film_thickness(real(m.iridescence_thickness_min_nm), real(m.iridescence_thickness_max_nm),
+                            texel_or_white(job, role_iridescence_thickness, p));
+    lit::set_iridescence(s, real(m.iridescence) * texel_or_white(job, role_iridescence, p).x, thickness,
+                         real(m.iridescence_ior));
 }
 
 inline void set_slopes(const MaterialView& m, lit::MaterialSurface& s) {
@@ -194,6 +235,7 @@ inline vec3 finish_surface(const Job<Kind>& job, const ShadingPoint& p, const Ma
     if (job.model() == RL_WARD || traits.is_anisotropic != 0) set_axes(job, p, s);
     if (!job.is_pbr()) return emission;
     s.coat_n = traits.has_coat != 0 ? coat_normal(job, p, even) : even;
+    if (traits.has_iridescence != 0) set_film(job, p, s);
     lit::set_pbr_albedos(s, maps_of(job.of), t.occlusion, job.of.has_light_around, traits);
     return lit::emission_under_coat(s, emission);
 }

@@ -6,7 +6,7 @@
 // The engine brings a Source of points, all of one draw:
 //   place(k, point)                the k-th vector's position; then, as far as the job asks for them,
 //   texcoords(k, set, texcoords)   texture coordinates,
-//   color(k), normal(k), tangent(k)
+//   color(k), normal(k), tangent(k), openness(k) where the job has it
 //   of(k)                          with corners() and interpolate(a, b, c): CornerFrames of its triangles; and
 //                                  from_viewer(position): the vector from where it is seen, the eye or the surface that mirrors it
 //   is_lit_at_corners(), corner_light(k): LightTerms that are interpolated (flat and Gouraud shading), or false
@@ -93,6 +93,13 @@ template <class Kind, class Source>
     return base_color(job, p);
 }
 
+template <class Kind, class Source>
+inline MaterialTexels find_texels(const Job<Kind>& job, const Source& source, int32_t k, const ShadingPoint& p) {
+    MaterialTexels texels = material_texels(job, p);
+    if (job.of.openness != nullptr) texels.occlusion = texels.occlusion * source.openness(k);
+    return texels;
+}
+
 /// What a surface is, without its directions. @param needs_alpha  false: it is taken for 1
 template <class Kind, int32_t most, class Source>
 [[gnu::noinline]] inline void find_materials(const Job<Kind>& job, const Source& source, bool needs_alpha,
@@ -102,7 +109,7 @@ template <class Kind, int32_t most, class Source>
         const BaseColor base = find_base_color(job, source, k, s.point);
         if constexpr (Kind::has_bump_choices) {
             s.base = base;
-            s.texels = material_texels(job, s.point);
+            s.texels = find_texels(job, source, k, s.point);
             set_material(job, s.point, s.texels, base, s.surface);
             s.emission = emission_of(job, s.point);
         } else {
@@ -111,7 +118,7 @@ template <class Kind, int32_t most, class Source>
                 base_of(s.surface).diffuse = rgb(base.color);
                 continue;
             }
-            const MaterialTexels texels = material_texels(job, s.point);
+            const MaterialTexels texels = find_texels(job, source, k, s.point);
             set_material(job, s.point, texels, base, s.surface);
             if constexpr (Kind::models != Models::classical) s.occlusion = texels.occlusion;
         }
@@ -228,8 +235,8 @@ inline void for_each_light(const Job<Kind>& job, const Source& source, const Poi
     }
 }
 
-/// Calls add(k, terms) for all that falls on the surfaces: the lights in their order, then the environment. What comes from
-/// all around is found at the points in flat and Gouraud pictures too.
+/// Calls add(k, terms) for all that falls on the surfaces: the lights in their order, then the environment, then what is
+/// seen through them. What comes from all around is found at the points in flat and Gouraud pictures too.
 template <class Kind, int32_t most, class Source, class Seen, class Add>
 inline void add_light(const Job<Kind>& job, const Source& source, const Points<Kind, most>& b, const Seen& seen,
                       const Add& add) {
@@ -243,6 +250,9 @@ inline void add_light(const Job<Kind>& job, const Source& source, const Points<K
     if constexpr (Kind::has_environment)
         for (int32_t k = 0; k < b.count && job.environment() != nullptr; ++k)
             add(k, environment_terms(job, b.of[k].surface));
+    if constexpr (Kind::has_layers)
+        for (int32_t k = 0; k < b.count && job.traits().has_transmission != 0; ++k)
+            add(k, terms_from_behind(job, b.of[k].point, b.of[k].surface));
 }
 
 /// What shines without light.

@@ -6,17 +6,32 @@
 #include <bit>
 
 #include "scene/material_table.h"
+#include "shading/behind.h"
 #include "shading/choices.h"
 
 namespace rakelight::opengl {
 namespace {
 
-constexpr std::array least_visible_first = {
-    role_thickness,           role_transmission,  // rays alone read them
-    role_clearcoat_roughness, role_sheen_roughness, role_specular_strength, role_anisotropy,
-    role_clearcoat_normal,    role_specular_color,  role_clearcoat,         role_sheen_color,
-    role_occlusion,           role_specular,        role_emission,          role_height,
-    role_metallic_roughness,  role_normal,          role_opacity,           role_base_color};
+constexpr std::array least_visible_first = {role_iridescence,
+                                            role_iridescence_thickness,
+                                            role_thickness,
+                                            role_clearcoat_roughness,
+                                            role_sheen_roughness,
+                                            role_specular_strength,
+                                            role_anisotropy,
+                                            role_clearcoat_normal,
+                                            role_specular_color,
+                                            role_clearcoat,
+                                            role_sheen_color,
+                                            role_transmission,
+                                            role_occlusion,
+                                            role_specular,
+                                            role_emission,
+                                            role_height,
+                                            role_metallic_roughness,
+                                            role_normal,
+                                            role_opacity,
+                                            role_base_color};
 static_assert(least_visible_first.size() == texture_role_count);
 
 /// Fills one DrawState, step by step.
@@ -77,6 +92,11 @@ private:
         f_.is_anisotropic = factors().anisotropy > 0;
         f_.has_sheen = sheen[0] > 0 || sheen[1] > 0 || sheen[2] > 0;
         f_.has_coat = factors().clearcoat > 0;
+        f_.has_iridescence = factors().iridescence > 0;
+        f_.has_transmission = p_.behind && shading::shows_behind(p_.list, draw_, p_.settings);
+        if (!f_.has_transmission) return;
+        f_.body_bends = factors().is_body, f_.body_parts = factors().through_parts;
+        state_.numbers.body_thickness = factors().thickness * shading::thickness_scale(draw_);
     }
 
     void set_bumps() {
@@ -141,7 +161,8 @@ private:
         for (const TextureRole& role : texture_roles())
             if (drawn_.maps[std::size_t(role.number)]) maps |= 1u << role.number;
         const auto drop = [&maps](TextureRoleNumber role) { maps &= ~(1u << role); };
-        drop(role_transmission), drop(role_thickness);  // rays alone read them
+        if (!f_.has_transmission) drop(role_transmission), drop(role_thickness);
+        if (!f_.has_iridescence) drop(role_iridescence), drop(role_iridescence_thickness);
         if (!f_.uses_normal_map) drop(role_normal);
         if (f_.relief == shading::relief_none) drop(role_height);
         if (f_.is_opaque) drop(role_opacity);
@@ -153,7 +174,7 @@ private:
         const bool is_alpha_alone =
             f_.output == Output::shadow || f_.output == Output::count || f_.output == Output::numbers;
         if (is_alpha_alone) maps &= f_.is_masked ? 1u << role_base_color | 1u << role_opacity | 1u << role_height : 0u;
-        state_.dropped = dropped_maps(maps, p_.units);
+        state_.dropped = dropped_maps(maps, p_.units - f_.has_transmission);
         f_.maps = maps & ~state_.dropped;
         if (!f_.has(role_height)) f_.relief = shading::relief_none;
     }

@@ -42,7 +42,8 @@ struct PictureState {
     const std::vector<Shading>& shading;  ///< [draws] never automatic
     const LightTable& lights;
     bool has_environment = false, has_shadows = false;
-    int units = 12;  ///< texture units for materials' maps
+    int units = 12;                                  ///< texture units for materials' maps
+    const shading::BehindFactors* behind = nullptr;  ///< of what is behind transmissive surfaces; null: they are opaque
 };
 
 /// Maps that a program of `units` units has no room for, the least visible first; 0: none.

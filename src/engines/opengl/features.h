@@ -23,6 +23,10 @@ enum class Output : std::int32_t { color, shadow, sky, numbers, directions, plac
     X(has_scattering, "HAS_SCATTERING")               \
     X(has_sheen, "HAS_SHEEN")                         \
     X(has_coat, "HAS_COAT")                           \
+    X(has_iridescence, "HAS_IRIDESCENCE")             \
+    X(has_transmission, "HAS_TRANSMISSION")           \
+    X(body_bends, "BODY_BENDS")                       \
+    X(body_parts, "BODY_PARTS")                       \
     X(has_two_normals, "HAS_TWO_NORMALS")             \
     X(is_metallic, "IS_METALLIC")                     \
     X(is_unlit, "IS_UNLIT")                           \

@@ -19,11 +19,12 @@ struct MaterialNumbers {
     float relief[4]{};  ///< depth, level, to_uv
     float relief_to_map[4]{};
     float height_levels = 1;
+    float body_thickness = 0;             ///< [m] in the world, without its map
     float turn[texture_role_count][4]{};  ///< rows of the texture transforms
     float offset[texture_role_count][2]{};
 };
 
-inline constexpr int material_vectors = 24 + 2 * texture_role_count;  ///< at most
+inline constexpr int material_vectors = 28 + 2 * texture_role_count;  ///< at most
 using PackedMaterial = std::array<float, 4 * material_vectors>;
 
 PackedMaterial pack(const MaterialNumbers& numbers);

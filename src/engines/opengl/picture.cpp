@@ -117,6 +117,14 @@ void PictureDrawer::set_picture(const Program& p) const {
         put_vec3(rays.first, 0, ray + 8);
         glUniform4fv(p.ray, 3, ray);
     }
+    if (p.behind_view >= 0 && state_.behind) {
+        float rows[16]{};
+        std::copy_n(state_.behind->to_u, 4, rows);
+        std::copy_n(state_.behind->to_v, 4, rows + 4);
+        std::copy_n(state_.behind->to_w, 4, rows + 8);
+        rows[12] = state_.behind->last_level;
+        glUniform4fv(p.behind_view, 4, rows);
+    }
     if (p.fog >= 0) {
         const shading::FogFactors fog = shading::fog_factors(state_.list.scene.fog);
         const float numbers[8] = {fog.color[0], fog.color[1], fog.color[2], 0, fog.start, fog.end, fog.density, 0};
@@ -175,6 +183,11 @@ const Program& PictureDrawer::use(std::uint32_t number, const DrawState& state) 
     if (program.material >= 0) {
         const PackedMaterial numbers = pack(state.numbers);
         glUniform4fv(program.material, material_vectors, numbers.data());
+    }
+    if (program.behind_unit >= 0) {
+        glActiveTexture(GLenum(GL_TEXTURE0 + program.behind_unit));
+        glBindTexture(GL_TEXTURE_2D, tools_.behind);
+        glBindSampler(GLuint(program.behind_unit), 0);
     }
     for (const BoundMap& map : state.maps) {
         const GLint unit = program.map_unit[std::size_t(map.role)];

@@ -40,6 +40,7 @@ struct PictureTools {
     const EnvironmentStore& environment;
     const ShadowAtlas& shadows;
     GLuint albedos = 0;  ///< texture of the tables
+    GLuint behind = 0;   ///< texture of what is behind transmissive surfaces; 0: none
 };
 
 class PictureDrawer {

@@ -92,6 +92,7 @@ void find_places(Program& program, const Driver& driver, const Features& feature
     program.mark_color = place("rl_mark_color");
     program.mark_view = place("rl_mark_view");
     program.mark_cull = place("rl_mark_cull");
+    program.behind_view = place("rl_behind_view");
     glUseProgram(name);
     const auto bind = [&place](const std::string& sampler, GLint unit) {
         const GLint at = place(sampler.c_str());
@@ -108,6 +109,7 @@ void find_places(Program& program, const Driver& driver, const Features& feature
     bind("rl_vertices", driver.texture_units + 1);
     program.map_unit.assign(texture_role_count, -1);
     GLint next = engine_units;
+    if (bind("rl_behind", next)) program.behind_unit = next++;
     for (int role = 0; role < texture_role_count; ++role) {
         if (!features.has(TextureRoleNumber(role))) continue;
         const std::string sampler = role == role_height ? "rl_heights" : "rl_map_" + std::to_string(role);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engines/channel_arrays.h"
+#include "engines/empty_pixel.h"
 #include "engines/opengl/blended.h"
 #include "lighting/albedo_tables.h"
 #include "scene/material_table.h"
@@ -89,7 +90,8 @@ PictureState Renderer::picture_state() {
             .lights = lights_,
             .has_environment = is_lit,
             .has_shadows = !light_shadows_.empty(),
-            .units = driver_.texture_units - engine_units};
+            .units = driver_.texture_units - engine_units,
+            .behind = has_behind_ ? &behind_factors_ : nullptr};
 }
 
 void Renderer::begin_picture(const Camera& camera, const RenderSettings& settings, RenderStats& stats,
@@ -105,6 +107,7 @@ void Renderer::begin_picture(const Camera& camera, const RenderSettings& setting
     const dvec3 eye = view_.camera_to_world[3].xyz();
     light_parameters_ = shading::make_lights(list_.scene, list_.node_to_world, eye);
     update_shadows(settings, eye, light_parameters_, stats, context);
+    draw_behind(context);
 }
 
 std::vector<Renderer::KeptMaps> Renderer::draw_shadow_maps(const RenderSettings& settings, Context& context) {
@@ -283,7 +286,7 @@ void Renderer::draw_part(Window pixels, Target& to, Context& context) {
     const PictureState state = picture_state();
     const PictureTools with = tools();
     const PictureDrawer drawer(with, state, pixels);
-    to.begin(settings_.background, far_depth());
+    to.begin(empty_pixel(settings_), far_depth());
     draw_colors(drawer, state, context);
     to.resolve();
     if (Marks::are_in(list_, settings_)) marks_.draw(drawer, state, to, meter_);
@@ -292,7 +295,7 @@ void Renderer::draw_part(Window pixels, Target& to, Context& context) {
 
 void Renderer::read_part(std::span<vec4> to) {
     target_.read(to);
-    not_finite_ += to_straight_alpha(to, settings_.background);
+    not_finite_ += to_straight_alpha(to, empty_pixel(settings_));
     covered_ += counter_.count(target_, far_depth());
 }
 

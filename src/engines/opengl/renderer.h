@@ -10,6 +10,7 @@
 
 #include <rakelight/engine.h>
 
+#include "engines/opengl/behind.h"
 #include "engines/opengl/channels.h"
 #include "engines/opengl/covered.h"
 #include "engines/opengl/marks.h"
@@ -75,6 +76,7 @@ private:
     std::vector<KeptMaps> draw_shadow_maps(const RenderSettings& settings, Context& context);
     void draw_shadow_map(const shading::View& view, const RenderSettings& settings, ShadowAtlas::Place place, int face,
                          Context& context);
+    void draw_behind(Context& context);
     void make_albedos();
     void note_dropped(std::uint32_t draw, const DrawState& state);
     void remark_dropped_maps(Report& report) const;
@@ -86,7 +88,9 @@ private:
     void draw_blended(const PictureDrawer& drawer, const PictureState& state, const std::vector<std::uint32_t>& draws,
                       Context& context);
     void draw_colors(const PictureDrawer& drawer, const PictureState& state, Context& context);
-    PictureTools tools() { return {driver_, programs_, meshes_, environment_, shadows_, albedos_.name()}; }
+    PictureTools tools() {
+        return {driver_, programs_, meshes_, environment_, shadows_, albedos_.name(), behind_.texture()};
+    }
 
     Driver driver_;
     Programs programs_{driver_};
@@ -99,6 +103,7 @@ private:
     shading::DrawList list_;
     GlTexture albedos_;
     Target target_;
+    BehindPicture behind_;
     ChannelTarget channel_target_;
     Marks marks_;
     CoveredCounter counter_{driver_};
@@ -111,6 +116,8 @@ private:
     std::uint32_t dropped_maps_ = 0, dropped_of_ = 0;  ///< DrawState::dropped of the first draw with any
     RenderSettings settings_;
     shading::View view_;
+    shading::BehindFactors behind_factors_{};
+    bool has_behind_ = false;
     std::vector<Shading> shading_;
     std::vector<lighting::LightParameters> light_parameters_;
     std::vector<LightShadow> light_shadows_;

@@ -11,7 +11,7 @@ TakenScene take_scene(Scene scene, shading::TextureCache cache, shading::Environ
                       Context& context) {
     TakenScene out{.list = {}, .cache = std::move(cache), .environments = std::move(environments), .environment = {}};
     out.list = shading::make_draw_list(std::move(scene), out.cache, LevelPacker(), context);
-    out.environment = out.environments.update(out.list.scene, EnvironmentLevelPacker(), context);
+    out.environment = out.environments.update(out.list.scene, EnvironmentLevelPacker(), true, context);
     return out;
 }
 

@@ -36,7 +36,7 @@ struct WindowView::State {
 
     const Driver& driver() const { return renderer.driver(); }
     void give_up_incoming();
-    void draw_display(const Screen& screen, GLuint picture_name, int tone, float gain);
+    void draw_display(const Screen& screen, GLuint picture_name, int tone, float gain, vec4 behind = {});
 };
 
 EngineAbilities WindowView::abilities() const { return abilities_of(state_->driver()); }
@@ -106,7 +106,8 @@ void WindowView::State::give_up_incoming() {
 
 void WindowView::set_lights(std::vector<Light> lights) { state_->renderer.set_lights(std::move(lights)); }
 
-void WindowView::State::draw_display(const Screen& screen, GLuint picture_name, int tone, float gain) {
+/// @param behind  linear; what lies behind the picture
+void WindowView::State::draw_display(const Screen& screen, GLuint picture_name, int tone, float gain, vec4 behind) {
     GlProgram& program = display_programs[tone];
     if (!program) program = link_program(display_text(driver(), tone));
     screen.bind();
@@ -122,6 +123,7 @@ void WindowView::State::draw_display(const Screen& screen, GLuint picture_name, 
     glUniform4f(place("rl_show"), float(screen.viewport[0]), float(screen.viewport[1]),
                 1.0f / float(screen.viewport[2]), 1.0f / float(screen.viewport[3]));
     glUniform1f(place("rl_gain"), gain);
+    glUniform4f(place("rl_behind"), behind.x, behind.y, behind.z, behind.w);
     glBindVertexArray(no_arrays.get());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     if (driver().has_reversed_depth) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
@@ -129,7 +131,7 @@ void WindowView::State::draw_display(const Screen& screen, GLuint picture_name, 
 }
 
 RenderStats WindowView::draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone,
-                             Context& context) {
+                             vec4 behind, Context& context) {
     State& s = *state_;
     const Screen screen = Screen::with_own_state(s.driver().is_es);
     RenderStats stats;
@@ -144,7 +146,7 @@ RenderStats WindowView::draw(const Camera& camera, const RenderSettings& setting
     s.target.reserve(settings.width, settings.height, settings.samples);
     s.renderer.draw_part({0, 0, settings.width, settings.height}, s.target, context);
     s.has_depth = true;
-    s.draw_display(screen, s.target.texture(), int(tone.mapping), float(math::exp2(tone.exposure_ev)));
+    s.draw_display(screen, s.target.texture(), int(tone.mapping), float(math::exp2(tone.exposure_ev)), behind);
     return stats;
 }
 

@@ -26,7 +26,9 @@ public:
     void set_lights(std::vector<Light> lights);
 
     /// As GlView has them. @param camera  of the world
-    RenderStats draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone, Context& context);
+    /// @param behind  linear; laid behind the picture after the tone curve
+    RenderStats draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone, vec4 behind,
+                     Context& context);
     void show(int width, int height, std::span<const std::uint32_t> srgb8, bool smooth);
     bool show_again();
     void lines(const Camera& camera, std::span<const Line> lines);

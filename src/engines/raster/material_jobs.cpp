@@ -19,9 +19,11 @@ void make_material_jobs(FrontEnd& front, const PictureEffects& effects) {
     front.shadows = effects.shadows;
     front.jobs.clear();
     front.jobs.reserve(front.list.draws.size());
-    for (const Draw& draw : front.list.draws)
+    for (const Draw& draw : front.list.draws) {
         front.jobs.push_back(cpu_shading::make_material_job(front.list, front.list.views, draw, front.settings,
                                                             front.view, effects.is_explained));
+        front.jobs.back().behind = effects.behind;
+    }
 }
 
 ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParameters>& lights, std::uint32_t draw) {

@@ -7,8 +7,9 @@ namespace rakelight::raster {
 
 /// What is made once for a picture and read by all its draws.
 struct PictureEffects {
-    const ShadowView* shadows = nullptr;  ///< [maps]; null: none
-    bool is_explained = false;            ///< also what adds nothing is found
+    const ShadowView* shadows = nullptr;              ///< [maps]; null: none
+    bool is_explained = false;                        ///< also what adds nothing is found
+    const cpu_shading::BehindView* behind = nullptr;  ///< null: what transmits is drawn opaque
 };
 
 /// Fills FrontEnd::jobs and shadows.

@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
+#include <optional>
 #include <utility>
 
 #include "cpu_shading/scratch_pool.h"
-#include "engines/channel_arrays.h"
+#include "engines/raster/behind.h"
+#include "engines/raster/draw_tile.h"
 #include "engines/raster/material_jobs.h"
-#include "engines/raster/multisample.h"
-#include "engines/raster/shade/channels_tile.h"
-#include "engines/raster/shade/sky.h"
+#include "engines/raster/occlusion/occlusion.h"
 #include "engines/raster/shadows/shadow_maps.h"
 #include "engines/raster/shadows/shadow_texels.h"
 #include "engines/raster/tile.h"
@@ -65,103 +64,12 @@ void add_times(cpu_shading::ScratchPool<TileScratch>& pool, StageTimes& sum) {
     });
 }
 
-/// The rows of a whole tile that lie in the window; a tile that does so wholly is handed on as it stands.
-template <class T>
-std::span<const T> part(const std::vector<T>& whole, const Window& in_tile, std::vector<T>& copy) {
-    if (in_tile.width == tile_size)
-        return std::span(whole).subspan(std::size_t(in_tile.y * tile_size), std::size_t(in_tile.height * tile_size));
-    for (int y = in_tile.y; y < in_tile.y + in_tile.height; ++y) {
-        const auto row = whole.begin() + y * tile_size + in_tile.x;
-        copy.insert(copy.end(), row, row + in_tile.width);
-    }
-    return copy;
-}
-
-/// Who takes the picture.
-struct Taker {
-    explicit Taker(Sink& taking) : sink(taking), strips(dynamic_cast<StripSink*>(&taking)) {}
-    bool takes_srgb8() const { return strips && strips->takes_srgb8(); }
-    Sink& sink;
-    StripSink* strips;  ///< null: it takes whole pictures of linear colors
-};
-
-void deliver(const TileJob& job, std::size_t tile, TileScratch& s, const Taker& taker) {
-    const Window area = job.grid.pixels(tile);
-    const Window in_tile = {area.x - job.grid.origin_x(tile), area.y - job.grid.origin_y(tile), area.width,
-                            area.height};
-    const std::uint32_t channels = job.front.settings.channels;
-    if (channels & channel_depth)
-        for (float& key : s.depth) key = float(job.front.view.distance_of(double(key)));
-    std::vector<vec4> color;
-    Tile result{.area = area};
-    if (!job.to_srgb8) result.color = part(s.color, in_tile, color);
-    ChannelArrays copies;
-    for_each_channel(
-        [&](std::uint32_t bit, auto& to, const auto& whole, auto& copy) {
-            if (channels & bit) to = part(whole, in_tile, copy);
-        },
-        result, static_cast<const ChannelArrays&>(s), copies);
-    if (!job.to_srgb8) return taker.sink.tile(result);
-    std::vector<std::uint32_t> srgb8;
-    const bool is_in_sink = s.display.first != s.srgb8.data();
-    taker.strips->display_tile(result, is_in_sink ? std::span<const std::uint32_t>() : part(s.srgb8, in_tile, srgb8));
-}
-
 /// No triangles in any tile.
 Binned nothing(const TileGrid& grid) {
     Binned binned;
     binned.offsets.assign(grid.count() + 1, 0);
     binned.run_offsets = binned.offsets;
     return binned;
-}
-
-/// Seconds since the last lap, by the clock on the wall.
-class StageClock {
-public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now(), before = std::exchange(last_, now);
-        return std::chrono::duration<double>(now - before).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-/// Where the tile's display values are made: in the sink, if it has room for the whole tile.
-DisplayRows display_of(const TileJob& job, const Window& area, TileScratch& s, const Taker& taker) {
-    DisplayRows rows;
-    if (job.to_srgb8 && area.width == tile_size && area.height == tile_size) rows = taker.strips->display_rows(area);
-    return rows.first ? rows : DisplayRows{s.srgb8.data(), tile_size};
-}
-
-void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, const Taker& taker) {
-    StageClock clock;
-    scratch.display = display_of(job, job.grid.pixels(tile), scratch, taker);
-    const bool is_sampled = job.front.settings.samples > 1;
-    if (job.reach)
-        job.reach->in_square(job.front.view, job.grid.origin_x(tile), job.grid.origin_y(tile), tile_size,
-                             scratch.tile_lights);
-    if (is_sampled)
-        find_visible_samples(job, tile, scratch);
-    else
-        find_visible(job, tile, scratch);
-    scratch.times.visibility += clock.lap();
-    if (job.is_cancelled()) return;
-    if (job.shadow_texels) job.shadow_texels->take(job, tile, scratch);
-    bool blends = false;
-    if (is_sampled) {
-        shade_samples(job, tile, scratch);
-    } else {
-        blends = shade_opaque(job, tile, scratch);
-        if (job.front.settings.channels & channel_overdraw) count_overdraw(job, tile, scratch);
-    }
-    scratch.times.shading += clock.lap();
-    if (is_sampled) finish_samples(job, tile, scratch);
-    if (blends) blend_transparent(job, tile, scratch);
-    scratch.times.blending += clock.lap();
-    if (job.is_cancelled()) return;  // cut short
-    deliver(job, tile, scratch, taker);
-    scratch.times.delivery += clock.lap();
 }
 
 /// The row of tiles that a strip which begins with row `first` ends before, so that it has at most `rows` rows of
@@ -186,12 +94,13 @@ public:
     std::string name() const override { return "soft"; }
 
     EngineAbilities abilities() const override {
-        return {.channels = channels_all,
+        return {.channels = channels_all | channel_ambient_occlusion,
                 .samples = {1, 4, 8},
                 .visibility_methods = true,
                 .screen_interpolation = true,
                 .lines_and_points = true,
-                .shadows = true};
+                .shadows = true,
+                .ambient_occlusion = true};
     }
 
     void prepare(Scene scene, Context& context) override {
@@ -201,7 +110,7 @@ public:
         shadows_.forget();
         open_surfaces_.forget();
         list_ = cpu_shading::make_draw_list(std::move(scene), textures_, context);
-        cpu_shading::set_environment(list_.scene, environments_, list_.views, context);
+        cpu_shading::set_environment(list_.scene, environments_, false, list_.views, context);
     }
 
     const Scene& scene() const override { return list_.scene; }
@@ -237,7 +146,9 @@ public:
         front.stats.shadow_bytes = shadows_.bytes();
         ShadowTexels shadow_texels(grid);
         const LightReach reach(lights);
-        make_material_jobs(front, {.shadows = shadows_.data()});
+        const auto behind =
+            picture_behind({list_, view, settings, lights, shadows_.data(), *kernels_, *geometry_kernels_}, context);
+        make_material_jobs(front, {.shadows = shadows_.data(), .behind = behind ? behind->view() : nullptr});
         LightPoints points = light_points(front, binned, lights, *kernels_, std::move(points_), context);
         const Marks marks = make_marks(front, grid, context);
         front.stats.times.front_end = clock.lap();
@@ -245,11 +156,13 @@ public:
         const bool has_blended = std::any_of(list_.materials.begin(), list_.materials.end(),
                                              [](const DrawMaterial& m) { return m.factors.blend != 0; });
         const Taker taker(sink);
-        const double waited =
-            draw_tiles({front, binned, grid, lights, *kernels_, has_blended, points, taker.takes_srgb8(),
-                        (settings.channels & channel_uv1) != 0, &marks, &context,
-                        reach.is_worth_it() ? &reach : nullptr, shadows_.data() ? &shadow_texels : nullptr},
-                       taker, context, front.stats);
+        std::optional<AmbientOcclusion> occlusion;
+        if (settings.ambient_occlusion && settings.surfaces) occlusion.emplace(front, binned, grid, *kernels_, context);
+        const double waited = draw_tiles(
+            {front, binned, grid, lights, *kernels_, has_blended, points, taker.takes_srgb8(),
+             (settings.channels & channel_uv1) != 0, &marks, &context, reach.is_worth_it() ? &reach : nullptr,
+             shadows_.data() ? &shadow_texels : nullptr, occlusion ? &*occlusion : nullptr},
+            taker, occlusion, context, front.stats);
         sink.end_pass(0);
         front.stats.times.tiles = clock.lap() - waited;
         open_surfaces_.remark(list_, front.culled_by_side, settings.cull, wanted.cull == Cull::back, context);
@@ -265,7 +178,8 @@ public:
 
 private:
     /// @return [s] what the sink did with finished strips
-    double draw_tiles(const TileJob& job, const Taker& taker, Context& context, RenderStats& stats) {
+    double draw_tiles(const TileJob& job, const Taker& taker, std::optional<AmbientOcclusion>& occlusion,
+                      Context& context, RenderStats& stats) {
         std::atomic<std::uint64_t> covered{0}, shaded{0}, not_finite{0}, marked{0}, lit_pixels{0}, depth_passes{0},
             samples_covered{0};
         std::atomic<std::size_t> done{0};
@@ -291,11 +205,15 @@ private:
         for (int row = 0; row < job.grid.rows;) {
             const int end = strip_end(job.grid, row, at_once);
             const std::size_t first = job.grid.first_of_row(row);
+            const Window top = job.grid.pixels(first), bottom = job.grid.pixels(job.grid.first_of_row(end) - 1);
+            const int height = bottom.y + bottom.height - top.y;
+            StageClock clock;
+            if (occlusion) occlusion->draw_depths({job.grid.window.x, top.y, job.grid.window.width, height}, context);
+            stats.times.occlusion += clock.lap();
             context.parallel_for(job.grid.first_of_row(end) - first, [&](std::size_t i) { draw(first + i); });
             context.throw_if_cancelled();
-            StageClock clock;
-            const Window top = job.grid.pixels(first), bottom = job.grid.pixels(job.grid.first_of_row(end) - 1);
-            if (taker.strips) taker.strips->rows_done(top.y, bottom.y + bottom.height - top.y);
+            clock.lap();
+            if (taker.strips) taker.strips->rows_done(top.y, height);
             waited += clock.lap();
             row = end;
         }

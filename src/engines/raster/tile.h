@@ -17,7 +17,8 @@ namespace rakelight::raster {
 
 inline constexpr int tile_pixels = tile_size * tile_size;
 
-class ShadowTexels;  // shadow_texels.h
+class ShadowTexels;      // shadow_texels.h
+class AmbientOcclusion;  // occlusion.h
 
 /// Everything that stays the same for all tiles of a picture.
 struct TileJob {
@@ -33,10 +34,17 @@ struct TileJob {
     const Marks* marks = nullptr;       ///< lines and points; null: none
     const Context* context = nullptr;   ///< null: nobody cancels
     const LightReach* reach = nullptr;  ///< null: every pixel is lit by all lights; else `tile_lights` holds the tile's
-    ShadowTexels* shadow_texels = nullptr;  ///< null: no shadows
+    ShadowTexels* shadow_texels = nullptr;        ///< null: no shadows
+    const AmbientOcclusion* occlusion = nullptr;  ///< null: none
 
     /// Asked every few triangles; a tile that was cut short is not to be shown.
     bool is_cancelled() const { return context && context->cancelled(); }
+};
+
+/// AmbientOcclusion's: of the tile and a margin around, rows of its own strides.
+struct OcclusionScratch {
+    std::vector<float> raw, openness;
+    std::vector<float> batch;  ///< [tile_pixels + batch_padding] of the pixels of a job
 };
 
 struct SampleScratch;  // multisample.h
@@ -83,9 +91,10 @@ public:
     std::uint64_t covered = 0, shaded = 0, not_finite = 0, marked = 0;
     std::uint64_t samples_covered = 0;       ///< by something opaque
     std::shared_ptr<SampleScratch> samples;  ///< of multisampled pictures
-    StageTimes times;                        ///< of all tiles so far
-    std::uint64_t lit_pixels = 0;            ///< lighting was evaluated at
-    std::uint64_t depth_passes = 0;          ///< opaque and masked pixels that were nearer than what stood there
+    OcclusionScratch occlusion;
+    StageTimes times;                ///< of all tiles so far
+    std::uint64_t lit_pixels = 0;    ///< lighting was evaluated at
+    std::uint64_t depth_passes = 0;  ///< opaque and masked pixels that were nearer than what stood there
 
     TileScratch() {
         depth.resize(tile_pixels);

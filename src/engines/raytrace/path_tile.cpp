@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "engines/empty_pixel.h"
 #include "engines/raytrace/path_hits.h"
 #include "math/linear.h"
 
@@ -38,7 +39,7 @@ void lay_behind(const PathPicture& picture, int depth, PathScratch& s) {
     const TracePicture& trace = picture.trace;
     const bool has_picture = trace.list.views.environment != nullptr;
     const bool is_shown = has_picture && trace.list.scene.environment->is_background;
-    const vec4 plain = trace.settings.background;
+    const vec3 plain = light_of_background(trace.settings) * trace.settings.background.w;
     if (has_picture) find_sky_colors(trace, false, s);
     for (std::size_t i = 0; i < s.wave.count; ++i) {
         if (s.meetings[i].draw != no_index) continue;
@@ -55,10 +56,11 @@ void lay_behind(const PathPicture& picture, int depth, PathScratch& s) {
             add_light(weight * vec3{s.red[i], s.green[i], s.blue[i]} * share, depth <= 1, trace.settings, to);
             if (depth == 0) to.alpha = 1;
         } else if (has_met_none) {
-            to.alpha = plain.w;
-            add_light(plain.xyz() * plain.w, true, trace.settings, to);
+            const vec4 own = empty_pixel(trace.settings);
+            to.alpha = own.w;
+            add_light(own.xyz() * own.w, true, trace.settings, to);
         } else if (state.is_straight) {
-            add_light(weight * plain.xyz() * plain.w, depth <= 1, trace.settings, to);
+            add_light(weight * plain, depth <= 1, trace.settings, to);
         }
     }
 }

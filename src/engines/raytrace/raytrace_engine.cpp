@@ -84,7 +84,7 @@ public:
         list_ = {};  // what fails from here on leaves an empty scene
         try {
             cpu_shading::DrawList list = cpu_shading::make_draw_list(std::move(scene), textures_, context);
-            cpu_shading::set_environment(list.scene, environments_, list.views, context);
+            cpu_shading::set_environment(list.scene, environments_, true, list.views, context);
             rays_.set(list, context);
             list_ = std::move(list);
         } catch (...) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engines/empty_pixel.h"
+
 namespace rakelight::raytrace {
 namespace {
 
@@ -24,7 +26,7 @@ bool find_sky(const TracePicture& picture, WaveScratch& s) {
 
 /// What is behind everything that primary rays meet.
 void lay_background(const TracePicture& picture, TileScratch& s) {
-    const vec4 behind = picture.settings.background;
+    const vec4 behind = empty_pixel(picture.settings);
     const bool has_sky = find_sky(picture, s);
     s.covered.resize(s.wave.count);
     for (std::size_t i = 0; i < s.wave.count; ++i) {
@@ -37,10 +39,10 @@ void lay_background(const TracePicture& picture, TileScratch& s) {
 
 /// What the rays of a wave bring that meet nothing: the environment wherever there is one, else the background.
 void lay_surroundings(const TracePicture& picture, TileScratch& s) {
-    const vec4 behind = picture.settings.background;
+    const vec3 behind = light_of_background(picture.settings) * picture.settings.background.w;
     const bool has_sky = find_sky(picture, s);
     for (std::size_t i = 0; i < s.wave.count; ++i) {
-        const vec3 own = has_sky ? vec3{s.red[i], s.green[i], s.blue[i]} : behind.xyz() * behind.w;
+        const vec3 own = has_sky ? vec3{s.red[i], s.green[i], s.blue[i]} : behind;
         vec3& sum = s.sum[s.wave.pixel[i]];
         sum = sum + s.wave.weight[i] * own * s.rest[i];
     }
@@ -129,7 +131,7 @@ void make_primary(const TracePicture& picture, const Window& area, shading::Samp
 
 void trace_tile(const TracePicture& picture, const Window& area, const Context& context, TileScratch& s) {
     const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
-    s.color.assign(count, picture.settings.background);
+    s.color.assign(count, empty_pixel(picture.settings));
     const auto positions = shading::sample_positions(picture.settings.samples);
     if (!picture.settings.colors) {
         // data alone

@@ -13,7 +13,8 @@
 namespace rakelight::io::gltf {
 namespace {
 
-/// Extensions whose data is read, beside those of the material table. A file that requires another one is refused.
+/// Extensions whose data is read, beside those of the material table. A file that requires another one is refused, unless
+/// that is visual.
 constexpr std::array supported = std::to_array<std::string_view>(
     {"EXT_mesh_gpu_instancing", "EXT_meshopt_compression", "EXT_texture_webp", "KHR_draco_mesh_compression",
      "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness",
@@ -23,6 +24,19 @@ constexpr std::array supported = std::to_array<std::string_view>(
 constexpr std::array harmless =
     std::to_array<std::string_view>({"KHR_materials_variants", "KHR_xmp", "KHR_xmp_json_ld", "EXT_structural_metadata",
                                      "EXT_mesh_features", "AGI_articulations"});
+
+/// What names say behind their vendor: extensions of how things look or move. Without them there is a picture, which lacks
+/// something; without those of data (compression, geometry) there is none.
+constexpr std::array visual =
+    std::to_array<std::string_view>({"materials_", "lights_", "texture_", "environment", "animation_", "node_",
+                                     "camera_", "audio", "interactivity", "xmp"});
+
+bool is_visual(std::string_view name) {
+    const std::size_t vendor = name.find('_');
+    if (vendor == std::string_view::npos) return false;
+    const std::string_view word = name.substr(vendor + 1);
+    return std::any_of(visual.begin(), visual.end(), [word](std::string_view v) { return word.starts_with(v); });
+}
 
 template <class List>
 bool contains(const List& list, std::string_view name) {
@@ -90,18 +104,22 @@ void Document::check_version() const {
 }
 
 void Document::check_extensions() {
+    std::vector<std::string> without;  // of those that are required
     const Value required = root_.list("extensionsRequired");
     for (std::size_t i = 0; i < required.size(); ++i) {
         const std::string name = required.text_at(i);
-        if (!is_supported(name) && !contains(harmless, name))
-            throw Error(ErrorCode::bad_file,
-                        "the file requires the glTF extension " + one_line(name, 80) + ", which is not supported");
+        if (is_supported(name) || contains(harmless, name)) continue;
+        const std::string what =
+            "the file requires the glTF extension " + one_line(name, 80) + ", which is not supported";
+        if (!is_visual(name)) throw Error(ErrorCode::bad_file, what);
+        remark(Remark::warning, {}, what + ": pictures lack what it says");
+        without.push_back(name);
     }
     const Value used = root_.list("extensionsUsed");
     for (std::size_t i = 0; i < used.size(); ++i) {
         const std::string name = used.text_at(i);
         uses_quantization_ = uses_quantization_ || name == "KHR_mesh_quantization";
-        if (is_supported(name)) continue;
+        if (is_supported(name) || contains(without, name)) continue;
         remark(contains(harmless, name) ? Remark::note : Remark::dropped, {},
                "the glTF extension " + one_line(name, 80) + " is not supported; what it says is left out");
     }

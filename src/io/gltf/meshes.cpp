@@ -109,6 +109,10 @@ void Meshes::read_texcoords(VertexData& vertices, const Value& primitive, Mesh& 
         std::uint32_t set = max_texcoord_sets;
         if (name.size() == 10 && name.starts_with("TEXCOORD_") && name[9] >= '0' && name[9] <= '9')
             set = std::uint32_t(name[9] - '0');
+        if (name.starts_with('_')) {
+            vertices.read_array(name, result);
+            continue;
+        }
         if (set >= max_texcoord_sets) {
             document().remark(Remark::note, primitive.place(),
                               "the vertex attribute " + one_line(name, 40) + " is not used");

@@ -84,7 +84,7 @@ std::uint32_t NewData::accessor(std::vector<std::byte> data, std::uint32_t strid
 OrderedJson NewData::new_view(std::span<const std::byte> data, std::uint32_t stride, int target, std::size_t count) {
     OrderedJson json = {{"buffer", buffer_}, {"byteOffset", offset_ + bytes_.size()}, {"byteLength", data.size()}};
     if (stride != 0) json["byteStride"] = stride;
-    json["target"] = target;
+    if (target != 0) json["target"] = target;
     std::vector<std::byte> packed;
     if (!extension_.empty() && count > 0)
         packed = compress(data, data.size() / count, target == index_target, extension_, root_, json);
@@ -105,6 +105,16 @@ std::uint32_t NewData::directions(std::span<const float> numbers, std::uint32_t 
     if (type != ComponentType::f32) json["normalized"] = true;
     return accessor(stored_bytes(numbers, width, type, stride), stride == size ? 0 : stride, vertex_target,
                     std::move(json));
+}
+
+std::uint32_t NewData::numbers(std::span<const float> values, std::uint32_t width, bool bounds) {
+    OrderedJson json = {
+        {"componentType", int(ComponentType::f32)}, {"count", values.size() / width}, {"type", type_name(width)}};
+    if (bounds) {
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        json["min"] = {*low}, json["max"] = {*high};
+    }
+    return accessor(bytes_of(values), 0, 0, std::move(json));
 }
 
 std::uint32_t NewData::indices(std::span<const std::uint32_t> values, ComponentType least) {

@@ -30,6 +30,10 @@ public:
     /// again, all bytes as they are. `model` is the accessor that it replaces: its name, extras, min and max stay.
     std::uint32_t extended(const Elements& elements, std::span<const std::uint32_t> copied, const OrderedJson& model);
 
+    /// Numbers that are no vertex data: key times, key values, matrices. `width` 1, 3, 4 or 16 in each element.
+    /// @param bounds  min and max are written (key times must have them)
+    std::uint32_t numbers(std::span<const float> values, std::uint32_t width, bool bounds = false);
+
     /// What is added next is compressed by this extension (see save_meshopt.h), where that can be; "": not.
     void compress_as(std::string extension) { extension_ = std::move(extension); }
 

@@ -10,6 +10,7 @@
 #include "io/beside.h"
 #include "io/file.h"
 #include "io/gltf/container.h"
+#include "io/gltf/save_compact.h"
 
 namespace rakelight::io::gltf {
 namespace {
@@ -68,6 +69,8 @@ std::string relative_name(const std::string& uri) {
     return fs::path(name).lexically_normal().string();
 }
 
+}  // namespace
+
 std::string percent_encoded(const std::string& name) {
     constexpr const char* digits = "0123456789ABCDEF";
     std::string out;
@@ -82,6 +85,8 @@ std::string percent_encoded(const std::string& name) {
     }
     return out;
 }
+
+namespace {
 
 bool is_fallback(const OrderedJson& buffer) {
     for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
@@ -200,19 +205,20 @@ void OutputModel::copy_references(Context& context) const {
     copy_beside(files, output_, context);
 }
 
-void OutputModel::write(std::span<const std::byte> new_data, bool unchanged, Context& context) {
+void OutputModel::write(std::span<const std::byte> new_data, bool unchanged, bool keep_unused, Context& context) {
     copy_references(context);
     if (unchanged && !repacked_)
         write_file(output_, *document_.file());
     else if (is_glb_)
-        write_glb(new_data);
+        write_glb(new_data, keep_unused);
     else
         write_gltf(new_data, context);
 }
 
-void OutputModel::write_glb(std::span<const std::byte> new_data) const {
+void OutputModel::write_glb(std::span<const std::byte> new_data, bool keep_unused) const {
     std::vector<std::byte> binary = base_;
     add(binary, new_data);
+    if (!keep_unused) drop_dead_views(tree_, binary);
     if (!binary.empty())
         tree_["buffers"][0]["byteLength"] = binary.size();
     else if (tree_.contains("buffers") && tree_["buffers"].size() == 1)

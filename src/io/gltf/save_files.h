@@ -9,6 +9,9 @@
 
 namespace rakelight::io::gltf {
 
+/// A file's name as glTF refers to it (RFC 3986).
+std::string percent_encoded(const std::string& name);
+
 /// Where new data goes, and how the file is put together around it.
 class OutputModel {
 public:
@@ -20,14 +23,15 @@ public:
     std::span<std::byte> binary() { return base_; }        ///< its bytes so far, to be overwritten in part
     bool repacked() const { return repacked_; }  ///< the container is not the source's: nothing can be copied as it is
 
-    /// Writes everything, the model file last. `unchanged`: the source's bytes are the model file.
-    void write(std::span<const std::byte> new_data, bool unchanged, Context& context);
+    /// Writes everything, the model file last. `unchanged`: the source's bytes are the model file. `keep_unused`: of a GLB the
+    /// bytes of views that nothing refers to stay.
+    void write(std::span<const std::byte> new_data, bool unchanged, bool keep_unused, Context& context);
 
 private:
     void take_in_buffers(Buffers& buffers);
     std::string free_name(Context& context) const;
     void copy_references(Context& context) const;
-    void write_glb(std::span<const std::byte> new_data) const;
+    void write_glb(std::span<const std::byte> new_data, bool keep_unused) const;
     void write_gltf(std::span<const std::byte> new_data, Context& context);
     const Document& document_;
     OrderedJson& tree_;

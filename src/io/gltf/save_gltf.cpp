@@ -25,6 +25,7 @@ public:
         : before_(before),
           after_(after),
           context_(context),
+          keeps_unused_(options.keep_unused),
           document_(source, file, options.read, quiet_),
           tree_(parse_ordered(open_container(*file, source, quiet_).json)),
           buffers_(document_),
@@ -37,18 +38,18 @@ public:
         find_changes();
         OutputModel model(document_, buffers_, tree_, output);
         NewData data(tree_, model.buffer(), model.offset());
+        const AccessorUses uses_before(tree_);
         if (result_.changed) {
-            const AccessorUses uses(tree_);
-            OwnArrays own(tree_, uses, model.binary());
+            OwnArrays own(tree_, uses_before, model.binary());
             PrimitiveEditor editor(accessors_, storage_, tree_, data, own);
             for (const MeshVersion& version : versions_) edit(version, editor);
             drop_unused_extension();
-            say_what_is_unused(uses);
         } else {
             for (const MeshVersion& version : versions_) list(version, version.source_mesh);
         }
         context_.throw_if_cancelled();
-        model.write(data.bytes(), !result_.changed, context_);
+        model.write(data.bytes(), !result_.changed, keeps_unused_, context_);
+        if (result_.changed) say_what_is_unused(uses_before);
         return std::move(result_);
     }
 
@@ -188,6 +189,7 @@ private:
 
     const Scene &before_, &after_;
     Context& context_;
+    bool keeps_unused_;
     Context quiet_{{.threads = 1,
                     .max_memory = context_.memory().limit(),
                     .parent = &context_}};  // the remarks were made when the scene was read

@@ -19,7 +19,8 @@ namespace rakelight::io {
 struct GltfSaveOptions {
     ReadOptions read;
     bool keep_instances =
-        false;  ///< placements of one mesh go on sharing it: with the attributes of the first placement
+        false;                 ///< placements of one mesh go on sharing it: with the attributes of the first placement
+    bool keep_unused = false;  ///< GLB: bytes of views that nothing refers to stay
 };
 
 /// What was written for one primitive.

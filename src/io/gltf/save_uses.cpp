@@ -53,6 +53,24 @@ bool is_known_extension(std::string_view name) {
     return std::find(known.begin(), known.end(), name) != known.end();
 }
 
+/// Some object of the file holds an extension that is not known, whether or not the file lists it; without recursion.
+bool has_unlisted_extension(const OrderedJson& tree) {
+    std::vector<const OrderedJson*> waiting{&tree};
+    while (!waiting.empty()) {
+        const OrderedJson& at = *waiting.back();
+        waiting.pop_back();
+        if (!at.is_object() && !at.is_array()) continue;
+        for (const auto& [name, value] : at.items()) {
+            if (at.is_object() && name == "extras") continue;
+            if (at.is_object() && name == "extensions" && value.is_object())
+                for (const auto& [extension, unused] : value.items())
+                    if (!is_known_extension(extension)) return true;
+            waiting.push_back(&value);
+        }
+    }
+    return false;
+}
+
 std::uint32_t width_of(const OrderedJson& accessor) {
     static const std::map<std::string, std::uint32_t, std::less<>> widths = {
         {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}};
@@ -118,7 +136,8 @@ std::vector<bool> lone_views(const OrderedJson& tree) {
 
 }  // namespace
 
-AccessorUses::AccessorUses(const OrderedJson& tree) : counts_(list(tree, "accessors").size(), 0) {
+AccessorUses::AccessorUses(const OrderedJson& tree)
+    : counts_(list(tree, "accessors").size(), 0), are_all_known_(!has_unlisted_extension(tree)) {
     for (const OrderedJson& name : list(tree, "extensionsUsed"))
         are_all_known_ = are_all_known_ && name.is_string() && is_known_extension(name.get_ref<const std::string&>());
     for (const OrderedJson& mesh : list(tree, "meshes"))
@@ -242,6 +261,17 @@ bool OwnArrays::replace(OrderedJson& tree, std::size_t accessor, std::span<const
         json[name] = std::move(bounds);
     }
     return true;
+}
+
+std::optional<std::uint64_t> whole_number(const OrderedJson& owner, const char* name) { return whole(owner, name); }
+
+std::vector<bool> live_views(const OrderedJson& tree, const AccessorUses& uses) {
+    std::vector<bool> is_live = other_views(tree);
+    for (std::size_t a = 0; a < uses.accessors(); ++a) {
+        const auto view = whole(tree["accessors"][a], "bufferView");
+        if (view && *view < is_live.size() && uses.count(a) > 0) is_live[std::size_t(*view)] = true;
+    }
+    return is_live;
 }
 
 std::uint64_t unused_bytes(const OrderedJson& tree, const AccessorUses& before, const AccessorUses& now) {

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,6 +52,12 @@ private:
     std::vector<Array> arrays_;  ///< [accessors]
     std::span<std::byte> binary_;
 };
+
+/// A number of the file that is a count or an index; parts that are not drawn were never checked.
+std::optional<std::uint64_t> whole_number(const OrderedJson& owner, const char* name);
+
+/// [bufferViews] Whether anything refers to each: an accessor that is used, a sparse part, an image, compressed geometry.
+std::vector<bool> live_views(const OrderedJson& tree, const AccessorUses& uses);
 
 /// [bytes] in arrays that something referred to before, and nothing does now.
 std::uint64_t unused_bytes(const OrderedJson& tree, const AccessorUses& before, const AccessorUses& now);

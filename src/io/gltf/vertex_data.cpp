@@ -99,6 +99,29 @@ Block<vec4> VertexData::colors() {
     });
 }
 
+void VertexData::read_array(const std::string& name, Mesh& mesh) {
+    std::optional<Elements> found;
+    try {
+        found = elements(name, components(1) | components(2) | components(3) | components(4),
+                         float_or_small | unsigned_types);
+    } catch (const Error& error) {  // no picture needs them but one that asks for them
+        if (error.code() != ErrorCode::bad_file) throw;
+        return document().remark(Remark::dropped, primitive_.place(),
+                                 "the numbers " + one_line(name, 40) + " are left out: " + error.reason());
+    }
+    if (!found || found->count == 0) return;
+    const std::uint32_t accessor = attributes_.required_index(name.c_str());
+    const auto known = draco_ ? cache_.scalars.end() : cache_.scalars.find(accessor);
+    if (known != cache_.scalars.end()) {
+        mesh.arrays.push_back({name, found->components, known->second});
+        return;
+    }
+    MemoryCharge charge(document().context().memory(), found->count * found->components * sizeof(float), "vertex data");
+    Block<float> values(to_scalars(*found), std::move(charge));
+    if (!draco_) cache_.scalars.emplace(accessor, values);
+    mesh.arrays.push_back({name, found->components, std::move(values)});
+}
+
 double VertexData::position_step() {
     const char* const name = "POSITION";
     const Elements described =

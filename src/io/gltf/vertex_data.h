@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <rakelight/block.h>
+#include <rakelight/scene.h>
 
 #include "io/gltf/accessors.h"
 #include "io/gltf/draco.h"
@@ -18,6 +19,7 @@ struct BlockCache {
     std::map<std::uint32_t, Block<vec2>> vec2s;
     std::map<std::uint32_t, Block<vec3>> vec3s;
     std::map<std::uint32_t, Block<vec4>> tangents, colors;
+    std::map<std::uint32_t, Block<float>> scalars;  ///< of attributes of the application's own
 };
 
 /// The vertex arrays of one primitive.
@@ -32,7 +34,9 @@ public:
     Block<vec2> vec2s(const std::string& semantic);
     Block<vec3> vec3s(const std::string& semantic);
     Block<vec4> tangents();
-    Block<vec4> colors();    ///< linear RGBA; alpha 1 where the file has RGB
+    Block<vec4> colors();  ///< linear RGBA; alpha 1 where the file has RGB
+    /// An attribute of the application's own: its name begins with '_'. A broken one is left out with a remark.
+    void read_array(const std::string& name, Mesh& mesh);
     double position_step();  ///< Mesh::position_step of the primitive's POSITION
     /// An attribute of a morph target: [V] or empty.
     Block<vec3> offsets(const Value& target, const std::string& semantic);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "io/import/scene_from_import.h"
+#include "io/stray_vertices.h"
 #include "math/color.h"
 #include "math/linear.h"
 
@@ -50,21 +51,6 @@ std::vector<JointInfluence> influences_of(const Part& part) {
     return result;
 }
 
-/// Vertices a million times farther out than half of the others: what a flipped bit in an exponent looks like.
-bool has_stray_vertices(const std::vector<vec3>& positions) {
-    if (positions.size() < 8) return false;
-    std::vector<float> reach;
-    reach.reserve(positions.size());
-    for (const vec3& p : positions)
-        reach.push_back(std::fmax(std::fabs(p.x), std::fmax(std::fabs(p.y), std::fabs(p.z))));
-    std::erase_if(reach, [](float r) { return !std::isfinite(r); });
-    if (reach.empty()) return false;
-    const float largest = *std::max_element(reach.begin(), reach.end());
-    const auto middle = reach.begin() + std::ptrdiff_t(reach.size() / 2);
-    std::nth_element(reach.begin(), middle, reach.end());
-    return *middle > 0 && largest > *middle * 1e6f;
-}
-
 }  // namespace
 
 void detail::add_meshes(import_stream::Import& import, const std::string& path, Scene& scene, Context& context) {
@@ -78,9 +64,7 @@ void detail::add_meshes(import_stream::Import& import, const std::string& path, 
         mesh.topology = Topology(part.topology);
         mesh.material = part.surface;
         if (has_stray_vertices(part.positions))
-            context.report().add(
-                Remark::warning, path, "mesh '" + one_line(mesh.name, 60) + "'",
-                "some vertices lie a million times farther out than half of the others; the file is probably damaged");
+            context.report().add(Remark::warning, path, "mesh '" + one_line(mesh.name, 60) + "'", stray_vertices_text);
         const bool had_tangents = !part.tangents.empty();
         mesh.influences = block(influences_of(part));
         mesh.positions = block(std::move(part.positions));

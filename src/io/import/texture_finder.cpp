@@ -120,8 +120,11 @@ ImageHandle TextureTable::image(const TextureLink& link) {
     if (link.picture != nothing) return embedded(link.picture);
     if (const auto path = find_texture_file(model_, link.path, allow_outside_))
         return image_from_file(bare_name(*path), model_, *path);
-    context_.report().add(Remark::warning, model_, {},
-                          "texture '" + one_line(bare_name(link.path), 120) + "' was not found in the model's folder");
+    const std::string why = why_not_found(model_, link.path, "it is left out");
+    std::vector<std::string> settings;
+    if (why.find("'allow-outside'") != why.npos) settings.emplace_back("allow-outside");
+    context_.report().add(Remark::warning, model_, {}, "texture '" + one_line(link.path, 160) + "'" + why,
+                          std::move(settings));
     return nullptr;
 }
 

@@ -79,7 +79,7 @@ private:
 
 std::vector<NamedFile> material_files(std::string_view text, const std::string& model_path, const ReadOptions& options,
                                       Context& context) {
-    Context quiet({.threads = 1, .max_memory = context.memory().limit(), .parent = &context});
+    Context quiet({.threads = context.threads(), .max_memory = context.memory().limit(), .parent = &context});
     Remarks remarks(model_path);
     Collector collector(model_path, options, context);
     for (const std::string& argument : count_contents(text, remarks, quiet).libraries)

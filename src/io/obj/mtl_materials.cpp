@@ -8,6 +8,7 @@
 #include "io/file.h"
 #include "io/image_io.h"
 #include "io/obj/obj_lines.h"
+#include "io/plain_text.h"
 #include "math/color.h"
 #include "scene/scene_tools.h"
 
@@ -68,8 +69,11 @@ bool is_normal_map_name(const std::string& file) {
 }
 
 void MaterialLibrary::remark(Remark kind, const std::string& file, std::uint64_t line, std::string message) {
-    if (remarks_made_++ < most_remarks)
-        context_.report().add(kind, file, line ? "line " + std::to_string(line) : std::string(), std::move(message));
+    if (remarks_made_++ >= most_remarks) return;
+    std::vector<std::string> settings;
+    if (message.find("'allow-outside'") != message.npos) settings.emplace_back("allow-outside");
+    context_.report().add(kind, file, line ? "line " + std::to_string(line) : std::string(), std::move(message),
+                          std::move(settings));
 }
 
 void MaterialLibrary::finish() {
@@ -94,8 +98,8 @@ void MaterialLibrary::load(const std::string& argument) {
     for (const std::string& name : names)
         if (loaded_.size() < most_libraries && !load_file(name))
             remark(Remark::warning, model_path_, 0,
-                   "material file '" + one_line(ReferenceFinder::bare_name(name), 80) +
-                       "' is not in the model's folder; default materials stand for it");
+                   "material file '" + one_line(name, 160) + "'" +
+                       why_not_found(model_path_, name, "default materials stand for it"));
 }
 
 bool MaterialLibrary::load_file(const std::string& reference) {
@@ -115,7 +119,8 @@ bool MaterialLibrary::load_file(const std::string& reference) {
     }
     Remarks remarks(found->path);
     const File file{finder_.folder_of(found->path), found->path};
-    for (const MtlMaterial& m : read_mtl(text_of(bytes), remarks, context_)) add(m, file, remarks);
+    const PlainText text(text_of(bytes), found->path, context_);
+    for (const MtlMaterial& m : read_mtl(text.view(), remarks, context_)) add(m, file, remarks);
     remarks.flush(context_.report());
     return true;
 }
@@ -270,8 +275,9 @@ TextureUse MaterialLibrary::use(const MtlMap* map, const File& file) {
     const std::string name = one_line(ReferenceFinder::bare_name(map->file), 80);
     if (!found) {
         if (missing_.insert(map->file).second)
-            remark(Remark::warning, file.name, map->line,
-                   "texture '" + name + "' is not in the model's folder; it is left out");
+            remark(
+                Remark::warning, file.name, map->line,
+                "texture '" + one_line(map->file, 160) + "'" + why_not_found(model_path_, map->file, "it is left out"));
         return result;
     }
     ImageHandle& image = images_[found->path];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/obj/obj_lines.h"
 
+#include <array>
 #include <cstring>
 
 namespace rakelight::io::obj {
@@ -8,7 +9,16 @@ namespace {
 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0' || c == '\v' || c == '\f' || is_line_end(c); }
+/// What a byte is between words: 0 a part of one, 1 a blank, 2 the backslash that may join lines.
+constexpr std::array<unsigned char, 256> kinds = [] {
+    std::array<unsigned char, 256> k{};
+    for (const char c : {' ', '\t', '\0', '\v', '\f', '\n', '\r'}) k[static_cast<unsigned char>(c)] = 1;
+    k[static_cast<unsigned char>('\\')] = 2;
+    return k;
+}();
+
+unsigned kind_of(char c) { return kinds[static_cast<unsigned char>(c)]; }
+bool is_blank(char c) { return kind_of(c) == 1; }
 
 std::size_t find(std::string_view file, std::size_t from, char c) {
     const void* hit = from < file.size() ? std::memchr(file.data() + from, c, file.size() - from) : nullptr;
@@ -17,7 +27,23 @@ std::size_t find(std::string_view file, std::size_t from, char c) {
 
 /// A blank, or the backslash that joins two lines (at the end of the file: with nothing).
 bool is_gap(std::string_view file, std::size_t i, std::size_t end) {
-    return is_blank(file[i]) || (file[i] == '\\' && (i + 1 == end || is_line_end(file[i + 1])));
+    const unsigned kind = kind_of(file[i]);
+    return kind == 1 || (kind == 2 && (i + 1 == end || is_line_end(file[i + 1])));
+}
+
+std::size_t after_byte_order_mark(std::string_view file) { return file.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0; }
+
+/// Where a physical line ends that holds byte `at` and that no backslash joins to the next one: the first byte behind its line
+/// end.
+std::size_t logical_end(std::string_view file, std::size_t at) {
+    for (; at < file.size(); ++at) {
+        if (!is_line_end(file[at])) continue;
+        if (file[at] == '\r' && at + 1 < file.size() && file[at + 1] == '\n') ++at;
+        const bool is_crlf = file[at] == '\n' && at > 0 && file[at - 1] == '\r';
+        const std::size_t end = at - (is_crlf ? 1 : 0);  // of the line without what ends it
+        if (end == 0 || file[end - 1] != '\\') return at + 1;
+    }
+    return file.size();
 }
 
 }  // namespace
@@ -34,9 +60,20 @@ bool Tokens::next(Token& token) {
     return true;
 }
 
-LineReader::LineReader(std::string_view file) : file_(file) {
-    if (file_.substr(0, 3) == "\xEF\xBB\xBF") at_ = 3;
+std::vector<Chunk> chunks_of(std::string_view file, std::size_t bytes) {
+    std::vector<Chunk> chunks;
+    for (std::size_t begin = after_byte_order_mark(file); begin < file.size();) {
+        const std::size_t wanted = file.size() - begin <= bytes ? file.size() : begin + bytes;
+        chunks.push_back({begin, wanted < file.size() ? logical_end(file, wanted - 1) : wanted});
+        begin = chunks.back().end;
+    }
+    return chunks;
 }
+
+LineReader::LineReader(std::string_view file) : file_(file), at_(after_byte_order_mark(file)) {}
+
+LineReader::LineReader(std::string_view file, Chunk chunk, std::uint64_t first_line)
+    : file_(file.substr(0, chunk.end)), at_(chunk.begin), number_(first_line) {}
 
 // Both positions are remembered: a file of CR lines would otherwise be searched for LF to its end at every line.
 std::size_t LineReader::line_end(std::size_t from) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rakelight::io::obj {
 
@@ -34,19 +35,47 @@ public:
     bool next(Token& token);                ///< false when there are no more words
     std::size_t at() const { return at_; }  ///< where the next word is looked for
 
+    /// For what most lines hold, single blanks and words that end in one or at the line's end: calls take(first, end) with where
+    /// the next word begins, and goes on behind it where that knows the word's end. @return false: next() is to be asked
+    template <class Take>
+    bool next_plain(const Take& take) {
+        const char* const begin = file_.data() + at_;
+        const char* const end = file_.data() + end_;
+        const char* const first = begin != end && *begin == ' ' ? begin + 1 : begin;
+        const char* const behind = first != end ? take(first, end) : nullptr;
+        if (behind) at_ = std::size_t(behind - file_.data());
+        return behind != nullptr;
+    }
+
 private:
     std::string_view file_;
     std::size_t at_, end_;
 };
 
+/// A part of a file that holds whole logical lines: bytes [begin, end).
+struct Chunk {
+    std::size_t begin = 0, end = 0;
+};
+
+/// What chunks are about as long as. A constant: where they lie must not depend on threads. Small enough for what is made of
+/// one to stay in the L2 cache.
+inline constexpr std::size_t usual_chunk_bytes = 512 << 10;
+
+/// The file cut at ends of logical lines, each chunk at the first one that is `bytes` or more from its begin. A UTF-8 byte
+/// order mark is in no chunk. An empty file has none.
+std::vector<Chunk> chunks_of(std::string_view file, std::size_t bytes = usual_chunk_bytes);
+
 class LineReader {
 public:
     /// @param file  the whole file; a UTF-8 byte order mark is skipped (and is part of no line)
     explicit LineReader(std::string_view file);
-    bool next(Line& line);  ///< false at the end of the file
+    /// The lines of one chunk. @param first_line  the number of its first one
+    LineReader(std::string_view file, Chunk chunk, std::uint64_t first_line = 1);
+    bool next(Line& line);  ///< false at the end of the file, or chunk
     /// The words after the keyword.
     Tokens arguments(const Line& line) const { return {file_, line.keyword.end(), line.end}; }
-    bool saw_lone_cr() const { return saw_lone_cr_; }  ///< a line so far ended in CR alone (old Mac text)
+    bool saw_lone_cr() const { return saw_lone_cr_; }      ///< a line so far ended in CR alone (old Mac text)
+    std::uint64_t next_number() const { return number_; }  ///< of the line that next() gives next
 
 private:
     std::size_t line_end(std::size_t from);

@@ -2,7 +2,12 @@
 #include "io/obj/obj_meshes.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <mutex>
+
+#include "io/obj/parallel_ranges.h"
+#include "io/position_origin.h"
 
 namespace rakelight::io::obj {
 namespace {
@@ -16,129 +21,116 @@ MemoryCharge charge_for(std::size_t count, Context& context) {
 template <class T, class Of>
 Block<T> block_of(const std::vector<Corner>& corners, Context& context, const Of& of) {
     MemoryCharge charge = charge_for<T>(corners.size(), context);
-    std::vector<T> array;
-    array.reserve(corners.size());
-    for (const Corner& c : corners) array.push_back(of(c));
+    std::vector<T> array(corners.size());
+    parallel_ranges(corners.size(), context, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) array[i] = of(corners[i]);
+    });
     return {std::move(array), std::move(charge)};
 }
 
-/// A grown array without its spare room. What it has taken so far is given back by the caller.
+/// An array that was read. What it has taken so far is given back by the caller.
 template <class T>
-Block<T> fitted(std::vector<T>& array, Context& context) {
+Block<T> block_from(std::vector<T>& array, Context& context) {
     MemoryCharge charge = charge_for<T>(array.size(), context);
-    array.shrink_to_fit();
     return {std::move(array), std::move(charge)};
+}
+
+template <class Test>
+bool any_corner(const std::vector<Corner>& corners, Context& context, const Test& test) {
+    std::atomic<bool> found{false};
+    parallel_ranges(corners.size(), context, [&](std::size_t begin, std::size_t end) {
+        if (!found && std::any_of(corners.data() + begin, corners.data() + end, test)) found = true;
+    });
+    return found;
+}
+
+/// An entry of MeshNumbers::by_key_ and its share of the buckets.
+constexpr std::uint64_t table_bytes = sizeof(MeshKey) + 48;
+
+/// The box about positions, and the largest error of a coordinate as a float.
+struct Extent {
+    dvec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    double error = 0;
+
+    void add(const dvec3& p) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double x = p[axis];
+            if (!std::isfinite(x)) continue;
+            low[axis] = std::min(low[axis], x);
+            high[axis] = std::max(high[axis], x);
+            error = std::max(error, std::abs(double(float(x)) - x));
+        }
+    }
+    void add(const Extent& e) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], e.low[axis]);
+            high[axis] = std::max(high[axis], e.high[axis]);
+        }
+        error = std::max(error, e.error);
+    }
+};
+
+/// Of what the meshes use. Least and largest values: the order of the parts does not count.
+Extent extent_of(const std::vector<dvec3>& positions, const std::vector<ReadMesh>& meshes, Context& context) {
+    Extent all;
+    std::mutex mutex;
+    for (const ReadMesh& mesh : meshes)
+        parallel_ranges(mesh.corners.size(), context, [&](std::size_t begin, std::size_t end) {
+            Extent part;
+            for (std::size_t i = begin; i < end; ++i) part.add(positions[mesh.corners[i].position]);
+            const std::lock_guard lock(mutex);
+            all.add(part);
+        });
+    return all;
 }
 
 }  // namespace
 
-/// An entry of MeshSet::by_key_ and its share of the buckets.
-constexpr std::uint64_t table_bytes = sizeof(MeshKey) + 48;
-
-std::uint64_t hash_of(const Corner& c, HashKey key) {
-    return folded_product((std::uint64_t(c.position) << 32 | c.texcoord) ^ key.a, c.normal ^ key.b);
+std::uint64_t ReadMesh::bytes() const {
+    return corners.capacity() * sizeof(Corner) +
+           (indices.capacity() + smoothing.capacity() + polygons.capacity()) * sizeof(std::uint32_t);
 }
 
-std::uint32_t CornerTable::index_of(const Corner& corner, MemoryCharge& charge) {
-    if (2 * (corners_.size() + 1) > slots_.size()) grow(charge);
-    const std::size_t mask = slots_.size() - 1;
-    for (std::size_t slot = hash_of(corner, key_) & mask;; slot = (slot + 1) & mask) {
-        if (slots_[slot] == no_index) {
-            if (corners_.size() >= no_index - 1)
-                throw Error(ErrorCode::bad_file, "a mesh has more than 4294967294 vertices");
-            slots_[slot] = std::uint32_t(corners_.size());
-            push_charged(corners_, corner, charge);
-            return slots_[slot];
-        }
-        if (corners_[slots_[slot]] == corner) return slots_[slot];
-    }
-}
-
-void CornerTable::grow(MemoryCharge& charge) {
-    const std::size_t before = slots_.capacity(), size = std::max<std::size_t>(8, 2 * slots_.size());
-    charge.grow(size * sizeof(std::uint32_t), "the faces of an OBJ file");
-    slots_ = std::vector<std::uint32_t>(size, no_index);
-    charge.shrink(before * sizeof(std::uint32_t));
-    for (std::uint32_t i = 0; i < corners_.size(); ++i) {
-        std::size_t slot = hash_of(corners_[i], key_) & (size - 1);
-        while (slots_[slot] != no_index) slot = (slot + 1) & (size - 1);
-        slots_[slot] = i;
-    }
-}
-
-std::uint64_t CornerTable::bytes() const {
-    return corners_.capacity() * sizeof(Corner) + slots_.capacity() * sizeof(std::uint32_t);
-}
-
-std::uint64_t GrowingMesh::bytes() const {
-    return table.bytes() + (indices.capacity() + smoothing.capacity() + polygons.capacity()) * sizeof(std::uint32_t);
-}
-
-std::size_t CornerTable::longest_run() const {
-    std::size_t longest = 0, run = 0;
-    for (const std::uint32_t slot : slots_) longest = std::max(longest, run = slot == no_index ? 0 : run + 1);
-    return longest;
-}
-
-std::size_t MeshSet::Hash::operator()(const MeshKey& key) const {
+std::size_t MeshNumbers::Hash::operator()(const MeshKey& key) const {
     const std::uint64_t kind = std::uint64_t(key.topology) << 1 | std::uint64_t(key.has_normals);
     const HashKey secret = hash_key_of_this_run();
     return std::size_t(folded_product((std::uint64_t(key.object) << 32 | key.material) ^ secret.a, kind ^ secret.b));
 }
 
-GrowingMesh& MeshSet::mesh(const MeshKey& key, MemoryCharge& charge) {
-    if (last_ < meshes_.size() && meshes_[last_].key == key) return meshes_[last_];
-    const auto [entry, is_new] = by_key_.try_emplace(key, meshes_.size());
+std::size_t MeshNumbers::number_of(const MeshKey& key, std::vector<ReadMesh>& meshes, MemoryCharge& charge) {
+    if (last_ < meshes.size() && meshes[last_].key == key) return last_;
+    const auto [entry, is_new] = by_key_.try_emplace(key, meshes.size());
     if (is_new) {
         charge.grow(table_bytes, "the meshes of an OBJ file");
-        make_room(meshes_, charge);
-        meshes_.emplace_back();
-        meshes_.back().key = key;
+        make_room(meshes, charge);
+        meshes.emplace_back();
+        meshes.back().key = key;
     }
-    last_ = entry->second;
-    return meshes_[last_];
+    return last_ = entry->second;
 }
 
-dvec3 choose_origin(const std::vector<dvec3>& positions, const std::vector<GrowingMesh>& meshes) {
-    dvec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-    double error = 0;
-    for (const GrowingMesh& m : meshes)
-        for (const Corner& c : m.table.corners())
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const double x = positions[c.position][axis];
-                if (!std::isfinite(x)) continue;
-                low[axis] = std::min(low[axis], x);
-                high[axis] = std::max(high[axis], x);
-                error = std::max(error, std::abs(double(float(x)) - x));
-            }
-    dvec3 origin, extent;
-    for (std::size_t axis = 0; axis < 3; ++axis) extent[axis] = std::max(0.0, high[axis] - low[axis]);
-    const double diagonal = std::sqrt(extent.x * extent.x + extent.y * extent.y + extent.z * extent.z);
-    if (!(diagonal > 0) || error <= std::ldexp(diagonal, -22)) return origin;
-    int exponent = 0;
-    std::frexp(diagonal, &exponent);  // diagonal is in [2^(exponent - 1), 2^exponent)
-    const double unit = std::ldexp(1.0, exponent - 3);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        if (low[axis] <= high[axis]) origin[axis] = std::floor((low[axis] + high[axis]) / 2 / unit + 0.5) * unit;
-    return origin;
+dvec3 choose_origin(const std::vector<dvec3>& positions, const std::vector<ReadMesh>& meshes, Context& context) {
+    const Extent used = extent_of(positions, meshes, context);
+    return position_origin(used.low, used.high, used.error);
 }
 
-Mesh finish_mesh(GrowingMesh& growing, const VertexData& data, dvec3 origin, bool has_smoothing, Remarks& remarks,
-                 MemoryCharge& charge, Context& context) {
-    const std::vector<Corner>& corners = growing.table.corners();
-    const auto has = [&](auto&& test) { return std::any_of(corners.begin(), corners.end(), test); };
+Mesh finish_mesh(ReadMesh& read, const VertexData& data, dvec3 origin, Remarks& remarks, MemoryCharge& charge,
+                 Context& context) {
+    const std::vector<Corner>& corners = read.corners;
+    const auto has = [&](auto&& test) { return any_corner(corners, context, test); };
     const bool has_texcoords = has([](const Corner& c) { return c.texcoord != no_index; });
-    const bool has_colors = !data.colors.empty() && has([&](const Corner& c) { return data.has_color[c.position]; });
+    const bool has_colors =
+        !data.colors.empty() && has([&](const Corner& c) { return data.has_color[c.position] != 0; });
     Mesh mesh;
-    mesh.topology = growing.key.topology;
-    mesh.material = growing.key.material;
+    mesh.topology = read.key.topology;
+    mesh.material = read.key.material;
     mesh.origin = origin;
 
     mesh.positions = block_of<vec3>(corners, context, [&](const Corner& c) {
         const dvec3 p = data.positions[c.position];
         return vec3{float(p.x - origin.x), float(p.y - origin.y), float(p.z - origin.z)};
     });
-    if (growing.key.has_normals)
+    if (read.key.has_normals)
         mesh.normals = block_of<vec3>(corners, context, [&](const Corner& c) { return data.normals[c.normal]; });
     if (has_texcoords) {
         mesh.texcoords.push_back(block_of<vec2>(corners, context, [&](const Corner& c) {
@@ -148,20 +140,16 @@ Mesh finish_mesh(GrowingMesh& growing, const VertexData& data, dvec3 origin, boo
     }
     if (has_colors)
         mesh.colors = block_of<vec4>(corners, context, [&](const Corner& c) { return data.colors[c.position]; });
-    const std::size_t triangles = mesh.topology == Topology::triangles ? growing.indices.size() / 3 : 0;
-    if (!growing.polygons.empty())
-        for (std::size_t t = growing.polygons.size(); t < triangles; ++t)
-            push_charged(growing.polygons, std::uint32_t(t), charge);
-    const std::uint64_t held = growing.bytes();
-    mesh.indices = fitted(growing.indices, context);
-    if (has_smoothing && mesh.topology == Topology::triangles) {
-        mesh.smoothing = fitted(growing.smoothing, context);
+    const std::uint64_t held = read.bytes();
+    mesh.indices = block_from(read.indices, context);
+    if (!read.smoothing.empty()) {
+        mesh.smoothing = block_from(read.smoothing, context);
         mesh.smoothing_kind = SmoothingKind::numbers;
     }
-    if (!growing.polygons.empty()) mesh.polygons = fitted(growing.polygons, context);
-    const MeshKey key = growing.key;
-    growing = {};
-    growing.key = key;
+    if (!read.polygons.empty()) mesh.polygons = block_from(read.polygons, context);
+    const MeshKey key = read.key;
+    read = {};
+    read.key = key;
     charge.shrink(held);
     return mesh;
 }

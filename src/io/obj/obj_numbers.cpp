@@ -34,7 +34,57 @@ bool is_overflow(std::string_view text) {
     return magnitude + exponent > 0;
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Where a word surely ends. Other blanks, and a backslash that joins lines, are left to Tokens.
+bool is_behind_word(const char* at, const char* end) { return at == end || *at == ' '; }
+
+/// Up to nine digits, or none. @return behind them; null: there are more
+const char* take_digits(const char* at, const char* end, std::uint32_t& number) {
+    const char* const begin = at;
+    number = 0;
+    for (; at != end && is_digit(*at); ++at) number = number * 10 + std::uint32_t(*at - '0');
+    return at - begin <= 9 ? at : nullptr;
+}
+
 }  // namespace
+
+const char* take_plain_number(const char* at, const char* end, double& value) {
+    static constexpr double powers[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                        1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    const bool is_negative = at != end && *at == '-';
+    at += is_negative;
+    const char* const begin = at;
+    std::uint64_t digits = 0;
+    for (; at != end && is_digit(*at); ++at) digits = digits * 10 + std::uint64_t(*at - '0');
+    std::ptrdiff_t count = at - begin, behind = 0;
+    if (at != end && *at == '.') {
+        const char* const point = at++;
+        for (; at != end && is_digit(*at); ++at) digits = digits * 10 + std::uint64_t(*at - '0');
+        behind = at - point - 1;
+        count += behind;
+    }
+    if (count < 1 || count > 15 || !is_behind_word(at, end)) return nullptr;
+    value = double(digits) / powers[behind];
+    if (is_negative) value = -value;
+    return at;
+}
+
+const char* take_plain_corner(const char* at, const char* end, FaceToken& token) {
+    std::uint32_t number = 0;
+    const char* digits = take_digits(at, end, number);
+    if (!digits || digits == at) return nullptr;
+    token.position = number;
+    token.texcoord.reset(), token.normal.reset();
+    for (std::optional<std::int64_t>* const part : {&token.texcoord, &token.normal}) {
+        if (digits == end || *digits != '/') break;
+        at = digits + 1;
+        digits = take_digits(at, end, number);
+        if (!digits) return nullptr;
+        if (digits != at) *part = number;
+    }
+    return is_behind_word(digits, end) ? digits : nullptr;
+}
 
 std::optional<double> parse_number(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
@@ -54,6 +104,8 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
 }
 
 std::optional<FaceToken> parse_face_token(std::string_view text) {
+    FaceToken token;
+    if (take_plain_corner(text.data(), text.data() + text.size(), token) == text.data() + text.size()) return token;
     std::array<std::string_view, 3> parts;
     std::size_t count = 0;
     for (;;) {
@@ -63,7 +115,7 @@ std::optional<FaceToken> parse_face_token(std::string_view text) {
         if (slash == std::string_view::npos) break;
         text.remove_prefix(slash + 1);
     }
-    FaceToken token;
+    token = {};
     const auto position = parse_integer(parts[0]);
     if (!position) return std::nullopt;
     token.position = *position;

@@ -55,10 +55,18 @@ enum class Issue : std::uint8_t {
 /// Counts issues of one file; flush() puts them into the report, one remark a kind with the first line in its place.
 class Remarks {
 public:
+    Remarks() = default;  ///< to be appended to others
     explicit Remarks(std::string file) : file_(std::move(file)) {}
     void add(Issue issue, std::uint64_t line) {
         Tally& t = tallies_[std::size_t(issue)];
         if (t.count++ == 0) t.first_line = line;
+    }
+    /// What was counted in lines after those of this one.
+    void append(const Remarks& later) {
+        for (std::size_t i = 0; i < tallies_.size(); ++i) {
+            if (tallies_[i].count == 0) tallies_[i].first_line = later.tallies_[i].first_line;
+            tallies_[i].count += later.tallies_[i].count;
+        }
     }
     std::uint64_t count(Issue issue) const { return tallies_[std::size_t(issue)].count; }
     void flush(Report& report);

@@ -2,12 +2,14 @@
 #include "io/obj/obj_vertices.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
-#include "base/name_table.h"
 #include "io/obj/obj_lines.h"
 #include "io/obj/obj_numbers.h"
+#include "io/obj/parallel_ranges.h"
 #include "math/color.h"
 
 namespace rakelight::io::obj {
@@ -25,7 +27,15 @@ struct Numbers {
 
 Numbers read_numbers(Tokens words, std::uint64_t line, Remarks& remarks) {
     Numbers numbers;
-    for (Token word; numbers.count < Numbers::most && words.next(word);) {
+    const auto take = [&](const char* at, const char* end) {
+        return take_plain_number(at, end, numbers.values[numbers.count]);
+    };
+    for (Token word; numbers.count < Numbers::most;) {
+        if (words.next_plain(take)) {
+            ++numbers.count;
+            continue;
+        }
+        if (!words.next(word)) break;
         const auto value = parse_number(word.text);
         if (!value) remarks.add(Issue::bad_number, line);
         numbers.values[numbers.count++] = value.value_or(nan);
@@ -40,16 +50,67 @@ double coordinate(const Numbers& n, int i, bool& is_bad) {
     return nan;
 }
 
-class VertexReader {
+/// What is known of the colors only when all were read.
+struct ColorRange {
+    float largest = 0;
+    std::uint64_t first_large = std::numeric_limits<std::uint64_t>::max();  ///< line
+};
+
+/// The arrays that all chunks fill, each its own part.
+class VertexArrays {
 public:
-    VertexReader(const Contents& contents, Remarks& remarks, MemoryBudget& memory)
-        : contents_(contents), remarks_(remarks) {
-        data_.charge = MemoryCharge(memory);
-        reserve(data_.positions, contents.positions, "the vertices of an OBJ file");
-        reserve(data_.texcoords, contents.texcoords, "the texture coordinates of an OBJ file");
-        reserve(data_.normals, contents.normals, "the normals of an OBJ file");
+    VertexArrays(const Contents& contents, MemoryBudget& memory) {
+        data.charge = MemoryCharge(memory);
+        make(data.positions, contents.positions, "the vertices of an OBJ file");
+        make(data.texcoords, contents.texcoords, "the texture coordinates of an OBJ file");
+        make(data.normals, contents.normals, "the normals of an OBJ file");
     }
 
+    void make_colors() {
+        const std::lock_guard lock(mutex_);
+        if (!data.colors.empty()) return;
+        data.charge.grow(data.positions.size() * (sizeof(vec4) + 1), "the vertex colors of an OBJ file");
+        data.has_color.resize(data.positions.size());
+        data.colors.resize(data.positions.size(), {1, 1, 1, 1});
+    }
+
+    VertexData data;
+
+private:
+    template <class T>
+    void make(std::vector<T>& array, std::uint64_t count, const char* what) {
+        data.charge.grow(count * sizeof(T), what);  // counts are below 2^32
+        array.resize(std::size_t(count));
+    }
+    std::mutex mutex_;
+};
+
+/// Reads the v, vt and vn lines of one chunk.
+class ChunkVertices {
+public:
+    ChunkVertices(const ChunkContents& chunk, VertexArrays& arrays, Remarks& remarks, ColorRange& range)
+        : arrays_(arrays),
+          data_(arrays.data),
+          remarks_(remarks),
+          range_(range),
+          positions_(std::size_t(chunk.positions_before)),
+          texcoords_(std::size_t(chunk.texcoords_before)),
+          normals_(std::size_t(chunk.normals_before)) {}
+
+    void read(LineReader lines, Context& context) {
+        for (Line line; lines.next(line);) {
+            if (line.number % lines_between_checks == 0) context.throw_if_cancelled();
+            const std::string_view key = line.keyword.text;
+            if (key == "v")
+                position(read_numbers(lines.arguments(line), line.number, remarks_), line.number);
+            else if (key == "vt")
+                texcoord(read_numbers(lines.arguments(line), line.number, remarks_), line.number);
+            else if (key == "vn")
+                normal(read_numbers(lines.arguments(line), line.number, remarks_), line.number);
+        }
+    }
+
+private:
     void position(const Numbers& n, std::uint64_t line) {
         bool is_bad = false;
         const dvec3 p{coordinate(n, 0, is_bad), coordinate(n, 1, is_bad), coordinate(n, 2, is_bad)};
@@ -57,10 +118,11 @@ public:
             remarks_.add(Issue::missing_numbers, line);
         else if (is_bad)
             remarks_.add(Issue::not_finite, line);
-        data_.positions.push_back(p);
+        data_.positions[positions_] = p;
         if (n.count >= 6) color(n, line);
         if (n.count == 4 && n.values[3] != 1) remarks_.add(Issue::weight, line);
         if (n.count == 5 || n.count > 7) remarks_.add(Issue::extra_numbers, line);
+        ++positions_;
     }
 
     void texcoord(const Numbers& n, std::uint64_t line) {
@@ -70,132 +132,80 @@ public:
             remarks_.add(Issue::bad_texcoord, line);
             uv = {};
         }
-        data_.texcoords.push_back(uv);
+        data_.texcoords[texcoords_++] = uv;
     }
 
     void normal(const Numbers& n, std::uint64_t line) {
         bool is_bad = false;
         const dvec3 v{coordinate(n, 0, is_bad), coordinate(n, 1, is_bad), coordinate(n, 2, is_bad)};
         const double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);  // coordinates fit in float: no overflow
-        if (is_bad || !(length > 1e-30)) {
-            remarks_.add(Issue::bad_normal, line);
-            data_.normals.push_back({});
-        } else {
-            data_.normals.push_back({float(v.x / length), float(v.y / length), float(v.z / length)});
-        }
-    }
-
-    VertexData take() {
-        finish_colors();
-        return std::move(data_);
-    }
-
-private:
-    template <class T>
-    void reserve(std::vector<T>& array, std::uint64_t count, const char* what) {
-        data_.charge.grow(count * sizeof(T), what);  // counts are below 2^32
-        array.reserve(std::size_t(count));
+        const bool is_unusable = is_bad || !(length > 1e-30);
+        if (is_unusable) remarks_.add(Issue::bad_normal, line);
+        data_.normals[normals_++] =
+            is_unusable ? vec3{} : vec3{float(v.x / length), float(v.y / length), float(v.z / length)};
     }
 
     void color(const Numbers& n, std::uint64_t line) {
-        if (data_.colors.empty()) {
-            data_.charge.grow(contents_.positions * (sizeof(vec4) + 1), "the vertex colors of an OBJ file");
-            data_.colors.resize(std::size_t(contents_.positions), {1, 1, 1, 1});
-            data_.has_color.resize(std::size_t(contents_.positions));
-        }
+        if (!has_colors_) arrays_.make_colors();
+        has_colors_ = true;
         vec4 c{float(n.values[3]), float(n.values[4]), float(n.values[5]), n.count > 6 ? float(n.values[6]) : 1};
         if (!std::isfinite(c.x) || !std::isfinite(c.y) || !std::isfinite(c.z) || !std::isfinite(c.w)) {
             remarks_.add(Issue::bad_color, line);
             c = {1, 1, 1, 1};
         }
-        largest_color_ = std::max({largest_color_, c.x, c.y, c.z});
-        if (c.x > 1 || c.y > 1 || c.z > 1) first_large_color_ = std::min(first_large_color_, line);
-        data_.colors[data_.positions.size() - 1] = c;
-        data_.has_color[data_.positions.size() - 1] = true;
+        range_.largest = std::max({range_.largest, c.x, c.y, c.z});
+        if (c.x > 1 || c.y > 1 || c.z > 1) range_.first_large = std::min(range_.first_large, line);
+        data_.colors[positions_] = c;
+        data_.has_color[positions_] = 1;
     }
 
-    // Display values 0..1 become linear. Some scanners write 0..255: then all of the file's colors are.
-    void finish_colors() {
-        const bool are_bytes = largest_color_ > 1;
-        if (are_bytes) remarks_.add(Issue::bytes_as_colors, first_large_color_);
-        const float scale = are_bytes ? 1.0f / 255 : 1.0f;
-        for (std::size_t i = 0; i < data_.colors.size(); ++i) {
-            if (!data_.has_color[i]) continue;
-            vec4& c = data_.colors[i];
+    VertexArrays& arrays_;
+    VertexData& data_;
+    Remarks& remarks_;
+    ColorRange& range_;
+    std::size_t positions_, texcoords_, normals_;  ///< where the next one goes
+    bool has_colors_ = false;                      ///< the arrays are there
+};
+
+// Display values 0..1 become linear. Some scanners write 0..255: then all of the file's colors are.
+void finish_colors(VertexData& data, const ColorRange& range, Remarks& remarks, Context& context) {
+    const bool are_bytes = range.largest > 1;
+    if (are_bytes) remarks.add(Issue::bytes_as_colors, range.first_large);
+    const float scale = are_bytes ? 1.0f / 255 : 1.0f;
+    parallel_ranges(data.colors.size(), context, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!data.has_color[i]) continue;
+            vec4& c = data.colors[i];
             const vec3 linear = linear_from_srgb(vec3{c.x * scale, c.y * scale, c.z * scale});
             c = {linear.x, linear.y, linear.z, std::clamp(c.w > 1 ? c.w * scale : c.w, 0.0f, 1.0f)};
         }
-    }
-
-    const Contents& contents_;
-    Remarks& remarks_;
-    VertexData data_;
-    float largest_color_ = 0;
-    std::uint64_t first_large_color_ = std::numeric_limits<std::uint64_t>::max();
-};
-
-void check_text(std::string_view file, Remarks& remarks) {
-    const std::string_view mark = file.substr(0, 2);
-    if (mark == "\xFF\xFE" || mark == "\xFE\xFF")
-        throw Error(ErrorCode::bad_file, "the text is UTF-16, which OBJ does not allow", {},
-                    "save it as UTF-8 or ASCII");
-    const std::size_t nul = file.find('\0');
-    if (nul == std::string_view::npos) return;
-    const auto line = 1 + std::count(file.begin(), file.begin() + std::ptrdiff_t(nul), '\n');
-    remarks.add(Issue::nul_bytes, std::uint64_t(line));
+    });
 }
 
 }  // namespace
 
-Contents count_contents(std::string_view file, Remarks& remarks, Context& context) {
-    check_text(file, remarks);
-    Contents contents;
-    NameSet libraries;
-    LineReader lines(file);
-    for (Line line; lines.next(line);) {
-        if (line.number % lines_between_checks == 0) context.throw_if_cancelled();
-        const std::string_view key = line.keyword.text;
-        if (key == "v")
-            ++contents.positions;
-        else if (key == "vt")
-            ++contents.texcoords;
-        else if (key == "vn")
-            ++contents.normals;
-        else if (key == "f" || key == "fo" || key == "l" || key == "p")
-            ++contents.elements;
-        else if (key == "o")
-            contents.has_objects = true;
-        else if (key == "s")
-            contents.has_smoothing = true;
-        else if (key == "mtllib") {
-            std::string name = name_text(file, line.keyword.end(), line.end);
-            if (!name.empty() && libraries.insert(name).second) contents.libraries.push_back(std::move(name));
-        }
-        if (lines.saw_lone_cr() && remarks.count(Issue::lone_cr) == 0) remarks.add(Issue::lone_cr, line.number);
-    }
-    const std::uint64_t most = std::max({contents.positions, contents.texcoords, contents.normals});
-    if (most >= std::numeric_limits<std::uint32_t>::max())
-        throw Error(ErrorCode::bad_file, "more than 4294967294 vertices are not supported");
-    return contents;
-}
-
 VertexData read_vertices(std::string_view file, const Contents& contents, Remarks& remarks, Context& context) {
-    VertexReader reader(contents, remarks, context.memory());
-    LineReader lines(file);
-    for (Line line; lines.next(line);) {
-        if (line.number % lines_between_checks == 0) {
-            context.throw_if_cancelled();
-            context.progress("load", 0.4 * double(line.begin) / double(file.size()));
-        }
-        const std::string_view key = line.keyword.text;
-        if (key == "v")
-            reader.position(read_numbers(lines.arguments(line), line.number, remarks), line.number);
-        else if (key == "vt")
-            reader.texcoord(read_numbers(lines.arguments(line), line.number, remarks), line.number);
-        else if (key == "vn")
-            reader.normal(read_numbers(lines.arguments(line), line.number, remarks), line.number);
+    VertexArrays arrays(contents, context.memory());
+    std::vector<const ChunkContents*> chunks;
+    for (const ChunkContents& chunk : contents.chunks)
+        if (chunk.has_vertices()) chunks.push_back(&chunk);
+    std::vector<Remarks> found(chunks.size());
+    std::vector<ColorRange> ranges(chunks.size());
+    std::atomic<std::size_t> done{0};
+    context.parallel_for(chunks.size(), [&](std::size_t i) {
+        const ChunkContents& chunk = *chunks[i];
+        ChunkVertices(chunk, arrays, found[i], ranges[i])
+            .read(LineReader(file, chunk.chunk, chunk.first_line), context);
+        context.progress("load", 0.4 * double(++done) / double(chunks.size()));
+    });
+    ColorRange range;
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+        remarks.append(found[i]);
+        range.largest = std::max(range.largest, ranges[i].largest);
+        range.first_large = std::min(range.first_large, ranges[i].first_large);
     }
-    return reader.take();
+    finish_colors(arrays.data, range, remarks, context);
+    return std::move(arrays.data);
 }
 
 }  // namespace rakelight::io::obj

@@ -16,6 +16,9 @@ enum class PolygonCut : std::uint8_t {
     complex,     ///< the work bound was reached: the rest is a fan
 };
 
+/// What a corner of a polygon takes while it is cut, with its position and its triangles: check it before triangulate().
+inline constexpr std::uint64_t polygon_bytes = 120;
+
 /// Cuts a polygon into n - 2 triangles that keep its winding, in the plane of its best-fitting (Newell) normal:
 /// strictly convex ones as a fan from the first corner, others by ear clipping (Meisters 1975, "Polygons Have Ears")
 /// with a grid over the corners that are not convex. Exact for coordinates that double holds exactly up to products; no

@@ -1,239 +1,237 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/obj/rewrite_normals.h"
 
+#include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
+#include <cstring>
 #include <filesystem>
-#include <unordered_map>
+#include <memory>
 
-#include "base/hash_key.h"
 #include "io/beside.h"
 #include "io/file.h"
+#include "io/obj/kept_obj.h"
 #include "io/obj/material_files.h"
 #include "io/obj/mtl_materials.h"
-#include "io/obj/obj_faces.h"
-#include "io/obj/obj_lines.h"
+#include "io/obj/new_normals.h"
 #include "io/obj/obj_numbers.h"
-#include "io/obj/obj_vertices.h"
-#include "io/same_attributes.h"
+#include "io/obj/text_buffer.h"
 
 namespace rakelight::io {
 namespace obj {
 namespace {
 
-/// The normals of one object, each once.
-class NormalBlock {
-public:
-    std::uint32_t number_of(vec3 n) {
-        const std::array key{std::bit_cast<std::uint32_t>(n.x), std::bit_cast<std::uint32_t>(n.y),
-                             std::bit_cast<std::uint32_t>(n.z)};
-        const auto [entry, is_new] = numbers_.try_emplace(key, std::uint32_t(normals_.size()));
-        if (is_new) normals_.push_back(n);
-        return entry->second;
-    }
-    const std::vector<vec3>& normals() const { return normals_; }
-    std::size_t at = 0;       ///< where in the file its lines go: the first byte of a line
-    std::uint64_t first = 0;  ///< normals in the blocks before
+/// As the reader keeps it, of a file that was read without.
+std::shared_ptr<const KeptObj> read_again(const std::string& path, const ReadOptions& options, Context& context,
+                                          std::size_t chunk_bytes) {
+    const auto file = std::make_shared<KeptObj>();
+    file->bytes = read_file(path, context);
+    file->text = std::make_shared<const PlainText>(
+        std::string_view(reinterpret_cast<const char*>(file->bytes->data()), file->bytes->size()), path, context);
+    const std::string_view text = file->text->view();
+    Remarks remarks(path);  // made when the scene was read
+    file->contents = count_contents(text, remarks, context, chunk_bytes);
+    if (file->contents.elements == 0) return file;
+    Scene scratch;  // the library tells names of one material apart as the reader did
+    MaterialLibrary library(scratch, path, options.allow_outside, context);
+    for (const std::string& argument : file->contents.libraries) library.load(argument);
+    file->data = read_vertices(text, file->contents, remarks, context);
+    const FindMaterial find = [&](const std::string& name, std::uint64_t line) { return library.find(name, line); };
+    const std::string stem = std::filesystem::path(path).stem().string();
+    file->elements = read_elements(text, file->contents, file->data, stem, find, remarks, context, true);
+    return file;
+}
 
-private:
-    struct Hash {
-        std::size_t operator()(const std::array<std::uint32_t, 3>& k) const {
-            const HashKey key = hash_key_of_this_run();
-            return std::size_t(folded_product((std::uint64_t(k[0]) << 32 | k[1]) ^ key.a, k[2] ^ key.b));
+/// A piece of the new file: lines of the old one, or normals of a block.
+struct Piece {
+    std::size_t chunk = 0;               ///< that the lines stand in
+    Chunk text;                          ///< the lines
+    std::uint64_t written = 0;           ///< normals before it in the new file
+    const NormalBlock* block = nullptr;  ///< null: lines
+    std::size_t first = 0, count = 0;    ///< of the block's normals
+};
+
+/// The pieces in the order of the file.
+std::vector<Piece> pieces_of(const Contents& contents, const NewNormals& normals) {
+    constexpr std::size_t normals_a_piece = 1 << 14;
+    std::vector<Piece> pieces;
+    std::uint64_t written = 0;
+    std::size_t next = 0;
+    for (std::size_t c = 0; c < contents.chunks.size(); ++c) {
+        Chunk rest = contents.chunks[c].chunk;
+        for (; next < normals.write_order.size(); ++next) {
+            const NormalBlock& block = normals.blocks[normals.write_order[next]];
+            if (block.at >= rest.end) break;
+            pieces.push_back({c, {rest.begin, block.at}, written});
+            for (std::size_t first = 0; first < block.normals.size(); first += normals_a_piece)
+                pieces.push_back(
+                    {c, {}, written, &block, first, std::min(normals_a_piece, block.normals.size() - first)});
+            written += block.normals.size();
+            rest.begin = block.at;
         }
-    };
-    std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, Hash> numbers_;
-    std::vector<vec3> normals_;
-};
+        pieces.push_back({c, rest, written});
+    }
+    return pieces;
+}
 
-/// A face that gets normals: its line and the numbers of its corners' normals in the block of its object.
-struct FaceNormals {
-    std::size_t line_begin = 0, first_corner = 0;
-    std::uint32_t object = 0, corners = 0;
-};
+void write_normals(const Piece& piece, std::string_view line_end, TextBuffer& out) {
+    constexpr std::size_t most_digits = 16;  // "-1.17549435e-38"
+    for (std::size_t i = piece.first; i < piece.first + piece.count; ++i) {
+        const vec3 n = piece.block->normals[i].normal();
+        char* at = out.room(2 + 3 * (most_digits + 1) + line_end.size());
+        *at++ = 'v', *at++ = 'n';
+        for (const float x : {n.x, n.y, n.z}) {
+            *at++ = ' ';
+            at = std::to_chars(at, at + most_digits, x).ptr;
+        }
+        std::memcpy(at, line_end.data(), line_end.size());
+        out.end_at(at + line_end.size());
+    }
+}
 
-class Rewriter {
+/// Writes lines of one chunk with the new normals.
+class LineWriter {
 public:
-    Rewriter(std::string_view text, const std::string& path, const ReadOptions& options, const Scene& after,
-             Context& context)
-        : text_(text), path_(path), after_(after), context_(context) {
-        quiet_.memory().note_read(text.size());
-        Remarks remarks(path);
-        const Contents contents = count_contents(text, remarks, quiet_);
-        Scene scratch;  // the library tells names of one material apart as the reader did
-        MaterialLibrary library(scratch, path, options.allow_outside, quiet_);
-        for (const std::string& argument : contents.libraries) library.load(argument);
-        data_ = read_vertices(text, contents, remarks, quiet_);
-        const FindMaterial find = [&](const std::string& name, std::uint64_t line) { return library.find(name, line); };
-        const std::string stem = std::filesystem::path(path).stem().string();
-        Elements elements =
-            read_elements(text, contents, data_, stem, find, remarks, quiet_, [this](const ReadFace& f) { keep(f); });
-        if (elements.meshes.meshes().size() != after.meshes.size())
-            throw Error(ErrorCode::failed, "the file changed while it was worked on");
-        blocks_.resize(elements.objects.size());
-        choose_normals(elements.meshes.meshes());
-        place_blocks();
+    LineWriter(std::string_view text, const Piece& piece, const KeptObj& file, const NewNormals& normals,
+               TextBuffer& out)
+        : text_(text),
+          piece_(piece),
+          faces_(file.elements.chunks[piece.chunk].faces),
+          chunk_(normals.chunks[piece.chunk]),
+          blocks_(normals.blocks),
+          out_(out) {
+        for (; face_ < faces_.size() && faces_[face_].line_begin < piece.text.begin; ++face_)
+            corner_ += faces_[face_].corners;
     }
 
-    bool is_changed() const { return is_changed_; }
-
-    std::string rewritten() {
-        LineReader lines(text_);
-        std::size_t block = 0, face = 0;
+    /// @return references to normals that were removed
+    std::uint64_t write(const Context& context) {
+        std::size_t kept = piece_.text.begin;  // from here on nothing was written
+        const auto keep_up_to = [&](std::size_t end) { out_.append(text_.substr(kept, end - kept)); };
+        LineReader lines(text_, piece_.text);
         for (Line line; lines.next(line);) {
-            if (line.number % 65536 == 0) context_.throw_if_cancelled();
-            if (line.number == 1) begin_output(line);
-            for (; block < write_order_.size() && write_order_[block]->at == line.begin; ++block)
-                write_block(*write_order_[block]);
+            if (line.number % 65536 == 0) context.throw_if_cancelled();
             const std::string_view key = line.keyword.text;
-            if (key == "vn") continue;
+            const bool is_face = key == "f" || key == "fo";
             // surf: free-form surfaces are not read, but their control points may name normals that are gone.
-            if (key != "f" && key != "fo" && key != "surf") {
-                out_.append(text_.substr(line.begin, line.next - line.begin));
-                continue;
-            }
-            const bool is_read = face < faces_.size() && faces_[face].line_begin == line.begin;
-            write_face(line, lines.arguments(line), is_read ? &faces_[face] : nullptr);
-            face += is_read;
+            if (!is_face && key != "vn" && key != "surf") continue;
+            keep_up_to(line.begin);
+            kept = line.next;
+            if (key == "vn") continue;
+            const bool is_read = face_ < faces_.size() && faces_[face_].line_begin == line.begin;
+            write_face(line, lines.arguments(line), is_read);
+            if (is_read) corner_ += faces_[face_++].corners;
         }
-        if (lost_references_ > 0)
-            context_.report().add(
-                Remark::dropped, path_, {},
-                std::to_string(lost_references_) +
-                    " references to normals were removed from faces and free-form surfaces that are not read");
-        return std::move(out_);
+        keep_up_to(piece_.text.end);
+        return lost_references_;
     }
 
 private:
-    void keep(const ReadFace& f) {
-        // The first place of each corner among the triangles' corners.
-        const std::size_t first = corner_places_.size();
-        context_.memory().check((first + f.corners.size()) * 16, "the faces of an OBJ file");
-        corner_places_.resize(first + f.corners.size(), no_index);
-        old_normals_.resize(corner_places_.size(), no_index);
-        for (std::size_t i = f.triangles.size(); i-- > 0;) corner_places_[first + f.triangles[i]] = std::uint32_t(i);
-        for (std::size_t k = 0; k < f.corners.size(); ++k) old_normals_[first + k] = f.corners[k].normal;
-        faces_.push_back({f.line.begin, first, 0, std::uint32_t(f.corners.size())});
-        read_.push_back({f.mesh, f.first_index});
-    }
-
-    void choose_normals(const std::vector<GrowingMesh>& meshes) {
-        for (std::size_t f = 0; f < faces_.size(); ++f) {
-            const auto [number, first_index] = read_[f];
-            const Mesh& mesh = after_.meshes[number];
-            faces_[f].object = meshes[number].key.object;
-            for (std::size_t k = faces_[f].first_corner; k < faces_[f].first_corner + faces_[f].corners; ++k) {
-                const std::size_t at = first_index + corner_places_[k];
-                if (corner_places_[k] == no_index || at >= mesh.indices.size() || mesh.normals.empty())
-                    throw Error(ErrorCode::failed, "the file changed while it was worked on");
-                const vec3 n = mesh.normals[mesh.indices[at]];
-                is_changed_ = is_changed_ || old_normals_[k] == no_index || !is_near(data_.normals[old_normals_[k]], n);
-                corner_places_[k] = blocks_[faces_[f].object].number_of(n);
-            }
-        }
-    }
-
-    void place_blocks() {
-        LineReader lines(text_);
-        std::vector<bool> placed(blocks_.size(), false);
-        std::vector<NormalBlock*> in_order;
-        std::size_t after_data = 0, face = 0;
-        for (Line line; lines.next(line);) {
-            const std::string_view key = line.keyword.text;
-            if (key == "v" || key == "vt" || key == "vn") after_data = line.next;
-            if (face >= faces_.size() || faces_[face].line_begin != line.begin) continue;
-            const std::uint32_t object = faces_[face++].object;
-            if (placed[object]) continue;
-            placed[object] = true;
-            const std::size_t last = in_order.empty() ? 0 : in_order.back()->at;
-            blocks_[object].at = after_data > last ? after_data : line.begin;
-            in_order.push_back(&blocks_[object]);
-        }
-        std::uint64_t count = 0;
-        for (NormalBlock* b : in_order) {
-            b->first = count;
-            count += b->normals().size();
-        }
-        write_order_ = std::move(in_order);
-    }
-
-    void begin_output(const Line& first) {
-        out_.append(text_.substr(0, first.begin));  // a byte order mark
-        const std::string_view end = text_.substr(first.end, first.next - first.end);
-        if (!end.empty()) line_end_ = end;
-    }
-
-    void write_block(const NormalBlock& block) {
-        for (const vec3 n : block.normals()) {
-            out_ += "vn";
-            for (const float x : {n.x, n.y, n.z}) {
-                std::array<char, 32> digits;
-                const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr;
-                out_ += ' ';
-                out_.append(digits.data(), end);
-            }
-            out_ += line_end_;
-        }
-        written_ += block.normals().size();
-    }
-
-    void write_face(const Line& line, Tokens words, const FaceNormals* face) {
-        std::size_t from = line.begin, k = 0;
+    void write_face(const Line& line, Tokens words, bool is_read) {
+        std::size_t from = line.begin, k = corner_;
+        const NormalBlock* const block = is_read ? &blocks_[chunk_.object[face_]] : nullptr;
         for (Token word; words.next(word); ++k) {
             const auto token = parse_face_token(word.text);
             if (!token) continue;  // of a face that is not read
-            out_.append(text_.substr(from, word.begin - from));
+            const std::size_t slash = std::min(word.text.find('/'), word.text.size());
+            const std::size_t second = std::min(word.text.find('/', slash + 1), word.text.size());
+            const std::size_t kept =
+                second - std::min(second, slash + 1) > 0 ? second : slash;  // with the coordinate or not
+            out_.append(text_.substr(from, word.begin + kept - from));
             from = word.end();
-            const std::size_t slash = word.text.find('/');
-            const std::size_t second = slash == std::string_view::npos ? slash : word.text.find('/', slash + 1);
-            const std::string_view position = word.text.substr(0, slash);
-            const std::string_view texcoord =
-                slash == std::string_view::npos ? "" : word.text.substr(slash + 1, second - slash - 1);
-            out_.append(position);
-            if (face || !texcoord.empty()) out_ += '/';
-            out_.append(texcoord);
-            if (!face) {
+            if (!is_read) {
                 lost_references_ += token->normal.has_value();
                 continue;
             }
-            const std::uint64_t number = blocks_[face->object].first + corner_places_[face->first_corner + k];
-            out_ += '/';
-            out_ += token->position < 0 ? "-" + std::to_string(written_ - number) : std::to_string(number + 1);
+            out_.append(kept > slash ? "/" : "//");
+            const std::uint64_t number = block->first + chunk_.numbers[k];
+            char* const at = out_.room(24);
+            out_.end_at(
+                std::to_chars(at, at + 24,
+                              token->position < 0 ? -std::int64_t(piece_.written - number) : std::int64_t(number + 1))
+                    .ptr);
         }
         out_.append(text_.substr(from, line.next - from));
     }
 
     std::string_view text_;
-    std::string path_;
-    const Scene& after_;
-    Context& context_;
-    Context quiet_{{.threads = 1, .max_memory = context_.memory().limit(), .parent = &context_}};
-    VertexData data_;
-    std::vector<FaceNormals> faces_;
-    std::vector<std::pair<std::size_t, std::size_t>> read_;  ///< [faces] mesh and first index
-    std::vector<std::uint32_t> corner_places_, old_normals_;
-    std::vector<NormalBlock> blocks_;  ///< [objects]
-    std::vector<NormalBlock*> write_order_;
-    std::string line_end_ = "\n", out_;
-    std::uint64_t written_ = 0, lost_references_ = 0;
-    bool is_changed_ = false;
+    const Piece& piece_;
+    const std::vector<FaceRecord>& faces_;
+    const ChunkNormals& chunk_;
+    const std::vector<NormalBlock>& blocks_;
+    TextBuffer& out_;
+    std::size_t face_ = 0, corner_ = 0;  ///< of the next face that was read
+    std::uint64_t lost_references_ = 0;
 };
+
+/// How the file's first line ends; that of a file of one line is made up.
+std::string_view line_end_of(std::string_view text) {
+    LineReader lines(text);
+    Line line;
+    return lines.next(line) && line.next > line.end ? text.substr(line.end, line.next - line.end) : "\n";
+}
+
+/// Some pieces are made at once while those before them are written, in order.
+/// @return references to normals that were removed
+std::uint64_t write_pieces(std::string_view text, const KeptObj& file, const NewNormals& normals, OutputFile& output,
+                           Context& context) {
+    constexpr std::size_t at_once = 32;
+    const std::string_view line_end = line_end_of(text);
+    const std::vector<Piece> pieces = pieces_of(file.contents, normals);
+    std::vector<TextBuffer> made(at_once), ready(at_once);
+    std::vector<std::uint64_t> lost(pieces.size());
+    output.write(std::as_bytes(std::span(text.substr(0, pieces.front().text.begin))));  // a byte order mark
+    for (std::size_t first = 0; first < pieces.size() + at_once; first += at_once) {
+        const std::size_t count = first < pieces.size() ? std::min(at_once, pieces.size() - first) : 0;
+        context.parallel_for(count + 1, [&](std::size_t i) {
+            if (i == 0) {
+                for (TextBuffer& text_ready : ready) output.write(std::as_bytes(std::span(text_ready.text())));
+                return;
+            }
+            const Piece& piece = pieces[first + i - 1];
+            if (piece.block)
+                write_normals(piece, line_end, made[i - 1]);
+            else
+                lost[first + i - 1] = LineWriter(text, piece, file, normals, made[i - 1]).write(context);
+        });
+        for (TextBuffer& written : ready) written.clear();
+        std::swap(made, ready);
+    }
+    std::uint64_t sum = 0;
+    for (const std::uint64_t l : lost) sum += l;
+    return sum;
+}
 
 }  // namespace
 }  // namespace obj
 
 bool rewrite_obj_normals(const std::string& source, const Scene& after, const std::string& output,
-                         const ReadOptions& options, Context& context) {
-    const Bytes bytes = read_file(source, context);
-    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+                         const ReadOptions& options, Context& context, std::size_t chunk_bytes) {
     try {
-        obj::Rewriter rewriter(text, source, options, after, context);
-        const std::string result = rewriter.is_changed() ? rewriter.rewritten() : std::string(text);
+        Context quiet({.threads = context.threads(), .max_memory = context.memory().limit(), .parent = &context});
+        const std::shared_ptr<const KeptObj> kept =
+            options.keep_obj ? *options.keep_obj : obj::read_again(source, options, quiet, chunk_bytes);
+        const KeptObj& file = *kept;
+        const std::string_view text = file.text->view();
+        const obj::NewNormals normals =
+            file.contents.elements == 0  // a cloud of points
+                ? obj::NewNormals{}
+                : obj::choose_normals(file.elements, file.contents, file.data, after, context);
         if (!is_same_folder(source, output))
             copy_beside(obj::material_files(text, source, options, context), output, context);
-        write_file(output, std::as_bytes(std::span(result)));
-        return rewriter.is_changed();
+        OutputFile written(output);
+        std::uint64_t lost = 0;
+        if (normals.is_changed)
+            lost = obj::write_pieces(text, file, normals, written, context);
+        else
+            written.write(*file.bytes);
+        if (lost > 0)
+            context.report().add(
+                Remark::dropped, source, {},
+                std::to_string(lost) +
+                    " references to normals were removed from faces and free-form surfaces that are not read");
+        written.commit();
+        return normals.is_changed;
     } catch (const Error& error) {
         throw error.with_file(source);
     }

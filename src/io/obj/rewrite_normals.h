@@ -5,6 +5,7 @@
 
 #include <rakelight/scene.h>
 
+#include "io/obj/obj_lines.h"
 #include "io/reader.h"
 
 namespace rakelight::io {
@@ -16,9 +17,12 @@ namespace rakelight::io {
 ///
 /// @param after  the scene that read_obj() makes of `source`, with other normals and splits
 /// @param output may be `source`; to another folder the MTL files and pictures that the model names go along
+/// @param options  with what the reader kept of the file, or without: then it is read again
+/// @param chunk_bytes  what threads take at once; nothing but speed depends on it
 /// @return false when all faces had these normals already, to rounding: the file was copied byte by byte
 /// @throws Error as read_obj(); failed: cannot write, or a file of the model is there already with other bytes
 bool rewrite_obj_normals(const std::string& source, const Scene& after, const std::string& output,
-                         const ReadOptions& options, Context& context);
+                         const ReadOptions& options, Context& context,
+                         std::size_t chunk_bytes = obj::usual_chunk_bytes);
 
 }  // namespace rakelight::io

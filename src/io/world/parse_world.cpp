@@ -5,6 +5,7 @@
 
 #include "io/file.h"
 #include "io/world/material_keys.h"
+#include "io/world/read_settings.h"
 #include "io/world/section_values.h"
 #include "io/world/world_parts.h"
 
@@ -95,16 +96,37 @@ std::string resolve_in_world(const std::string& path, const std::string& name, b
     return io::resolve_reference(path, name, allow_outside);
 }
 
-WorldFile read_world(const std::string& path, Context& context) {
+namespace {
+
+/// Calls read(text) with all of a file. @throws Error with the file's name
+template <class Read>
+auto read_text(const std::string& path, Context& context, const Read& read) {
     try {
         std::error_code ignored;
         if (std::filesystem::file_size(path, ignored) > most_bytes && !ignored)
             throw Error(ErrorCode::bad_file, "a world file has at most 4 MiB");
         const io::Bytes bytes = io::read_file(path, context);
-        return parse_world({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+        return read(std::string_view(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
     } catch (const Error& error) {
         throw error.with_file(path);
     }
+}
+
+}  // namespace
+
+WorldFile read_world(const std::string& path, Context& context) { return read_text(path, context, parse_world); }
+
+std::vector<WorldValue> io::world::read_settings(const std::string& path, Context& context) {
+    return read_text(path, context, [](std::string_view text) {
+        WorldFile world;
+        for (const TomlEntry& entry : parse_toml(text).entries) {
+            if (entry.key != "render")
+                fail(entry.place, "a configuration has [render] alone, not '" + one_line(entry.key, 40) + "'",
+                     "write settings behind [render]; a world is given as a model");
+            read_render(entry, world);
+        }
+        return world.render;
+    });
 }
 
 }  // namespace rakelight

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "math/color.h"
+#include "math/color_names.h"
 #include "math/linear.h"
 
 namespace rakelight::io::world {
@@ -40,7 +41,7 @@ const char* expectation(Kind kind) {
         case Kind::scale:
             return "a number, or three in brackets";
         case Kind::color:
-            return "three numbers in brackets, or a text like '#ff8000'";
+            return "three numbers in brackets, or a text like '#ff8000' or 'orange'";
     }
     return "";
 }
@@ -58,7 +59,7 @@ std::string expectation_of_words(Kind kind, const std::string& key) {
         case Kind::scale:
             return "a number, or three as in " + key + "=1,2,3";
         case Kind::color:
-            return "three numbers, as in " + key + "=1,0.5,0, or a code, as in " + key + "=#ff8000";
+            return "three numbers, as in " + key + "=1,0.5,0, or a code or name, as in " + key + "=#ff8000";
         default:
             return expectation(kind);
     }
@@ -118,11 +119,11 @@ private:
         if (node.kind != TomlNode::Kind::text) refuse(node);
         if (node.text.empty()) fail(node.place, said(entry_.key) + " is empty");
         if (node.text.find('\0') != std::string::npos) fail(node.place, said(entry_.key) + " holds a zero byte");
-        const auto is_it = [&](const char* word) { return node.text == word; };
-        if (key_.kind == Kind::word && std::none_of(key_.words.begin(), key_.words.end(), is_it))
-            fail(node.place, said(entry_.key) + " has an unknown word " + said(node.text),
-                 advice_for(node.text, key_.words));
-        return node.text;
+        if (key_.kind != Kind::word) return node.text;
+        for (const char* const word : key_.words)
+            if (same_word(node.text, word)) return word;
+        fail(node.place, said(entry_.key) + " has an unknown word " + said(node.text),
+             advice_for(node.text, key_.words));
     }
 
     double read_number(const TomlNode& node) const {
@@ -143,7 +144,7 @@ private:
     }
 
     std::vector<double> read_numbers(const TomlNode& node) const {
-        if (key_.kind == Kind::color && node.kind == TomlNode::Kind::text) return read_hex(node);
+        if (key_.kind == Kind::color && node.kind == TomlNode::Kind::text) return read_color_text(node);
         if (key_.kind == Kind::number || key_.kind == Kind::integer) return {read_number(node)};
         if (key_.kind == Kind::scale && node.kind == TomlNode::Kind::number)
             return std::vector<double>(3, read_number(node));
@@ -158,15 +159,11 @@ private:
         return numbers;
     }
 
-    std::vector<double> read_hex(const TomlNode& node) const {
+    std::vector<double> read_color_text(const TomlNode& node) const {
+        const auto codes = color_by_text(node.text);
+        if (!codes) refuse(node);
         std::vector<double> linear;
-        if (node.text.size() != 7 || node.text[0] != '#') refuse(node);
-        for (std::size_t i = 1; i < 7; i += 2) {
-            unsigned code = 0;
-            const char* const begin = node.text.data() + i;
-            if (std::from_chars(begin, begin + 2, code, 16).ptr != begin + 2) refuse(node);
-            linear.push_back(double(linear_from_srgb8(std::uint8_t(code))));
-        }
+        for (const std::uint8_t code : *codes) linear.push_back(double(linear_from_srgb8(code)));
         return linear;
     }
 

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/world/word_nodes.h"
 
+#include <algorithm>
 #include <charconv>
+
+#include <rakelight/tools/words.h>
+
+#include "math/color_names.h"
 
 namespace rakelight::io::world {
 namespace {
@@ -46,14 +51,17 @@ TomlNode node_of(Kind kind, std::string_view text) {
         case Kind::word:
             return text_node(text);
         case Kind::flag: {
-            if (text != "on" && text != "true" && text != "off" && text != "false") return text_node(text);
+            const auto is_one_of = [&](std::initializer_list<const char*> words) {
+                return std::ranges::any_of(words, [&](const char* word) { return same_word(text, word); });
+            };
             TomlNode node;
             node.kind = TomlNode::Kind::flag;
-            node.flag = text == "on" || text == "true";
+            node.flag = is_one_of({"on", "true", "1"});
+            if (!node.flag && !is_one_of({"off", "false", "0"})) return text_node(text);
             return node;
         }
         case Kind::color:
-            return text.starts_with('#') ? text_node(text) : numbers_node(text);
+            return color_by_text(text) || text.starts_with('#') ? text_node(text) : numbers_node(text);
         default:
             return numbers_node(text);
     }

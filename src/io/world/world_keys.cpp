@@ -12,7 +12,7 @@ namespace {
 
 constexpr Range degrees_180{0, 180, true}, cone_deg{least_cone_deg, 90};
 
-const std::vector<const char*> normal_words = {"auto", "file", "flat", "object", "model"};
+const std::vector<const char*> normal_words = {"auto", "file", "flat", "object", "model", "seams"};
 
 std::vector<WorldKey> placed(std::vector<WorldKey> keys) {
     keys.push_back({"position", Kind::vector, "Where its origin stands [m]"});

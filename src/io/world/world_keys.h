@@ -23,7 +23,7 @@ enum class Kind {
     integers,  ///< two whole numbers
     vector,    ///< three numbers
     scale,     ///< one number or three
-    color,     ///< three numbers >= 0 of linear light, or "#rrggbb" as seen on a display
+    color,     ///< three numbers >= 0 of linear light, or "#rrggbb", "#rgb" or a name of CSS, as seen on a display
 };
 
 /// Of each number of a value.

@@ -43,7 +43,9 @@ json type_of(const WorldKey& key) {
         case Kind::scale:
             return {{"oneOf", {number_of(key.range, "number"), list_of(key.range, 3)}}};
         case Kind::color:
-            return {{"oneOf", {list_of(from_0, 3), {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}}}}};
+            return {{"oneOf",
+                     {list_of(from_0, 3),
+                      {{"type", "string"}, {"pattern", "^(#[0-9a-fA-F]{3}|#[0-9a-fA-F]{6}|[A-Za-z]+)$"}}}}};
     }
     return {};
 }

@@ -28,6 +28,26 @@ RL_FN void set_pbr_around(RL_INOUT(MaterialSurface) s, RL_IN(ViewAlbedo) albedo,
     s.base.ambient = s.around_diffuse + s.around_specular + s.around_sheen + vec3(s.around_coat);
 }
 
+// [nm] KHR_materials_iridescence: green leads from one to the other.
+RL_FN real film_thickness(real least, real greatest_thickness, vec4 texel)
+{
+    return mix(least, greatest_thickness, texel.y);
+}
+
+// A film over the surface, by the f0 whose Schlick term is the film's reflectance towards v: so all that follows takes it as it
+// takes any other. strength, thickness [nm], index: those of the film. Once n and v are known.
+RL_FN void set_iridescence(RL_INOUT(MaterialSurface) s, real strength, real thickness, real index)
+{
+    real cosine = dot(s.base.n, s.base.v);
+    real weight = min(schlick_weight(cosine), 0.99f);
+    vec3 film = film_reflectance(s.base.specular, max(index, 1.0f), thickness * 1e-3f, cosine);
+    vec3 f0 = (film - s.f90 * weight) / (1.0f - weight);
+    f0 = min(max(f0, vec3(0.0f)), vec3(1.0f));
+    real part = select(thickness > 0.0f, clamp(strength, 0.0f, 1.0f), 0.0f);
+    s.base.specular = mix(s.base.specular, f0, part);
+    s.dielectric_f0 = mix(s.dielectric_f0, greatest(f0), part);
+}
+
 // Albedos of pbr's layers towards the viewer, once all directions are known. The tables are read only for what is there: layers,
 // light between the facets, light from all around.
 RL_MAP_FN void set_pbr_albedos(RL_INOUT(MaterialSurface) s, RL_IN(Maps) maps, real occlusion, int has_light_around, RL_IN(MaterialTraits) traits)
@@ -43,7 +63,7 @@ RL_MAP_FN void set_pbr_albedos(RL_INOUT(MaterialSurface) s, RL_IN(Maps) maps, re
     if (traits.has_coat != 0) {
         s.coat_reflectance = coat_reflectance(s.coat_reflectance, dot(s.coat_n, s.base.v));
     }
-    if (has_light_around == 0 && traits.has_scattering == 0) {
+    if (has_light_around == 0 && traits.has_scattering == 0 && traits.has_transmission == 0) {
         return;
     }
     ViewAlbedo albedo;
@@ -53,11 +73,18 @@ RL_MAP_FN void set_pbr_albedos(RL_INOUT(MaterialSurface) s, RL_IN(Maps) maps, re
     if (traits.has_scattering != 0) {
         s.scattering = scattering_color(s.base.specular, s.f90, s.albedo_mean);
     }
-    if (has_light_around == 0) {
+    if (has_light_around == 0 && traits.has_transmission == 0) {
         return;
     }
     albedo.grazing = albedo.lobe * grazing_share(maps, n_dot_v, s.table_roughness);
     albedo.coat = 0.0f;
+    if (traits.has_transmission != 0) {
+        real lost = s.dielectric_f0 * (albedo.lobe - albedo.grazing) + s.dielectric_f90 * albedo.grazing;
+        s.through = s.through * ((1.0f - lost) * sheen_rest(s.sheen, s.sheen_albedo, s.sheen_albedo) * (1.0f - s.coat_reflectance));
+    }
+    if (has_light_around == 0) {
+        return;
+    }
     if (traits.has_coat != 0) {
         albedo.coat = lobe_albedo(maps, dot(s.coat_n, s.base.v), sqrt(s.coat_alpha));
     }

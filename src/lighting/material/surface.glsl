@@ -57,6 +57,7 @@ struct MaterialSurface {
     vec3 coat_n;
     real coat_alpha;
     real coat_reflectance;  // 0..1, towards v
+    vec3 through;           // 0..1: of the light from behind, towards v
     vec3 around_diffuse;    // reflectance of even light from all around, times occlusion, layer by layer: for the environment
     vec3 around_specular;   // about the mirror direction of base.n, as wide as `roughness`
     vec3 around_sheen;      // wide
@@ -73,6 +74,8 @@ struct MaterialTraits {
     int has_sheen;
     int has_coat;
     int has_two_normals;  // bumps act on one of the terms alone: diffuse_n is not base.n
+    int has_transmission;
+    int has_iridescence;
 };
 
 // Albedos towards the light, of tables: of D V with F = 1, and of sheen_brdf.

@@ -50,17 +50,24 @@ RL_FN Transport classical_transport(vec3 k_s, vec3 k_t, int mirror, int bends, r
     return transport_of(reflected, k_t, is_total);
 }
 
-// base: its color; transmission 0..1. The dielectric part of a body reflects by Fresnel's equations instead of Schlick's formula.
-RL_FN Transport metallic_transport(RL_IN(MetallicRoughness) at, vec3 base, real transmission, int bends, real cosine, real eta)
+// base: its color; transmission 0..1. The dielectric part of a body reflects by Fresnel's equations instead of Schlick's formula, unless
+// there is a film over it: has_film, whose f0 set_iridescence() has found.
+RL_FN Transport metallic_transport(RL_IN(MetallicRoughness) at, vec3 base, real transmission, int bends, real cosine, real eta, int has_film, vec3 film_f0)
 {
     real weight = schlick_weight(cosine);
-    vec3 mirror = schlick(mix(at.dielectric_f0, base, at.metallic), metallic_f90(at), weight);
+    vec3 f0 = mix(at.dielectric_f0, base, at.metallic);
+    if (has_film != 0) {
+        f0 = film_f0;
+    }
+    vec3 mirror = schlick(f0, metallic_f90(at), weight);
     vec3 through = base * (transmission * (1.0f - at.metallic));
     mask is_total = mask(false);
     if (bends != 0) {
         is_total = refracted_cosine_squared(cosine, eta) <= 0.0f;
         vec3 exact = mix(vec3(fresnel(cosine, eta) * at.dielectric_f90), schlick(base, vec3(1.0f), weight), at.metallic);
-        mirror = select(transmission > 0.0f, exact, mirror);
+        if (has_film == 0) {
+            mirror = select(transmission > 0.0f, exact, mirror);
+        }
     }
     return transport_of(mirror, through, is_total);
 }

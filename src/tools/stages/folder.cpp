@@ -62,16 +62,6 @@ void check_target(const fs::path& target) {
     }
 }
 
-/// The folder that the new one is to lie in; `given` is how the user wrote it.
-void check_parent(const fs::path& target, const std::string& given) {
-    std::error_code error;
-    if (!fs::is_directory(target.parent_path(), error))
-        throw Error(ErrorCode::failed,
-                    "the folder '" + one_line(target.parent_path().string(), 160) + "' does not exist", {},
-                    "create it first")
-            .with_file(given);
-}
-
 fs::path beside(const fs::path& target, const char* what) {
     return target.parent_path() / ("." + target.filename().string() + "." + what + "-" + std::to_string(getpid()));
 }
@@ -83,7 +73,7 @@ NewFolder::NewFolder(const std::string& target) : target_(fs::absolute(target).l
     target_ = io::behind_links(target_.string());
     if (!target_.has_filename()) refuse("is no name for a folder", target);
     check_target(target_);
-    check_parent(target_, target);
+    above_.make_above(target.substr(0, target.find_last_not_of('/') + 1));  // messages have it as it was written
     work_ = beside(target_, "new");
     std::error_code error;
     if (!fs::create_directory(work_, error))
@@ -134,6 +124,7 @@ void NewFolder::finish() {
     }
     work_.clear();
     unfinished_.clear();
+    above_.keep();
     io::sync_folder(target_.parent_path().string());
     if (replaces) fs::remove_all(old, error);
 }

@@ -8,7 +8,7 @@
 
 #include <rakelight/image.h>
 
-#include "io/unfinished_output.h"
+#include "io/file.h"
 
 namespace rakelight::stages {
 
@@ -33,6 +33,7 @@ private:
     std::string watched(const std::string& name);
 
     std::filesystem::path target_, work_;
+    io::MadeFolders above_;                        ///< outlives what is in them
     std::deque<io::UnfinishedOutput> unfinished_;  ///< the folder and its files
     std::vector<std::string> names_;
 };

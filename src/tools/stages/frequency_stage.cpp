@@ -24,7 +24,7 @@ constexpr Frequency frequencies[] = {
 double difference(const Sources& of, const std::vector<vec4>& a, const std::vector<vec4>& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        const Code p = shown(of, a[i].xyz()), q = shown(of, b[i].xyz());
+        const Code p = shown(of, a[i]), q = shown(of, b[i]);
         for (const int d : {p.r - q.r, p.g - q.g, p.b - q.b}) sum += double(d) * d;
     }
     return a.empty() ? 0 : std::sqrt(sum / (3 * double(a.size())));
@@ -45,7 +45,7 @@ Stage frequency_stage(const Sources& of, Context& context) {
     for (const Frequency& f : frequencies) {
         const raster::ShadedPicture drawn =
             f.shading == Shading::phong ? phong : draw_shaded(of.engine, f.shading, context);
-        Canvas canvas = paint(of, [&](std::size_t p) { return shown(of, drawn.color[p].xyz()); });
+        Canvas canvas = paint(of, [&](std::size_t p) { return shown(of, drawn.color[p]); });
         s.rows.push_back(
             {f.name, f.evaluated, drawn.stats.lighting_evaluations, difference(of, drawn.color, phong.color)});
         s.pictures.push_back(

@@ -62,6 +62,8 @@ std::string lighting_text(const Sources& of) {
     if (!of.pixels.around_diffuse.empty())
         text +=
             "The surroundings add what the surface reflects diffusely of the light from all around, and the gloss. ";
+    if (!of.pixels.transmitted.empty())
+        text += "Transmissive surfaces add what is seen through them, of the opaque surfaces behind. ";
     if (!of.pixels.fog.empty())
         text +=
             "Fog lies between all of it and the eye: each term is what is seen of it through the fog, and the fog's "
@@ -93,6 +95,8 @@ Stage lighting_stage(const Sources& of) {
         add_term(s, of, "Surroundings: diffuse", "surroundings-diffuse", of.pixels.around_diffuse);
         add_term(s, of, "Surroundings: specular", "surroundings-specular", of.pixels.around_specular);
     }
+    if (!of.pixels.transmitted.empty())
+        add_term(s, of, "Transmitted from behind", "transmitted", of.pixels.transmitted);
     const std::size_t all = of.engine.lights().size();
     s.numbers["lights"] = all;
     if (all > of.pixels.lights.size()) s.numbers["lights shown"] = of.pixels.lights.size();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stages as a page and as JSON. The page needs no script and nothing from outside of its folder.
 #include <charconv>
+#include <span>
 
 #include "tools/html.h"
 #include "tools/report_json.h"
@@ -69,17 +70,32 @@ std::string rows_html(const Stage& stage) {
     return out + "</table></div></details>\n";
 }
 
-std::string stage_html(const Stage& stage, std::size_t number) {
+/// A link to a picture opens it; one in the page itself is shown as large as it is by the browser.
+std::string picture_html(const Picture& p, bool is_whole) {
+    const std::string file = p.name + ".png", address = is_whole ? png_uri(p.canvas.pixels()) : file;
+    const std::string image = "<img src=\"" + address + "\" width=\"" + std::to_string(p.canvas.width()) +
+                              "\" height=\"" + std::to_string(p.canvas.height()) + "\" alt=\"" + html_text(p.caption) +
+                              "\">";
+    return "<figure>" + (is_whole ? image : "<a href=\"" + file + "\">" + image + "</a>") + "<figcaption>" +
+           html_text(p.caption) + "</figcaption></figure>\n";
+}
+
+std::string table_link(const Stage& stage, bool is_whole) {
+    const std::string name = stage.id + ".json";
+    if (!is_whole) return "<a href=\"" + name + "\">" + name + "</a>";
+    const std::string table = table_json(stage);
+    return "<a download=\"" + name + "\" href=\"" + data_uri("application/json", std::as_bytes(std::span(table))) +
+           "\">" + name + "</a>";
+}
+
+std::string stage_html(const Stage& stage, std::size_t number, bool is_whole) {
     std::string out = "<section id=\"" + stage.id + "\">\n<h2>" + std::to_string(number) + ". " +
                       html_text(stage.title) + "</h2>\n<p>" + html_text(stage.text) + "</p>\n";
     out += stage.pictures.size() > 1 ? "<div class=\"pictures\">\n" : "";
-    for (const Picture& p : stage.pictures)
-        out += "<figure><a href=\"" + p.name + ".png\"><img src=\"" + p.name + ".png\" width=\"" +
-               std::to_string(p.canvas.width()) + "\" height=\"" + std::to_string(p.canvas.height()) + "\" alt=\"" +
-               html_text(p.caption) + "\"></a><figcaption>" + html_text(p.caption) + "</figcaption></figure>\n";
+    for (const Picture& p : stage.pictures) out += picture_html(p, is_whole);
     out += stage.pictures.size() > 1 ? "</div>\n" : "";
-    return out + numbers_html(stage.numbers) + rows_html(stage) + "<p><a href=\"" + stage.id + ".json\">" + stage.id +
-           ".json</a></p>\n</section>\n";
+    return out + numbers_html(stage.numbers) + rows_html(stage) + "<p>" + table_link(stage, is_whole) +
+           "</p>\n</section>\n";
 }
 
 }  // namespace
@@ -100,7 +116,7 @@ std::string table_json(const Stage& stage) {
     return json_text(whole, 1);
 }
 
-std::string page(const std::string& model, const std::vector<Stage>& stages) {
+std::string page(const std::string& model, const std::vector<Stage>& stages, bool is_whole, Context& context) {
     std::string out =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
         "content=\"width=device-width, initial-scale=1\">\n<title>" +
@@ -109,7 +125,11 @@ std::string page(const std::string& model, const std::vector<Stage>& stages) {
         "way; where a stage shows what a textbook does instead, it says so.</p>\n<nav><ol>\n";
     for (const Stage& s : stages) out += "<li><a href=\"#" + s.id + "\">" + html_text(s.title) + "</a></li>\n";
     out += "</ol></nav>\n<main>\n";
-    for (std::size_t i = 0; i < stages.size(); ++i) out += stage_html(stages[i], i + 1);
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        context.throw_if_cancelled();
+        if (is_whole) context.progress("write", double(i) / double(stages.size()));
+        out += stage_html(stages[i], i + 1, is_whole);
+    }
     return out + "</main>\n</body>\n</html>\n";
 }
 

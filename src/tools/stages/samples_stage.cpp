@@ -43,12 +43,12 @@ Picture enlarged(const Sources& of) {
     for (int y = 0; y < part.window.height; ++y)
         for (int x = 0; x < part.window.width; ++x) {
             const auto p = std::size_t(y + part.window.y) * std::size_t(width) + std::size_t(x + part.window.x);
-            square(canvas, x * cell_px, y * cell_px, cell_px, shown(of, of.pixels.color[p].xyz()));
+            square(canvas, x * cell_px, y * cell_px, cell_px, shown(of, of.pixels.color[p]));
             for (const shading::SamplePosition at : shading::sample_positions(samples)) {
                 const int middle_x = x * cell_px + cell_px / 2 + 3 * at.x,
                           middle_y = y * cell_px + cell_px / 2 + 3 * at.y;
                 square(canvas, middle_x - 3, middle_y - 3, 7, backdrop);
-                square(canvas, middle_x - 2, middle_y - 2, 5, shown(of, part.color[next++].xyz()));
+                square(canvas, middle_x - 2, middle_y - 2, 5, shown(of, part.color[next++]));
             }
         }
     const std::string corner = std::to_string(part.window.x) + "," + std::to_string(part.window.y);

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engines/empty_pixel.h"
 #include "engines/raster/inspect/inspect_pixels.h"
 #include "image/tone_curves.h"
 #include "tools/stages/canvas.h"
@@ -38,7 +39,7 @@ struct Sources {
     const raster::Inspection::Geometry& drawn;
     const raster::PixelStageData& pixels;
     ToneSettings tone;
-    ToneCurve curve{tone}, exposure{{ToneMapping::none, tone.exposure_ev}};
+    ToneCurve curve{tone, laid_behind(engine.settings())}, exposure{{ToneMapping::none, tone.exposure_ev}};
 };
 
 /// Vertices before the projection: model, world, camera.
@@ -72,7 +73,7 @@ std::vector<Stage> pixel_stages(const Sources& of);
 std::string digits(double value);
 /// One stage's table: {"schema": "rakelight.stages/1", "stage": ..., ...}
 std::string table_json(const Stage& stage);
-/// index.html
-std::string page(const std::string& model, const std::vector<Stage>& stages);
+/// A page. @param is_whole  its pictures and tables are in it, else beside it
+std::string page(const std::string& model, const std::vector<Stage>& stages, bool is_whole, Context& context);
 
 }  // namespace rakelight::stages

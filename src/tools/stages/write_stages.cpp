@@ -5,6 +5,7 @@
 
 #include <rakelight/stages.h>
 #include <rakelight/tools/rows.h>
+#include <rakelight/tools/text_file.h>
 
 #include "scene/scene_tools.h"
 #include "tools/open_engine.h"
@@ -19,13 +20,14 @@ namespace {
 constexpr std::int64_t most_pixels = 1 << 24;
 constexpr std::size_t most_lights = 8;
 
-StagesResult write(PictureRequest request, Context& context) {
-    const RenderSettings& settings = request.settings;
+void check_size(const RenderSettings& settings) {
     if (std::int64_t(settings.width) * settings.height > most_pixels)
         throw Error(ErrorCode::usage, "the stages are shown of at most 16 million pixels", {},
                     "give a smaller 'resolution'")
             .naming({"resolution"});
-    stages::NewFolder folder(request.output);  // first: what stands in the way is said at once
+}
+
+std::vector<stages::Stage> make_stages(PictureRequest request, Context& context) {
     const Scene loaded = load_for_engine(request, context);
     const auto engine = open_engine(loaded, request, context);
     context.progress("stages", 0);
@@ -34,6 +36,7 @@ StagesResult write(PictureRequest request, Context& context) {
                              "the model has no triangles: its lines and points are in the last stage alone");
     const raster::Inspection::Geometry open(*engine, {}, true, context), drawn(*engine, {}, false, context);
     const raster::PixelStageData pixels = raster::inspect_pixels(*engine, open, drawn, most_lights, context);
+    context.progress("stages", 0.5);
     const stages::Sources sources{*engine, open, drawn, pixels, request.tone};
     std::vector<stages::Stage> all;
     if (stages::has_displacement(sources, request))
@@ -44,9 +47,18 @@ StagesResult write(PictureRequest request, Context& context) {
     const auto lighting =
         std::find_if(all.begin(), all.end(), [](const stages::Stage& stage) { return stage.id == "lighting"; });
     all.insert(lighting, stages::frequency_stage(sources, context));
-    const std::string name =
-        std::filesystem::path(request.input).filename().string();  // "builtin:teapot" has no folder
-    folder.write("index.html", stages::page(one_line(name, 200), all));
+    return all;
+}
+
+/// "builtin:teapot" has no folder.
+std::string title_of(const PictureRequest& request) {
+    return one_line(std::filesystem::path(request.input).filename().string(), 200);
+}
+
+StagesResult write_folder(const PictureRequest& request, Context& context) {
+    stages::NewFolder folder(request.output);  // first: what stands in the way is said at once
+    const std::vector<stages::Stage> all = make_stages(request, context);
+    folder.write("index.html", stages::page(title_of(request), all, false, context));
     std::size_t done = 0;
     for (const stages::Stage& stage : all) {
         folder.write(stage.id + ".json", stages::table_json(stage));
@@ -54,17 +66,24 @@ StagesResult write(PictureRequest request, Context& context) {
             context.throw_if_cancelled();
             folder.write(picture.name + ".png", picture.canvas.pixels());
         }
-        context.progress("stages", double(++done) / double(all.size()));
+        context.progress("write", double(++done) / double(all.size()));
     }
     folder.finish();
     return {request.input, request.output, folder.names()};
 }
 
+StagesResult write_page(const PictureRequest& request, Context& context) {
+    check_text_output(request.output);
+    save_text(request.output, stages::page(title_of(request), make_stages(request, context), true, context));
+    return {request.input, request.output, {}};
+}
+
 }  // namespace
 
-StagesResult write_stages(const PictureRequest& request, Context& context) {
+StagesResult write_stages(const PictureRequest& request, Context& context, StagesForm form) {
     try {
-        return write(request, context);
+        check_size(request.settings);
+        return form == StagesForm::folder ? write_folder(request, context) : write_page(request, context);
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::failed, "out of memory").with_file(request.input);
     } catch (const Error& error) {
@@ -75,9 +94,11 @@ StagesResult write_stages(const PictureRequest& request, Context& context) {
 std::string to_json(std::span<const StagesRow> rows) {
     Json list = Json::array();
     for (const StagesRow& row : rows) {
-        Json json = {{"file", row.result.file}, {"folder", row.result.folder}};
+        Json json = {{"file", row.result.file}, {"folder", row.result.folder}};  // of a page its name
         if (row.error)
             json["error"] = error_json(*row.error);
+        else if (row.result.files.empty())
+            json["page"] = row.result.folder;
         else
             json["files"] = row.result.files;
         json["remarks"] = remarks_json(row.remarks);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "../../../apps/common/command_line.h"
+#include "../../../apps/common/manual.h"
 #include "../../../apps/common/picture_options.h"
 #include "support/thrown_error.h"
 
@@ -25,10 +26,9 @@ std::vector<Command> commands() {
             {"weigh", "Weighs", nullptr, {{"WHAT", "What", true, false}, {"WHERE", "Where", false, false}}, {}}};
 }
 
-CommandLine read(std::vector<const char*> words) {
+CommandLine read(const std::vector<const char*>& words) {
     static const std::vector<Command> all = commands();
-    words.insert(words.begin(), "tool");
-    return read_command_line({"tool", "A tool.", "Examples", all}, int(words.size()), words.data());
+    return read_command_line({"tool", "A tool.", "Examples", all}, {words.begin(), words.end()});
 }
 
 std::string refused(std::vector<const char*> words) {
@@ -82,13 +82,13 @@ TEST(CommandLine, SinglePositionalsComeInTheirOrder) {
 }
 
 TEST(CommandLine, MistakesAreSaidInOneLine) {
-    EXPECT_EQ(refused({"drow"}), "unknown command 'drow'; use draw or weigh, see tool --help");
+    EXPECT_EQ(refused({"drow"}), "unknown command 'drow'; did you mean draw? see tool --help");
     EXPECT_EQ(refused({"draw", "a", "-o", "b", "--samples"}).find('\n'), std::string::npos);
     EXPECT_EQ(refused({"draw", "a", "-o", "b", "--sampels", "4"}),
               "unknown option '--sampels'; did you mean --samples? see tool draw --help");
     EXPECT_EQ(refused({"draw", "a", "-o", "b", "--samples=4", "--samples=8"}),
               "--samples is given more than once; see tool draw --help");
-    EXPECT_EQ(refused({"draw", "a", "-o", "b", "--json=5"}), "--json takes no value, but is given '5'");
+    EXPECT_EQ(refused({"draw", "a", "-o", "b", "--json=5"}), "--json: must be on or off, not '5'");
     EXPECT_EQ(refused({"draw", "a", "-o", "b", "--view", ""}), "--view: the value is empty");
     EXPECT_EQ(refused({"draw", "a", "-o", "b", "--view="}), "--view=: the value is empty");
     EXPECT_EQ(refused({"draw", "", "-o", "b"}), "the name of a model is empty");
@@ -116,10 +116,45 @@ TEST(CommandLine, AHiddenOptionIsKnownButNotShown) {
     hide_drawn_lines(options);
     const std::vector<Command> all = {{"look", "Looks", nullptr, {{"MODEL", "Models"}}, options}};
     const Program program{"tool", "", "", all};
-    const char* const asked[] = {"tool", "look", "--help"};
-    EXPECT_EQ(read_command_line(program, 3, asked).help.find("--wireframe"), std::string::npos);
-    const char* const given[] = {"tool", "look", "a", "--wireframe"};
-    EXPECT_TRUE(read_command_line(program, 4, given).given.has("wireframe"));
+    EXPECT_EQ(read_command_line(program, {"look", "--help"}).help.find("--wireframe"), std::string::npos);
+    EXPECT_TRUE(read_command_line(program, {"look", "a", "--wireframe"}).given.has("wireframe"));
+}
+
+TEST(CommandLine, FlagsAndSwitchesTakeWordsForOnAndOff) {
+    for (const char* const on : {"on", "TRUE", "1"})
+        EXPECT_TRUE(read({"draw", "a", "-o", "b", "--json", on}).given.has("json")) << on;
+    for (const char* const off : {"--json=off", "--json=False", "--json=0"})
+        EXPECT_FALSE(read({"draw", "a", "-o", "b", off}).given.has("json")) << off;
+    EXPECT_EQ(read({"draw", "--edges", "0", "a", "-o", "b"}).positionals, std::vector<std::string>{"a"});
+    EXPECT_EQ(read({"draw", "--json", "off", "a", "--json", "-o", "b"}).given.has("json"), true);
+}
+
+TEST(CommandLine, WordsOfOtherProgramsAreAnsweredByOurs) {
+    EXPECT_EQ(refused({"draw", "a", "-o", "b", "--fov", "3"}), "--fov: unknown; see --camera-view-angle");
+    EXPECT_EQ(refused({"draw", "a", "-o", "b", "--size=3,4"}), "--size: unknown; see --resolution");
+    EXPECT_EQ(refused({"weigh", "a", "--fov", "3"}),
+              "unknown option '--fov'; see tool weigh --help");  // it has no such thing
+}
+
+TEST(CommandLine, AnOptionMayHaveTwoNames) {
+    const CommandLine line = read({"draw", "a", "-o", "b", "--background-color", "red"});
+    EXPECT_EQ(line.given.word("background"), "red");
+    EXPECT_EQ(refused({"draw", "a", "-o", "b", "--background-color=red", "--background=red"}),
+              "--background is given more than once; see tool draw --help");
+}
+
+TEST(Manual, HasEveryCommandAndOptionThatIsNotHidden) {
+    std::vector<Command> all = commands();
+    all[0].options[1].is_hidden = true;
+    const Program program{"tool", "A tool.", "Footer with \\ and\n.lines", all};
+    for (const std::string& page : {man_page(program), markdown_page(program)}) {
+        EXPECT_NE(page.find("weigh"), page.npos);
+        EXPECT_EQ(page.find("Size of the picture in pixels"), page.npos);
+        EXPECT_NE(page.find("Worker threads"), page.npos);
+    }
+    EXPECT_NE(man_page(program).find("Footer with \\e and\n\\&.lines"), std::string::npos);
+    EXPECT_EQ(manual_for(program, {"--man"}), man_page(program));
+    EXPECT_EQ(manual_for(program, {"draw", "--man"}), "");
 }
 
 TEST(OptionLists, WithoutLeavesTheOthersInTheirOrder) {

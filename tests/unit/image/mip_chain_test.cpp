@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "image_support.h"
 #include "math/color.h"
+#include "math/isa.h"
+#include "math/linear.h"
 
 namespace rakelight {
 namespace {
@@ -34,6 +37,76 @@ std::vector<dvec4> box(const std::vector<dvec4>& from, int width, int height, in
 }
 
 std::uint32_t channel(std::uint32_t rgba, int c) { return rgba >> (8 * c) & 255; }
+
+/// The levels by a plain loop, in the order of operations that keeps the bits: rows first, each product by itself.
+std::vector<std::vector<std::uint32_t>> plain_levels(const std::vector<std::uint32_t>& codes, int width, int height,
+                                                     bool srgb) {
+    struct Taps {
+        int first, count;
+        float weight[3];
+    };
+    const auto taps_of = [](int i, int n) -> Taps {
+        if (n == 1) return {0, 1, {1, 0, 0}};
+        if (n % 2 == 0) return {2 * i, 2, {0.5f, 0.5f, 0}};
+        const int k = n / 2;
+        return {2 * i, 3, {float((k - i) / double(n)), float(k / double(n)), float((i + 1) / double(n))}};
+    };
+    std::vector<vec4> from;
+    for (const std::uint32_t code : codes) {
+        const auto value = [&](int c) {
+            return srgb && c < 3 ? linear_from_srgb8(std::uint8_t(channel(code, c))) : float(channel(code, c));
+        };
+        from.push_back({value(0), value(1), value(2), value(3)});
+    }
+    std::vector<std::vector<std::uint32_t>> levels{codes};
+    while (width > 1 || height > 1) {
+        const int w = std::max(1, width / 2), h = std::max(1, height / 2);
+        std::vector<vec4> to;
+        std::vector<std::uint32_t> level;
+        for (int y = 0; y < h; ++y)
+            for (int x = 0; x < w; ++x) {
+                const Taps rows = taps_of(y, height), columns = taps_of(x, width);
+                vec4 at[3];
+                for (int i = 0; i < columns.count; ++i) {
+                    const auto texel = [&](int t) {
+                        return from[std::size_t((rows.first + t) * width + columns.first + i)];
+                    };
+                    at[i] = texel(0) * rows.weight[0];
+                    for (int t = 1; t < rows.count; ++t) at[i] = at[i] + texel(t) * rows.weight[t];
+                }
+                vec4 mean = at[0];
+                if (columns.count == 2) mean = (at[0] + at[1]) * 0.5f;
+                if (columns.count == 3)
+                    mean = at[0] * columns.weight[0] + at[1] * columns.weight[1] + at[2] * columns.weight[2];
+                to.push_back(mean);
+                const auto code = [&](std::size_t c) {
+                    return srgb && c < 3 ? std::uint32_t(srgb8_from_linear(mean[c])) : std::uint32_t(mean[c] + 0.5f);
+                };
+                level.push_back(code(0) | code(1) << 8 | code(2) << 16 | code(3) << 24);
+            }
+        levels.push_back(level);
+        from = to, width = w, height = h;
+    }
+    return levels;
+}
+
+TEST(MipChain, EveryInstructionSetGivesTheBitsOfAPlainLoop) {
+    Context context({.threads = 1});
+    for (const auto& [width, height] : {std::pair(1, 1), {1, 9}, {7, 1}, {33, 21}, {64, 32}, {101, 6}, {130, 67}}) {
+        const Pixels picture = picture_of<std::uint8_t>(width, height, 4, noise);
+        for (const ColorSpace space : {ColorSpace::srgb, ColorSpace::linear})
+            for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512}) {
+                if (!is_available(isa)) continue;
+                ASSERT_EQ(setenv("RAKELIGHT_ISA", name(isa), 1), 0);
+                const MipChain chain = make_mip_chain(picture, space, context);
+                unsetenv("RAKELIGHT_ISA");
+                const auto expected = plain_levels(chain.levels[0].rgba8, width, height, space == ColorSpace::srgb);
+                ASSERT_EQ(chain.levels.size(), expected.size());
+                for (std::size_t l = 0; l < expected.size(); ++l)
+                    EXPECT_EQ(chain.levels[l].rgba8, expected[l]) << name(isa) << ", level " << l << " of " << width;
+            }
+    }
+}
 
 TEST(MipChain, HasEveryLevelDownToOneTexel) {
     Context context;

@@ -127,5 +127,48 @@ TEST(ToneCurve, RefusesAnExposureThatCannotBe) {
         EXPECT_THROW(ToneCurve({ToneMapping::none, ev}), Error);
 }
 
+TEST(ToneCurve, WhatLiesBehindAPixelIsNotChanged) {
+    const vec4 behind{0.2f, 0.6f, 1.0f, 1};
+    for (const ToneMapping curve : {ToneMapping::none, ToneMapping::reinhard, ToneMapping::agx})
+        for (const double ev : {-5.0, 0.0, 6.0}) {
+            const ToneSettings settings{curve, ev};
+            const ToneCurve over(settings, behind);
+            EXPECT_FALSE(over.is_identity());
+            EXPECT_TRUE(over.is_opaque_behind());
+            EXPECT_EQ(over.displayed({9, 9, 9, 0}), behind);
+            const vec3 light{0.5f, 2, 0.1f}, own = ToneCurve(settings)(light);
+            EXPECT_EQ(over.displayed({light.x, light.y, light.z, 1}), (vec4{own.x, own.y, own.z, 1}));
+            const vec4 half = over.displayed({light.x, light.y, light.z, 0.25f});
+            EXPECT_NEAR(half.x, 0.25f * std::min(own.x, 1.0f) + 0.75f * behind.x, 1e-6f);
+            EXPECT_NEAR(half.y, 0.25f * std::min(own.y, 1.0f) + 0.75f * behind.y, 1e-6f);
+            EXPECT_EQ(half.w, 1);
+        }
+}
+
+TEST(ToneCurve, WhatIsHalfTransparentBehindLeavesAlpha) {
+    const ToneCurve over({ToneMapping::none, 1}, {1, 0, 0, 0.5f});
+    EXPECT_EQ(over.displayed({0, 0, 0, 0}), (vec4{1, 0, 0, 0.5f}));
+    const vec4 mixed = over.displayed({0, 0.25f, 0, 0.5f});  // doubled by the exposure
+    EXPECT_NEAR(mixed.w, 0.75f, 1e-6f);
+    EXPECT_NEAR(mixed.x, 0.25f / 0.75f, 1e-6f);
+    EXPECT_NEAR(mixed.y, 0.25f / 0.75f, 1e-6f);
+    EXPECT_EQ(over.laid({0, 0.25f, 0, 1}), (vec4{0, 0.25f, 0, 1}));
+    EXPECT_NEAR(over.laid({0, 0.25f, 0, 0.5f}).y, 0.125f / 0.75f, 1e-6f);
+    EXPECT_EQ(over.displayed({nan, nan, nan, 0}), (vec4{1, 0, 0, 0.5f}));
+}
+
+TEST(ToneCurve, FindsTheLightThatIsDisplayedAsAColor) {
+    for (const ToneMapping mapping :
+         {ToneMapping::none, ToneMapping::reinhard, ToneMapping::neutral, ToneMapping::aces, ToneMapping::agx})
+        for (const double exposure : {-12.0, 0.0, 3.0})
+            for (const vec3 wanted : {vec3{0.03f, 0.031f, 0.037f}, vec3{0.2f, 0.2f, 0.2f}, vec3{0.55f, 0.14f, 0.05f}}) {
+                const ToneCurve curve({mapping, exposure});
+                const vec3 found = curve(curve.light_for(wanted));
+                for (std::size_t c = 0; c < 3; ++c)
+                    EXPECT_NEAR(found[c], wanted[c], 0.02) << int(mapping) << " " << exposure << " " << c;
+            }
+    EXPECT_EQ(ToneCurve({ToneMapping::none, 3}).light_for({0.5f, 0.25f, 0}), (vec3{0.0625f, 0.03125f, 0}));
+}
+
 }  // namespace
 }  // namespace rakelight

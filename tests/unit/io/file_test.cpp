@@ -146,10 +146,26 @@ TEST_F(FileTest, RefusesReferencesThatLeaveTheFolder) {
     EXPECT_THROW(resolve_reference(model(), "a/" + std::string(70000, '/') + "../../../x", false), Error);
 }
 
-TEST_F(FileTest, ARefusalNamesOnlyTheLastComponent) {
-    const Error error = error_of([&] { resolve_reference(model(), "../../private/folder/name.png", false); });
-    EXPECT_NE(std::string(error.what()).find("'name.png'"), std::string::npos) << error.what();
-    EXPECT_EQ(std::string(error.what()).find("private"), std::string::npos) << error.what();
+TEST_F(FileTest, ARefusalNamesTheReferenceAsItIsWrittenAndWhatHelps) {
+    const Error error = error_of([&] { resolve_reference(model(), "..\\..\\folder/name.png", false); });
+    EXPECT_NE(error.reason().find("'..\\..\\folder/name.png'"), std::string::npos) << error.what();
+    EXPECT_EQ(error.related(), std::vector<std::string>{"allow-outside"});
+}
+
+TEST_F(FileTest, APathOfAnotherMachineIsRefusedWithWhatToDoWhereverReferencesMayLead) {
+    for (const bool allow_outside : {false, true}) {
+        const Error error = error_of([&] { resolve_reference(model(), "C:\\work\\wood.png", allow_outside); });
+        EXPECT_NE(error.reason().find("'C:\\work\\wood.png' is a path of another machine"), std::string::npos);
+        EXPECT_NE(error.advice().find("'wood.png'"), std::string::npos) << error.what();
+        EXPECT_TRUE(error.related().empty());
+    }
+}
+
+TEST_F(FileTest, WhatIsNotFoundIsOutsideOrNowhere) {
+    put("other.png", "x");
+    EXPECT_NE(why_not_found(model(), "../other.png", "gone").find("'allow-outside'"), std::string::npos);
+    EXPECT_EQ(why_not_found(model(), "../nothing.png", "gone"), " is not in the model's folder; gone");
+    EXPECT_EQ(why_not_found(model(), "", "gone"), " is not in the model's folder; gone");
 }
 
 TEST_F(FileTest, FollowsReferencesAnywhereWhenAllowed) {
@@ -245,10 +261,26 @@ TEST_F(FileTest, ADeviceIsWrittenToAndNotReplaced) {
 }
 
 TEST_F(FileTest, RefusesOutputThatCannotBeMade) {
-    for (const std::string& path : {(folder_ / "absent" / "x").string(), folder_.path().string(), std::string(),
-                                    std::string("a\0b", 3), put("plain", "x") + "/below"}) {
+    for (const std::string& path :
+         {folder_.path().string(), std::string(), std::string("a\0b", 3), put("plain", "x") + "/below"}) {
         EXPECT_EQ(error_of([&] { OutputFile file(path); }).code(), ErrorCode::failed);
     }
+}
+
+TEST_F(FileTest, MissingFoldersAreMadeAndGoAgainWhenNothingIsWritten) {
+    const fs::path path = folder_ / "a" / "b" / "c.txt";
+    { OutputFile file(path.string()); }
+    EXPECT_FALSE(fs::exists(folder_ / "a"));
+    {
+        OutputFile first(path.string());
+        OutputFile second((folder_ / "a" / "d.txt").string());
+        second.commit();
+    }
+    EXPECT_TRUE(fs::exists(folder_ / "a" / "d.txt"));  // what holds something stays
+    EXPECT_FALSE(fs::exists(folder_ / "a" / "b"));
+    OutputFile file(path.string());
+    file.commit();
+    EXPECT_TRUE(fs::is_regular_file(path));
 }
 
 TEST_F(FileTest, AReadOnlyFolderIsAnErrorOfOutput) {

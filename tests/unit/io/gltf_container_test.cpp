@@ -88,6 +88,25 @@ TEST(GltfJson, RequiredExtensionsThatAreUnknownAreNamed) {
     EXPECT_TRUE(is_said(context, Remark::dropped, "VENDOR_new"));
 }
 
+TEST(GltfJson, RequiredExtensionsOfHowThingsLookAreLeftOutWithOneWarning) {
+    for (const char* name :
+         {"VENDOR_materials_glitter", "KHR_texture_basisu", "KHR_node_visibility", "EXT_lights_ies"}) {
+        GltfFile file;
+        file.triangle();
+        file.root["extensionsUsed"] = file.root["extensionsRequired"] = {name};
+        Context context({.threads = 1});
+        EXPECT_EQ(file.load(context).meshes.size(), 1u);
+        EXPECT_TRUE(is_said(context, Remark::warning, name));
+        EXPECT_FALSE(is_said(context, Remark::dropped, name)) << "said once";
+    }
+    for (const char* name : {"KHR_mesh_new", "VENDOR_compression", "materials"}) {
+        GltfFile file;
+        file.triangle();
+        file.root["extensionsRequired"] = {name};
+        EXPECT_NE(file.refusal().find(name), std::string::npos) << "data";
+    }
+}
+
 TEST(GltfBuffers, BrokenReferencesAreRefused) {
     for (const char* uri :
          {"../data.bin", "/etc/passwd", "http://example.org/a.bin", "", "data:;base64,@", "data:;base64"}) {

@@ -80,17 +80,18 @@ TEST(GltfHostile, EveryFileKeepsItsVerdict) {
     EXPECT_GE(seen, 200u);
 }
 
-TEST(GltfHostile, MessagesNameOnlyTheLastPartOfAReferenceOutside) {
+TEST(GltfHostile, MessagesNameAReferenceOutsideAsItIsWritten) {
     RL_NEEDS_SHARED("hostile");
     Context context({.threads = 1});
     const auto folder = test::shared_dir() / "hostile/gltf";
     io::read_gltf((folder / "path_traversal_texture.gltf").string(), {}, context);
     ASSERT_FALSE(context.report().entries().empty());
-    for (const ReportEntry& entry : context.report().entries())
-        EXPECT_EQ(entry.message.find("etc/"), std::string::npos) << entry.message;
+    EXPECT_NE(context.report().entries()[0].message.find("'../../../../../../etc/passwd' leaves the model's folder"),
+              std::string::npos)
+        << context.report().entries()[0].message;
     const Outcome outcome = read(folder / "path_traversal_buffer.gltf");
     ASSERT_TRUE(outcome.error);
-    EXPECT_EQ(std::string(outcome.error->what()).find("etc/"), std::string::npos);
+    EXPECT_NE(std::string(outcome.error->what()).find("etc/"), std::string::npos) << outcome.error->what();
 }
 
 }  // namespace

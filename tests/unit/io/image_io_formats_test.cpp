@@ -133,6 +133,21 @@ TEST(ExrRoundTrip, InfinitiesAndNanSurvive) {
     EXPECT_TRUE(std::isnan(back[2]));
 }
 
+TEST(PpmWriting, IsAHeaderAndTheColorsWithoutAlpha) {
+    for (const int channels : {1, 2, 3, 4}) {
+        const Pixels pixels = ramp_picture(5, 2, channels);
+        std::vector<std::byte> file;
+        write_image({"a.ppm", file}, pixels);
+        const std::size_t colors = channels < 3 ? 1 : 3;
+        const std::string header = channels < 3 ? "P5\n5 2\n255\n" : "P6\n5 2\n255\n";
+        ASSERT_EQ(file.size(), header.size() + 10 * colors);
+        EXPECT_TRUE(std::equal(header.begin(), header.end(), file.begin(),
+                               [](char c, std::byte b) { return b == std::byte(c); }));
+        for (std::size_t i = 0; i < 10 * colors; ++i)
+            EXPECT_EQ(file[header.size() + i], pixels.bytes[i / colors * std::size_t(channels) + i % colors]);
+    }
+}
+
 TEST(HdrRoundTrip, KeepsEightBitsOfTheBrightestComponent) {
     for (const int width : {1, 7, 8, 9, 300, 1000}) {
         const Pixels pixels = noise_picture(width, 5, 3, Component::f32), back = round_trip("a.hdr", pixels);

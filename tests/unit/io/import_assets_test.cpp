@@ -51,8 +51,7 @@ std::vector<Row> index_rows() {
         if (cells.size() < 4) continue;
         std::string ending = std::filesystem::path(cells[0]).extension().string();
         for (char& c : ending) c = char(std::tolower(c));
-        if (std::string(" .fbx .dae .3ds .ase .blend .stl .ply .off .x ").find(" " + ending + " ") ==
-                std::string::npos ||
+        if (std::string(" .fbx .dae .3ds .ase .blend .stl .off .x ").find(" " + ending + " ") == std::string::npos ||
             ending.empty())
             continue;
         Row row{folder + "/" + cells[0], 0, 0, cells[3].find("cannot") != std::string::npos};
@@ -219,7 +218,7 @@ TEST_F(ImportAssets, BinaryFbx6100IsRefusedWithAdvice) {
 TEST_F(ImportAssets, MadeUpNormalsAreNoNormals) {
     RL_NEEDS_SHARED("assets");
     for (const char* name : {"stl/Spider_ascii.stl", "stl/Spider_binary.stl", "blend/SmoothVsSolidCube_248.blend",
-                             "ply/cube.ply", "fbx/assimp/boxWithCompressedCTypeArray.FBX"})
+                             "fbx/assimp/boxWithCompressedCTypeArray.FBX"})
         for (const Mesh& mesh : read(name).meshes)
             EXPECT_TRUE(mesh.normals.empty() && mesh.smoothing_hint.empty()) << name;
     for (const char* name : {"3ds/fels.3ds", "ase/ThreeCubesGreen.ASE"})
@@ -227,7 +226,7 @@ TEST_F(ImportAssets, MadeUpNormalsAreNoNormals) {
             EXPECT_TRUE(mesh.normals.empty()) << name;
             EXPECT_EQ(mesh.smoothing_hint.size(), mesh.indices.size()) << name;
         }
-    for (const char* name : {"ply/suzanne.ply", "dae/sphere.dae", "fbx/assimp/box.fbx"})
+    for (const char* name : {"dae/sphere.dae", "fbx/assimp/box.fbx"})
         for (const Mesh& mesh : read(name).meshes) EXPECT_EQ(mesh.normals.size(), mesh.positions.size()) << name;
 }
 

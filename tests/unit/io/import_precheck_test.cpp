@@ -40,7 +40,7 @@ std::string binary_stl(std::uint32_t promised, std::size_t present, std::string 
 }
 
 TEST(ImportPrecheck, EmptyFilesAndUnknownEndingsAreRefused) {
-    for (const char* ending : {"stl", "ply", "off", "3ds", "ase", "blend", "dae", "fbx", "x"})
+    for (const char* ending : {"stl", "off", "3ds", "ase", "blend", "dae", "fbx", "x"})
         EXPECT_NE(check(ending, "").error, "") << ending;
     EXPECT_NE(check("txt", "text").error, "");
 }
@@ -49,7 +49,7 @@ TEST(ImportPrecheck, EveryPrefixOfGarbageIsRefusedWithoutACrash) {
     std::string noise;
     std::uint32_t state = 1;
     for (int i = 0; i < 300; ++i) noise += char((state = state * 1664525u + 1013904223u) >> 24);
-    for (const char* ending : {"stl", "ply", "off", "3ds", "ase", "blend", "dae", "fbx", "x"})
+    for (const char* ending : {"stl", "off", "3ds", "ase", "blend", "dae", "fbx", "x"})
         for (std::size_t size = 0; size <= noise.size(); ++size)
             EXPECT_NE(check(ending, noise.substr(0, size)).error, "") << ending << " " << size;
 }
@@ -77,38 +77,6 @@ TEST(ImportPrecheck, AsciiStlFacetsHaveThreeVertices) {
     EXPECT_NE(check("stl", "solid nothing\nendsolid nothing\n").error, "");
 }
 
-TEST(ImportPrecheck, PlyCountsAreHeldAgainstTheData) {
-    const std::string ascii =
-        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face "
-        "1\nproperty list uchar int vertex_indices\nend_header\n";
-    EXPECT_EQ(check("ply", ascii + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").error, "");
-    EXPECT_NE(check("ply", "ply\nformat ascii 1.0\nelement vertex 1000000000\nproperty float x\nend_header\n0\n").error,
-              "");
-    EXPECT_NE(check("ply", "ply\nformat ascii 1.0\nelement vertex -1\nproperty float x\nend_header\n0\n").error, "");
-    EXPECT_NE(check("ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n0\n").error, "");
-    EXPECT_NE(check("ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty quark x\nend_header\n0\n").error, "");
-}
-
-TEST(ImportPrecheck, ListsOfATextPlyAreHeldAgainstItsSize) {
-    const std::string head =
-        "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nelement face 2\nproperty list uchar int "
-        "vertex_indices\nproperty uchar red\nend_header\n";
-    EXPECT_EQ(check("ply", head + "0\n1\n3 0 1 0 255\n0 7\n").error, "");
-    EXPECT_EQ(check("ply", head + "0\r\ncomment 5 6 7\r\n1\r\n3 0 1 0 255\r\n0 7\r\n").error, "");
-    EXPECT_EQ(check("ply", head + "0\n1\n3 0 1 0 255\n2147483648 0 1\n").error,
-              "line 12: a list of element 'face' promises 2147483648 numbers, but 5 bytes follow");
-    EXPECT_EQ(check("ply", head + "0\n1\n-1 0 1 0 255\n0 7\n").error.substr(0, 9), "line 11: ");
-    EXPECT_NE(check("ply", head + "0\n1\n99999999999999999999999 0 1\n0 7\n").error, "");
-    EXPECT_EQ(check("ply", head + "0\n1\nthree 0 1 0 255\n0 7\n").error, "") << "for Assimp to say";
-    EXPECT_EQ(check("ply", head + "0\n1\n3 0 1 0\n").error, "") << "for Assimp to say";
-    // Elements without properties take no bytes, however many there are.
-    EXPECT_EQ(
-        check("ply",
-              "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nelement none 1000000000000\nend_header\n0\n")
-            .error,
-        "");
-}
-
 TEST(ImportPrecheck, CountsOfAnAseAreHeldAgainstItsSize) {
     const std::string head = "*3DSMAX_ASCIIEXPORT 200\n*COMMENT \"\n *MESH_NUMVERTEX x\"\n*MESH {\n\t*MESH_NUMVERTEX ";
     EXPECT_EQ(check("ase", head + "8\n}\n").error, "");
@@ -118,18 +86,6 @@ TEST(ImportPrecheck, CountsOfAnAseAreHeldAgainstItsSize) {
     EXPECT_EQ(check("ase", "*3DSMAX_ASCIIEXPORT 200\n*COMMENT \"a *MESH_NUMVERTEX 2147483648\"\n").error, "");
     EXPECT_EQ(check("ase", "*3DSMAX_ASCIIEXPORT 2147483648\n*MESH_NUMVERTEX").error, "");
     EXPECT_NE(check("ase", "*MATERIAL_COUNT 2147483648").error, "");
-}
-
-TEST(ImportPrecheck, BinaryPlyIsWalkedToItsEnd) {
-    const std::string header =
-        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nelement face 1\nproperty list uchar "
-        "int vertex_indices\nend_header\n";
-    const std::string vertices(12, '\0'), face = raw(std::uint8_t(3)) + raw(0) + raw(1) + raw(2);
-    EXPECT_EQ(check("ply", header + vertices + face).error, "");
-    EXPECT_EQ(check("ply", header + vertices + face).warnings, 0u);
-    EXPECT_NE(check("ply", header + vertices + face.substr(0, 9)).error, "");
-    EXPECT_EQ(check("ply", header + vertices + face + "more").warnings, 1u);
-    EXPECT_NE(check("ply", header + vertices + raw(std::uint8_t(3)) + raw(0) + raw(1) + raw(3)).error, "");
 }
 
 TEST(ImportPrecheck, OffCountsAreHeldAgainstTheSize) {

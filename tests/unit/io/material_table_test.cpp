@@ -50,6 +50,8 @@ constexpr Expected texture_places[] = {
     {"sheen_roughness", "/extensions/KHR_materials_sheen/sheenRoughnessTexture"},
     {"transmission", "/extensions/KHR_materials_transmission/transmissionTexture"},
     {"thickness", "/extensions/KHR_materials_volume/thicknessTexture"},
+    {"iridescence", "/extensions/KHR_materials_iridescence/iridescenceTexture"},
+    {"iridescence_thickness", "/extensions/KHR_materials_iridescence/iridescenceThicknessTexture"},
 };
 constexpr std::string_view srgb_roles[] = {"base_color", "emission", "specular", "specular_color", "sheen_color"};
 
@@ -71,6 +73,10 @@ constexpr Expected parameter_places[] = {
     {"attenuation_distance", "/extensions/KHR_materials_volume/attenuationDistance"},
     {"attenuation_color", "/extensions/KHR_materials_volume/attenuationColor"},
     {"dispersion", "/extensions/KHR_materials_dispersion/dispersion"},
+    {"iridescence", "/extensions/KHR_materials_iridescence/iridescenceFactor"},
+    {"iridescence_ior", "/extensions/KHR_materials_iridescence/iridescenceIor"},
+    {"iridescence_thickness_min_nm", "/extensions/KHR_materials_iridescence/iridescenceThicknessMinimum"},
+    {"iridescence_thickness_max_nm", "/extensions/KHR_materials_iridescence/iridescenceThicknessMaximum"},
 };
 
 std::string place_of(std::span<const Expected> places, std::string_view row) {

@@ -99,7 +99,27 @@ TEST_F(ObjFaces, FilesWithNothingToDrawAreRefused) {
     EXPECT_NE(error_of(square + "f 1\nf 1 2\nf 7 8 9\n").find("nothing to draw"), std::string::npos);
     EXPECT_NE(error_of("v nan 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n").find("nothing to draw"), std::string::npos);
     EXPECT_NE(error_of("v 0 0 0\n").find("model.obj"), std::string::npos);
-    EXPECT_NE(error_of(std::string("\xFF\xFEv\0 \0", 6)).find("UTF-16"), std::string::npos);
+    EXPECT_NE(error_of(std::string("\xFF\xFEv\0 \0", 6)).find("nothing to draw"), std::string::npos) << "UTF-16";
+}
+
+TEST_F(ObjFaces, TextInUtf16IsReadAndSaid) {
+    std::string wide = "\xFF\xFE";
+    for (const char c : square + "f 1 2 3 4\n") wide += {c, '\0'};
+    const Scene s = load(wide);
+    EXPECT_EQ(s.meshes.at(0).indices.size(), 6u);
+    EXPECT_TRUE(remark("UTF-16"));
+}
+
+TEST_F(ObjFaces, VerticesWithColorsAndWithoutFacesArePoints) {
+    const Scene s = load("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv nan 0 0 0 0 1\n");
+    ASSERT_EQ(s.meshes.size(), 1u);
+    EXPECT_EQ(s.meshes[0].topology, Topology::points);
+    EXPECT_EQ(s.meshes[0].indices.size(), 2u);
+    EXPECT_EQ(s.meshes[0].colors[1], (vec4{0, 1, 0, 1}));
+    EXPECT_TRUE(s.meshes[0].normals.empty());
+    const Scene scan = load("vn 0 0 1\nv 0 0 0\nvn 0 1 0\nv 1 0 0\n");
+    ASSERT_EQ(scan.meshes.at(0).normals.size(), 2u);
+    EXPECT_EQ(scan.meshes[0].normals[1], (vec3{0, 1, 0}));
 }
 
 TEST_F(ObjFaces, ObjectsBeginAtOAndGroupsCountOnlyWithoutO) {
@@ -286,12 +306,16 @@ TEST_F(ObjFaces, CornersMadeToMeetInOneSlotDoNot) {
         // 1000 balls in 4096 bins: 4096 (1 - e^(-1000/4096)) = 887 of them are hit, with a deviation of about 10.
         EXPECT_GT(slots.size(), 800u);
     }
-    obj::CornerTable table;  // in its 2048 slots all would meet in the first
-    MemoryBudget memory;
-    MemoryCharge charge(memory);
-    for (std::size_t i = 0; i < 1000; ++i) EXPECT_EQ(table.index_of(corners[i], charge), i);
-    EXPECT_EQ(charge.bytes(), table.bytes());
+    obj::UniqueTable<obj::Corner> table;  // in its 2048 slots all would meet in the first
+    for (std::uint32_t i = 0; i < 1000; ++i) EXPECT_EQ(table.number_of(corners[i]), i);
+    for (std::uint32_t i = 0; i < 1000; ++i) EXPECT_EQ(table.number_of(corners[i]), i);
     EXPECT_LT(table.longest_run(), 200u);
+    table.clear();
+    EXPECT_EQ(table.longest_run(), 0u);
+    EXPECT_EQ(table.number_of(corners[999]), 0u);
+    table.clear();  // few keys in many slots
+    EXPECT_EQ(table.longest_run(), 0u);
+    EXPECT_EQ(table.number_of(corners[5]), 0u);
 }
 
 TEST_F(ObjFaces, ACancelledRunStops) {

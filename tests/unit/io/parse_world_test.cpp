@@ -267,7 +267,8 @@ TEST(ShapeWords, AWrongValueIsRefusedWithWhatWouldBeRightOnACommandLine) {
               "'divisions' must be a whole number, not '2,3'");
     const Error color = error_of([] { material_values(std::vector<std::string>{"color=[1,0,0]"}); });
     EXPECT_EQ(color.reason(),
-              "'color' must be three numbers, as in color=1,0.5,0, or a code, as in color=#ff8000, not '[1,0,0]'");
+              "'color' must be three numbers, as in color=1,0.5,0, or a code or name, as in color=#ff8000, not "
+              "'[1,0,0]'");
 }
 
 TEST(ShapeWords, WhatIsNoKeyOfAShapeIsRefusedByItsName) {

@@ -57,8 +57,8 @@ TEST_F(Reader, FilesWithoutAKnownEndingAreReadByTheirContent) {
     EXPECT_EQ(read_scene(write("model", triangle_gltf), {}, context).meshes.size(), 1u);
     ASSERT_EQ(context.report().entries().size(), 1u);
     EXPECT_EQ(context.report().entries()[0].remark, Remark::guessed);
-    EXPECT_TRUE(has(refusal("model.xyz", triangle), ".xyz"));
-    EXPECT_TRUE(has(refusal("model.xyz", triangle), "supported: glTF 2.0, GLB, OBJ"));
+    EXPECT_TRUE(has(refusal("model.abc", triangle), ".abc"));
+    EXPECT_TRUE(has(refusal("model.abc", triangle), "supported: glTF 2.0, GLB, OBJ"));
     EXPECT_TRUE(has(refusal("model", triangle), "no ending"));
     EXPECT_TRUE(has(refusal(".obj", triangle), "no ending"));
 }
@@ -81,7 +81,8 @@ TEST_F(Reader, MaxFilesAreRefusedByNameWithAdvice) {
 }
 
 TEST_F(Reader, EmptyFilesOfEveryFormatAreRefused) {
-    for (const char* ending : {"obj", "glb", "gltf", "fbx", "dae", "3ds", "ase", "blend", "stl", "ply", "off", "x"})
+    for (const char* ending :
+         {"obj", "glb", "gltf", "fbx", "dae", "3ds", "ase", "blend", "stl", "ply", "off", "x", "xyz", "pts"})
         EXPECT_TRUE(has(refusal("empty."s + ending, ""), "empty")) << ending;
 }
 

@@ -171,7 +171,7 @@ TEST(SaveGltfArrays, InterleavedNormalsAreOverwrittenBetweenTheirNeighbors) {
 /// Whether the old normals are still in the file, and new ones behind them.
 void expect_old_normals_kept(GltfFile& file, int normals) {
     Context context({.threads = 1});
-    const Saved saved = save(file, context, with_normal(slanted), "out.glb");
+    const Saved saved = save(file, context, with_normal(slanted), "out.glb", {.keep_unused = true});
     EXPECT_NE(saved.tree["meshes"][0]["primitives"][0]["attributes"]["NORMAL"], normals);
     EXPECT_EQ(saved.binary.substr(0, file.data.size()), file.data);
     EXPECT_EQ(saved.scene.meshes[0].normals[0], slanted);

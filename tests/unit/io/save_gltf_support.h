@@ -32,14 +32,15 @@ inline Scene rounded(Scene written, const Scene& computed) {
 
 /// Saves `file` after `change`, reads it again, and saves that once more, which must change nothing.
 template <class Change>
-Saved save(GltfFile& file, Context& context, Change change, const std::string& output = "out.gltf") {
+Saved save(GltfFile& file, Context& context, Change change, const std::string& output = "out.gltf",
+           const io::GltfSaveOptions& options = {}) {
     const TemporaryFolder folder;
     const std::string json = file.text();
     folder.write("data.bin", file.data);
     const std::string source = folder.write("model.gltf", json), out = (folder.path() / output).string();
     const Scene before = io::read_gltf(source, {}, context), after = change(before);
     Saved saved;
-    saved.result = io::save_gltf(source, before, after, out, {}, context);
+    saved.result = io::save_gltf(source, before, after, out, options, context);
     std::ifstream opened(out, std::ios::binary);
     saved.bytes.assign(std::istreambuf_iterator<char>(opened), {});
     const bool is_glb = saved.bytes.starts_with("glTF");

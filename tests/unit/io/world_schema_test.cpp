@@ -26,6 +26,6 @@ TEST(WorldSchema, EveryKeyOfAnExampleIsInIt) {
     EXPECT_EQ(light["additionalProperties"], false);
     EXPECT_EQ(light["properties"]["cutoff_deg"]["maximum"], 90);
     EXPECT_EQ(schema["properties"]["material"]["items"]["properties"]["bump_steps"]["items"]["type"], "integer");
-    EXPECT_EQ(schema["properties"]["model"]["items"]["properties"]["normals"]["enum"].size(), 5u);
+    EXPECT_EQ(schema["properties"]["model"]["items"]["properties"]["normals"]["enum"].size(), 6u);
     EXPECT_EQ(schema["properties"]["camera"]["items"]["properties"]["vertical_fov_deg"]["exclusiveMaximum"], 180);
 }

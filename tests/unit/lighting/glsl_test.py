@@ -20,7 +20,10 @@ SWIZZLE = re.compile(r"\.(?:[xyzw]{2,4}|[rgba]{1,4}|[stpq]{1,4})\b(?!\s*\()")
 FORBIDDEN = re.compile(r"\b(out|inout|uniform|const|auto|template|dFdx|dFdy|gl_\w+|texture\w*|discard|break|while|do|goto)\b|#include|\?")
 VERSIONS = {"330 core": "", "300 es": "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"}
 # GLSL alone: the words and maps that C++ has in headers.
-GLSL_ONLY = ("math/prelude.glsl", "lighting/maps.glsl", "lighting/albedo_tables.glsl", "image/agx_curves.glsl")
+GLSL_ONLY = ("math/prelude.glsl", "lighting/maps.glsl", "lighting/albedo_tables.glsl", "image/agx_curves.glsl",
+             "lighting/occlusion/depth_maps.glsl")
+# Texts of passes over whole pictures: no part of lighting.h.
+OF_PASSES = ("image/tone.glsl", "lighting/occlusion/horizons.glsl")
 
 
 def without_comments(text):
@@ -34,7 +37,7 @@ def listed_files(source):
 
 def faults_of_list(source, names):
     faults = []
-    there = {str(path.relative_to(source)) for path in (source / "lighting").rglob("*.glsl")} - set(GLSL_ONLY)
+    there = {str(path.relative_to(source)) for path in (source / "lighting").rglob("*.glsl")} - set(GLSL_ONLY) - set(OF_PASSES)
     if there != set(names) or len(names) != len(set(names)):
         faults.append(f"all.glsl.list and the folder differ: {sorted(there ^ set(names))}")
     included = re.findall(r'#include "(lighting/[\w/]+\.glsl)"', (source / "lighting/lighting.h").read_text(encoding="utf-8"))
@@ -88,9 +91,10 @@ def compile_as(version, header, text, statements):
 
 def main():
     source = pathlib.Path(sys.argv[1]) / "src"
-    names = [*listed_files(source), "image/tone.glsl"]
+    listed = listed_files(source)
+    names = [*listed, *OF_PASSES]
     texts = {name: (source / name).read_text(encoding="utf-8") for name in [*GLSL_ONLY, *names]}
-    faults = faults_of_list(source, names[:-1])
+    faults = faults_of_list(source, listed)
     for name, text in texts.items():
         faults += faults_of_words(name, text)
     statements = calls_of("".join(texts[name] for name in names))

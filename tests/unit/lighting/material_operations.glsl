@@ -11,6 +11,8 @@ RL_FN MaterialTraits traits_with(int form, int all)
     traits.has_sheen = all;
     traits.has_coat = all;
     traits.has_two_normals = all;
+    traits.has_transmission = all;
+    traits.has_iridescence = all;
     return traits;
 }
 
@@ -282,4 +284,46 @@ RL_FN vec3 share_from(vec3 n, vec3 l, vec3 v, vec3 ka, vec3 kd, vec3 ks, vec3 p,
     MaterialSurface s = any_path_surface(n, v, ka, kd, ks, p, e, model);
     LightAlbedo albedo = light_albedo(s, test_maps(), l, traits_with(RL_WARD_BOUNDED, 1), model);
     return reflected_share(s, l, albedo, traits_with(RL_WARD_BOUNDED, 1), any_reflection(model, RL_NORMALIZED));
+}
+
+// Under a film, seen with the terms that follow from f0.
+RL_FN MaterialSurface under_film(vec3 n, vec3 v, vec3 ka, vec3 kd)
+{
+    MaterialSurface s;
+    s.base.n = n;
+    s.base.v = v;
+    s.base.specular = kd;
+    s.f90 = vec3(1.0f);
+    s.dielectric_f0 = greatest(kd);
+    set_iridescence(s, ka.x, film_thickness(0.0f, 900.0f, vec4(0.0f, ka.y, 0.0f, 1.0f)), 1.0f + ka.z);
+    return s;
+}
+
+RL_FN Body any_body(vec3 ka, vec3 kd, int bends, int parts)
+{
+    Body body;
+    body.thickness = ka.x;
+    body.eta = vec3(0.7f, 0.68f, 0.66f);
+    body.attenuation = kd;
+    body.blur = ka.y;
+    body.bends = bends;
+    body.parts = parts;
+    return body;
+}
+
+RL_FN vec3 from_behind(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 p, int bends, int parts)
+{
+    MaterialSurface s;
+    s.base.n = n;
+    s.base.v = v;
+    s.roughness = ka.z;
+    s.base.diffuse = kd;
+    s.base.ambient = kd;
+    set_transmission(s, ka.y, vec4(ka.x, 1.0f, 1.0f, 1.0f));
+    BehindView view;
+    view.to_u = vec4(0.4f, 0.0f, -0.5f, 0.0f);
+    view.to_v = vec4(0.0f, -0.4f, -0.5f, 0.0f);
+    view.to_w = vec4(0.0f, 0.0f, -1.0f, 0.0f);
+    view.last_level = 9.0f;
+    return terms_from_behind(test_maps(), view, any_body(ka, kd, bends, parts), s, vec3(p.x, p.y, -2.0f - abs(p.z))).diffuse + s.base.diffuse + s.base.ambient;
 }

@@ -32,6 +32,11 @@ RL_FN vec3 sample_sky(RL_IN(Maps) maps, vec2 uv, real level)
     return vec3(uv.x, uv.y, maps.height_scale + level * 0.01f);
 }
 
+RL_FN vec3 sample_behind(RL_IN(Maps) maps, vec2 uv, real level)
+{
+    return vec3(uv.x, uv.y, maps.height_scale + level * 0.1f);
+}
+
 // A surface that leans, before and behind the items. Parallel maps (test_maps(1)) hold minus a distance.
 RL_FN real fetch_nearness(RL_IN(Maps) maps, real column, real row)
 {

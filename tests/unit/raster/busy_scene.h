@@ -79,9 +79,12 @@ inline Scene rich_scene() {
     MetallicRoughnessParameters& p = scene.materials[1].metallic_roughness;
     p.clearcoat = 0.7f, p.clearcoat_roughness = 0.2f, p.sheen_color = {0.3f, 0.2f, 0.4f}, p.sheen_roughness = 0.5f;
     p.anisotropy = 0.6f;
+    p.transmission = 0.4f, p.thickness = 0.2f, p.attenuation_distance = 0.5f, p.attenuation_color = {0.5f, 0.8f, 0.9f};
+    p.dispersion = 2, p.iridescence = 0.6f;
     for (TextureUse* use :
          {&p.clearcoat_texture, &p.clearcoat_roughness_texture, &p.clearcoat_normal_texture, &p.sheen_color_texture,
-          &p.sheen_roughness_texture, &p.anisotropy_texture, &p.specular_texture, &p.specular_color_texture})
+          &p.sheen_roughness_texture, &p.anisotropy_texture, &p.specular_texture, &p.specular_color_texture,
+          &p.transmission_texture, &p.thickness_texture, &p.iridescence_texture, &p.iridescence_thickness_texture})
         *use = map;
     scene.fog.kind = FogKind::exponential;
     scene.environment.emplace();

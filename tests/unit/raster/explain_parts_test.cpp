@@ -147,7 +147,8 @@ TEST(ExplainParts, FactorsComeToTheTermsOfPbrWithAllItsLayersShadowsAndBumps) {
             for (const TracedQuantity q :
                  {TracedQuantity::fresnel, TracedQuantity::fresnel_rest, TracedQuantity::sheen_lobe,
                   TracedQuantity::sheen_rest, TracedQuantity::coat_reflectance, TracedQuantity::coat_rest,
-                  TracedQuantity::above, TracedQuantity::around_coat, TracedQuantity::own_emission})
+                  TracedQuantity::above, TracedQuantity::around_coat, TracedQuantity::own_emission,
+                  TracedQuantity::through, TracedQuantity::behind})
                 EXPECT_GT(found.quantities[q], 0) << int(q);
             EXPECT_EQ(found.quantities[TracedQuantity::scattering_mean] > 0, scattering);
             EXPECT_EQ(found.quantities[TracedQuantity::seen] > 0, scattering);

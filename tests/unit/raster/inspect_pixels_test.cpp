@@ -50,7 +50,8 @@ Scene busy_scene_in_fog() {
 vec3 sum_of_terms(const raster::PixelStageData& d, std::size_t p) {
     vec3 sum = d.emission[p] + d.own_color[p];
     for (const raster::TermPictures& t : d.lights) sum += t.ambient[p] + t.diffuse[p] + t.specular[p];
-    for (const std::vector<vec3>* term : {&d.other_lights, &d.around_diffuse, &d.around_specular, &d.fog})
+    for (const std::vector<vec3>* term :
+         {&d.other_lights, &d.around_diffuse, &d.around_specular, &d.transmitted, &d.fog})
         if (!term->empty()) sum += (*term)[p];
     return sum;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // GlView in a context of its caller's: pictures shown, scenes drawn, lines over both. Skipped where there is no OpenGL.
 #include <rakelight/gl_view.h>
+#include <rakelight/picture_parts.h>
 
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
@@ -122,9 +123,11 @@ TEST_F(GlViews, ASceneIsDrawnAsTheEngineDrawsIt) {
     view.draw(camera, settings, tone, context);
     Session session("gl");
     session.set(red_square());
+    RenderSettings drawn = settings;
+    const vec4 behind = keep_background(drawn, tone);
     Frame frame;
-    session.render(camera, settings, frame, context);
-    const std::vector<std::uint32_t> got = screen(), expected = to_srgb8(frame, tone);
+    session.render(camera, drawn, frame, context);
+    const std::vector<std::uint32_t> got = screen(), expected = to_srgb8(frame, tone, behind);
     for (std::size_t i = 0; i < got.size(); ++i)
         for (int c = 0; c < 3; ++c) ASSERT_NEAR(got[i] >> 8 * c & 255, expected[i] >> 8 * c & 255, 1) << "pixel " << i;
 }

@@ -109,21 +109,22 @@ TEST_F(Picture, DisplayValuesOfFourBytesMayBeWrittenIntoThePictureItself) {
     EXPECT_EQ(std::bit_cast<float>(sink.channel_row(0, 3)[72 - 64]), 6.0f);
     EXPECT_EQ(PictureSink({Component::u8, 3}).display_rows({0, 0, 1, 1}).first, nullptr);
     EXPECT_EQ(PictureSink({Component::f32, 4}).display_rows({0, 0, 1, 1}).first, nullptr);
-    EXPECT_EQ(PictureSink({Component::u8, 4}, {ToneMapping::agx, 0}).display_rows({0, 0, 1, 1}).first, nullptr);
+    EXPECT_EQ(PictureSink({Component::u8, 4}, ToneCurve({ToneMapping::agx, 0})).display_rows({0, 0, 1, 1}).first,
+              nullptr);
 }
 
 TEST_F(Picture, ToneMappingActsOnDisplayValuesAndLeavesLinearFilesAlone) {
     const ToneSettings tone{ToneMapping::neutral, 1};
     const vec4 row[1] = {{0.2f, 0.9f, 3, 1}};
     const vec3 mapped = ToneCurve(tone)(row[0].xyz());
-    PictureSink display({Component::u8, 3}, tone);
+    PictureSink display({Component::u8, 3}, ToneCurve(tone));
     EXPECT_TRUE(PictureSink({Component::u8, 3}).takes_srgb8());
     EXPECT_FALSE(display.takes_srgb8());  // the engine's own codes know no curve
     display.begin(1, 1, {}, 0);
     display.tile({.area = {0, 0, 1, 1}, .color = row});
     const auto* codes = reinterpret_cast<const std::uint8_t*>(display.color_row(0));
     for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(codes[c], srgb8_from_linear(mapped[c]));
-    PictureSink linear({Component::f32, 3}, tone);
+    PictureSink linear({Component::f32, 3}, ToneCurve(tone));
     linear.begin(1, 1, {}, 0);
     linear.tile({.area = {0, 0, 1, 1}, .color = row});
     EXPECT_EQ(reinterpret_cast<const float*>(linear.color_row(0))[2], 3.0f);
@@ -216,7 +217,10 @@ TEST_F(Picture, RequestsAreCheckedBeforeAnythingIsLoaded) {
     EXPECT_EQ(refusal({.output = file("a.txt")}), ErrorCode::usage);
     EXPECT_EQ(refusal({.output = file("png")}), ErrorCode::usage);
     EXPECT_EQ(refusal({.output = ""}), ErrorCode::usage);
-    EXPECT_EQ(refusal({.output = file("no/such/folder/a.png")}), ErrorCode::failed);
+    check_request({.output = file("no/such/folder/a.png")});  // folders are made when the picture is written
+    EXPECT_FALSE(std::filesystem::exists(file("no")));
+    std::ofstream(file("plain")) << "no folder";
+    EXPECT_EQ(refusal({.output = file("plain/a.png")}), ErrorCode::failed);
     EXPECT_EQ(refusal({.output = good, .engine = "hard"}), ErrorCode::usage);
     EXPECT_EQ(refusal({.output = good, .settings = {.width = 0}}), ErrorCode::usage);
     EXPECT_EQ(refusal({.output = good, .settings = {.height = 65537}}), ErrorCode::usage);

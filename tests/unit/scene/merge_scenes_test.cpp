@@ -78,7 +78,7 @@ TEST(MergeScenes, EveryNumberGoesOnMeaningTheSameThing) {
         EXPECT_EQ(all.textures.at(use.texture).name, "b");
         ++uses;
     });
-    EXPECT_EQ(uses, 18);
+    EXPECT_EQ(uses, 20);
     EXPECT_EQ(all.lights.at(2).node, 4u);
     EXPECT_EQ(all.cameras.at(2).node, 4u);
     EXPECT_EQ(all.meshes[1].positions, b.meshes[0].positions);  // shared, not copied

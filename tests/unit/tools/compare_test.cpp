@@ -3,10 +3,13 @@
 #include <rakelight/compare.h>
 
 #include <gtest/gtest.h>
+
 #include <rakelight/picture.h>
 #include <rakelight/tools/rows.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -233,7 +236,10 @@ TEST_F(Compare, OutputsAreCheckedBeforeAnythingIsCompared) {
     EXPECT_NO_THROW(check_comparison_output(folder.file("d.png")));
     EXPECT_NO_THROW(check_comparison_output(folder.file("d.html")));
     EXPECT_EQ(error_of([&] { check_comparison_output(folder.file("d.gif")); }).code(), ErrorCode::usage);
-    EXPECT_EQ(error_of([&] { check_comparison_output(folder.file("none/d.html")); }).code(), ErrorCode::failed);
+    EXPECT_NO_THROW(check_comparison_output(folder.file("none/d.html")));  // folders are made when it is written
+    EXPECT_FALSE(std::filesystem::exists(folder.file("none")));
+    std::ofstream(folder.file("plain")) << "no folder";
+    EXPECT_EQ(error_of([&] { check_comparison_output(folder.file("plain/d.html")); }).code(), ErrorCode::failed);
 }
 
 TEST_F(Compare, ScenesAreKnownByTheirNames) {

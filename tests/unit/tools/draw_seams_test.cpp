@@ -10,6 +10,27 @@
 namespace rakelight {
 namespace {
 
+/// The two squares seen from the front, large enough for a legend.
+Frame marked(const Scene& scene, SeamMarks marks, int width = 320, int height = 200) {
+    Context context;
+    const InspectOptions options{.seam_lines = true};
+    // Upside down: the seam's lower end, where the ring is, is on top.
+    const ViewRequest view{.position = dvec3{0, 0.5, 2},
+                           .focal_point = dvec3{0, 0.5, 0},
+                           .up = dvec3{0, -1, 0},
+                           .vertical_fov_rad = radians(40),
+                           .orthographic = true};
+    const RenderSettings settings{.width = width, .height = height};
+    return draw_seams(scene, inspect(scene, options, context), options, view, settings, context, marks);
+}
+
+/// Pixels that differ, above the legend or in all of the picture.
+int differing(const Frame& a, const Frame& b, int rows) {
+    int count = 0;
+    for (std::size_t p = 0; p < std::size_t(rows * a.width); ++p) count += !(a.color[p] == b.color[p]);
+    return count;
+}
+
 /// The two squares seen from the front, 101 x 51 pixels, 50 pixels a meter.
 Frame seams_of(const Scene& scene, ViewRequest view = {.side = "front", .orthographic = true}) {
     Context context;
@@ -72,6 +93,34 @@ TEST(DrawSeams, ASeamBehindAFaceIsNotSeen) {
     EXPECT_TRUE(is_gray(pixel(seams_of(scene), 50, 25)));
     scene.nodes[2].local.translation = {0, 0, -0.5};
     EXPECT_FALSE(is_gray(pixel(seams_of(scene), 50, 25)));
+}
+
+TEST(DrawSeams, TheLegendHasARingThatIsBrokenWhereTheSeamIsHidden) {
+    constexpr int above_legend = 150;
+    Scene scene = with_seam({0.6f, 0, 0.8f});
+    const auto ring = [&] {
+        return differing(marked(scene, SeamMarks::none), marked(scene, SeamMarks::legend), above_legend);
+    };
+    const int whole = ring();
+    EXPECT_GT(whole, 100);
+    scene.meshes.push_back(test::square(-0.5f));
+    scene.meshes[2].normals = std::vector<vec3>(4, vec3{0, 0, 1});
+    scene.nodes.emplace_back().meshes = {2};
+    scene.nodes[2].local.translation = {0, -0.5, 0.5};
+    EXPECT_LT(ring(), whole);
+    EXPECT_GT(ring(), 50);
+}
+
+TEST(DrawSeams, TheLegendWithoutASeamHasNoRing) {
+    const Scene scene = test::two_squares();
+    const Frame without = marked(scene, SeamMarks::none), with = marked(scene, SeamMarks::legend);
+    EXPECT_EQ(differing(without, with, 150), 0);
+    EXPECT_GT(differing(without, with, with.height), 500);
+}
+
+TEST(DrawSeams, SmallPicturesHaveNoLegend) {
+    const Scene scene = with_seam({0.6f, 0, 0.8f});
+    EXPECT_EQ(marked(scene, SeamMarks::legend, 239, 200).color, marked(scene, SeamMarks::none, 239, 200).color);
 }
 
 TEST(DrawSeams, PerspectiveAndACameraInTheMiddleOfASeamAreNoTrouble) {

@@ -257,7 +257,7 @@ void expect_same_model_and_no_second_change(const fs::path& input, const fs::pat
     expect_same_triangles(wanted, now);
     const bool in_place = lower_ending(input) == lower_ending(output) || (is_gltf(input) && is_gltf(output));
     if (output.extension() != ".obj" && output.extension() != ".ply" && (result.changed || !in_place) && in_place)
-        expect_attributes(smooth_for_file(before, options, context), got);
+        expect_attributes(smooth_for_file(before, options, context).scene, got);
     const fs::path again = output.parent_path() / ("again" + output.extension().string());
     SmoothedFile second = smooth_file(output.string(), again.string(), options, context);
     if (!in_place && has_smoothing_groups(before)) {  // gone with the format: from then on nothing changes
@@ -292,15 +292,73 @@ void smooth_all_gltf(const SmoothFileOptions& options) {
 
 TEST(SmoothAssets, GltfKeepsEverythingButNormalsAndTangents) {
     RL_NEEDS_SHARED("assets");
-    smooth_all_gltf({});
+    smooth_all_gltf({.keep_unused = true});
 }
 
 TEST(SmoothAssets, GltfKeepsEverythingWhereAllVerticesAreSplitAndAllHaveTangents) {
     RL_NEEDS_SHARED("assets");
-    SmoothFileOptions options;
+    SmoothFileOptions options = anew;
     options.attributes.crease_angle_rad = 0;
     options.tangents = TangentChoice::always;
+    options.keep_unused = true;
     smooth_all_gltf(options);
+}
+
+TEST(SmoothAssets, GltfKeepsEverythingWhereAllNormalsAreMadeAnew) {
+    RL_NEEDS_SHARED("assets");
+    SmoothFileOptions options = anew;
+    options.keep_unused = true;
+    smooth_all_gltf(options);
+}
+
+template <class T>
+bool are_same(const Block<T>& a, const Block<T>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
+void expect_same_content(const Scene& a, const Scene& b) {
+    EXPECT_TRUE(a.nodes == b.nodes && a.skins == b.skins && a.cameras.size() == b.cameras.size());
+    ASSERT_EQ(a.meshes.size(), b.meshes.size());
+    for (std::size_t m = 0; m < a.meshes.size(); ++m) {
+        const Mesh &x = a.meshes[m], &y = b.meshes[m];
+        EXPECT_TRUE(are_same(x.positions, y.positions) && are_same(x.indices, y.indices)) << m;
+        EXPECT_TRUE(are_same(x.normals, y.normals) && are_same(x.tangents, y.tangents)) << m;
+        EXPECT_TRUE(are_same(x.colors, y.colors) && are_same(x.influences, y.influences)) << m;
+        ASSERT_EQ(x.texcoords.size(), y.texcoords.size());
+        for (std::size_t set = 0; set < x.texcoords.size(); ++set)
+            EXPECT_TRUE(are_same(x.texcoords[set], y.texcoords[set])) << m;
+        ASSERT_EQ(x.targets.size(), y.targets.size());
+        for (std::size_t t = 0; t < x.targets.size(); ++t)
+            EXPECT_TRUE(are_same(x.targets[t].positions, y.targets[t].positions)) << m;
+    }
+    ASSERT_EQ(a.animations.size(), b.animations.size());
+    for (std::size_t n = 0; n < a.animations.size(); ++n)
+        for (std::size_t c = 0; c < a.animations[n].channels.size(); ++c) {
+            const AnimationChannel &x = a.animations[n].channels[c], &y = b.animations[n].channels[c];
+            EXPECT_TRUE(are_same(x.times, y.times) && are_same(x.values, y.values)) << n;
+        }
+    ASSERT_EQ(a.textures.size(), b.textures.size());
+    for (std::size_t t = 0; t < a.textures.size(); ++t) {
+        const auto &x = a.textures[t].image->bytes, &y = b.textures[t].image->bytes;
+        EXPECT_TRUE(bool(x) == bool(y) && (!x || *x == *y)) << t;
+    }
+}
+
+TEST(SmoothAssets, GlbFilesWithoutDeadBytesHoldTheSame) {
+    RL_NEEDS_SHARED("assets");
+    std::size_t smaller = 0;
+    for_each(models({".glb", ".gltf"}), [&](const fs::path& file, const fs::path& dir) {
+        Context context;
+        SmoothFileOptions options = anew;
+        options.attributes.crease_angle_rad = 0;
+        smooth_file(file.string(), (dir / "lean.glb").string(), options, context);
+        options.keep_unused = true;
+        smooth_file(file.string(), (dir / "kept.glb").string(), options, context);
+        expect_same_content(load((dir / "kept.glb").string(), {}, context),
+                            load((dir / "lean.glb").string(), {}, context));
+        smaller += fs::file_size(dir / "lean.glb") < fs::file_size(dir / "kept.glb");
+    });
+    EXPECT_GT(smaller, 40u);
 }
 
 /// Lines of an OBJ file without its normals: neither `vn` lines nor the last reference of face corners.

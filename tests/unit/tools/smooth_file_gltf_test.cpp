@@ -64,7 +64,7 @@ TEST(SmoothFileGltf, SplitVerticesCopyTheElementsOfEveryAttributeAsTheyAre) {
     const Files files;
     Context context;
     const fs::path out = files.dir / "out.gltf";
-    const SmoothedFile result = smooth_file(files.model.string(), out.string(), {}, context);
+    const SmoothedFile result = smooth_file(files.model.string(), out.string(), anew, context);
     ASSERT_EQ(result.meshes.size(), 1u);  // the neighbor touches at an edge of the fold's planes: the same for both
     EXPECT_EQ(result.meshes[0].vertices_split, 2u);
     const Json tree = Json::parse(bytes_of(out)), old = fold_tree();
@@ -110,7 +110,7 @@ Json corner_tree() {
 TEST(SmoothFileGltf, AnInstanceThatNeedsOtherNormalsGetsItsOwnMesh) {
     const Files files(corner_tree());
     Context context;
-    SmoothFileOptions options;
+    SmoothFileOptions options = anew;
     options.attributes.crease_angle_rad = pi;
     const fs::path out = files.dir / "out.glb";
     const SmoothedFile result = smooth_file(files.model.string(), out.string(), options, context);
@@ -130,7 +130,7 @@ TEST(SmoothFileGltf, AnInstanceThatNeedsOtherNormalsGetsItsOwnMesh) {
 TEST(SmoothFileGltf, KeptInstancesShareTheMeshOfTheFirstAndItIsSaid) {
     const Files files(corner_tree());
     Context context;
-    SmoothFileOptions options;
+    SmoothFileOptions options = anew;
     options.attributes.crease_angle_rad = pi;
     options.keep_instances = true;
     const fs::path out = files.dir / "out.gltf";
@@ -147,11 +147,11 @@ TEST(SmoothFileGltf, InPlaceLeavesTheFilesOwnBufferAlone) {
     const Files files(tree);
     write(files.dir / "fold.bin", fold_buffer());
     Context context;
-    EXPECT_TRUE(smooth_file(files.model.string(), files.model.string(), {}, context).changed);
+    EXPECT_TRUE(smooth_file(files.model.string(), files.model.string(), anew, context).changed);
     EXPECT_EQ(bytes_of(files.dir / "fold.bin"), fold_buffer());
     EXPECT_TRUE(fs::exists(files.dir / "fold.normals.bin"));
     const std::string once = bytes_of(files.model);
-    EXPECT_FALSE(smooth_file(files.model.string(), files.model.string(), {}, context).changed);
+    EXPECT_FALSE(smooth_file(files.model.string(), files.model.string(), anew, context).changed);
     EXPECT_EQ(bytes_of(files.model), once);
     EXPECT_EQ(once.substr(0, 4), "{\n  ");  // indented as it was
 }
@@ -160,13 +160,13 @@ TEST(SmoothFileGltf, AnotherFolderGetsTheFilesThatTheModelNames) {
     const Files files;
     fs::create_directories(files.dir / "to");
     Context context;
-    smooth_file(files.model.string(), (files.dir / "to" / "x.gltf").string(), {}, context);
+    smooth_file(files.model.string(), (files.dir / "to" / "x.gltf").string(), anew, context);
     EXPECT_EQ(bytes_of(files.dir / "to" / "fold data.bin"), fold_buffer());
     EXPECT_EQ(load((files.dir / "to" / "x.gltf").string(), {}, context).nodes.size(), 2u);
     // A file of that name with other contents is not replaced.
     write(files.dir / "to" / "fold data.bin", "mine");
     try {
-        smooth_file(files.model.string(), (files.dir / "to" / "y.gltf").string(), {}, context);
+        smooth_file(files.model.string(), (files.dir / "to" / "y.gltf").string(), anew, context);
         ADD_FAILURE();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::failed);
@@ -180,7 +180,7 @@ TEST(SmoothFileGltf, ANewBufferReplacesNoFileButThatOfTheModelItReplaces) {
     write(files.dir / "x.bin", "somebody else's");
     Context context;
     const auto run = [&](const char* name) {
-        smooth_file(files.model.string(), (files.dir / name).string(), {}, context);
+        smooth_file(files.model.string(), (files.dir / name).string(), anew, context);
     };
     run("x.gltf");
     EXPECT_EQ(bytes_of(files.dir / "x.bin"), "somebody else's");
@@ -205,7 +205,7 @@ TEST(SmoothFileGltf, PartsThatAreNotDrawnMayBeOfAnyKind) {
     tree["meshes"][0]["primitives"][0]["attributes"]["_UNREAD"] = 4000000000u;
     const Files files(tree);
     Context context;
-    SmoothFileOptions round;
+    SmoothFileOptions round = anew;
     round.attributes.crease_angle_rad = pi;  // splits nothing
     for (const char* name : {"x.gltf", "x.glb"}) {
         EXPECT_TRUE(smooth_file(files.model.string(), (files.dir / name).string(), round, context).changed);
@@ -217,7 +217,7 @@ TEST(SmoothFileGltf, GlbInPlaceKeepsTheRestOfTheBinaryChunkAndUnknownChunks) {
     const Files files;
     Context context;
     const fs::path glb = files.dir / "a.glb";
-    SmoothFileOptions flat;
+    SmoothFileOptions flat = anew;
     flat.attributes.scope = Scope::face;
     smooth_file(files.model.string(), glb.string(), flat, context);
     std::string file = bytes_of(glb);
@@ -225,7 +225,7 @@ TEST(SmoothFileGltf, GlbInPlaceKeepsTheRestOfTheBinaryChunkAndUnknownChunks) {
     const auto length = std::uint32_t(file.size());
     std::memcpy(file.data() + 8, &length, 4);
     write(glb, file);
-    SmoothFileOptions round;
+    SmoothFileOptions round = anew;
     round.attributes.crease_angle_rad = pi;
     EXPECT_TRUE(smooth_file(glb.string(), glb.string(), round, context).changed);
     const std::string now = bytes_of(glb);
@@ -242,7 +242,7 @@ TEST(SmoothFileGltf, NamesThatStandTwiceKeepTheLastAsTheReaderDoes) {
     text.insert(1, "\"scene\":9,");
     write(files.model, text);
     Context context;
-    smooth_file(files.model.string(), (files.dir / "o.gltf").string(), {}, context);
+    smooth_file(files.model.string(), (files.dir / "o.gltf").string(), anew, context);
     const std::string out = bytes_of(files.dir / "o.gltf");
     EXPECT_EQ(out.find("\"scene\":9"), std::string::npos);
     EXPECT_NE(out.find("\"scene\":0"), std::string::npos);
@@ -254,7 +254,7 @@ TEST(SmoothFileGltf, ABrokenInputLeavesTheOutputAlone) {
     const Files files(tree);
     write(files.dir / "out.gltf", "old");
     Context context;
-    EXPECT_THROW(smooth_file(files.model.string(), (files.dir / "out.gltf").string(), {}, context), Error);
+    EXPECT_THROW(smooth_file(files.model.string(), (files.dir / "out.gltf").string(), anew, context), Error);
     EXPECT_EQ(bytes_of(files.dir / "out.gltf"), "old");
 }
 

@@ -37,6 +37,9 @@ inline bool use_import_helper() {
 #endif
 }
 
+/// All normals are made, whatever the file has.
+inline const SmoothFileOptions anew{.authored = AuthoredNormals::replaced};
+
 inline bool is_said(Context& context, Remark remark, const std::string& part) {
     const std::vector<ReportEntry> entries = context.report().entries();
     return std::any_of(entries.begin(), entries.end(), [&](const ReportEntry& e) {

@@ -34,7 +34,7 @@ TEST(SmoothFile, ObjLinesWithContinuationRelativeIndicesAndFaultyFacesAreRewritt
     const fs::path file = folder / "quads.obj";
     write(file, two_quads);
     Context context;
-    SmoothFileOptions options;
+    SmoothFileOptions options = anew;
     options.attributes.crease_angle_rad = pi;
     const SmoothedFile result = smooth_file(file.string(), file.string(), options, context);
     EXPECT_TRUE(result.changed);
@@ -71,7 +71,7 @@ TEST(SmoothFile, FreeFormSurfacesNeverNameNormalsThatAreGone) {
     write(file,
           "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 1 0\nvn 1 0 0\nvn 0 1 1\nf 1//1 2//2 3//3\n" + surface);
     Context context;
-    EXPECT_TRUE(smooth_file(file.string(), file.string(), {}, context).changed);
+    EXPECT_TRUE(smooth_file(file.string(), file.string(), anew, context).changed);
     const std::string text = bytes_of(file);
     EXPECT_NE(text.find("surf 0.0 1 0 1.0 1/1 -3/1 \\\n 3/1 4 # control points\nend\n"), std::string::npos) << text;
     EXPECT_TRUE(is_said(context, Remark::dropped, "2 references to normals")) << text;
@@ -82,10 +82,10 @@ TEST(SmoothFile, PlyAndGlbOfAnObjHaveTheSameNormals) {
     const fs::path file = out / "quads.obj";
     write(file, two_quads);
     Context context;
-    SmoothFileOptions options;
+    SmoothFileOptions options = anew;
     options.attributes.crease_angle_rad = pi;
     smooth_file(file.string(), (out / "a.glb").string(), options, context);
-    const Scene wanted = smooth_for_file(load(file.string(), {}, context), options, context);
+    const Scene wanted = smooth_for_file(load(file.string(), {}, context), options, context).scene;
     const Scene got = load((out / "a.glb").string(), {}, context);
     expect_attributes(wanted, got);
     EXPECT_FALSE(smooth_file((out / "a.glb").string(), (out / "b.glb").string(), options, context).changed);
@@ -117,7 +117,7 @@ TEST(SmoothFile, PlyDataNeverBeginsWithWhiteSpaceWhichReadersSkip) {
         SCOPED_TRACE(byte);
         write(out / "a.obj", triangle_from(byte));
         Context context;
-        smooth_file((out / "a.obj").string(), (out / "a.ply").string(), {}, context);
+        smooth_file((out / "a.obj").string(), (out / "a.ply").string(), anew, context);
         const std::string ply = bytes_of(out / "a.ply");
         EXPECT_EQ(ply.find("pad") != std::string::npos, (byte >= 9 && byte <= 13) || byte == 32);
         const std::size_t data = ply.find("end_header\n") + 11;
@@ -126,7 +126,7 @@ TEST(SmoothFile, PlyDataNeverBeginsWithWhiteSpaceWhichReadersSkip) {
                     got = load((out / "a.ply").string(), {}, context);
         ASSERT_EQ(got.meshes.size(), 1u);
         expect_same(wanted.meshes[0].positions, got.meshes[0].positions, "positions");
-        EXPECT_FALSE(smooth_file((out / "a.ply").string(), (out / "b.ply").string(), {}, context).changed);
+        EXPECT_FALSE(smooth_file((out / "a.ply").string(), (out / "b.ply").string(), anew, context).changed);
         EXPECT_EQ(ply, bytes_of(out / "b.ply"));
     }
 }
@@ -153,7 +153,7 @@ TEST(SmoothFile, PlyIsSmoothWherePartsMeetThroughDifferentMatrices) {
     }
     Context context;
     io::write_glb(scene, (out / "a.glb").string(), context);
-    smooth_file((out / "a.glb").string(), (out / "a.ply").string(), {}, context);
+    smooth_file((out / "a.glb").string(), (out / "a.ply").string(), anew, context);
     const Scene got = load((out / "a.ply").string(), {}, context);
     const Mesh& mesh = got.meshes.at(0);
     const auto at = [&](std::size_t corner) { return mesh.normals[mesh.indices[corner]]; };
@@ -162,7 +162,7 @@ TEST(SmoothFile, PlyIsSmoothWherePartsMeetThroughDifferentMatrices) {
     EXPECT_EQ(at(0), at(3));
     EXPECT_EQ(at(1), at(5));
     EXPECT_FALSE(at(0) == at(2));
-    EXPECT_FALSE(smooth_file((out / "a.ply").string(), (out / "b.ply").string(), {}, context).changed);
+    EXPECT_FALSE(smooth_file((out / "a.ply").string(), (out / "b.ply").string(), anew, context).changed);
 }
 
 /// An OBJ model with an MTL file in a folder of its own, and pictures here and there.
@@ -181,7 +181,7 @@ struct ModelWithMaterials {
         write(dir / "from" / "sky.hdr", "sky");
     }
     SmoothedFile run(const char* name, Context& context, bool allow_outside = false) const {
-        SmoothFileOptions options;
+        SmoothFileOptions options = anew;
         options.load.allow_outside = allow_outside;
         return smooth_file(model.string(), (to / name).string(), options, context);
     }
@@ -256,23 +256,13 @@ Scene skinned_scene() {
 
 TEST(SmoothFile, SkinnedMeshesStandInTheirBindPoseWhereTheFormatHasNoSkins) {
     Context context;
-    const Scene scene = skinned_scene(), flat = placed_in_world(scene, context);
+    const Scene scene = skinned_scene(), flat = placed_in_world(scene, false, context);
     const std::vector<vec3> wanted{{5, 1, 0}, {4, 1, 0}, {5, 2, 0}};
     EXPECT_TRUE(std::equal(wanted.begin(), wanted.end(), flat.meshes[0].positions.begin()));
     const std::vector<std::uint32_t> turned{0, 2,
                                             1};  // mirrored: the other way round, so that the front stays in front
     EXPECT_TRUE(std::equal(turned.begin(), turned.end(), flat.meshes[0].indices.begin()));
     EXPECT_EQ(flat.meshes[1].positions[0], (vec3{100, 0, 0}));
-    const Scene plain = in_bind_pose(scene);
-    ASSERT_EQ(plain.nodes.size(), 4u);
-    EXPECT_TRUE(plain.nodes[1].meshes.empty());
-    EXPECT_EQ(plain.nodes[2].meshes, (std::vector<std::uint32_t>{1}));
-    EXPECT_EQ(plain.nodes[3].name, "skinned");
-    EXPECT_EQ(plain.nodes[3].meshes, (std::vector<std::uint32_t>{0}));
-    EXPECT_EQ((*plain.nodes[3].local.matrix)[3].x, 5);
-    for (const Node& node : plain.nodes) EXPECT_EQ(node.skin, no_index);
-    const TemporaryFolder folder;
-    io::write_glb(plain, folder.file("a.glb"), context);
 }
 
 TEST(SmoothFile, StlAsOutputIsRefusedWithTheReason) {
@@ -280,13 +270,52 @@ TEST(SmoothFile, StlAsOutputIsRefusedWithTheReason) {
     write(out / "a.obj", two_quads);
     Context context;
     try {
-        smooth_file((out / "a.obj").string(), (out / "a.STL").string(), {}, context);
+        smooth_file((out / "a.obj").string(), (out / "a.STL").string(), anew, context);
         ADD_FAILURE();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::usage);
         EXPECT_NE(error.reason().find("STL has no place for the normals of vertices"), std::string::npos);
     }
     EXPECT_FALSE(fs::exists(out / "a.STL"));
+}
+
+TEST(SmoothFile, ObjAsOutputKeepsDigitsColorsAndOtherFiles) {
+    const TemporaryFolder out;
+    write(out / "far.ply",
+          "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\nproperty "
+          "uchar red\n"
+          "property uchar green\nproperty uchar blue\nproperty float heat\nelement face 1\nproperty list uchar int "
+          "vertex_indices\nend_header\n"
+          "1000000.01 0 0 255 0 0 1\n1000000.02 0 0 0 255 0 2\n1000000.01 0.01 0 0 0 255 3\n3 0 1 2\n");
+    write(out / "far.mtl", "my own");
+    Context context;
+    for (int run = 0; run < 2; ++run) {  // the second replaces its own library
+        smooth_file((out / "far.ply").string(), (out / "far.obj").string(), anew, context);
+        EXPECT_EQ(bytes_of(out / "far.mtl"), "my own");
+        EXPECT_TRUE(fs::exists(out / "far.2.mtl"));
+        EXPECT_FALSE(fs::exists(out / "far.3.mtl"));
+    }
+    const Scene wanted = load((out / "far.ply").string(), {}, context),
+                made = load((out / "far.obj").string(), {}, context);
+    ASSERT_EQ(made.meshes[0].positions.size(), 3u);
+    for (std::size_t v = 0; v < 3; ++v) {
+        const auto place = [&](const Mesh& m) { return double(m.positions[v].x) + m.origin.x; };
+        EXPECT_NEAR(place(made.meshes[0]), place(wanted.meshes[0]), 1e-6);
+        EXPECT_EQ(made.meshes[0].colors[v], wanted.meshes[0].colors[v]);
+    }
+    const auto entries = context.report().entries();
+    EXPECT_TRUE(std::ranges::any_of(entries, [](const ReportEntry& e) {
+        return e.message == "OBJ has no place for other numbers of the vertices";
+    }));
+}
+
+TEST(SmoothFile, AnObjOfPointsAloneIsCopied) {
+    const TemporaryFolder out;
+    const std::string cloud = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\n";
+    write(out / "cloud.obj", cloud);
+    Context context;
+    EXPECT_FALSE(smooth_file((out / "cloud.obj").string(), (out / "same.obj").string(), anew, context).changed);
+    EXPECT_EQ(bytes_of(out / "same.obj"), cloud);
 }
 
 TEST(SmoothFile, AFolderAsOutputIsCalledOne) {
@@ -296,7 +325,7 @@ TEST(SmoothFile, AFolderAsOutputIsCalledOne) {
     for (const char* name : {"", "b.glb", "none/"}) {
         Context context;
         try {
-            smooth_file((out / "a.obj").string(), (out / name).string(), {}, context);
+            smooth_file((out / "a.obj").string(), (out / name).string(), anew, context);
             ADD_FAILURE() << name;
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ErrorCode::usage);
@@ -309,8 +338,8 @@ TEST(SmoothFile, FormatsWithoutAWayBetweenThemAreAUsageError) {
     const TemporaryFolder out;
     write(out / "a.obj", two_quads);
     Context context;
-    for (const char* name : {"b.gltf", "b.stl", "b"}) try {
-            smooth_file((out / "a.obj").string(), (out / name).string(), {}, context);
+    for (const char* name : {"b.fbx", "b.stl", "b"}) try {
+            smooth_file((out / "a.obj").string(), (out / name).string(), anew, context);
             ADD_FAILURE() << name;
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ErrorCode::usage);

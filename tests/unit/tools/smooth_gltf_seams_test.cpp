@@ -13,6 +13,9 @@ namespace {
 
 using namespace test;
 
+/// All normals are made, whatever the file has.
+const SmoothFileOptions anew{.authored = AuthoredNormals::replaced};
+
 constexpr int columns = 12, rows = 9, cut_at = 5;
 
 /// A dome as a grid of codes: vertex (c, r) at (c, r, height) * 256.
@@ -91,7 +94,7 @@ TEST(SmoothQuantized, BordersWhoseCodesDifferByAStepHaveOneNormal) {
             options.normals = NormalSource::model;
             Scene scene = load(model, {}, context);
             EXPECT_EQ(seams(prepare_scene(scene, options, context), parts), 0u);
-            smooth_file(model, out, {}, context);
+            smooth_file(model, out, anew, context);
             const Scene smoothed = load(out, {}, context);
             EXPECT_EQ(seams(smoothed, parts), 0u) << "as it is written";
             for (std::size_t m = 0; m < 2; ++m) {
@@ -109,8 +112,8 @@ TEST(SmoothQuantized, TheSecondRunChangesNothing) {
     const TemporaryFolder folder;
     const std::string model = write(folder, file), out = (folder.path() / "out.glb").string();
     Context context;
-    EXPECT_TRUE(smooth_file(model, out, {}, context).changed);
-    EXPECT_FALSE(smooth_file(out, (folder.path() / "again.glb").string(), {}, context).changed);
+    EXPECT_TRUE(smooth_file(model, out, anew, context).changed);
+    EXPECT_FALSE(smooth_file(out, (folder.path() / "again.glb").string(), anew, context).changed);
 }
 
 // Quantized skinned models leave the scale to the inverse bind matrices; the nodes' own transforms do not count.
@@ -135,7 +138,7 @@ TEST(SmoothSkinned, PartsOfOneModelHaveOneNormalWhereverTheirNodesAre) {
     const TemporaryFolder folder;
     const std::string model = write(folder, file), out = (folder.path() / "out.gltf").string();
     Context context;
-    smooth_file(model, out, {}, context);
+    smooth_file(model, out, anew, context);
     EXPECT_EQ(seams(load(out, {}, context), parts), 0u);
     EXPECT_FALSE(is_said(context, Remark::warning, "part in motion"));
 }
@@ -188,7 +191,7 @@ TEST(SmoothMorphed, TargetsGetTheNormalsOfTheMorphedSurface) {
             const TemporaryFolder folder;
             const std::string model = write(folder, file), out = (folder.path() / name).string();
             Context context;
-            smooth_file(model, out, {}, context);
+            smooth_file(model, out, anew, context);
             EXPECT_FALSE(is_said(context, Remark::warning, "morph targets"));
             const Scene got = load(out, {}, context);
             AttributeOptions options;
@@ -202,7 +205,7 @@ TEST(SmoothMorphed, TargetsGetTheNormalsOfTheMorphedSurface) {
                     EXPECT_LT(std::fabs(n.x - wanted.x) + std::fabs(n.y - wanted.y) + std::fabs(n.z - wanted.z), 1e-5f);
                 }
             }
-            EXPECT_FALSE(smooth_file(out, (folder.path() / "again.glb").string(), {}, context).changed);
+            EXPECT_FALSE(smooth_file(out, (folder.path() / "again.glb").string(), anew, context).changed);
         }
 }
 
@@ -212,7 +215,7 @@ TEST(SmoothMorphed, ATargetWithoutNormalsBesideAMeshWithSomeStaysSo) {
     const TemporaryFolder folder;
     const std::string model = write(folder, file), out = (folder.path() / "out.glb").string();
     Context context;
-    smooth_file(model, out, {}, context);
+    smooth_file(model, out, anew, context);
     const Scene got = load(out, {}, context);
     EXPECT_FALSE(got.meshes[0].targets[0].normals.empty());
     EXPECT_TRUE(got.meshes[1].targets[0].normals.empty());
@@ -223,7 +226,7 @@ TEST(SmoothMorphed, SplitVerticesCarryTheirTargets) {
     const TemporaryFolder folder;
     const std::string model = write(folder, file), out = (folder.path() / "out.glb").string();
     Context context;
-    SmoothFileOptions options;
+    SmoothFileOptions options = anew;
     options.attributes.scope = Scope::face;
     smooth_file(model, out, options, context);
     const Scene before = load(model, {}, context), got = load(out, {}, context);

@@ -58,6 +58,10 @@ const std::map<std::string, std::vector<std::string>> examples = {
     {"wireframe", {"on"}},
     {"point-sprites", {"on"}},
     {"points", {"square"}},
+    {"grid", {"on"}},
+    {"axis", {"on"}},
+    {"filename", {"on"}},
+    {"metadata", {"on"}},
     {"line-width", {"1.5"}},
     {"point-size", {"0.1"}},
     {"line-color", {"0.25,0.5,1"}},
@@ -82,9 +86,13 @@ const std::map<std::string, std::vector<std::string>> examples = {
     {"shadow-size", {"512"}},
     {"shadow-bias", {"0.7"}},
     {"shadow-filter", {"3"}},
+    {"ambient-occlusion", {"on"}},
+    {"ambient-occlusion-radius", {"0.25"}},
+    {"ambient-occlusion-samples", {"64"}},
     {"normals", {"model"}},
     {"crease-angle", {"33.3"}},
     {"weight", {"angle-area"}},
+    {"weld-distance", {"0.001"}},
     {"tangents", {"mikktspace"}},
     {"orthogonalize", {"shader"}},
     {"keep-instances", {"on"}},
@@ -124,6 +132,12 @@ const std::map<std::string, std::vector<std::string>> examples = {
     {"normal-map-green", {"down"}},
     {"normal-map-zero", {"128"}},
     {"material", {"clearcoat=0.5", "sheen_color=0.1,0.2,0.3"}},
+    {"scalar-coloring", {"on"}},
+    {"scalars", {"intensity of it"}},
+    {"coloring-component", {"2"}},
+    {"coloring-range", {"-1.5,20"}},
+    {"colormap", {"coolwarm"}},
+    {"bar", {"on"}},
     {"look", {"default"}},
     {"light-intensity", {"2"}},
     {"light-cutoff", {"0.001"}},
@@ -145,6 +159,8 @@ const std::map<std::string, std::vector<std::string>> examples = {
 /// What another key has to say, too, for one to be taken.
 std::vector<WorldValue> with_company(const std::string& key) {
     std::vector<WorldValue> values = {value(key, examples.at(key))};
+    if (key.starts_with("coloring-") || key == "colormap" || key == "bar")
+        values.push_back(value("scalar-coloring", {"on"}));
     if (key == "channel-files") values.push_back(value("channels", {"depth"}));
     if (key.starts_with("subdivide-") && key != "subdivide-edge") values.push_back(value("subdivide", {"1"}));
     return values;
@@ -189,6 +205,9 @@ TEST(RenderKeys, WhatExcludesEachOtherNamesBoth) {
     EXPECT_EQ(fault_of({value("near", {"1"}), value("near", {"2"})}).setting(), "near");
     EXPECT_EQ(fault_of({value("edges", {"yes"})}).setting(), "edges");
     EXPECT_EQ(fault_of({value("edges", {})}).setting(), "edges");
+    EXPECT_EQ(fault_of({value("colormap", {"turbo"})}).setting(), "colormap");
+    EXPECT_EQ(fault_of({value("scalar-coloring", {"on"}), value("coloring-range", {"2,1"})}).setting(),
+              "coloring-range");
     EXPECT_EQ(fault_of({value("subdivide-uv", {"smooth"})}).setting(), "subdivide-uv");
     EXPECT_EQ(fault_of({value("point-sprites", {"on"}), value("points", {"none"})}).setting(), "point-sprites");
     EXPECT_EQ(fault_of({value("light", {"none", "ambient:1,1,1"})}).setting(), "light");

@@ -4,6 +4,7 @@
 uniform sampler2D rl_picture;
 uniform vec4 rl_show;        // [px] of the viewport's corner, 1 / its size
 uniform float rl_gain;       // 2^exposure
+uniform vec4 rl_behind;      // linear color that lies behind the picture, and its alpha
 out vec4 o_color;
 
 // IEC 61966-2-1.
@@ -20,6 +21,9 @@ void main()
     Maps maps;
     maps.unused = 0.0;
     vec3 c = clamp(tone_curve(maps, RL_TONE, texel.xyz / max(texel.w, 1e-6), rl_gain), 0.0, 1.0);
-    o_color = vec4(vec3(srgb_of(c.x), srgb_of(c.y), srgb_of(c.z)) * texel.w, 1.0);
+    float under = rl_behind.w * (1.0 - texel.w);
+    float alpha = texel.w + under;
+    vec3 s = (c * texel.w + rl_behind.xyz * under) / max(alpha, 1e-6);
+    o_color = vec4(vec3(srgb_of(s.x), srgb_of(s.y), srgb_of(s.z)) * alpha, 1.0);
 #endif
 }

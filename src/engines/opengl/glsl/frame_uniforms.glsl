@@ -5,6 +5,7 @@ uniform vec3 rl_view_direction;   // towards the viewer, in parallel views and f
 uniform vec4 rl_ray[3];           // rays of the pixels: change per pixel along x and down y; at the middle of the first one
 uniform vec4 rl_fog[2];           // color; start, end, density
 uniform vec4 rl_environment_numbers[12];  // irradiance, with intensity and last level in w of the first two; axes of the picture
+uniform vec4 rl_behind_view[4];   // rows that lead from a point about the eye to u w, v w, w; last level
 uniform ivec4 rl_light_count;     // lights; with lists: squares a row, their side [px], texel where lists begin
 #if RL_LIGHTS_ARE_NEAR
 uniform vec4 rl_light_numbers[RL_LIGHTS_ARE_NEAR * RL_LIGHT_TEXELS];

@@ -107,7 +107,30 @@ void set_layers(Point p, inout MaterialSurface s)
     if (RL_HAS_COAT != 0) {
         set_coat(s, m_clearcoat, m_clearcoat_roughness, clearcoat_texel(p), clearcoat_roughness_texel(p));
     }
+    if (RL_HAS_TRANSMISSION != 0) {
+        set_transmission(s, m_transmission, transmission_texel(p));
+    }
 }
+
+#if RL_HAS_TRANSMISSION
+// What is seen through the surface.
+LightTerms terms_from_behind_at(Point p, MaterialSurface s)
+{
+    Body body;
+    body.thickness = m_body_thickness * thickness_texel(p).y;
+    body.eta = m_through_eta;
+    body.attenuation = m_attenuation;
+    body.blur = m_through_blur;
+    body.bends = RL_BODY_BENDS;
+    body.parts = RL_BODY_PARTS;
+    BehindView view;
+    view.to_u = rl_behind_view[0];
+    view.to_v = rl_behind_view[1];
+    view.to_w = rl_behind_view[2];
+    view.last_level = rl_behind_view[3].x;
+    return terms_from_behind(plain_maps(), view, body, s, p.position);
+}
+#endif
 
 // All of a surface but its directions and what depends on them.
 void set_material(Point p, MaterialTexels t, BaseColor base, inout MaterialSurface s)
@@ -168,6 +191,10 @@ vec3 finish_surface(Point p, MaterialTexels t, vec3 even, vec3 emission, inout M
 #endif
 #if RL_MODEL == RL_PBR
     s.coat_n = coat_normal_at(p, even);
+#if RL_HAS_IRIDESCENCE
+    float film = film_thickness(m_iridescence_thickness_min_nm, m_iridescence_thickness_max_nm, iridescence_thickness_texel(p));
+    set_iridescence(s, m_iridescence * iridescence_texel(p).x, film, m_iridescence_ior);
+#endif
     set_pbr_albedos(s, plain_maps(), t.occlusion, RL_HAS_LIGHT_AROUND, traits(1));
     return emission_under_coat(s, emission);
 #else

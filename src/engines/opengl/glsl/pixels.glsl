@@ -248,7 +248,7 @@ int listed_light(int at)
 #endif
 #define RL_ADD_LIGHT(i) sum = RL_PLUS(sum, terms_of_light(x, i, plane));
 
-// All that falls on the surface: the lights in their order, then the environment.
+// All that falls on the surface: the lights in their order, then the environment, then what is seen through it.
 RL_SUM light_on(Pixel x)
 {
     RL_SUM sum = RL_NOTHING;
@@ -281,6 +281,9 @@ RL_SUM light_on(Pixel x)
 #endif
 #if RL_HAS_ENVIRONMENT
     sum = RL_PLUS(sum, environment_terms(plain_maps(), environment(), x.surface, traits(1), RL_MODEL));
+#endif
+#if RL_HAS_TRANSMISSION
+    sum = RL_PLUS(sum, terms_from_behind_at(x.point, x.surface));
 #endif
 #endif
     return sum;

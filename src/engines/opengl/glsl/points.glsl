@@ -21,6 +21,8 @@ MaterialTraits traits(int has_layers)
     t.has_sheen = RL_HAS_SHEEN * has_layers;
     t.has_coat = RL_HAS_COAT * has_layers;
     t.has_two_normals = RL_HAS_TWO_NORMALS * has_layers;
+    t.has_transmission = RL_HAS_TRANSMISSION * has_layers;
+    t.has_iridescence = RL_HAS_IRIDESCENCE * has_layers;
     return t;
 }
 

@@ -108,6 +108,7 @@ struct FrontEnd {
     std::vector<std::uint8_t> culled_by_side;
     std::vector<MaterialJob> jobs;        ///< [draws] without lights; make_material_jobs()
     const ShadowView* shadows = nullptr;  ///< [maps]; null: none
+    bool only_behind = false;             ///< shading::is_behind() says which draws there are
 };
 
 /// Whether attributes are linear on the screen.

@@ -8,6 +8,7 @@
 #include "base/assert.h"
 #include "engines/raster/geometry/front_end.h"
 #include "math/flush_denormals.h"
+#include "shading/behind.h"
 
 namespace rakelight::raster {
 namespace {
@@ -156,7 +157,8 @@ void transform_draws(FrontEnd& front, Context& context) {
         front.to_eye[d] = front.view.world_to_eye * draw.to_world;
         to_clip.emplace_back(front.view.world_to_camera * draw.to_world, front.view);
         front.stats.triangles_in += mesh.triangle_count();
-        outside[d] = is_outside(draw, to_clip[d], volume);
+        outside[d] = is_outside(draw, to_clip[d], volume) ||
+                     (front.only_behind && !shading::is_behind(front.list, draw, front.settings));
         if (outside[d])
             front.stats.culled_outside += mesh.triangle_count();
         else

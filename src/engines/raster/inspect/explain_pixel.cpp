@@ -5,12 +5,14 @@
 #include <limits>
 
 #include "cpu_shading/make_material_job.h"
+#include "engines/empty_pixel.h"
 #include "engines/raster/blend.h"
 #include "engines/raster/inspect/explained_triangles.h"
 #include "engines/raster/inspect/kernels/trace_kernel.h"
 #include "engines/raster/inspect/open_scene.h"
 #include "engines/raster/material_jobs.h"
 #include "engines/raster/multisample.h"
+#include "engines/raster/occlusion/occlusion.h"
 #include "engines/raster/shade/sky.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility/coverage.h"
@@ -35,6 +37,7 @@ public:
 
     PixelExplanation run() {
         const FlushDenormals guard;
+        if (of_.occlusion()) of_.occlusion()->find(job_of(drawn_), 0, scratch_);
         out_.x = x_;
         out_.y = y_;
         out_.background = background();
@@ -54,10 +57,18 @@ public:
 
 private:
     TileJob job_of(const OpenGeometry& g) const {
-        return {g.front, g.binned, g.grid, of_.lights(), *scalar::kernels(), true, g.points, false, true};
+        return {.front = g.front,
+                .binned = g.binned,
+                .grid = g.grid,
+                .lights = of_.lights(),
+                .kernels = *scalar::kernels(),
+                .has_blended = true,
+                .points = g.points,
+                .whole_records = true,
+                .occlusion = of_.occlusion()};
     }
     vec4 background() {
-        if (!has_sky(of_.list())) return of_.settings().background;
+        if (!has_sky(of_.list())) return empty_pixel(of_.settings());
         fill_sky(job_of(open_), 0, scratch_.color, scratch_);
         return scratch_.color[std::size_t((y_ - oy_) * tile_size + x_ - ox_)];
     }
@@ -102,6 +113,15 @@ private:
         out_.triangles.push_back(std::move(t));
     }
 
+    /// As shading has it: of what is opaque.
+    void give_openness(std::uint32_t draw, ShadeJob& batch) {
+        if (!of_.occlusion() || of_.list().view(draw).blend) return;
+        if (out_.samples.size() > 1)
+            of_.occlusion()->give_to_fragments(batch, ox_, oy_, scratch_);
+        else
+            of_.occlusion()->give(batch, scratch_);
+    }
+
     /// Shades the pixel of a triangle with the recorder.
     /// @param place  [px] where, from the pixel's center
     PixelTrace trace(const ScreenTriangle& s, vec2 place, ShadedLayer* layer) {
@@ -114,6 +134,7 @@ private:
         scratch_.offset_y[0] = place.y;
         ShadeJob batch = make_job(job, s.draw, ox_, oy_, 1, scratch_);
         use_offsets(batch, scratch_);
+        give_openness(s.draw, batch);
         std::vector<TracedLight> lights(of_.lights().size());
         PixelTrace pixel;
         std::vector<TracedParts> parts(layer ? lights.size() + 1 : 0);

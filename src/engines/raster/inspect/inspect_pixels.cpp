@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "engines/empty_pixel.h"
 #include "engines/raster/inspect/kernels/trace_kernel.h"
 #include "engines/raster/inspect/note_samples.h"
 #include "engines/raster/inspect/open_scene.h"
+#include "engines/raster/occlusion/occlusion.h"
 #include "engines/raster/shade/channels_tile.h"
 #include "engines/raster/shade/sky.h"
 #include "engines/raster/visibility/coverage.h"
@@ -47,6 +49,7 @@ void allocate_effects(PixelStageData& d, std::size_t pixels, const FrontEnd& fro
         d.around_diffuse.assign(pixels, {});
         d.around_specular.assign(pixels, {});
     }
+    if (any_job(front, [](const MaterialJob& job) { return job.behind != nullptr; })) d.transmitted.assign(pixels, {});
     if (any_job(front, [](const MaterialJob& job) { return job.fog.kind != 0; })) {
         d.fog.assign(pixels, {});
         d.fog_share.assign(pixels, 1);
@@ -196,7 +199,7 @@ private:
         if (is_sky) fill_sky(job_, tile_, s_.color, s_);
         for_each_pixel([&](std::size_t pixel) {
             const std::size_t p = at(pixel);
-            const vec4 background = is_sky ? s_.color[pixel] : of_.settings().background;
+            const vec4 background = is_sky ? s_.color[pixel] : empty_pixel(of_.settings());
             alpha_[pixel] = out_.draw[p] == no_index ? background.w : 1;
             if (out_.draw[p] == no_index && out_.layer_count[p] > 0) out_.own_color[p] = background.xyz();
         });
@@ -228,7 +231,8 @@ private:
         if (is_new) make_records(job_, t.draw, {&only, 1}, ox_, oy_, s_);
         s_.pixel[0] = y * tile_size + x;
         s_.batch_triangle[0] = 0;
-        const ShadeJob batch = make_job(job_, t.draw, ox_, oy_, 1, s_);
+        ShadeJob batch = make_job(job_, t.draw, ox_, oy_, 1, s_);
+        if (job_.occlusion && !of_.list().view(t.draw).blend) job_.occlusion->give(batch, s_);
         std::fill(lights_.begin(), lights_.end(), TracedLight{});
         PixelTrace pixel;
         trace::trace_pixel(&batch, &pixel, lights_.data(), nullptr, nullptr);
@@ -278,6 +282,7 @@ private:
             add(out_.around_diffuse[p], t.environment[0]);
             add(out_.around_specular[p], t.environment[2]);
         }
+        if (!out_.transmitted.empty()) add(out_.transmitted[p], t.transmitted);
         if (!out_.fog.empty()) lay(out_.fog[p], rgb(t.fog_color) * (1 - share));
     }
 

@@ -36,8 +36,9 @@ struct PixelStageData {
     std::vector<vec3> own_color;     ///< the same, of surfaces that are not lit, and of the background behind layers
     /// The same, of the light from all around: what is reflected diffusely, and the gloss. Empty: there is none.
     std::vector<vec3> around_diffuse, around_specular;
-    std::vector<vec3> fog;         ///< the same, of the fog's own light; empty: there is none
-    std::vector<float> fog_share;  ///< 0..1: how much of the visible surface is seen through the fog; empty as `fog`
+    std::vector<vec3> transmitted;  ///< the same, of what is seen through surfaces; empty: none is transmissive
+    std::vector<vec3> fog;          ///< the same, of the fog's own light; empty: there is none
+    std::vector<float> fog_share;   ///< 0..1: how much of the visible surface is seen through the fog; empty as `fog`
     /// As `lights`: 0..1, how much of it reaches the visible surface; < 0 where it lights nothing at the pixel. Empty:
     /// nothing throws shadows.
     std::vector<std::vector<float>> seen;

@@ -13,9 +13,15 @@ ShadedPicture draw_shaded(const Inspection& inspection, Shading shading, Context
     // What the other frequencies leave out is no news to who asked for this one: remarks go nowhere.
     Context quiet({.threads = context.threads(), .max_memory = context.memory().limit(), .parent = &context});
     const OpenGeometry geometry(of, {}, false, quiet, shading);
-    const TileJob job{geometry.front, geometry.binned, geometry.grid, of.lights(), *scalar::kernels(),
-                      true,           geometry.points, false,         false,       nullptr,
-                      &context};
+    const TileJob job{.front = geometry.front,
+                      .binned = geometry.binned,
+                      .grid = geometry.grid,
+                      .lights = of.lights(),
+                      .kernels = *scalar::kernels(),
+                      .has_blended = true,
+                      .points = geometry.points,
+                      .context = &context,
+                      .occlusion = of.occlusion()};
     ShadedPicture picture{{}, geometry.front.stats};
     picture.color.resize(std::size_t(of.settings().width) * std::size_t(of.settings().height));
     std::vector<std::uint64_t> lit(geometry.grid.count(), 0);

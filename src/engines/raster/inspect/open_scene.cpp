@@ -2,21 +2,52 @@
 #include "engines/raster/inspect/open_scene.h"
 
 #include "engines/raster/material_jobs.h"
+#include "engines/raster/occlusion/occlusion.h"
 #include "engines/raster/visibility/visibility_methods.h"
 #include "shading/draw_choices.h"
 #include "shading/lights.h"
 
 namespace rakelight::raster {
 
+/// The depths of the whole picture, and what they are drawn of.
+struct OpenScene::Depths {
+    TileGrid grid;
+    FrontEnd front;
+    Binned binned;
+    std::optional<AmbientOcclusion> occlusion;
+
+    Depths(const OpenScene& of, Context& context)
+        : grid(of.settings().width, of.settings().height, {}),
+          front{.list = of.list(),
+                .view = of.view(),
+                .settings = of.settings(),
+                .kernels = *scalar::geometry_kernels(),
+                .memory = PictureMemory(context.memory())} {
+        transform_draws(front, context);
+        binned = set_up_and_bin(front, grid, {}, context);
+        front.shading.assign(of.list().draws.size(), Shading::phong);
+        make_material_jobs(front, {});
+        occlusion.emplace(front, binned, grid, *scalar::kernels(), context);
+        occlusion->draw_depths(grid.window, context);
+    }
+};
+
+OpenScene::~OpenScene() = default;
+
+const AmbientOcclusion* OpenScene::occlusion() const { return depths_ ? &*depths_->occlusion : nullptr; }
+
 OpenScene::OpenScene(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context)
     : settings_(settings_for_method(settings)), list_(cpu_shading::make_draw_list(scene, textures_, context)) {
     shading::EnvironmentCache environments;
-    cpu_shading::set_environment(list_.scene, environments, list_.views, context);
+    cpu_shading::set_environment(list_.scene, environments, false, list_.views, context);
     settings_.window = {};
     view_ = view_of(list_, camera, settings_);
     const dvec3 eye = view_.camera_to_world[3].xyz();
     lights_ = shading::make_lights(list_.scene, list_.node_to_world, eye);
     shadows_.update(list_, settings_, *scalar::kernels(), *scalar::geometry_kernels(), eye, lights_, context);
+    behind_ = picture_behind(
+        {list_, view_, settings_, lights_, shadows_.data(), *scalar::kernels(), *scalar::geometry_kernels()}, context);
+    if (settings_.ambient_occlusion) depths_ = std::make_unique<const Depths>(*this, context);
 }
 
 bool OpenScene::is_culled(std::uint32_t draw, bool is_back) const {
@@ -53,8 +84,16 @@ OpenGeometry::OpenGeometry(const OpenScene& of, Window window, bool with_culled,
 }
 
 TileJob tile_job(const OpenScene& of, const OpenGeometry& drawn) {
-    return {drawn.front, drawn.binned, drawn.grid, of.lights(), *scalar::kernels(),
-            true,        drawn.points, false,      true,        &drawn.marks};
+    return {.front = drawn.front,
+            .binned = drawn.binned,
+            .grid = drawn.grid,
+            .lights = of.lights(),
+            .kernels = *scalar::kernels(),
+            .has_blended = true,
+            .points = drawn.points,
+            .whole_records = true,
+            .marks = &drawn.marks,
+            .occlusion = of.occlusion()};
 }
 
 }  // namespace rakelight::raster

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The soft engine with its stages open: the same functions as a picture goes through. What inspection.h lets tools see.
 #pragma once
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "engines/raster/behind.h"
 #include "engines/raster/geometry/front_end.h"
 #include "engines/raster/inspect/explanation.h"
 #include "engines/raster/lights/light_points.h"
@@ -15,11 +17,14 @@
 
 namespace rakelight::raster {
 
+class AmbientOcclusion;
+
 /// A prepared scene seen by a camera. Not to be copied: its parts refer to each other.
 class OpenScene {
 public:
     /// @throws Error as Engine::prepare() and Engine::render()
     OpenScene(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context);
+    ~OpenScene();
     OpenScene(const OpenScene&) = delete;
     OpenScene& operator=(const OpenScene&) = delete;
 
@@ -28,7 +33,10 @@ public:
     const RenderSettings& settings() const { return settings_; }
     const std::vector<lighting::LightParameters>& lights() const { return lights_; }
     std::span<const ShadowView> shadow_maps() const { return shadows_.all(); }
-    PictureEffects effects() const { return {.shadows = shadows_.data(), .is_explained = true}; }
+    PictureEffects effects() const {
+        return {.shadows = shadows_.data(), .is_explained = true, .behind = behind_ ? behind_->view() : nullptr};
+    }
+    const AmbientOcclusion* occlusion() const;  ///< of the whole picture; null: none
     /// [m] distance along the view axis of a depth key.
     float distance_of(float key) const { return float(view_.distance_of(double(key))); }
     /// Whether culling drops what is seen from behind (or from the front) of a draw.
@@ -41,6 +49,9 @@ private:
     View view_;
     std::vector<lighting::LightParameters> lights_;
     ShadowMaps shadows_;
+    std::unique_ptr<const cpu_shading::BehindPicture> behind_;  ///< null: nothing is transmissive
+    struct Depths;
+    std::unique_ptr<const Depths> depths_;  ///< null: no ambient occlusion
 };
 
 /// The geometry stages of a window of the picture.

@@ -73,6 +73,8 @@ enum class TracedQuantity : int32_t {
     mirrored,  ///< from about the mirror direction
     mirrored_coat,
     own_emission,  ///< the material's
+    through,       ///< color that light from behind is seen through
+    behind,        ///< light from there, absorbed by the body
     count,
 };
 
@@ -146,12 +148,15 @@ struct PixelTrace {
     float relief_height;  ///< there, as the map has it (steep: of the layer; parallax: under the pixel); -1: no ray is
                           ///< cast
     int32_t has_environment, has_fog, has_relief;
+    float openness;          ///< share of light from all around that ambient occlusion leaves; -1: there is none
     float lobe_alpha[2];     ///< Ward, pbr: widths of the lobe along its axes
     float f90[3];            ///< pbr: reflectance at a grazing angle; k_specular is f0
     float coat, coat_alpha;  ///< pbr: clearcoat's reflectance towards the viewer, its lobe's width
     float coat_normal[3];
     float sheen[3], sheen_alpha;
-    float oren_nayar[2];                          ///< A and B
+    float oren_nayar[2];  ///< A and B
+    int32_t has_transmission;
+    float transmitted[3];                         ///< the term of what is seen through the surface
     float environment[3][3];                      ///< ambient, diffuse and specular term of the light from all around
     float before_fog[3];                          ///< the sum
     float fog_distance, fog_share, fog_color[3];  ///< [m]; color = before_fog fog_share + fog_color (1 - fog_share)

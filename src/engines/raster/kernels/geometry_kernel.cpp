@@ -4,6 +4,7 @@
 #include "engines/raster/kernels/cover_kernel.h"
 #include "engines/raster/kernels/depth_kernel.h"
 #include "engines/raster/kernels/nearest_kernel.h"
+#include "engines/raster/kernels/occlusion_kernel.h"
 #include "engines/raster/kernels/record_kernel.h"
 #include "engines/raster/kernels/set_up_kernel.h"
 #include "engines/raster/kernels/vertex_kernel.h"
@@ -11,8 +12,8 @@
 namespace rakelight::raster::RL_ISA {
 
 const GeometryKernels* geometry_kernels() {
-    static constexpr GeometryKernels table = {transform, set_up, clear_tile, fill_empty, farthest,
-                                              nearest,   cover,  collect,    number,     record};
+    static constexpr GeometryKernels table = {transform, set_up,  clear_tile, fill_empty, farthest,  nearest,
+                                              cover,     collect, number,     record,     occlusion, smooth_occlusion};
     return &table;
 }
 

@@ -107,6 +107,7 @@ struct CoverJob {
 };
 
 struct RecordJob;
+struct OcclusionJob;  // occlusion_types.h
 
 /// The functions that exist once per instruction set.
 struct GeometryKernels {
@@ -130,6 +131,8 @@ struct GeometryKernels {
     int32_t (*number)(const int32_t* shown, int32_t count, int32_t* record, int32_t* triangle, int32_t* wanted);
     /// Returns whether there are pieces (TriangleRow::is_piece): their records mean nothing.
     int32_t (*record)(const RecordJob* job);
+    void (*occlusion)(const OcclusionJob* job);         ///< ambient occlusion of pixels, one by one
+    void (*smooth_occlusion)(const OcclusionJob* job);  ///< the mean of neighbors on the same surface
 };
 
 namespace scalar {

@@ -82,6 +82,7 @@ struct PixelSource {
     vec4 color(int32_t k) const { return interpolate_color(pixels[k].records, pixels[k].b); }
     SignedVector normal(int32_t k) const { return normal_at(pixels[k].records, pixels[k].b); }
     SignedVector tangent(int32_t k) const { return tangent_at(pixels[k].records, pixels[k].b); }
+    real openness(int32_t k) const { return load(job.openness + first + k * lanes); }
     PixelTriangles of(int32_t k) const { return {job, pixels[k]}; }
     vec3 weights(int32_t k) const {
         const Barycentrics& b = pixels[k].b;

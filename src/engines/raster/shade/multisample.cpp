@@ -6,6 +6,8 @@
 #include <bit>
 #include <cstring>
 
+#include "engines/empty_pixel.h"
+#include "engines/raster/occlusion/occlusion.h"
 #include "engines/raster/shade/channels_tile.h"
 #include "engines/raster/shade/sky.h"
 #include "image/srgb_encoder.h"
@@ -64,7 +66,7 @@ public:
 
 private:
     void fill_background() {
-        const vec4 background = job_.front.settings.background;
+        const vec4 background = empty_pixel(job_.front.settings);
         if (has_sky(job_.front.list)) {
             if (is_direct_) put_sky(job_, tile_, m_.whole.data(), s_);
             if (!is_direct_ || !m_.open_pixels.empty()) fill_sky(job_, tile_, s_.color, s_);
@@ -113,7 +115,7 @@ private:
                 m_.found.push_back({position, std::uint16_t(p), std::uint16_t(shown)});
                 s_.samples_covered += std::uint64_t(std::popcount(shown));
             } else {
-                put(number, shown, has_sky(job_.front.list) ? s_.color[p] : job_.front.settings.background);
+                put(number, shown, has_sky(job_.front.list) ? s_.color[p] : empty_pixel(job_.front.settings));
             }
         }
         s_.covered += std::uint64_t(m_.found.size() > before);
@@ -169,6 +171,7 @@ private:
     void shade_whole(std::uint32_t draw, std::size_t count) {
         ShadeJob batch = batch_of(draw, count);
         if (is_direct_) batch.display = display_pixels(s_);
+        if (job_.occlusion) job_.occlusion->give(batch, s_);
         s_.not_finite += std::uint64_t(shade_with_lists(job_.kernels, job_.reach, batch, s_));
         for (std::size_t i = 0; i < count && !is_direct_; ++i)
             s_.color[std::size_t(s_.pixel[i])] = {s_.red[i], s_.green[i], s_.blue[i], 1.0f};
@@ -183,6 +186,8 @@ private:
         }
         ShadeJob batch = batch_of(draw, count);
         use_offsets(batch, s_);
+        if (job_.occlusion)
+            job_.occlusion->give_to_fragments(batch, job_.grid.origin_x(tile_), job_.grid.origin_y(tile_), s_);
         s_.not_finite += std::uint64_t(shade_with_lists(job_.kernels, job_.reach, batch, s_));
         for (std::size_t i = 0; i < count; ++i)
             put(std::size_t(m_.number[std::size_t(s_.pixel[i])]), m_.fragments[first + i].samples,
@@ -232,7 +237,10 @@ void find_visible_samples(const TileJob& job, std::size_t tile, TileScratch& s) 
 }
 
 void shade_samples(const TileJob& job, std::size_t tile, TileScratch& s) {
-    if (job.front.settings.channels != 0) shade_opaque(job, tile, s);
+    if (job.front.settings.channels & ~std::uint32_t(channel_depth))
+        shade_opaque(job, tile, s);
+    else if (job.occlusion)
+        job.occlusion->find(job, tile, s);
     if (job.front.settings.channels & channel_overdraw) count_overdraw(job, tile, s);
     s.covered = s.samples_covered = s.shaded = s.lit_pixels = s.not_finite = 0;  // counted in the picture alone
     MultisampledTile(job, tile, s).shade();

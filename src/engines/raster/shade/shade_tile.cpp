@@ -4,9 +4,11 @@
 #include <cstring>
 #include <utility>
 
+#include "engines/empty_pixel.h"
 #include "engines/raster/blend.h"
 #include "engines/raster/marks/mark_layers.h"
 #include "engines/raster/material_jobs.h"
+#include "engines/raster/occlusion/occlusion.h"
 #include "engines/raster/shade/channels_tile.h"
 #include "engines/raster/shade/sky.h"
 #include "engines/raster/visibility/coverage.h"
@@ -68,6 +70,7 @@ void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::
     if (with_normal)
         batch.normal_x = s.normal_x.data(), batch.normal_y = s.normal_y.data(), batch.normal_z = s.normal_z.data();
     if (to_srgb8) batch.display = display_pixels(s);
+    if (job.occlusion) job.occlusion->give(batch, s);
     s.not_finite += std::uint64_t(shade_with_lists(job.kernels, job.reach, batch, s));
     s.shaded += count;
     if (is_lit_at_pixels(batch)) s.lit_pixels += count;
@@ -128,10 +131,10 @@ void set_background(const TileJob& job, std::size_t tile, bool to_srgb8, TileScr
         else
             fill_sky(job, tile, s.color, s);
     } else if (to_srgb8) {
-        job.front.kernels.fill_empty(s.visible.data(), display_value(settings.background), s.display.first,
+        job.front.kernels.fill_empty(s.visible.data(), display_value(empty_pixel(settings)), s.display.first,
                                      std::int64_t(s.display.stride));
     } else {
-        std::fill(s.color.begin(), s.color.end(), settings.background);
+        std::fill(s.color.begin(), s.color.end(), empty_pixel(settings));
     }
     if (settings.channels & channel_normal) std::fill(s.normal.begin(), s.normal.end(), vec3{});
     if (settings.channels & channel_object) std::fill(s.object.begin(), s.object.end(), no_index);
@@ -185,6 +188,7 @@ ShadeJob make_job(const TileJob& job, std::uint32_t draw, int tile_x, int tile_y
 }
 
 bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
+    if (job.occlusion) job.occlusion->find(job, tile, s);
     std::vector<DrawRun> runs;
     find_runs(job, tile, runs);
     const bool blends = has_blended(job, runs) || has_marks(job, tile), direct = job.to_srgb8 && !blends;

@@ -22,7 +22,7 @@ static int32_t shade(const HitJob* job) {
 }
 
 static void sky(const SkyJob* job) {
-    const cpu::Maps maps = {nullptr, real(0.0f), real(0.0f), job->environment, nullptr};
+    const cpu::Maps maps = {nullptr, real(0.0f), real(0.0f), job->environment, nullptr, nullptr};
     const lit::Environment environment = cpu::environment_of(*job->environment);
     const real height(float(job->environment->sky->height[0]));
     for (int32_t i = 0; i < job->count; i += lanes) {

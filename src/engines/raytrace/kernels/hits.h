@@ -185,6 +185,7 @@ struct HitSource {
         const real handedness = cpu::load_tangents(job.mesh, hits[k].corners, at);
         return {hits[k].interpolate(at[0], at[1], at[2]), handedness};
     }
+    real openness(int32_t k) const { return load(job.openness + first + k * lanes); }
     HitTriangles of(int32_t k) const { return {job, hits[k]}; }
     vec3 weights(int32_t k) const { return vec3(real(1.0f) - hits[k].b1 - hits[k].b2, hits[k].b1, hits[k].b2); }
 

@@ -44,7 +44,9 @@ inline HitTransport metallic_transport(const EveryJob& job, const EveryPoint& s,
     const real transmission = transmission_at(job, s);
     const int32_t bends = m.is_body;
     HitTransport out;
-    out.weights = lit::metallic_transport(at, cpu::rgb(s.base.color), transmission, bends, cosine, eta);
+    const int32_t has_film = job.is_pbr() && job.traits().has_iridescence;
+    out.weights = lit::metallic_transport(at, cpu::rgb(s.base.color), transmission, bends, cosine, eta, has_film,
+                                          has_film != 0 ? s.surface.base.specular : vec3(real(0.0f)));
     out.kept = real(1.0f) - transmission;
     const real alpha = job.is_pbr() ? max(s.surface.alpha_x, s.surface.alpha_y) : lit::alpha_of_roughness(at.roughness);
     out.mirrors = alpha <= real(RL_MIRROR_ALPHA) && mask(has_gloss(job));
@@ -173,7 +175,8 @@ inline vec3 straight_through(const EveryJob& job, const HitJob& hits, const Hits
     if (job.material().metallic_roughness == 0) return straight_through_classical(job, hits, cosine, s);
     const lit::MetallicRoughness at = cpu::metallic_roughness_at(job, s.point, s.texels);
     const real transmission = transmission_at(job, s);
-    vec3 share = lit::metallic_transport(at, cpu::rgb(s.base.color), transmission, 0, cosine, one).refracted;
+    vec3 share = lit::metallic_transport(at, cpu::rgb(s.base.color), transmission, 0, cosine, one, 0, vec3(real(0.0f)))
+                     .refracted;
     if (hits.is_path != 0 && job.is_pbr()) {
         cpu::set_material(job, s.point, s.texels, s.base, s.surface);
         share = select(s.surface.alpha_x > real(RL_MIRROR_ALPHA), vec3(real(0.0f)), share);

@@ -38,8 +38,9 @@ inline lit::Transport border_weights(const PathSurface& p, const PathBorder& bor
         t = classical_transport(job, p.point, cosine, border.eta).weights;
     } else {
         const lit::MetallicRoughness at = cpu::metallic_roughness_at(job, p.point.point, p.point.texels);
+        const int32_t has_film = job.is_pbr() && p.traits.has_iridescence;
         t = lit::metallic_transport(at, cpu::rgb(p.point.base.color), transmission_at(job, p.point), border.bends,
-                                    cosine, border.eta);
+                                    cosine, border.eta, has_film, p.surface().base.specular);
         if (job.is_pbr()) lit::add_transport_layers(t, p.surface(), p.traits.has_sheen, p.traits.has_coat);
     }
     t.reflected = t.reflected * border.reflects;

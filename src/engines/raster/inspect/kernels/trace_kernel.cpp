@@ -149,7 +149,7 @@ void trace_relief(const WholePixels& p, PixelTrace& out) {
         out.relief_height = (p.state().bumps.point.height - maps.height_offset) * maps.height_scale;
 }
 
-/// Environment and fog.
+/// Environment, what is behind, and fog.
 void trace_surroundings(const WholePixels& p, vec3 before_fog, PixelTrace& out) {
     const EveryJob& job = p.material;
     out.has_fog = job.of.fog.kind != 0;
@@ -158,6 +158,8 @@ void trace_surroundings(const WholePixels& p, vec3 before_fog, PixelTrace& out) 
     out.fog_distance = lit::fog_distance(p.point().position, splat(job.of.view_direction), job.of.orthographic);
     out.fog_share = cpu::fog_at(job.of, p.point().position);
     put(out.fog_color, splat(job.of.fog.color));
+    out.has_transmission = job.traits().has_transmission != 0 && job.of.unlit == 0;
+    if (out.has_transmission) put(out.transmitted, cpu::terms_from_behind(job, p.point(), p.state().surface).diffuse);
     if (!out.has_environment) return;
     const lit::LightTerms terms = cpu::environment_terms(job, p.state().surface);
     put(out.environment[0], terms.ambient);
@@ -270,6 +272,7 @@ void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, Tr
     trace_parameters(p.material, s, out);
     put(out.emission, p.state().emission);
     trace_relief(p, out);
+    out.openness = job->openness != nullptr ? p.source.openness(0) : -1.0f;
     out.is_lit_at_corners = job->unlit == 0 && job->lit != nullptr;
     if (out.is_lit_at_corners) trace_received(p, out);
     if (job->unlit == 0 && job->lit == nullptr) trace_lights(p, lights, parts);

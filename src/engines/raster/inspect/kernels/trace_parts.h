@@ -204,8 +204,13 @@ inline void trace_parts_around(const WholePixels& p, TracedParts& out) {
         PartWriter(out, Term::emission, Layer::base)
             .times(Quantity::own_emission, cpu::emission_of(job, p.point()))
             .times(Quantity::coat_rest, 1.0f - s.coat_reflectance);
-    if (job.environment() == nullptr || job.of.unlit != 0) return;
     const cpu::Maps maps = cpu::maps_of(job.of);
+    if (traits.has_transmission != 0 && job.of.unlit == 0)
+        PartWriter(out, Term::diffuse, Layer::base)
+            .times(Quantity::through, s.through)
+            .times(Quantity::behind, lit::light_from_behind(maps, cpu::behind_view(*job.of.behind),
+                                                            cpu::body_at(job, p.point()), s, p.point().position));
+    if (job.environment() == nullptr || job.of.unlit != 0) return;
     const lit::Environment e = cpu::environment_of(*job.environment());
     PartWriter(out, Term::ambient, Layer::base)
         .times(Quantity::around_diffuse, s.around_diffuse)

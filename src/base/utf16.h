@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-namespace rakelight::import_helper {
+namespace rakelight {
 
 /// nullopt when `bytes` does not begin with a UTF-16 byte order mark. Broken surrogates become U+FFFD; an odd last byte is dropped.
 std::optional<std::string> utf8_from_utf16(std::string_view bytes);
 
-}  // namespace rakelight::import_helper
+}  // namespace rakelight

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "utf16.h"
+#include "base/utf16.h"
 
-namespace rakelight::import_helper {
+namespace rakelight {
 namespace {
 
 void append_utf8(std::string& out, char32_t c) {
@@ -44,4 +44,4 @@ std::optional<std::string> utf8_from_utf16(std::string_view bytes) {
     return out;
 }
 
-}  // namespace rakelight::import_helper
+}  // namespace rakelight

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "implied_verb.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <rakelight/compare.h>
+#include <rakelight/error.h>
+
+#include "view_verb.h"
+
+namespace rakelight::cli {
+namespace {
+
+bool names_output(const std::string& word) {
+    const bool is_short = word.starts_with('-') && !word.starts_with("--");
+    return word == "--output" || word.starts_with("--output=") || (is_short && (word[1] == 'o' || word.ends_with('o')));
+}
+
+bool asks_help(const std::string& word) { return word == "--help" || word == "-h"; }
+
+/// The first word that may be a model; the program's own options come first, and verbs end the search.
+const std::string* first_model(std::span<const apps::Command> commands, const std::vector<std::string>& words) {
+    const auto is_verb = [&](const std::string& word) {
+        return word == "help" || std::ranges::any_of(commands, [&](const auto& c) { return word == c.name; });
+    };
+    if (words.empty() || is_verb(words[0])) return nullptr;
+    if (!words[0].starts_with('-') || words[0] == "-") return is_model_word(words[0]) ? &words[0] : nullptr;
+    const bool is_own = asks_help(words[0]) || words[0] == "-V" || words[0] == "--version";
+    const auto model = std::ranges::find_if(words, is_model_word);
+    if (const auto verb = std::find_if(words.begin(), model, is_verb); !is_own && verb != model && model != words.end())
+        throw Error(ErrorCode::usage, "the verb '" + *verb + "' comes first", {}, "see rakelight " + *verb + " --help");
+    return is_own || model == words.end() ? nullptr : &*model;
+}
+
+/// A name for the picture of a model, as an example.
+std::string picture_name(const std::string& model) {
+    const std::string stem = std::filesystem::path(one_line(model, 80)).filename().stem().string();
+    return model == "-" || stem.empty() || has_picture_ending(model) ? "picture.png" : stem + ".png";
+}
+
+}  // namespace
+
+bool is_model_word(const std::string& word) {
+    std::error_code ignored;
+    return word == "-" || is_scene(word) || (!word.empty() && std::filesystem::exists(word, ignored));
+}
+
+std::vector<std::string> with_implied_verb(std::span<const apps::Command> commands, std::vector<std::string> words) {
+    const std::string* const model = first_model(commands, words);
+    if (!model) return words;
+    const bool renders = std::ranges::any_of(words, names_output) || std::ranges::any_of(words, asks_help);
+    if (!renders && !can_view())
+        throw Error(ErrorCode::usage, "there is no display to open a window on", {},
+                    "for a picture write: rakelight " + one_line(*model, 80) + " -o " + picture_name(*model));
+    words.insert(words.begin(), renders ? "render" : "view");
+    return words;
+}
+
+}  // namespace rakelight::cli

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output_names.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+
+#include <rakelight/compare.h>
+#include <rakelight/tools/values.h>
+
+#include "inputs.h"
+#include "run.h"
+
+namespace rakelight::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view known_parts[] = {"model", "ext", "dir", "n", "camera", "frame"};
+
+Error no_name_for_each(std::string_view command) {
+    const auto error = [](const char* what, const char* example) {
+        return Error(ErrorCode::usage, std::string("several ") + what, {}, std::string("write for example ") + example);
+    };
+    if (command == "smooth")
+        return error("models need a name for each output", "-o 'out/{model}.glb', or a folder: -o out/");
+    if (command == "stages") return error("models need a name for each folder", "-o 'out/{model}'");
+    if (command == "compare")
+        return error("pairs need a name for each picture", "-o 'out/{model}.png', or one page: -o out.html");
+    if (command == "inspect") return error("models need a name for each picture", "--heatmap 'out/{model}.png'");
+    return error("models need a name for each picture",
+                 "-o 'out/{model}.png', or a folder: -o out/; --as-one puts them into one");
+}
+
+/// With its dot removed, in lower case.
+std::string ending_of(const std::string& path) {
+    std::string ending = fs::path(path).extension().string();
+    if (!ending.empty()) ending.erase(0, 1);
+    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return ending;
+}
+
+/// Without folder and ending.
+std::string name_of(const std::string& input) {
+    if (input == "-" || input.starts_with("standard input")) return "stdin";
+    std::string stem = input.starts_with("builtin:") ? input.substr(8) : fs::path(input).stem().string();
+    if (input.starts_with("builtin:"))  // of "sphere:radius=2" too a name
+        for (char& c : stem) c = c == ':' || c == '=' || c == '/' ? '-' : c;
+    if (is_world_file(input)) stem = fs::path(stem).stem().string();  // of NAME.scene.toml
+    return stem;
+}
+
+/// A number of at least so many digits: "{n:3}".
+std::string padded(std::size_t number, std::string_view part) {
+    const std::size_t colon = part.find(':');
+    const int width = colon == part.npos ? 1 : std::min(9, std::atoi(std::string(part.substr(colon + 1)).c_str()));
+    char text[32];
+    std::snprintf(text, sizeof text, "%0*zu", width, number);
+    return text;
+}
+
+/// "model" of "model"; "n" of "n:3".
+std::string_view word_of(std::string_view part) { return part.substr(0, part.find(':')); }
+
+/// Calls text(between) and part(in braces) in their order; doubled braces are braces.
+template <class Text, class Part>
+void walk(std::string_view pattern, const Text& text, const Part& part) {
+    for (std::size_t at = 0; at < pattern.size();) {
+        const std::string_view rest = pattern.substr(at);
+        const std::size_t end = rest.find('}');
+        if (rest.starts_with("{{") || rest.starts_with("}}")) {
+            text(rest.substr(0, 1));
+            at += 2;
+        } else if (rest[0] == '{' && end != rest.npos) {
+            part(rest.substr(1, end - 1));
+            at += end + 1;
+        } else {
+            text(rest.substr(0, 1));
+            ++at;
+        }
+    }
+}
+
+bool is_number_part(std::string_view part) {
+    const std::size_t colon = part.find(':');
+    if (colon == part.npos) return true;
+    const std::string_view digits = part.substr(colon + 1);
+    return (word_of(part) == "n" || word_of(part) == "frame") && !digits.empty() &&
+           std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// How many parts differ between inputs. @throws Error usage: an unknown one
+std::size_t check_template(const std::string& output) {
+    std::size_t differing = 0;
+    walk(
+        output, [](std::string_view) {},
+        [&](std::string_view part) {
+            const auto known = std::ranges::find(known_parts, word_of(part));
+            if (known == std::end(known_parts) || !is_number_part(part))
+                throw Error(
+                    ErrorCode::usage,
+                    "'" + one_line(output, 80) + "': {" + one_line(std::string(part), 40) + "} is not filled in", {},
+                    "{model}, {ext}, {dir}, {n}, {camera} and {frame} are, and {n:3} has three digits");
+            differing += word_of(part) != "camera" && word_of(part) != "frame";
+        });
+    return differing;
+}
+
+/// The ending of files that a command writes into a folder.
+std::string ending_in_folder(const Run& run, const std::string& input) {
+    if (std::string_view(run.command.name) != "smooth") {
+        const std::string format = picture_format(run);
+        return format.empty() ? "png" : format;
+    }
+    const std::string ending = ending_of(input);
+    return ending == "gltf" || ending == "obj" || ending == "ply" ? ending : "glb";
+}
+
+bool means_folder(const Run& run, const std::string& output) {
+    const bool writes_folders = std::string_view(run.command.name) == "stages";
+    return !writes_folders && !output.empty() &&
+           (output.ends_with('/') || (is_folder(output) && !has_picture_ending(output) && !is_scene(output)));
+}
+
+std::string format_of(const Run& run, bool of_pictures) {
+    if (!run.given.has("format")) return {};
+    const std::string list = run.given.word("format");
+    std::string found;
+    for (const std::string_view word : values::split(list, ',')) {
+        std::string name(word.starts_with('.') ? word.substr(1) : word);
+        for (char& c : name) c = char(std::tolower(static_cast<unsigned char>(c)));
+        const bool is_picture = has_picture_ending("x." + name) || name == "ppm";
+        if (!is_picture && !is_scene("x." + name))
+            throw values::wrong("format", "'" + one_line(name, 40) + "' is no format of models and none of pictures",
+                                "write for example glb, obj, png or ppm");
+        if (is_picture != of_pictures) continue;
+        if (!found.empty()) throw values::wrong("format", "names two formats of a kind");
+        found = name;
+    }
+    return found;
+}
+
+}  // namespace
+
+std::string picture_format(const Run& run) { return format_of(run, true); }
+std::string model_format(const Run& run) { return format_of(run, false); }
+
+bool is_standard_output(const std::string& output) {
+    if (output == "-") return true;
+    const std::size_t colon = output.find(':');
+    return output.ends_with(":-") && colon == output.size() - 2 && colon > 0;
+}
+
+OutputNames::OutputNames(const Run& run, std::size_t inputs) : run_(run), template_(run.picture.output) {
+    const std::size_t differing = check_template(template_);
+    is_folder_ = means_folder(run, template_);
+    if (!is_folder_ && differing == 0 && inputs > 1) throw no_name_for_each(run.command.name);
+}
+
+std::string OutputNames::of(const std::string& input, const OutputParts& parts) {
+    ++count_;
+    const auto folder = run_.folders.find(input);
+    std::string output;
+    walk(
+        template_, [&](std::string_view text) { output += text; },
+        [&](std::string_view part) {
+            const std::string_view word = word_of(part);
+            if (word == "model") output += name_of(input);
+            if (word == "ext") output += ending_of(input);
+            if (word == "dir") output += folder == run_.folders.end() ? "." : folder->second.as_written;
+            if (word == "n") output += padded(count_, part);
+            if (word == "camera") output += parts.camera;
+            if (word == "frame") output += padded(std::size_t(parts.frame), part);
+        });
+    if (is_folder_) {
+        const std::string below = folder == run_.folders.end() ? "." : folder->second.below;
+        output = (fs::path(output) / below / (name_of(input) + "." + ending_in_folder(run_, input))).string();
+    }
+    if (output != template_) output = fs::path(output).lexically_normal().string();
+    const auto [entry, is_new] = inputs_of_.emplace(fs::path(output).lexically_normal().string(), input);
+    if (!is_new)
+        throw Error(ErrorCode::usage,
+                    "'" + one_line(entry->second, 80) + "' and '" + one_line(input, 80) +
+                        "' would both be written to '" + one_line(output, 80) + "'",
+                    {}, "tell them apart by {ext}, {dir} or {n}, as in -o 'out/{model}-{ext}.png'");
+    return output;
+}
+
+}  // namespace rakelight::cli

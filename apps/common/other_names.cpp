@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "other_names.h"
+
+#include <span>
+
+#include <rakelight/tools/words.h>
+
+namespace rakelight::apps {
+namespace {
+
+struct OtherName {
+    std::string_view theirs, ours;
+};
+
+constexpr OtherName options[] = {
+    {"aa", "samples"},
+    {"all-layers", "channels"},
+    {"ambient", "light"},
+    {"anti-aliasing", "samples"},
+    {"anti-aliasing-mode", "samples"},
+    {"antialias", "samples"},
+    {"antialiasing", "samples"},
+    {"ao", "ambient-occlusion"},
+    {"azimuth", "camera-azimuth-angle"},
+    {"bg", "background"},
+    {"bg-color", "background"},
+    {"bgcolor", "background"},
+    {"camera", "camera-index"},
+    {"camera-fov", "camera-view-angle"},
+    {"camera-target", "camera-focal-point"},
+    {"colour", "color"},
+    {"crop", "window"},
+    {"denoising", "denoise"},
+    {"dir", "output"},
+    {"elevation", "camera-elevation-angle"},
+    {"env", "hdri-file"},
+    {"environment", "hdri-file"},
+    {"envmap", "hdri-file"},
+    {"eye", "camera-position"},
+    {"field-of-view", "camera-view-angle"},
+    {"fov", "camera-view-angle"},
+    {"fxaa", "samples"},
+    {"geometry-only", "shading"},
+    {"hdr", "hdri-file"},
+    {"hdri", "hdri-file"},
+    {"hdri-background", "hdri-skybox"},
+    {"height", "resolution"},
+    {"jobs", "threads"},
+    {"look-at", "camera-focal-point"},
+    {"lookat", "camera-focal-point"},
+    {"msaa", "samples"},
+    {"no-background", "background"},
+    {"normal-map", "texture-normal"},
+    {"nthreads", "threads"},
+    {"ortho", "camera-orthographic"},
+    {"orthographic", "camera-orthographic"},
+    {"out", "output"},
+    {"outfile", "output"},
+    {"position", "camera-position"},
+    {"raytracing", "engine"},
+    {"raytracing-denoise", "denoise"},
+    {"raytracing-samples", "samples"},
+    {"reference", "ref"},
+    {"reference-threshold", "ref-threshold"},
+    {"renderer", "engine"},
+    {"rendering-backend", "engine"},
+    {"res", "resolution"},
+    {"scope", "normals"},
+    {"sdf", "point-size"},
+    {"silent", "quiet"},
+    {"size", "resolution"},
+    {"skybox", "hdri-skybox"},
+    {"smooth", "normals"},
+    {"spp", "samples"},
+    {"ssaa", "samples"},
+    {"ssao", "ambient-occlusion"},
+    {"target", "camera-focal-point"},
+    {"texture-matcap", "lighting"},
+    {"tolerance", "weld-distance"},
+    {"tonemap", "tone-mapping"},
+    {"tonemapping", "tone-mapping"},
+    {"transparent", "background"},
+    {"up-axis", "up"},
+    {"upaxis", "up"},
+    {"verbosity", "verbose"},
+    {"width", "resolution"},
+    {"wire", "wireframe"},
+    {"zoom", "camera-zoom-factor"},
+};
+
+constexpr OtherName commands[] = {
+    {"benchmark", "bench"}, {"convert", "render"},    {"diff", "compare"},     {"draw", "render"},
+    {"idiff", "compare"},   {"image", "render"},      {"info", "inspect"},     {"lint", "check"},
+    {"merge", "render"},    {"normals", "smooth"},    {"open", "view"},        {"picture", "render"},
+    {"repair", "smooth"},   {"screenshot", "render"}, {"show", "view"},        {"snapshot", "render"},
+    {"stats", "inspect"},   {"tangents", "smooth"},   {"thumbnail", "render"}, {"validate", "check"},
+    {"verify", "check"},    {"viewer", "view"},       {"weld", "smooth"},      {"why", "explain"},
+};
+
+std::string_view find(std::span<const OtherName> names, std::string_view theirs) {
+    for (const OtherName& name : names)
+        if (same_word(name.theirs, theirs)) return name.ours;
+    return {};
+}
+
+}  // namespace
+
+std::string_view our_option_for(std::string_view theirs) { return find(options, theirs); }
+
+std::string_view our_command_for(std::string_view theirs) { return find(commands, theirs); }
+
+}  // namespace rakelight::apps

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words of other programs for what ours call otherwise: they are answered by our name, never by the nearest spelling.
+#pragma once
+#include <string_view>
+
+namespace rakelight::apps {
+
+/// "camera-view-angle" for "fov"; empty: there is none.
+std::string_view our_option_for(std::string_view theirs);
+
+/// "compare" for "diff"; empty: there is none.
+std::string_view our_command_for(std::string_view theirs);
+
+}  // namespace rakelight::apps

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: Apache-2.0
+// Authored normals joined where meshes meet: places that several meshes share -> their corners -> fans -> the few vertices
+// that turn.
+#include <rakelight/seams.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "geometry/corner_bins.h"
+#include "geometry/face_vote.h"
+#include "geometry/finish_vertices.h"
+#include "geometry/perpendicular.h"
+#include "geometry/place_classes.h"
+#include "geometry/seam_fans.h"
+#include "math/functions.h"
+
+namespace rakelight {
+namespace geometry {
+namespace {
+
+constexpr double vanished_share = 1e-6;  // of the angles that were summed
+constexpr std::uint32_t nobody = 0xffffffffu;
+
+/// A vertex, numbered through, and what its normal becomes.
+struct Turn {
+    std::uint32_t vertex;
+    vec3 normal;
+    float degrees;  ///< in the world
+};
+
+/// What one chunk of places gives.
+struct Found {
+    std::vector<Turn> turns;
+    std::uint64_t flat_pairs = 0;
+};
+
+double angle_between(dvec3 a, dvec3 b) { return math::atan2(length(cross(a, b)), dot(a, b)); }
+
+class SeamPass {
+public:
+    SeamPass(const PlacedMeshes& placed, const SeamOptions& options, Context& context)
+        : placed_(placed), input_(placed.input), context_(context) {
+        for (const AttributeMesh& mesh : input_.meshes)
+            cosines_.push_back(
+                crease_cosine(mesh.crease_angle_rad < 0 ? options.crease_angle_rad : mesh.crease_angle_rad));
+    }
+
+    std::vector<Turn> run(SeamReport& report) {
+        std::vector<std::uint8_t> used(input_.vertex_count(), 0), shared(input_.vertex_count(), 0);
+        mark_used(used);
+        mark_shared(used, shared);
+        count_normals(used, report);
+        const CornerBins bins = corners_at(shared);
+        std::vector<Found> found(input_.vertex_count() / vertices_per_chunk + 1);
+        context_.parallel_for(found.size(), [&](std::size_t c) { found[c] = look_at_places(c, bins); });
+        std::vector<Turn> turns;
+        for (const Found& f : found) {
+            turns.insert(turns.end(), f.turns.begin(), f.turns.end());
+            report.flat_pairs += f.flat_pairs;
+        }
+        std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.vertex < b.vertex; });
+        return turns;
+    }
+
+private:
+    template <class Body>
+    void for_each_vertex(const Body& body) const {
+        const std::vector<Chunk> chunks = make_chunks(input_.vertex_base, vertices_per_chunk);
+        context_.parallel_for(chunks.size(), [&](std::size_t c) {
+            for_each_range(chunks[c], input_.vertex_base,
+                           [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
+                               for (std::uint32_t v = first; v != last; ++v) body(m, input_.vertex_base[m] + v);
+                           });
+        });
+    }
+
+    void mark_used(std::vector<std::uint8_t>& used) const {
+        const std::vector<Chunk> chunks = make_chunks(input_.triangle_base, triangles_per_chunk);
+        context_.parallel_for(chunks.size(), [&](std::size_t c) {
+            for_each_range(
+                chunks[c], input_.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
+                    const std::uint32_t* const index = input_.meshes[m].indices.data();
+                    for (std::size_t k = 3 * std::size_t(first); k != 3 * std::size_t(last); ++k)
+                        std::atomic_ref(used[input_.vertex_base[m] + index[k]]).store(1, std::memory_order_relaxed);
+                });
+        });
+    }
+
+    /// The least mesh at each place owns it; where another one is, it is shared.
+    void mark_shared(const std::vector<std::uint8_t>& used, std::vector<std::uint8_t>& shared) const {
+        std::vector<std::uint32_t> owner(used.size(), nobody);
+        for_each_vertex([&](std::uint32_t m, std::uint32_t v) {
+            if (used[v] == 0) return;
+            std::atomic_ref least(owner[placed_.place[v]]);
+            std::uint32_t known = least.load(std::memory_order_relaxed);
+            while (m < known && !least.compare_exchange_weak(known, m, std::memory_order_relaxed)) {
+            }
+        });
+        for_each_vertex([&](std::uint32_t m, std::uint32_t v) {
+            if (used[v] != 0 && owner[placed_.place[v]] != m)
+                std::atomic_ref(shared[placed_.place[v]]).store(1, std::memory_order_relaxed);
+        });
+    }
+
+    void count_normals(const std::vector<std::uint8_t>& used, SeamReport& report) const {
+        std::atomic<std::uint64_t> normals{0}, unusable{0};
+        for_each_vertex([&](std::uint32_t m, std::uint32_t v) {
+            if (used[v] == 0) return;
+            normals.fetch_add(1, std::memory_order_relaxed);
+            if (authored(m, v - input_.vertex_base[m]) == dvec3{}) unusable.fetch_add(1, std::memory_order_relaxed);
+        });
+        report.normals = normals, report.unusable = unusable;
+    }
+
+    CornerBins corners_at(const std::vector<std::uint8_t>& shared) const {
+        BlockArray<std::uint16_t> scratch;
+        return CornerSort(input_, input_.vertex_count(), {}, scratch, context_).run([&](std::uint32_t m) {
+            return [&, m](std::uint32_t corner) {
+                const std::uint32_t place = placed_.place[input_.corner_vertex(m, corner)];
+                return shared[place] != 0 ? place : CornerSort::no_bin;
+            };
+        });
+    }
+
+    dvec3 authored(std::uint32_t m, std::uint32_t vertex) const {
+        return given_normal(input_.placements[m], input_.meshes[m].normals[vertex]);
+    }
+
+    SeamCorner corner_at(std::uint32_t m, std::uint32_t corner) const {
+        constexpr std::uint32_t after[] = {1, 2, 0};
+        const AttributeMesh& mesh = input_.meshes[m];
+        const Placement& placement = input_.placements[m];
+        const std::uint32_t k = corner % 3;
+        const std::uint32_t* const index = mesh.indices.data() + (corner - k - 3 * input_.triangle_base[m]);
+        const std::uint32_t* const places = placed_.place.data() + input_.vertex_base[m];
+        SeamCorner c;
+        c.mesh = m;
+        c.vertex = input_.vertex_base[m] + index[k];
+        c.authored = authored(m, index[k]);
+        const FaceCorners face = face_corners(mesh, index);
+        const Direction normal = face_normal(placement, face);
+        c.face = normal.unit;
+        if (c.face == dvec3{}) return c;
+        const dvec3 angles = corner_weights<CornerWeight::angle>(placement, face, normal.length);
+        c.angle = k == 0 ? angles.x : k == 1 ? angles.y : angles.z;
+        c.is_flat = true;
+        for (int i = 0; i < 3; ++i) c.is_flat = c.is_flat && is_own(authored(m, index[i]), c.face);
+        c.next = places[index[after[k]]];
+        c.previous = places[index[after[after[k]]]];
+        return c;
+    }
+
+    static bool is_own(dvec3 corner, dvec3 face) { return angle_between(corner, face) <= radians(authored_flat_deg); }
+
+    Found look_at_places(std::size_t chunk, const CornerBins& bins) const {
+        Found found;
+        SeamFans fans(cosines_);
+        std::vector<SeamCorner> corners;
+        std::vector<dvec3> sums;
+        std::vector<double> angles;
+        const std::size_t first = chunk * vertices_per_chunk,
+                          last = std::min<std::size_t>(input_.vertex_count(), first + vertices_per_chunk);
+        std::uint32_t m = 0;
+        for (std::size_t place = first; place < last; ++place) {
+            corners.clear();
+            for (const std::uint32_t corner : bins[std::uint32_t(place)]) {
+                if (corners.empty() || corner >= 3 * input_.triangle_base[m + 1])
+                    m = input_.mesh_of_triangle(corner / 3);
+                corners.push_back(corner_at(m, corner));
+            }
+            if (corners.empty()) continue;
+            fans.find(std::uint32_t(place), corners);
+            found.flat_pairs += fans.flat_pairs();
+            turn(corners, fans, sums, angles, found.turns);
+        }
+        return found;
+    }
+
+    /// The common normals of the joined fans at one place.
+    /// @param sums, scratch  memory
+    void turn(std::span<const SeamCorner> corners, SeamFans& fans, std::vector<dvec3>& sums,
+              std::vector<double>& scratch, std::vector<Turn>& turns) const {
+        const std::span<const AuthoredFan> list = fans.fans();
+        sums.assign(list.size(), {});
+        std::vector<double>& angles = scratch;
+        angles.assign(list.size(), 0);
+        bool any = false;
+        for (std::uint32_t f = 0; f < list.size(); ++f) {
+            const std::uint32_t root = fans.joined(f);
+            sums[root] += list[f].normal * list[f].angle;
+            angles[root] += list[f].angle;
+            any = any || fans.is_open(f);
+        }
+        if (!any) return;
+        const auto turns_to = [&](std::uint32_t root) {  // zero: it keeps its own
+            const bool vanishes = !(length(sums[root]) > vanished_share * angles[root]);
+            return fans.is_open(root) && !vanishes ? normalize_or(sums[root], dvec3{}) : dvec3{};
+        };
+        const std::size_t before = turns.size();
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            if (fans.fan_of()[i] == SeamFans::no_fan) continue;
+            if (const dvec3 normal = turns_to(fans.joined(fans.fan_of()[i])); normal != dvec3{})
+                add_turn(corners[i], normal, turns);
+        }
+        const auto begin = turns.begin() + std::ptrdiff_t(before);
+        std::sort(begin, turns.end(), [](const Turn& a, const Turn& b) { return a.vertex < b.vertex; });
+        turns.erase(std::unique(begin, turns.end(), [](const Turn& a, const Turn& b) { return a.vertex == b.vertex; }),
+                    turns.end());
+    }
+
+    void add_turn(const SeamCorner& corner, dvec3 normal, std::vector<Turn>& turns) const {
+        const vec3 wanted = cast<float>(to_object(input_.placements[corner.mesh], normal));
+        const std::uint32_t vertex = corner.vertex - input_.vertex_base[corner.mesh];
+        if (wanted == input_.meshes[corner.mesh].normals[vertex]) return;
+        turns.push_back({corner.vertex, wanted, float(degrees(angle_between(corner.authored, normal)))});
+    }
+
+    const PlacedMeshes& placed_;
+    const AttributeInput& input_;
+    Context& context_;
+    std::vector<double> cosines_;  ///< [meshes]
+};
+
+/// What the pass holds beside the weld, and its corners if every place were shared.
+void check_memory(std::span<const AttributeMesh> meshes, Context& context) {
+    std::uint64_t bytes = 0;
+    for (const AttributeMesh& m : meshes) bytes += 14 * m.positions.size() + 6 * m.indices.size();
+    context.memory().check(bytes, "joining the normals of meshes that meet");
+}
+
+void check_normals(std::span<const AttributeMesh> meshes) {
+    for (std::size_t m = 0; m < meshes.size(); ++m)
+        if (meshes[m].normals.size() != meshes[m].positions.size())
+            throw Error(ErrorCode::bad_file,
+                        std::to_string(meshes[m].normals.size()) + " normals for " +
+                            std::to_string(meshes[m].positions.size()) + " vertices",
+                        "mesh " + std::to_string(m));
+}
+
+}  // namespace
+}  // namespace geometry
+
+std::vector<MeshSeams> join_seams(std::span<const AttributeMesh> meshes, const SeamOptions& options, SeamReport& report,
+                                  Context& context) {
+    report = {};
+    AttributeOptions checked;
+    checked.crease_angle_rad = options.crease_angle_rad;
+    checked.weld_distance = options.weld_distance;
+    geometry::check_options(checked);
+    geometry::check_normals(meshes);
+    std::vector<MeshSeams> out(meshes.size());
+    geometry::check_memory(meshes, context);
+    const geometry::PlacedMeshes placed = geometry::place_vertices(meshes, options.weld_distance, context);
+    const std::vector<geometry::Turn> turns = geometry::SeamPass(placed, options, context).run(report);
+    double sum = 0;
+    for (const geometry::Turn& t : turns) {
+        const std::uint32_t m = placed.input.mesh_of_vertex(t.vertex);
+        out[m].vertices.push_back(t.vertex - placed.input.vertex_base[m]);
+        out[m].normals.push_back(t.normal);
+        report.max_deg = std::max(report.max_deg, double(t.degrees));
+        sum += t.degrees;
+    }
+    report.turned = turns.size();
+    report.mean_deg = turns.empty() ? 0 : sum / double(turns.size());
+    return out;
+}
+
+namespace {
+
+/// Rodrigues' rotation by the angle between two unit vectors, written with their cross product.
+dvec3 turned(dvec3 v, dvec3 from, dvec3 to) {
+    const dvec3 axis = cross(from, to);
+    const double cosine = dot(from, to);
+    if (cosine <= -1 + 1e-12) {  // half a turn about some axis across
+        const dvec3 across = geometry::perpendicular(from);
+        return across * (2 * dot(across, v)) - v;
+    }
+    return v * cosine + cross(axis, v) + axis * (dot(axis, v) / (1 + cosine));
+}
+
+dvec3 unit(vec3 v) { return normalize_or(cast<double>(v), dvec3{0, 0, 1}); }
+
+}  // namespace
+
+vec4 turned_tangent(vec4 tangent, vec3 from, vec3 to) {
+    const dvec3 normal = unit(to), t = turned(cast<double>(tangent.xyz()), unit(from), normal);
+    const dvec3 across = t - normal * dot(normal, t);
+    const dvec3 u = length(across) > 1e-6 * length(t) ? normalize_or(across, dvec3{}) : geometry::perpendicular(normal);
+    return {float(u.x), float(u.y), float(u.z), tangent.w};
+}
+
+vec3 turned_along(vec3 vector, vec3 from, vec3 to) {
+    return cast<float>(turned(cast<double>(vector), unit(from), unit(to)));
+}
+
+}  // namespace rakelight

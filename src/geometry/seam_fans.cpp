@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/seam_fans.h"
+
+#include <rakelight/seams.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "geometry/circular_order.h"
+
+namespace rakelight::geometry {
+namespace {
+
+// Up to here different normals of one mesh, and faces at one edge, are compared in pairs.
+constexpr std::size_t few_normals = 64, few_faces = 16;
+constexpr double continuous_rad = radians(0.01);        // a smaller angle is rounding, or the steps of 16 bits
+constexpr double cosine_of_flat = 0.99984769515639124;  // of authored_flat_deg
+
+auto key(dvec3 n) { return std::tuple(n.x, n.y, n.z); }
+
+bool are_equal(dvec3 a, dvec3 b) { return dot(a - b, a - b) <= authored_equality * authored_equality; }
+
+}  // namespace
+
+static_assert(authored_flat_deg == 1);
+
+void SeamFans::find(std::uint32_t place, std::span<const SeamCorner> corners) {
+    flat_pairs_ = 0;
+    find_fans(corners);
+    sets_.reset(fans_.size());
+    is_open_.assign(fans_.size(), 0);
+    if (fans_.size() < 2) return;
+    find_joints(place, corners);
+    const bool is_simple =
+        std::adjacent_find(fans_.begin(), fans_.end(),
+                           [](const AuthoredFan& a, const AuthoredFan& b) { return a.mesh == b.mesh; }) == fans_.end();
+    is_simple ? join_all() : join_nearest_first();
+    for (const Joint& j : joints_)
+        if (const std::uint32_t root = sets_.root(j.a); j.is_open && root == sets_.root(j.b)) is_open_[root] = 1;
+}
+
+void SeamFans::find_fans(std::span<const SeamCorner> corners) {
+    fans_.clear();
+    fan_of_.assign(corners.size(), no_fan);
+    for (std::size_t first = 0; first < corners.size();) {
+        std::size_t last = first + 1;
+        while (last < corners.size() && corners[last].mesh == corners[first].mesh) ++last;
+        find_fans_of_mesh(corners.subspan(first, last - first), std::uint32_t(first));
+        first = last;
+    }
+}
+
+/// Those with a normal, by it; `leads_` are the first ones of equal normals.
+void SeamFans::sort_corners(std::span<const SeamCorner> corners) {
+    order_.clear();
+    leads_.clear();
+    for (std::uint32_t i = 0; i < corners.size(); ++i)
+        if (corners[i].authored != dvec3{}) order_.push_back(i);
+    const auto key_of = [&](std::uint32_t i) { return key(corners[i].authored); };
+    std::sort(order_.begin(), order_.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return std::tuple(key_of(a), a) < std::tuple(key_of(b), b); });
+    for (std::uint32_t i = 0; i < order_.size(); ++i)
+        if (i == 0 || key_of(order_[i]) != key_of(order_[i - 1])) leads_.push_back(i);
+}
+
+/// @param first  where these corners begin among those of the place
+void SeamFans::find_fans_of_mesh(std::span<const SeamCorner> corners, std::uint32_t first) {
+    sort_corners(corners);
+    const std::size_t count = leads_.size(), first_fan = fans_.size();
+    const auto normal_of = [&](std::uint32_t lead) { return corners[order_[leads_[lead]]].authored; };
+    alike_.reset(count);
+    for (std::uint32_t a = 0; a < count && count <= few_normals; ++a)
+        for (std::uint32_t b = a + 1; b < count; ++b)
+            if (are_equal(normal_of(a), normal_of(b))) alike_.join(a, b);
+    // A fan for each set, in the order of their least normals; where they are not one normal, the mean by angles.
+    fan_of_lead_.assign(count, no_fan);
+    sums_.clear();
+    for (std::uint32_t a = 0; a < count; ++a) {
+        const std::uint32_t root = alike_.root(a);
+        if (root == a) {
+            fan_of_lead_[a] = std::uint32_t(fans_.size());
+            fans_.push_back({corners[0].mesh, normal_of(a), 0});
+            sums_.emplace_back();
+        }
+        const std::uint32_t fan = fan_of_lead_[a] = fan_of_lead_[root];
+        const std::uint32_t end = a + 1 < count ? leads_[a + 1] : std::uint32_t(order_.size());
+        for (std::uint32_t i = leads_[a]; i < end; ++i) {
+            const SeamCorner& c = corners[order_[i]];
+            fan_of_[first + order_[i]] = fan;
+            fans_[fan].angle += c.angle;
+            sums_[fan - first_fan] += c.authored * c.angle;
+        }
+    }
+    if (count == sums_.size()) return;
+    for (std::size_t f = 0; f < sums_.size(); ++f)
+        fans_[first_fan + f].normal = normalize_or(sums_[f], fans_[first_fan + f].normal);
+}
+
+void SeamFans::find_joints(std::uint32_t place, std::span<const SeamCorner> corners) {
+    joints_.clear();
+    spokes_.clear();
+    for (std::uint32_t i = 0; i < corners.size(); ++i) {
+        const SeamCorner& c = corners[i];
+        if (c.face == dvec3{} || fan_of_[i] == no_fan) continue;
+        if (c.next != place) spokes_.push_back({c.next, i, true});
+        if (c.previous != place) spokes_.push_back({c.previous, i, false});
+    }
+    std::sort(spokes_.begin(), spokes_.end(), [](const Spoke& a, const Spoke& b) {
+        return std::tuple(a.place, a.index, a.outgoing) < std::tuple(b.place, b.index, b.outgoing);
+    });
+    for (std::size_t first = 0; first < spokes_.size();) {
+        std::size_t last = first + 1;
+        while (last < spokes_.size() && spokes_[last].place == spokes_[first].place) ++last;
+        if (last - first > 1) look_at_edge(place, corners, std::span(spokes_).subspan(first, last - first));
+        first = last;
+    }
+}
+
+/// All pairs, or of very many faces each with its neighbors of other meshes around the edge.
+void SeamFans::look_at_edge(std::uint32_t place, std::span<const SeamCorner> corners, std::span<const Spoke> edge) {
+    if (edge.size() <= few_faces) {
+        for (std::size_t a = 0; a < edge.size(); ++a)
+            for (std::size_t b = a + 1; b < edge.size(); ++b) look_at_pair(place, corners, edge[a], edge[b]);
+        return;
+    }
+    std::vector<dvec3> normals;
+    for (const Spoke& s : edge) normals.push_back(corners[s.index].face);
+    const std::vector<std::uint32_t> order = circular_order(normals);
+    const std::size_t count = order.size();
+    const auto at = [&](std::size_t i) -> const Spoke& { return edge[order[i % count]]; };
+    // next[i]: the first position behind i of another mesh; one sweep backwards over two turns of the circle
+    std::vector<std::size_t> next(2 * count, 2 * count);
+    for (std::size_t i = 2 * count - 1; i-- > 0;)
+        next[i] = corners[at(i).index].mesh != corners[at(i + 1).index].mesh ? i + 1 : next[i + 1];
+    for (std::size_t i = 0; i < count; ++i)
+        if (next[i] < 2 * count) look_at_pair(place, corners, at(i), at(next[i]));
+}
+
+void SeamFans::look_at_pair(std::uint32_t place, std::span<const SeamCorner> corners, const Spoke& a, const Spoke& b) {
+    const SeamCorner &p = corners[a.index], &q = corners[b.index];
+    if (p.mesh == q.mesh) return;
+    const double cosine = dot(p.face, q.face);
+    if (!(cosine >= std::max(cosines_[p.mesh], cosines_[q.mesh]))) return;
+    if (p.is_flat && q.is_flat && cosine < cosine_of_flat) {
+        flat_pairs_ += place < a.place;
+        return;
+    }
+    const auto [f, g] = std::minmax(fan_of_[a.index], fan_of_[b.index]);
+    joints_.push_back(
+        {f, g, dot(fans_[f].normal, fans_[g].normal), cosine, length(p.authored - q.authored) > continuous_rad});
+}
+
+/// Where every mesh has one fan nothing can go wrong.
+void SeamFans::join_all() {
+    for (const Joint& j : joints_) sets_.join(j.a, j.b);
+}
+
+/// By the shape alone, so that the order of meshes does not count; the last word is for what is equal in all.
+bool SeamFans::comes_before(const Joint& x, const Joint& y) const {
+    if (x.nearness != y.nearness) return x.nearness > y.nearness;
+    if (x.bend != y.bend) return x.bend > y.bend;
+    const auto normals = [&](const Joint& j) {
+        const auto a = key(fans_[j.a].normal), b = key(fans_[j.b].normal);
+        return a < b ? std::pair(a, b) : std::pair(b, a);
+    };
+    const auto nx = normals(x), ny = normals(y);
+    return nx != ny ? nx < ny : std::tuple(x.a, x.b) < std::tuple(y.a, y.b);
+}
+
+/// Joints as they come, nearest normals first, but for those that would bring two fans of one mesh together.
+void SeamFans::join_nearest_first() {
+    std::sort(joints_.begin(), joints_.end(), [&](const Joint& a, const Joint& b) { return comes_before(a, b); });
+    std::vector<std::set<std::uint32_t>> meshes(fans_.size());  // of the fans that each root stands for
+    for (std::size_t f = 0; f < fans_.size(); ++f) meshes[f] = {fans_[f].mesh};
+    std::set<std::pair<std::uint32_t, std::uint32_t>> refused;  // pairs of roots
+    for (const Joint& j : joints_) {
+        const std::uint32_t a = sets_.root(j.a), b = sets_.root(j.b);
+        if (a == b || refused.contains(std::minmax(a, b))) continue;
+        std::set<std::uint32_t>&small = meshes[a].size() < meshes[b].size() ? meshes[a] : meshes[b],
+        &large = &small == &meshes[a] ? meshes[b] : meshes[a];
+        if (std::any_of(small.begin(), small.end(), [&](std::uint32_t m) { return large.contains(m); })) {
+            refused.insert(std::minmax(a, b));
+            continue;
+        }
+        large.insert(small.begin(), small.end());
+        std::set<std::uint32_t> all = std::move(large);
+        small.clear();
+        sets_.join(a, b);
+        meshes[sets_.root(a)] = std::move(all);
+    }
+}
+
+}  // namespace rakelight::geometry

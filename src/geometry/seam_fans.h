@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// The corners at one place that several meshes share: which of them have one authored normal, and which of these fans are
+// joined across meshes. The rule is told in <rakelight/seams.h>.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/join_rules.h"
+#include "geometry/union_find.h"
+#include "math/linear.h"
+
+namespace rakelight::geometry {
+
+/// One corner of a face at the place.
+struct SeamCorner {
+    std::uint32_t mesh = 0, vertex = 0;    ///< the vertex numbered through
+    dvec3 authored;                        ///< its normal, unit, in the world; zero: of no use
+    dvec3 face;                            ///< the face's normal, unit, in the world; zero: none
+    double angle = 0;                      ///< of the face at this corner [rad]
+    bool is_flat = false;                  ///< all corners of the face have the face's own normal
+    std::uint32_t next = 0, previous = 0;  ///< places of the face's other corners
+};
+
+/// The corners of one mesh that have one authored normal.
+struct AuthoredFan {
+    std::uint32_t mesh = 0;
+    dvec3 normal;      ///< unit
+    double angle = 0;  ///< sum of its corners'
+};
+
+/// What is found at one place; the same object goes from place to place, so that its memory does.
+class SeamFans {
+public:
+    /// @param crease_cosines  [meshes] the crease_cosine() of each
+    explicit SeamFans(std::span<const double> crease_cosines) : cosines_(crease_cosines) {}
+
+    /// Finds fans and joins them.
+    /// @param place    the place's number: pairs are counted at the smaller one of the edge's two
+    /// @param corners  at least one, by ascending mesh
+    void find(std::uint32_t place, std::span<const SeamCorner> corners);
+
+    /// [corners] which fan each is of; `no_fan` where its normal is of no use.
+    std::span<const std::uint32_t> fan_of() const { return fan_of_; }
+    std::span<const AuthoredFan> fans() const { return fans_; }
+    /// The fan that stands for those that are joined with this one; itself where it is alone.
+    std::uint32_t joined(std::uint32_t fan) { return sets_.root(fan); }
+    /// Of a fan that stands for others: somewhere among them there is a seam to be closed.
+    bool is_open(std::uint32_t fan) const { return is_open_[fan] != 0; }
+    std::uint64_t flat_pairs() const { return flat_pairs_; }  ///< that stay apart at edges from here to larger places
+
+    static constexpr std::uint32_t no_fan = 0xffffffffu;
+
+private:
+    struct Joint {
+        std::uint32_t a, b;  ///< fans, a < b
+        double nearness;     ///< cosine between their normals
+        double bend;         ///< cosine between the faces
+        bool is_open;        ///< the normals of the two corners are not the same
+    };
+    void find_fans(std::span<const SeamCorner> corners);
+    void sort_corners(std::span<const SeamCorner> corners);
+    void find_fans_of_mesh(std::span<const SeamCorner> corners, std::uint32_t first);
+    void find_joints(std::uint32_t place, std::span<const SeamCorner> corners);
+    void look_at_edge(std::uint32_t place, std::span<const SeamCorner> corners, std::span<const Spoke> edge);
+    void look_at_pair(std::uint32_t place, std::span<const SeamCorner> corners, const Spoke& a, const Spoke& b);
+    void join_all();
+    void join_nearest_first();
+    bool comes_before(const Joint& a, const Joint& b) const;
+
+    std::span<const double> cosines_;
+    std::vector<std::uint32_t> fan_of_;                       ///< [corners]
+    std::vector<std::uint32_t> order_, leads_, fan_of_lead_;  ///< of one mesh: scratch
+    std::vector<dvec3> sums_;
+    std::vector<AuthoredFan> fans_;
+    std::vector<std::uint8_t> is_open_;  ///< [fans]
+    std::vector<Spoke> spokes_;
+    std::vector<Joint> joints_;
+    UnionFind sets_, alike_;
+    std::uint64_t flat_pairs_ = 0;
+};
+
+}  // namespace rakelight::geometry

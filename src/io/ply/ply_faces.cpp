@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/ply/ply_faces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/obj/polygon.h"
+#include "io/ply/ply_vertices.h"
+#include "math/color.h"
+
+namespace rakelight::io::ply {
+namespace {
+
+/// Room for `more` elements; its growth is charged before it happens.
+template <class T>
+void make_room(std::vector<T>& array, std::size_t more, MemoryCharge& charge) {
+    if (array.capacity() - array.size() >= more) return;
+    const std::size_t before = array.capacity(), capacity = std::max(2 * before, array.size() + more);
+    charge.grow(capacity * sizeof(T), "the faces of a PLY file");
+    array.reserve(capacity);
+    charge.shrink(before * sizeof(T));
+}
+
+/// What a property of a face is for.
+enum class Use : std::uint8_t { none, corners, texcoords, red, green, blue };
+
+Use use_of(const Property& p, bool takes_colors) {
+    if (p.count_type && p.name.starts_with("vertex_ind")) return Use::corners;
+    if (p.count_type && p.name == "texcoord") return Use::texcoords;
+    if (p.count_type || !takes_colors) return Use::none;
+    if (p.name == "red" || p.name == "diffuse_red" || p.name == "r") return Use::red;
+    if (p.name == "green" || p.name == "diffuse_green" || p.name == "g") return Use::green;
+    if (p.name == "blue" || p.name == "diffuse_blue" || p.name == "b") return Use::blue;
+    return Use::none;
+}
+
+float display_value(const Property& p, double value) {
+    const float largest = is_real(p.type) ? (value > 1 ? 255.0f : 1.0f) : size_of(p.type) == 2 ? 65535.0f : 255.0f;
+    return linear_from_srgb(float(value) / largest);
+}
+
+class FaceReader {
+public:
+    FaceReader(Cursor& cursor, const Element& element, const VertexTable& vertices, bool takes_colors, Faces& out)
+        : cursor_(cursor), vertices_(vertices), out_(out) {
+        for (const Property& p : element.properties) {
+            uses_.push_back({&p, use_of(p, takes_colors)});
+            const Use use = uses_.back().use;
+            const bool is_color = use == Use::red || use == Use::green || use == Use::blue;
+            out.have_texcoords |= use == Use::texcoords;
+            out.have_colors |= is_color;
+            has_values_ |= is_color || use == Use::texcoords;
+            if (use == Use::none) unused_.push_back(p.name);
+        }
+    }
+
+    void read_row() {
+        corners_.clear(), uvs_.clear();
+        bool is_fine = true;
+        for (const auto& [property, use] : uses_) {
+            if (use == Use::corners)
+                is_fine = read_corners(*property);
+            else if (use == Use::texcoords)
+                read_texcoords(*property);
+            else if (use == Use::none)
+                cursor_.skip(*property);
+            else
+                color_[std::size_t(use) - std::size_t(Use::red)] =
+                    display_value(*property, cursor_.number(property->type));
+        }
+        if (!is_fine)
+            ++bad_;
+        else if (corners_.size() < 3)
+            ++short_;
+        else
+            add();
+    }
+
+    void say(const std::string& path, Report& report) const {
+        const auto count = [&](std::uint64_t n, const char* what) {
+            if (n > 0) report.add(Remark::warning, path, "", std::to_string(n) + what);
+        };
+        count(bad_, " faces have vertex numbers out of range and are left out");
+        count(short_, " faces have fewer than 3 corners and are left out");
+        for (const std::string& name : unused_)
+            report.add(Remark::dropped, path, "", "numbers of faces, '" + one_line(name, 40) + "', are left out");
+    }
+
+private:
+    struct PropertyUse {
+        const Property* property;
+        Use use;
+    };
+
+    bool read_corners(const Property& p) {
+        const std::uint64_t count = cursor_.list(p);
+        make_room(corners_, std::size_t(count), out_.charge);
+        bool is_fine = true;
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const double v = cursor_.number(p.type);
+            const bool is_in = v >= 0 && v < double(vertices_.count());
+            corners_.push_back(is_in ? std::uint32_t(v) : 0);
+            is_fine = is_fine && is_in;
+        }
+        return is_fine;
+    }
+    void read_texcoords(const Property& p) {
+        const std::uint64_t count = cursor_.list(p);
+        make_room(uvs_, std::size_t(count), out_.charge);
+        for (std::uint64_t i = 0; i < count; ++i) uvs_.push_back(float(cursor_.number(p.type)));
+    }
+
+    void add() {
+        triangles_.clear();
+        if (corners_.size() == 3) {
+            triangles_ = {0, 1, 2};
+        } else {
+            places_.clear();
+            const std::uint64_t work = corners_.size() * obj::polygon_bytes;
+            out_.charge.grow(work, "a polygon of a PLY file");
+            for (const std::uint32_t c : corners_) places_.push_back(vertices_.position(c));
+            obj::triangulate(places_, triangles_);
+            out_.charge.shrink(work);
+        }
+        values_.clear();
+        for (std::size_t k = 0; k < triangles_.size() && has_values_; ++k) values_.push_back(value_of(triangles_[k]));
+        for (std::uint32_t& k : triangles_) k = corners_[k];
+        out_.add(triangles_, values_);
+    }
+
+    CornerValue value_of(std::uint32_t corner) const {
+        CornerValue value;
+        if (2 * std::size_t(corner) + 1 < uvs_.size()) {
+            const vec2 uv{uvs_[2 * corner], 1 - uvs_[2 * corner + 1]};
+            if (std::isfinite(uv.x) && std::isfinite(uv.y)) value.uv = uv;
+        }
+        if (out_.have_colors) value.color = {color_[0], color_[1], color_[2], 1};
+        return value;
+    }
+
+    Cursor& cursor_;
+    const VertexTable& vertices_;
+    Faces& out_;
+    std::vector<PropertyUse> uses_;
+    std::vector<std::string> unused_;
+    std::vector<std::uint32_t> corners_, triangles_;
+    std::vector<CornerValue> values_;  ///< of `triangles_`
+    bool has_values_ = false;          ///< of this element's faces
+    std::vector<float> uvs_;
+    std::vector<dvec3> places_;
+    float color_[3] = {1, 1, 1};
+    std::uint64_t bad_ = 0, short_ = 0;
+};
+
+}  // namespace
+
+void Faces::add(std::span<const std::uint32_t> corners, std::span<const CornerValue> own) {
+    const std::size_t before = triangles.size() / 3, after = before + corners.size() / 3;
+    make_room(triangles, corners.size(), charge);
+    triangles.insert(triangles.end(), corners.begin(), corners.end());
+    if (corners.size() > 3 || !polygons.empty()) {
+        make_room(polygons, after - polygons.size(), charge);
+        while (polygons.size() < before) polygons.push_back(std::uint32_t(polygons.size()));
+        polygons.resize(after, std::uint32_t(before));
+    }
+    if (own.empty() && values.empty()) return;
+    make_room(values, 3 * after - values.size(), charge);
+    values.resize(3 * before);  // of faces that said nothing
+    values.insert(values.end(), own.begin(), own.end());
+    values.resize(3 * after);
+}
+
+void read_faces(Cursor& cursor, const Element& element, const VertexTable& vertices, bool takes_colors, Faces& out,
+                const std::string& path, Context& context) {
+    cursor.begin(element);
+    FaceReader reader(cursor, element, vertices, takes_colors, out);
+    for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+        if (i % 65536 == 0) context.throw_if_cancelled();
+        reader.read_row();
+    }
+    reader.say(path, context.report());
+}
+
+void read_strips(Cursor& cursor, const Element& element, const VertexTable& vertices, Faces& out,
+                 const std::string& path, Context& context) {
+    cursor.begin(element);
+    std::uint64_t bad = 0;
+    for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i)
+        for (const Property& p : element.properties) {
+            if (!p.count_type || !p.name.starts_with("vertex_ind")) {
+                cursor.skip(p);
+                continue;
+            }
+            const std::uint64_t count = cursor.list(p);
+            std::uint32_t before[2] = {0, 0};
+            std::uint64_t length = 0;
+            for (std::uint64_t k = 0; k < count; ++k) {
+                if (k % 65536 == 0) context.throw_if_cancelled();
+                const double v = cursor.number(p.type);
+                const bool is_in = v >= 0 && v < double(vertices.count());
+                bad += !is_in && v != -1;
+                if (!is_in) length = 0;
+                if (!is_in) continue;
+                const auto corner = std::uint32_t(v);
+                if (++length >= 3 && corner != before[0] && corner != before[1] && before[0] != before[1]) {
+                    const bool is_odd = length % 2 == 0;
+                    const std::uint32_t triangle[3] = {before[is_odd ? 1 : 0], before[is_odd ? 0 : 1], corner};
+                    out.add(triangle, {});
+                }
+                before[0] = before[1], before[1] = corner;
+            }
+        }
+    if (bad > 0)
+        context.report().add(Remark::warning, path, "",
+                             std::to_string(bad) + " vertex numbers of strips are out of range and end them");
+}
+
+void read_edges(Cursor& cursor, const Element& element, const VertexTable& vertices, Faces& out,
+                const std::string& path, Context& context) {
+    cursor.begin(element);
+    std::uint64_t bad = 0;
+    for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+        if (i % 65536 == 0) context.throw_if_cancelled();
+        double ends[2] = {-1, -1};
+        for (const Property& p : element.properties) {
+            if (!p.count_type && (p.name == "vertex1" || p.name == "vertex2"))
+                ends[p.name == "vertex2"] = cursor.number(p.type);
+            else
+                cursor.skip(p);
+        }
+        const auto is_in = [&](double v) { return v >= 0 && v < double(vertices.count()); };
+        bad += !is_in(ends[0]) || !is_in(ends[1]);
+        if (!is_in(ends[0]) || !is_in(ends[1])) continue;
+        make_room(out.lines, 2, out.charge);
+        out.lines.insert(out.lines.end(), {std::uint32_t(ends[0]), std::uint32_t(ends[1])});
+    }
+    if (bad > 0)
+        context.report().add(Remark::warning, path, "",
+                             std::to_string(bad) + " edges have vertex numbers out of range and are left out");
+}
+
+}  // namespace rakelight::io::ply

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// PLY -> scene: header, then element by element. Without faces and edges its vertices are points.
+#include "io/ply/read_ply.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+#include "io/cloud_material.h"
+#include "io/image_io.h"
+#include "io/obj/references.h"
+#include "io/plain_text.h"
+#include "io/ply/ply_faces.h"
+#include "io/ply/ply_vertices.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight::io::ply {
+namespace {
+
+struct Contents {
+    std::optional<VertexTable> vertices;
+    Faces faces;
+    explicit Contents(Context& context) : faces(context.memory()) {}
+};
+
+Contents read_elements(std::string_view file, const Header& header, const std::string& path, Context& context) {
+    Contents out(context);
+    Cursor cursor(file, header);
+    for (const Element& e : header.elements) {
+        context.progress("load", double(file.empty() ? 0 : header.bytes) / double(file.size()));
+        if (e.name == "vertex" && !out.vertices) {
+            if (e.count >= no_index)
+                throw Error(ErrorCode::bad_file, "more than 4294967294 vertices are not supported");
+            out.vertices.emplace(e.count, context);
+            read_vertices(cursor, e, header.format, *out.vertices, path, context);
+            if (!out.vertices->has_positions()) throw Error(ErrorCode::bad_file, "the vertices have no x, y and z");
+        } else if (!out.vertices || (e.name != "face" && e.name != "tristrips" && e.name != "edge")) {
+            if (e.count > 0)
+                context.report().add(Remark::dropped, path, "",
+                                     "the element '" + one_line(e.name, 40) + "' is left out");
+            cursor.begin(e);
+            for (std::uint64_t i = 0; i < e.count && !e.properties.empty(); ++i) cursor.skip_row(e);
+        } else if (e.name == "face") {
+            read_faces(cursor, e, *out.vertices, !out.vertices->has_colors(), out.faces, path, context);
+        } else if (e.name == "tristrips") {
+            read_strips(cursor, e, *out.vertices, out.faces, path, context);
+        } else {
+            read_edges(cursor, e, *out.vertices, out.faces, path, context);
+        }
+    }
+    if (!cursor.is_at_end())
+        context.report().add(Remark::warning, path, {}, "bytes follow the elements that the header promises");
+    if (cursor.bad_words() > 0)
+        context.report().add(Remark::warning, path, {},
+                             std::to_string(cursor.bad_words()) + " words are no numbers; they count as NaN");
+    return out;
+}
+
+/// What a corner of a face has for itself makes a vertex of its own of it, shared by the corners that have the same.
+class CornerSplitter {
+public:
+    CornerSplitter(std::size_t vertices, Context& context)
+        : charge_(context.memory(), vertices * sizeof(std::uint32_t), "the corners of a PLY file"),
+          newest_(vertices, no_index) {}
+
+    std::uint32_t number(std::uint32_t vertex, const CornerValue& value) {
+        constexpr int most_looks = 32;  // a file may give one vertex any number of values
+        std::uint32_t v = newest_[vertex];
+        for (int looks = 0; v != no_index && looks < most_looks; ++looks, v = older_[v])
+            if (values[v] == value) return v;
+        constexpr std::size_t bytes = 2 * sizeof(std::uint32_t) + sizeof(CornerValue);
+        if (source.size() == source.capacity())
+            charge_.grow(std::max<std::size_t>(source.size(), 64) * bytes, "the corners of a PLY file");
+        const auto number = std::uint32_t(source.size());
+        source.push_back(vertex), values.push_back(value), older_.push_back(newest_[vertex]);
+        return newest_[vertex] = number;
+    }
+    std::vector<std::uint32_t> source;  ///< [new vertices] the vertex of the file
+    std::vector<CornerValue> values;    ///< [new vertices]
+
+private:
+    MemoryCharge charge_;
+    std::vector<std::uint32_t> newest_, older_;
+};
+
+template <class T>
+void gather(Block<T>& block, const std::vector<std::uint32_t>& source, Context& context) {
+    if (block.empty()) return;
+    MemoryCharge charge(context.memory(), source.size() * sizeof(T), "the corners of a PLY file");
+    std::vector<T> values;
+    values.reserve(source.size());
+    for (const std::uint32_t v : source) values.push_back(block[v]);
+    block = {std::move(values), std::move(charge)};
+}
+
+template <class T, class Of>
+Block<T> made_of(const std::vector<CornerValue>& values, Context& context, const Of& of) {
+    MemoryCharge charge(context.memory(), values.size() * sizeof(T), "the corners of a PLY file");
+    std::vector<T> out;
+    out.reserve(values.size());
+    for (const CornerValue& v : values) out.push_back(of(v));
+    return {std::move(out), std::move(charge)};
+}
+
+void split_corners(Mesh& mesh, Faces& faces, Context& context) {
+    CornerSplitter splitter(mesh.positions.size(), context);
+    for (std::size_t i = 0; i < faces.triangles.size(); ++i)
+        faces.triangles[i] = splitter.number(faces.triangles[i], faces.values[i]);
+    gather(mesh.positions, splitter.source, context);
+    gather(mesh.normals, splitter.source, context);
+    gather(mesh.colors, splitter.source, context);
+    for (Block<vec2>& set : mesh.texcoords) gather(set, splitter.source, context);
+    for (VertexArray& a : mesh.arrays) gather(a.values, splitter.source, context);
+    if (faces.have_texcoords)
+        mesh.texcoords = {made_of<vec2>(splitter.values, context, [](const CornerValue& v) { return v.uv; })};
+    if (faces.have_colors)
+        mesh.colors = made_of<vec4>(splitter.values, context, [](const CornerValue& v) { return v.color; });
+}
+
+void add_texture(Scene& scene, const Header& header, const std::string& path, const ReadOptions& options,
+                 Report& report) {
+    if (header.textures.empty() || scene.meshes[0].texcoords.empty()) return;
+    const std::string name = one_line(obj::ReferenceFinder::bare_name(header.textures[0]), 80);
+    if (header.textures.size() > 1)
+        report.add(Remark::dropped, path, "", "the file names several textures; the first is shown");
+    const auto found = obj::ReferenceFinder(path, options.allow_outside).find(header.textures[0]);
+    if (!found) {
+        report.add(Remark::warning, path, "", "texture '" + name + "' is not in the model's folder; it is left out");
+        return;
+    }
+    scene.textures.push_back({name, image_from_file(name, path, found->path), {}});
+    scene.materials[0].base_color_texture.texture = 0;
+}
+
+void add_mesh(Scene& scene, Mesh mesh, Topology topology, std::vector<std::uint32_t> indices, MemoryCharge charge) {
+    mesh.topology = topology;
+    mesh.indices = {std::move(indices), std::move(charge)};
+    scene.nodes[0].meshes.push_back(std::uint32_t(scene.meshes.size()));
+    scene.meshes.push_back(std::move(mesh));
+}
+
+std::vector<std::uint32_t> all_vertices(std::size_t count) {
+    std::vector<std::uint32_t> indices(count);
+    std::iota(indices.begin(), indices.end(), 0u);
+    return indices;
+}
+
+void add_meshes(Scene& scene, Mesh mesh, Faces& faces, Context& context) {
+    const auto charge = [&](std::uint64_t count) {
+        return MemoryCharge(context.memory(), count * sizeof(std::uint32_t), "a mesh");
+    };
+    if (!faces.lines.empty())
+        add_mesh(scene, mesh, Topology::lines, std::move(faces.lines), charge(faces.lines.size()));
+    if (!faces.triangles.empty()) {
+        const std::size_t values = faces.has_values() ? faces.triangles.size() : 0;
+        const MemoryCharge padded(context.memory(), (values - faces.values.size()) * sizeof(CornerValue),
+                                  "the corners of a PLY file");
+        faces.values.resize(values);
+        if (faces.has_values()) split_corners(mesh, faces, context);
+        MemoryCharge paid = charge(faces.triangles.size());
+        if (!faces.polygons.empty()) {
+            MemoryCharge polygons = charge(faces.polygons.size());
+            mesh.polygons = {std::move(faces.polygons), std::move(polygons)};
+        }
+        add_mesh(scene, std::move(mesh), Topology::triangles, std::move(faces.triangles), std::move(paid));
+    } else if (scene.meshes.empty()) {
+        const std::size_t count = mesh.positions.size();
+        MemoryCharge paid = charge(count);
+        add_mesh(scene, std::move(mesh), Topology::points, all_vertices(count), std::move(paid));
+    }
+}
+
+}  // namespace
+
+Scene read_ply_bytes(std::string_view bytes, const std::string& path, const ReadOptions& options, Context& context) {
+    const PlainText text(bytes, path, context);
+    const std::string_view file = text.view();
+    const Header header = read_header(file);
+    const auto vertices = std::ranges::find(header.elements, "vertex", &Element::name);
+    if (vertices == header.elements.end() || vertices->count == 0)
+        throw Error(ErrorCode::bad_file, "nothing to draw: the file holds no vertex");
+    Contents contents = read_elements(file, header, path, context);
+    const bool promised_faces = std::ranges::any_of(
+        header.elements, [](const Element& e) { return (e.name == "face" || e.name == "tristrips") && e.count > 0; });
+    if (promised_faces && contents.faces.triangles.empty())
+        throw Error(ErrorCode::bad_file, "nothing to draw: no face has three corners that are vertices");
+    Scene scene;
+    scene.source = path;
+    Mesh mesh;
+    mesh.name = std::filesystem::path(path).stem().string();
+    contents.vertices->move_to(mesh, path);
+    mesh.material = 0;
+    scene.nodes.emplace_back().name = mesh.name;
+    add_meshes(scene, std::move(mesh), contents.faces, context);
+    const Mesh& first = scene.meshes.back();
+    scene.materials.push_back(plain_material(!first.colors.empty()));
+    add_texture(scene, header, path, options, context.report());
+    if (scene.materials[0].base_color_texture) scene.materials[0].base_color = {1, 1, 1, 1};
+    return scene;
+}
+
+}  // namespace rakelight::io::ply
+
+namespace rakelight::io {
+
+Scene read_ply(const std::string& path, const ReadOptions& options, Context& context) {
+    const Bytes bytes = read_file(path, context);
+    return ply::read_ply_bytes({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path, options, context);
+}
+
+}  // namespace rakelight::io

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inspections as a page: one file, no script. The worst stands first: what a limit found, the heat maps, the seams, the faults.
+#include <rakelight/tools/inspection_report.h>
+#include <rakelight/tools/text_file.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "render/rows.h"
+#include "tools/html.h"
+#include "tools/inspect_sections.h"
+#include "tools/object_name.h"
+
+namespace rakelight {
+namespace {
+
+constexpr const char* style = R"(
+:root { color-scheme: light dark; --bad: light-dark(#b3261e, #f2786f); --good: light-dark(#1b6e3c, #6fcf97); }
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 76rem; margin: 0 auto; padding: 1rem; background: Canvas; color: CanvasText; }
+h1 { font-size: 1.6rem; } h2 { font-size: 1.3rem; margin-top: 3rem; border-top: 1px solid GrayText; padding-top: 1rem; overflow-wrap: anywhere; }
+h3 { font-size: 1rem; margin: 1.5rem 0 .3rem; } p { max-width: 60rem; margin: .3rem 0; } figure { margin: .5rem 0; } img { max-width: 100%; height: auto; display: block; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(32rem, 100%), 1fr)); gap: 0 1rem; }
+figcaption, .note, th { color: GrayText; font-size: .85rem; } .scroll { overflow-x: auto; }
+table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; }
+th, td { text-align: left; font-weight: normal; padding: .1rem 1rem .1rem 0; border-bottom: 1px solid color-mix(in srgb, GrayText 30%, transparent); white-space: nowrap; }
+.r { text-align: right; } .bad { color: var(--bad); } .good { color: var(--good); } nav td:first-child { white-space: normal; overflow-wrap: anywhere; }
+)";
+
+std::string table_html(const TextTable& table) {
+    std::string out = "<div class=\"scroll\"><table>\n";
+    bool is_head = true;
+    for (const std::vector<std::string>& row : table.rows()) {
+        out += "<tr>";
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            const std::string name = is_head ? "th" : "td";
+            out +=
+                "<" + name + (table.is_to_the_right(c) ? " class=\"r\">" : ">") + html_text(row[c]) + "</" + name + ">";
+        }
+        out += "</tr>\n";
+        is_head = false;
+    }
+    return out + "</table></div>\n";
+}
+
+std::string section_html(const Section& s) {
+    std::string out = "<h3>" + html_text(s.title) + "</h3>\n";
+    if (!s.table.empty()) out += table_html(s.table);
+    if (!s.note.empty()) out += "<p class=\"note\">" + html_text(s.note) + "</p>\n";
+    return out;
+}
+
+/// Where pairs have seams, what there is to see of the worst.
+std::string worst_seam_html(const Inspection& i) {
+    if (i.borders.empty() || !(i.seams.seam_deg > continuous_deg)) return {};
+    const BorderSummary& worst = i.borders.front();
+    const dvec3 p = worst.seam_position;
+    return "<p>The largest seam, " + number(worst.seam_deg, "%.2f") + " degrees, is between " +
+           html_text(quoted_name(i, worst.object_a)) + " and " + html_text(quoted_name(i, worst.object_b)) + ", at " +
+           number(p.x) + " " + number(p.y) + " " + number(p.z) + " " + i.unit + ".</p>\n";
+}
+
+std::string check_html(const InspectionRow& row) {
+    if (!row.check) return {};
+    if (row.check->empty()) return "<p class=\"good\">All limits are kept.</p>\n";
+    std::string out;
+    for (const CheckFailure& failure : *row.check)
+        out += "<p class=\"bad\">" + html_text(failure.limit + ": " + failure.message) + "</p>\n";
+    return out;
+}
+
+std::string pictures_html(std::span<const ReportPicture> pictures) {
+    if (pictures.empty()) return {};
+    std::string out = "<div class=\"pictures\">\n";
+    for (const ReportPicture& p : pictures)
+        out += "<figure><img alt=\"" + html_text(p.caption) + "\" width=\"" + std::to_string(p.pixels.width) +
+               "\" height=\"" + std::to_string(p.pixels.height) + "\" src=\"" + png_uri(p.pixels) + "\"><figcaption>" +
+               html_text(p.caption) + "</figcaption></figure>\n";
+    return out + "</div>\n";
+}
+
+/// Borders and faults before what the model holds.
+std::string tables_html(const Inspection& i) {
+    std::vector<Section> sections = sections_of(i);
+    constexpr std::string_view first[] = {"borders (degrees)", "T-junctions", "inside out", "surfaces"};
+    const auto place = [&](const Section& s) { return std::ranges::find(first, s.title) - std::begin(first); };
+    std::ranges::stable_sort(sections, {}, place);
+    std::string out;
+    for (const Section& s : sections) out += section_html(s);
+    return out;
+}
+
+std::string verdict_html(const InspectionRow& row) {
+    if (row.error) return "<span class=\"bad\">cannot be read</span>";
+    if (row.check)
+        return row.check->empty() ? "<span class=\"good\">passed</span>"
+                                  : "<span class=\"bad\">fails " + counted(row.check->size(), "limit") + "</span>";
+    return "";
+}
+
+}  // namespace
+
+ReportPicture report_picture(std::string caption, const Frame& frame) {
+    const PixelFormat format{.component = Component::u8, .channels = 3};
+    Pixels pixels{frame.window.width, frame.window.height, 3, Component::u8, false, {}};
+    pixels.bytes.resize(frame.color.size() * format.bytes());
+    convert_row(frame.color.data(), frame.color.size(), format, ToneCurve(), pixels.bytes.data());
+    return {std::move(caption), std::move(pixels)};
+}
+
+void InspectionPage::add(const InspectionRow& row, std::span<const ReportPicture> pictures) {
+    const std::string id = "model-" + std::to_string(++models_),
+                      name = std::filesystem::path(row.file).filename().string();  // folders are nobody else's business
+    const std::string seam =
+        row.inspection && row.inspection->shared_positions > 0 ? number(row.inspection->seams.seam_deg, "%.2f") : "-";
+    contents_ += "<tr><td><a href=\"#" + id + "\">" + html_text(name) + "</a></td><td class=\"r\">" +
+                 (row.inspection ? std::to_string(row.inspection->objects.size()) : "-") + "</td><td class=\"r\">" +
+                 seam + "</td><td>" + verdict_html(row) + "</td></tr>\n";
+    sections_ += "<section id=\"" + id + "\">\n<h2>" + html_text(name) + "</h2>\n";
+    if (row.error) sections_ += "<p class=\"bad\">" + html_text(row.error->what()) + "</p>\n";
+    sections_ += check_html(row);
+    if (row.inspection) {
+        const Inspection& i = *row.inspection;
+        for (const std::string& line : summary_lines(i)) sections_ += "<p>" + html_text(line) + "</p>\n";
+        sections_ += worst_seam_html(i) + pictures_html(pictures) + tables_html(i);
+    }
+    sections_ += "</section>\n";
+}
+
+void InspectionPage::save(const std::string& path) const {
+    const std::string title = counted(models_, "model") + " inspected";
+    save_text(path,
+              "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+              "content=\"width=device-width, initial-scale=1\">\n<title>" +
+                  title + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + title +
+                  "</h1>\n<p>A seam is the angle between the normals of two objects at a position that both share, "
+                  "where smoothing over the whole model would leave none.</p>\n<nav><table>\n<tr><th>model</th><th "
+                  "class=\"r\">objects</th><th class=\"r\">largest seam [degrees]</th><th>limits</th></tr>\n" +
+                  contents_ + "</table></nav>\n<main>\n" + sections_ + "</main>\n</body>\n</html>\n");
+}
+
+}  // namespace rakelight
