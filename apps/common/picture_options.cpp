@@ -9,7 +9,7 @@ namespace {
 constexpr const char *input = "Input", *output = "Output", *shading = "Shading", *bumps = "Bumps", *shadows = "Shadows",
                      *subdivision = "Subdivision", *materials = "Materials", *light = "Light", *camera = "Camera",
                      *normals = "Normals", *lines = "Lines and points", *numbers = "Colors by numbers of vertices",
-                     *overlays = "Overlays";
+                     *overlays = "Overlays", *motion = "Motion";
 
 struct Entry {
     const char *group, *name, *type, *help;
@@ -179,6 +179,12 @@ constexpr Entry entries[] = {
     {camera, "far", "D", "Nothing farther is drawn [m] (default: the camera's, else behind the model)"},
     {camera, "camera-orthographic", "",
      "Parallel projection, as high as what the angle of view shows at the focal point"},
+    {motion, "animation-index", "N",
+     "The clip that is shown, from 0 as inspect lists them; -1: all together (default 0 where another of these options "
+     "is given, else none: nodes stand as the file has them)"},
+    {motion, "animation-name", "NAME", "The clip of that name"},
+    {motion, "animation-time", "S", "The moment of the clip in seconds (default: its begin)"},
+    {motion, "animation-autoplay", "", "view: the clip plays from the start; a picture shows its begin"},
     {materials, "color", "COLOR", "Color of all materials, as --background has it; textures are multiplied by it"},
     {materials, "opacity", "A", "Opacity of all materials, 0 to 1; below 1 they are blended"},
     {materials, "roughness", "R", "Roughness of all materials, 0 to 1"},

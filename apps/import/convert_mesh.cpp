@@ -2,7 +2,9 @@
 #include "convert.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace rakelight::import_helper {
 namespace {
@@ -55,6 +57,19 @@ void convert_tangents(const aiMesh& mesh, Part& part) {
     }
 }
 
+/// Strongest first, the sum is 1.
+void sort_and_scale(Influence& f) {
+    std::array<std::pair<float, std::uint16_t>, 8> all;
+    for (std::size_t k = 0; k < 8; ++k) all[k] = {-f.weights[k], f.joints[k]};
+    std::sort(all.begin(), all.end());
+    float sum = 0;
+    for (const auto& [weight, joint] : all) sum -= weight;
+    for (std::size_t k = 0; k < 8; ++k) {
+        f.joints[k] = all[k].second;
+        f.weights[k] = sum > 0 ? -all[k].first / sum : 0;
+    }
+}
+
 void convert_influences(const aiMesh& mesh, JointTable& joints, Part& part) {
     part.influences.resize(mesh.mNumVertices);
     for (unsigned b = 0; b < mesh.mNumBones; ++b) {
@@ -66,16 +81,13 @@ void convert_influences(const aiMesh& mesh, JointTable& joints, Part& part) {
             if (weight.mVertexId >= mesh.mNumVertices || !(weight.mWeight > 0) || !std::isfinite(weight.mWeight))
                 continue;
             Influence& f = part.influences[weight.mVertexId];
-            const auto least = std::min_element(f.weights.begin(), f.weights.end());  // the four largest stay
+            const auto least = std::min_element(f.weights.begin(), f.weights.end());  // the eight largest stay
             if (*least >= weight.mWeight) continue;
             f.joints[std::size_t(least - f.weights.begin())] = std::uint16_t(joint);
             *least = weight.mWeight;
         }
     }
-    for (Influence& f : part.influences) {
-        const float sum = f.weights[0] + f.weights[1] + f.weights[2] + f.weights[3];
-        for (float& w : f.weights) w = sum > 0 ? w / sum : 0;
-    }
+    for (Influence& f : part.influences) sort_and_scale(f);
 }
 
 /// Assimp's morph targets hold places, ours offsets.
@@ -151,7 +163,7 @@ void note_dropped(const aiScene& scene, Document& out) {
         for (unsigned b = 0; b < mesh.mNumBones; ++b)
             for (unsigned w = 0; w < mesh.mBones[b]->mNumWeights; ++w)
                 if (mesh.mBones[b]->mWeights[w].mVertexId < influences.size())
-                    many += ++influences[mesh.mBones[b]->mWeights[w].mVertexId] == 5;
+                    many += ++influences[mesh.mBones[b]->mWeights[w].mVertexId] == 9;
         for (unsigned v = 0; mesh.HasPositions() && v < mesh.mNumVertices; ++v)
             bad_numbers += !(std::isfinite(mesh.mVertices[v].x) && std::isfinite(mesh.mVertices[v].y) &&
                              std::isfinite(mesh.mVertices[v].z));

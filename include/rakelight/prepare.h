@@ -53,6 +53,17 @@ struct PrepareOptions {
 /// map needs them. Says in the report what it replaced (zero or non-finite normals of the file, w = 0 tangents, ...).
 Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context);
 
+/// The scene as it stands, with nothing left in it that could move: nodes by Scene::pose, each placement of a mesh that
+/// follows a skin or has morph targets as vertices of its own (glTF 2.0, sections 3.7.2.2 and 3.7.3). Positions, and the
+/// normals and tangents that the meshes have: normals by the cofactor of the blended matrix, then unit. A skinned
+/// placement stands in the world itself: its node has no parent and no transform, what hung from it stays where it was.
+/// Skins, clips, targets and pose are gone. Other meshes share their arrays with the input.
+/// Same bits for any number of threads. @throws Error bad_file: see validate(), over the memory budget
+Scene posed_scene(const Scene& scene, Context& context);
+
+/// Whether posed_scene() changes anything.
+bool is_posable(const Scene& scene);
+
 /// The rule of <rakelight/seams.h> over all drawn triangle meshes that have normals: placed in the world, skinned ones in
 /// bind pose. Tangents and the offsets of morph targets turn with their normals; every other number keeps its bits, and
 /// arrays in which nothing turns stay shared. Placements of one mesh that come out differently get a mesh of their own.

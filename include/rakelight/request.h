@@ -14,6 +14,7 @@
 #include <rakelight/engine.h>
 #include <rakelight/image.h>
 #include <rakelight/load.h>
+#include <rakelight/motion.h>
 #include <rakelight/prepare.h>
 #include <rakelight/world.h>
 
@@ -89,6 +90,20 @@ struct Coloring {
 /// @throws Error usage: no vertices have such numbers, or such a component; the message lists what there is
 Scene color_by_array(Scene scene, const Coloring& coloring, Context& context);
 
+/// Which clips of a scene are shown, and when. With nothing said nodes stand as the file has them.
+struct MotionRequest {
+    std::optional<int> index{};      ///< into Scene::animations; -1: all of them; absent: by `name`, else the first
+    std::string name{};              ///< of a clip; empty: by `index`
+    std::optional<double> time_s{};  ///< [s] absent: where the clip begins
+    bool autoplay = false;           ///< the viewer plays from the start; a picture shows the clip
+    bool asks() const { return index || !name.empty() || time_s || autoplay; }
+    bool operator==(const MotionRequest&) const = default;
+};
+
+/// The clips of a scene that a request names, at their moments. Empty: it asks for none.
+/// @throws Error usage: the scene has no clips, or no such one; the message lists them
+std::vector<ClipTime> clips_of(const Scene& scene, const MotionRequest& motion);
+
 /// How data channels are written, as bits.
 enum ChannelFiles : std::uint32_t {
     channel_files_exr = 1u << 0,  ///< a file each, NAME.depth.exr: 32-bit floats in Y, R G, R G B or R G B A; numbers
@@ -125,6 +140,7 @@ struct PictureRequest {
     LoadOptions load{};
     MaterialOverrides materials{};
     Coloring coloring{};
+    MotionRequest motion{};
     PrepareOptions prepare{};
     ViewRequest view{};
     std::optional<std::vector<Light>>

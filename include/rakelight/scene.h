@@ -14,6 +14,7 @@
 
 #include <rakelight/block.h>
 #include <rakelight/image.h>
+#include <rakelight/joint_influence.h>
 #include <rakelight/rare.h>
 #include <rakelight/vector.h>
 
@@ -208,12 +209,6 @@ struct Subdivision {
     bool operator==(const Subdivision&) const = default;
 };
 
-struct JointInfluence {
-    std::array<std::uint16_t, 4> joints{};  ///< into Skin::joints
-    std::array<float, 4> weights{};         ///< sum to 1, or all 0
-    bool operator==(const JointInfluence&) const = default;
-};
-
 struct MorphTarget {
     std::string name{};
     Block<vec3> positions{}, normals{}, tangents{};  ///< [V] offsets; each may be empty
@@ -278,7 +273,8 @@ struct Mesh {
     Block<std::uint32_t> polygons{};
     std::optional<Subdivision> subdivision{};     ///< absent: as the picture's settings say
     std::optional<NormalChoice> normal_choice{};  ///< absent: as the picture's options say
-    Block<JointInfluence> influences{};           ///< [V] or empty
+    Block<JointInfluence> influences{};           ///< [V] or empty: the strongest four joints of each vertex
+    Block<JointInfluence> more_influences{};      ///< [V] or empty: the next four, where a vertex has more
     std::vector<MorphTarget> targets{};
     /// What engines that can (trace) draw in place of the triangles, which lie on it. Gone where they no more do.
     std::optional<ExactShape> shape{};
@@ -319,15 +315,20 @@ struct Skin {
     bool operator==(const Skin&) const = default;
 };
 
-enum class AnimationPath : std::uint8_t { translation, rotation, scale, morph_weights };
+/// What a channel moves: a node's placement or its morph weights; a number or color of a material, light or camera
+/// (KHR_animation_pointer).
+enum class AnimationPath : std::uint8_t { translation, rotation, scale, morph_weights, material, light, camera };
 enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
 
 struct AnimationChannel {
-    std::uint32_t node = no_index;
+    std::uint32_t element = no_index;  ///< into nodes, materials, lights or cameras, as `path` says
     AnimationPath path = AnimationPath::translation;
     Interpolation interpolation = Interpolation::linear;
+    /// Of materials, lights and cameras: which of their numbers, a word of animated_properties() (motion.h).
+    std::string property{};
     Block<float> times{};   ///< [K] seconds, ascending
     Block<float> values{};  ///< [K * width], times 3 for cubic splines (in-tangent, value, out-tangent)
+    bool is_of_node() const { return path <= AnimationPath::morph_weights; }
     bool operator==(const AnimationChannel&) const = default;
 };
 
@@ -410,6 +411,13 @@ struct Camera {
 
 // --- scene ---------------------------------------------------------------------------------------------------------------
 
+/// Where a clip has put the nodes of a scene, which themselves stay as the file has them: attributes are made of those.
+struct ScenePose {
+    std::vector<Transform> local{};                   ///< [nodes]
+    std::vector<std::vector<float>> morph_weights{};  ///< [nodes]
+    bool operator==(const ScenePose&) const = default;
+};
+
 struct Scene {
     std::string source{};  ///< the file it came from, as the caller named it
     std::vector<Node> nodes{};
@@ -420,6 +428,7 @@ struct Scene {
     std::vector<Camera> cameras{};
     std::vector<Skin> skins{};
     std::vector<Animation> animations{};
+    Rare<ScenePose> pose{};  ///< absent: the nodes stand as they are
     Fog fog{};
     std::optional<Environment> environment{};
     /// How missing normals are to be understood by NormalSource::automatic: glTF says flat, others smooth.

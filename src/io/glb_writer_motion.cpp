@@ -54,6 +54,8 @@ const char* name_of(AnimationPath path) {
             return "scale";
         case AnimationPath::morph_weights:
             return "weights";
+        default:
+            break;
     }
     return "";
 }
@@ -82,10 +84,14 @@ void MotionWriter::add_influences(OrderedJson& attributes, const Mesh& mesh, std
                                   NewData& data) const {
     if (mesh.influences.empty() || !is_skinned_[number]) return;
     const OrderedJson none = OrderedJson::object();
-    attributes["JOINTS_0"] =
-        data.extended(part_of(mesh.influences, offsetof(JointInfluence, joints), ComponentType::u16), {}, none);
-    attributes["WEIGHTS_0"] =
-        data.extended(part_of(mesh.influences, offsetof(JointInfluence, weights), ComponentType::f32), {}, none);
+    const auto add = [&](const std::string& set, const Block<JointInfluence>& influences) {
+        if (influences.empty()) return;
+        attributes["JOINTS_" + set] =
+            data.extended(part_of(influences, offsetof(JointInfluence, joints), ComponentType::u16), {}, none);
+        attributes["WEIGHTS_" + set] =
+            data.extended(part_of(influences, offsetof(JointInfluence, weights), ComponentType::f32), {}, none);
+    };
+    add("0", mesh.influences), add("1", mesh.more_influences);
 }
 
 void MotionWriter::add_targets(OrderedJson& primitive, const Mesh& mesh, std::size_t count, NewData& data) const {
@@ -125,9 +131,11 @@ std::uint32_t MotionWriter::skin_of(std::uint32_t skin, dvec3 origin, NewData& d
 
 bool MotionWriter::add_channel(OrderedJson& clip, const AnimationChannel& channel,
                                const std::vector<std::size_t>& mesh_node, NewData& data) const {
+    if (!channel.is_of_node()) return false;
     const bool morphs = channel.path == AnimationPath::morph_weights;
-    const std::size_t node = morphs ? mesh_node[channel.node] : channel.node;
-    const bool has_place = !morphs || (node != no_index && target_count(scene_, scene_.nodes[channel.node].meshes) > 0);
+    const std::size_t node = morphs ? mesh_node[channel.element] : channel.element;
+    const bool has_place =
+        !morphs || (node != no_index && target_count(scene_, scene_.nodes[channel.element].meshes) > 0);
     if (channel.times.empty() || channel.values.empty() || !has_place) return false;
     const std::uint32_t width = morphs ? 1 : channel.path == AnimationPath::rotation ? 4 : 3;
     OrderedJson sampler = OrderedJson::object();

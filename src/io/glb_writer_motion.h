@@ -17,7 +17,7 @@ class MotionWriter {
 public:
     MotionWriter(OrderedJson& root, const Scene& scene, Context& context);
 
-    /// JOINTS_0 and WEIGHTS_0, where a node with a skin shows the mesh.
+    /// JOINTS_n and WEIGHTS_n, where a node with a skin shows the mesh.
     void add_influences(OrderedJson& attributes, const Mesh& mesh, std::uint32_t number, NewData& data) const;
     /// "targets"; as many as the primitive of the glTF mesh with the most has, since all must have as many.
     void add_targets(OrderedJson& primitive, const Mesh& mesh, std::size_t count, NewData& data) const;

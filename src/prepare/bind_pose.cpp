@@ -31,9 +31,10 @@ std::vector<std::vector<bool>> used_joints(const Scene& scene) {
     std::sort(seen.begin(), seen.end());
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
     for (const auto& [skin, mesh] : seen)
-        for (const JointInfluence& influence : scene.meshes[mesh].influences)
-            for (std::size_t k = 0; k < 4; ++k)
-                if (influence.weights[k] != 0) used[skin][influence.joints[k]] = true;
+        for (const Block<JointInfluence>* block : {&scene.meshes[mesh].influences, &scene.meshes[mesh].more_influences})
+            for (const JointInfluence& influence : *block)
+                for (std::size_t k = 0; k < 4; ++k)
+                    if (influence.weights[k] != 0) used[skin][influence.joints[k]] = true;
     return used;
 }
 
@@ -112,28 +113,31 @@ private:
 
 /// A vertex as the skeleton moves it: joints as nodes, ascending; weights that are not 0.
 struct Follower {
-    std::array<std::uint32_t, 4> joint{no_index, no_index, no_index, no_index};
-    std::array<float, 4> weight{};
+    std::array<std::uint32_t, 8> joint;
+    std::array<float, 8> weight{};
 
-    Follower(const Skin& skin, const JointInfluence& influence) {
+    Follower(const Skin& skin, const Mesh& mesh, std::uint32_t vertex) {
+        joint.fill(no_index);
         std::size_t count = 0;
-        for (std::size_t k = 0; k < 4; ++k) {
-            if (influence.weights[k] == 0) continue;
-            const std::uint32_t node = skin.joints[influence.joints[k]];
-            const auto same = std::find(joint.begin(), joint.begin() + std::ptrdiff_t(count), node);
-            const auto at = std::size_t(same - joint.begin());
-            joint[at] = node;
-            weight[at] += influence.weights[k];
-            count = std::max(count, at + 1);
-        }
+        for (const Block<JointInfluence>* block : {&mesh.influences, &mesh.more_influences})
+            for (std::size_t k = 0; k < 4 && !block->empty(); ++k) {
+                const JointInfluence& influence = (*block)[vertex];
+                if (influence.weights[k] == 0) continue;
+                const std::uint32_t node = skin.joints[influence.joints[k]];
+                const auto same = std::find(joint.begin(), joint.begin() + std::ptrdiff_t(count), node);
+                const auto at = std::size_t(same - joint.begin());
+                joint[at] = node;
+                weight[at] += influence.weights[k];
+                count = std::max(count, at + 1);
+            }
     }
     float weight_of(std::uint32_t node) const {
-        for (std::size_t k = 0; k < 4; ++k)
+        for (std::size_t k = 0; k < joint.size(); ++k)
             if (joint[k] == node) return weight[k];
         return 0;
     }
     bool agrees(const Follower& other) const {
-        for (std::size_t k = 0; k < 4; ++k)
+        for (std::size_t k = 0; k < joint.size(); ++k)
             if (joint[k] != no_index && std::fabs(weight[k] - other.weight_of(joint[k])) > weight_slack) return false;
         return true;
     }
@@ -215,7 +219,7 @@ private:
     }
 
     Follower follower(const SkinnedVertex& v) const {
-        return Follower(scene_.skins[skin_of(v.instance)], mesh_of(v.instance).influences[v.vertex]);
+        return Follower(scene_.skins[skin_of(v.instance)], mesh_of(v.instance), v.vertex);
     }
 
     std::uint64_t count_parting() {

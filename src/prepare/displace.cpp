@@ -56,7 +56,7 @@ Mesh refined_mesh(const Mesh& coarse, const geometry::FineMesh& fine) {
     mesh.indices = fine.indices;
     mesh.smoothing_hint = {};
     mesh.polygons = {};
-    mesh.influences = {};
+    mesh.influences = {}, mesh.more_influences = {};
     mesh.targets.clear();
     return mesh;
 }

@@ -13,7 +13,7 @@ Mesh with_arrays_of(const Mesh& made, const Mesh& own) {
     Mesh mesh = own;
     mesh.positions = made.positions, mesh.indices = made.indices, mesh.normals = made.normals;
     mesh.tangents = made.tangents, mesh.texcoords = made.texcoords, mesh.colors = made.colors;
-    mesh.influences = made.influences, mesh.arrays = made.arrays;
+    mesh.influences = made.influences, mesh.more_influences = made.more_influences, mesh.arrays = made.arrays;
     return mesh;
 }
 

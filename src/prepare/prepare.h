@@ -2,10 +2,13 @@
 // Scene -> scene, before an engine sees it: texture coordinates, normals and tangents. Untouched blocks are shared.
 #pragma once
 #include <optional>
+#include <vector>
 
 #include <rakelight/attributes.h>
 #include <rakelight/prepare.h>
 #include <rakelight/scene.h>
+
+#include "prepare/made_attributes.h"
 
 namespace rakelight {
 
@@ -13,6 +16,20 @@ namespace rakelight {
 namespace valid {
 Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context);
 }
+
+/// A scene on the way: it has the normals and tangents that its rest asks for, and nothing of it has moved yet.
+struct BoundScene {
+    Scene scene;                       ///< Scene::pose is left out
+    std::vector<MadeAttributes> made;  ///< that have to be made again of what moves
+};
+/// Whether a scene is better prepared in two halves: it can move, and the first half does not depend on the pose. (It
+/// does where control nets move, and where triangles turn clockwise.)
+bool has_bind_pose(const Scene& scene, const PrepareOptions& options);
+/// The first half of prepare_scene(). @param scene  passed validate(), has a bind pose
+BoundScene bind_scene(Scene scene, const PrepareOptions& options, Context& context);
+/// The second, for any pose: vertices, displacement, tangents that are still missing.
+/// @param pose  of the nodes; absent: as they are
+Scene finish_scene(BoundScene bound, const Rare<ScenePose>& pose, const PrepareOptions& options, Context& context);
 
 /// @throws Error usage: a number out of its range, an enumerator that there is not
 void check_options(const PrepareOptions& options);

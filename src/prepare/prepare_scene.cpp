@@ -8,7 +8,9 @@
 #include "base/enumerators.h"
 #include "math/linear.h"
 #include "prepare/displace.h"
+#include "prepare/moving_placements.h"
 #include "prepare/normal_rule.h"
+#include "prepare/pose_scene.h"
 #include "prepare/prepare.h"
 #include "prepare/repair.h"
 #include "prepare/repair_seams.h"
@@ -178,9 +180,14 @@ public:
     Preparing(const Scene& scene, const PrepareOptions& options, Context& context)
         : options_(options), context_(context), request_(request_for(options)), own_(unpaid_arrays(scene)) {}
 
-    /// The stages, for triangles that turn counter-clockwise.
-    Scene run(Scene scene) const {
+    /// The stages before the pose, for triangles that turn counter-clockwise.
+    BoundScene bind(Scene scene) const {
         Report& report = context_.report();
+        BoundScene bound;
+        if (wants_subdivision(scene, options_.subdivision))  // control nets move
+            scene = paid(valid::posed_scene(std::move(scene), context_));
+        scene.pose = {};
+        if (is_posable(scene)) scene = with_own_meshes(std::move(scene), context_);
         check_nodes(scene, report);
         for (Mesh& mesh : scene.meshes) mesh.arrays.clear();
         scene = paid(repair_scene(std::move(scene), options_.normals, context_));
@@ -196,8 +203,24 @@ public:
                 mesh.tangents = {};  // the file's do not count
         context_.throw_if_cancelled();
         if (options_.measure_orthogonality) report_kept_tangents(scene, report);
-        scene = displaced(with_seams_joined(with_normals(std::move(scene))));
-        return paid(add_missing_tangents(std::move(scene), request_, context_));
+        scene = with_seams_joined(with_normals(std::move(scene), is_posable(scene) ? &bound.made : nullptr));
+        const bool waits = wants_displacement(scene, options_.displacement);  // for the new surface
+        bound.scene = waits && !is_posable(scene) ? std::move(scene)
+                                                  : paid(add_missing_tangents(std::move(scene), request_, context_));
+        return bound;
+    }
+
+    /// The pose and what comes after it.
+    Scene finish(BoundScene bound, const Rare<ScenePose>& pose) const {
+        Scene scene = std::move(bound.scene);
+        if (is_posable(scene)) {
+            scene.pose = pose;
+            scene = valid::posed_scene(std::move(scene), context_);
+            for (const MadeAttributes& made : bound.made) make_again(made, scene, context_);
+            scene = paid(std::move(scene));
+        }
+        if (!wants_displacement(scene, options_.displacement)) return scene;
+        return paid(add_missing_tangents(displaced(std::move(scene)), request_, context_));
     }
 
     Scene paid(Scene scene) const {
@@ -207,8 +230,9 @@ public:
 
 private:
     /// Those that are missing, one pass for each scope: whatever is smoothed over the model is so together.
-    Scene with_normals(Scene scene) const {
+    Scene with_normals(Scene scene, std::vector<MadeAttributes>* made) const {
         SmoothRequest request = request_;
+        request.made = made;
         if (is_published(request.kept_tangents))
             request.tangents = TangentWish::none;  // add_missing_tangents() makes them
         for (const Scope scope : {Scope::face, Scope::object, Scope::model}) {
@@ -284,10 +308,27 @@ Scene valid::prepare_scene(Scene scene, const PrepareOptions& options, Context& 
     check_options(options);
     const MemoryCharge working(context.memory(), working_bytes(scene), "preparing the scene");
     const Preparing preparing(scene, options, context);
-    if (!options.clockwise_fronts) return preparing.run(std::move(scene));
+    const Rare<ScenePose> pose = scene.pose;
+    if (!options.clockwise_fronts) return preparing.finish(preparing.bind(std::move(scene)), pose);
     TriangleTurner turner;
     scene = turner.turned(std::move(scene), context);
-    return preparing.paid(turner.turned(preparing.run(std::move(scene)), context));
+    scene = preparing.finish(preparing.bind(std::move(scene)), pose);
+    return preparing.paid(turner.turned(std::move(scene), context));
+}
+
+bool has_bind_pose(const Scene& scene, const PrepareOptions& options) {
+    return is_posable(scene) && !options.clockwise_fronts && !wants_subdivision(scene, options.subdivision);
+}
+
+BoundScene bind_scene(Scene scene, const PrepareOptions& options, Context& context) {
+    check_options(options);
+    const MemoryCharge working(context.memory(), working_bytes(scene), "preparing the scene");
+    return Preparing(scene, options, context).bind(std::move(scene));
+}
+
+Scene finish_scene(BoundScene bound, const Rare<ScenePose>& pose, const PrepareOptions& options, Context& context) {
+    const Preparing preparing(bound.scene, options, context);
+    return preparing.finish(std::move(bound), pose);
 }
 
 }  // namespace rakelight

@@ -6,6 +6,8 @@
 #include <rakelight/attributes.h>
 #include <rakelight/scene.h>
 
+#include "prepare/made_attributes.h"
+
 namespace rakelight {
 
 /// Which meshes get tangents: those whose material has a normal or height texture, or all with texture coordinates.
@@ -20,6 +22,8 @@ struct SmoothRequest {
     std::optional<NormalSource> source;
     bool every_scope = false;     ///< with `source`: all meshes, over attributes.scope
     bool keep_instances = false;  ///< instances share the first one's mesh even where they touch different things; said
+    /// Not null: what is made of meshes that move is kept here, to be made again; morph targets get no normals then.
+    std::vector<MadeAttributes>* made = nullptr;
     TangentMode kept_tangents =
         TangentMode::mikktspace;  ///< of add_missing_tangents(), in place of attributes.tangent_mode
 };

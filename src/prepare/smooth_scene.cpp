@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Normals and tangents of a scene by the door of <rakelight/attributes.h>: what goes in, and where the results go.
+#include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <string>
 
 #include "geometry/attribute_input.h"
+#include "geometry/mesh_islands.h"
 #include "math/linear.h"
 #include "prepare/bind_pose.h"
+#include "prepare/moving_placements.h"
 #include "prepare/normal_rule.h"
 #include "prepare/place_results.h"
 #include "prepare/prepare.h"
@@ -72,6 +76,34 @@ AttributeOptions options_for(const SmoothRequest& request, const std::vector<Att
     options.tangents = false;
     for (const AttributeMesh& m : meshes) options.tangents = options.tangents || !m.texcoords.empty();
     return options;
+}
+
+/// [computed] follow a skin or have morph targets.
+std::vector<bool> moving(const Scene& scene, const SmoothSelection& s) {
+    std::vector<bool> result;
+    for (const std::size_t i : s.computed) {
+        const Mesh& mesh = scene.meshes[s.instances[i].mesh];
+        result.push_back(!mesh.targets.empty() || follows_skin(scene, scene.nodes[s.instances[i].node], mesh));
+    }
+    return result;
+}
+
+/// In two steps, of which the first is kept; MadeAttributes::numbers are still to be found.
+Computed compute_to_keep(const Scene& scene, const SmoothSelection& s, std::vector<AttributeMesh> meshes,
+                         const AttributeOptions& options, std::vector<MadeAttributes>& made, Context& context) {
+    Computed computed;
+    const AttributePlan plan = group(meshes, options, context);
+    computed.attributes = accumulate(plan, meshes, context);
+    std::vector<std::uint32_t> islands = geometry::mesh_islands(plan);
+    made.push_back({.plan = plan, .meshes = std::move(meshes), .islands = std::move(islands)});
+    MadeAttributes& kept = made.back();
+    for (const std::size_t i : s.computed) {
+        kept.sources.push_back(scene.meshes[s.instances[i].mesh]);
+        kept.nodes.push_back(s.instances[i].node);
+    }
+    kept.in_world = s.in_world;
+    kept.moves = moving(scene, s);
+    return computed;
 }
 
 /// In two steps where there are morph targets, so that what does not move has offsets of exactly 0.
@@ -152,6 +184,7 @@ Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context)
     if (s.instances.empty()) return scene;
     std::vector<std::uint32_t> numbers;
     Computed computed;
+    bool keeps_plan = false;
     {
         std::vector<AttributeMesh> meshes;
         numbers.reserve(s.computed.size()), meshes.reserve(s.computed.size());
@@ -162,7 +195,10 @@ Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context)
         }
         check_memory(meshes, context);
         note_creases(scene, request, meshes, context.report());
-        computed = compute(scene, numbers, meshes, options_for(request, meshes), context);
+        const AttributeOptions options = options_for(request, meshes);
+        keeps_plan = request.made && options.normals && std::ranges::any_of(moving(scene, s), std::identity());
+        computed = keeps_plan ? compute_to_keep(scene, s, std::move(meshes), options, *request.made, context)
+                              : compute(scene, numbers, meshes, options, context);
     }
     check_split(scene, numbers, computed.attributes, context);
     report_faults(scene, numbers, computed.attributes, request.attributes, context.report());
@@ -170,6 +206,9 @@ Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context)
     ResultPlacer placer(scene, request, s, numbers, context);
     placer.place(computed);
     placer.report();
+    if (keeps_plan)
+        for (const std::size_t i : s.computed)
+            request.made->back().numbers.push_back(scene.nodes[s.instances[i].node].meshes[s.instances[i].slot]);
     return scene;
 }
 

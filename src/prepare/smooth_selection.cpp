@@ -20,8 +20,8 @@ bool have_same_arrays(const Mesh& a, const Mesh& b) {
     return a.topology == b.topology && a.origin == b.origin && a.position_step == b.position_step &&
            a.positions == b.positions && a.indices == b.indices && a.normals == b.normals && a.tangents == b.tangents &&
            a.texcoords == b.texcoords && a.colors == b.colors && a.smoothing == b.smoothing &&
-           a.smoothing_kind == b.smoothing_kind && a.smoothing_hint == b.smoothing_hint &&
-           a.influences == b.influences && a.targets.empty() && b.targets.empty();
+           a.smoothing_kind == b.smoothing_kind && a.smoothing_hint == b.smoothing_hint && a.influences.empty() &&
+           b.influences.empty() && a.targets.empty() && b.targets.empty();
 }
 
 /// [meshes] The first one of which the same becomes, or the mesh itself: a file that stands several times in a world

@@ -25,6 +25,7 @@ std::uint64_t vertex_bytes(const Mesh& mesh) {
     if (!mesh.tangents.empty()) bytes += sizeof(vec4);
     if (!mesh.colors.empty()) bytes += sizeof(vec4);
     if (!mesh.influences.empty()) bytes += sizeof(JointInfluence);
+    if (!mesh.more_influences.empty()) bytes += sizeof(JointInfluence);
     for (const VertexArray& array : mesh.arrays) bytes += array.components * sizeof(float);
     return bytes + mesh.texcoords.size() * sizeof(vec2) + mesh.targets.size() * 3 * sizeof(vec3);
 }
@@ -52,6 +53,7 @@ void split_vertices(Mesh& mesh, std::vector<std::uint32_t> indices, std::span<co
         array.values = std::move(values);
     }
     extend(mesh.influences, source_vertex);
+    extend(mesh.more_influences, source_vertex);
     for (MorphTarget& target : mesh.targets) {
         extend(target.positions, source_vertex);
         extend(target.normals, source_vertex);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "math/linear.h"
+#include "prepare/moving_placements.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -37,7 +38,10 @@ bool can_be_seen(const Scene& scene) {
     const std::vector<dmat4> world = world_matrices(scene);
     for (std::size_t i = 0; i < scene.nodes.size(); ++i)
         for (const std::uint32_t mesh : scene.nodes[i].meshes)
-            if (can_be_seen(scene.meshes[mesh], world[i])) return true;
+            // Skinned meshes do not stand where their node does.
+            if (can_be_seen(scene.meshes[mesh],
+                            follows_skin(scene, scene.nodes[i], scene.meshes[mesh]) ? dmat4{} : world[i]))
+                return true;
     return false;
 }
 

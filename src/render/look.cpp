@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
+#include "prepare/pose_scene.h"
 #include "render/picture_steps.h"
 #include "render/point_look.h"
 #include "render/up_axis.h"
 #include "render/view.h"
 #include "scene/scene_tools.h"
 #include "world/coloring.h"
+#include "world/scene_of_request.h"
 
 namespace rakelight {
 namespace {
@@ -90,10 +93,7 @@ void take_light(const Scene& scene, bool takes_file, PictureRequest& request) {
     if (!names(request, {"shadow-filter"})) request.settings.shadow_filter = soft_shadow_filter;
 }
 
-}  // namespace
-
-void take_look(const Scene& scene, PictureRequest& request, Context& context) {
-    if (request.look == Look::plain) return;
+void take_look_of_posed(const Scene& scene, PictureRequest& request, Context& context) {
     note_up(scene, request, context);
     if (request.engine == "trace") return;
     RenderSettings& settings = request.settings;
@@ -101,6 +101,14 @@ void take_look(const Scene& scene, PictureRequest& request, Context& context) {
     take_light(scene, takes_file, request);
     if (!names(request, {"samples", "visibility"}) && settings.visibility == Visibility::z_reversed)
         settings.samples = usual_samples;
+}
+
+}  // namespace
+
+void take_look(const Scene& scene, PictureRequest& request, Context& context) {
+    if (request.look == Look::plain) return;
+    const std::optional<Scene> posed = posed_outline(scene, context);
+    take_look_of_posed(posed ? *posed : scene, request, context);
 }
 
 void take_look_of_picture(const Scene& asked, PictureRequest& request, Context& context) {
@@ -112,6 +120,7 @@ void take_look_of_picture(const Scene& asked, PictureRequest& request, Context& 
 }
 
 Scene looked_as_asked(Scene scene, PictureRequest& request, Context& context) {
+    scene = moved_as_asked(std::move(scene), request);
     take_look(scene, request, context);
     request.coloring = completed(scene, request.coloring);
     return with_splats(as_asked(std::move(scene), request, context), request, context);

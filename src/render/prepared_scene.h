@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What every picture is drawn of.
 #pragma once
+#include <memory>
+
 #include <rakelight/session.h>
+
+#include "prepare/prepare.h"
 
 namespace rakelight {
 
@@ -9,6 +13,9 @@ class PreparedScene {
 public:
     Scene scene;
     PrepareOptions options;  ///< that it was made with
+    /// What it was made of, where other poses can be made of that too: see has_bind_pose().
+    std::shared_ptr<const BoundScene> bound;
+    Rare<ScenePose> pose;  ///< that it stands in
     /// The lights are those of the picture, none where it has none: the default rig does not come in.
     bool has_chosen_lights = false;
 };
@@ -19,6 +26,9 @@ PrepareOptions options_for(PrepareOptions options, const RenderSettings& setting
 /// The one way from a scene to what engines draw. @param scene  passed validate()
 std::shared_ptr<PreparedScene> make_prepared(Scene scene, const PrepareOptions& options, const RenderSettings& settings,
                                              Context& context);
+
+/// Another pose of the same scene. @param prepared  has `bound`
+std::shared_ptr<PreparedScene> make_posed(const PreparedScene& prepared, const Rare<ScenePose>& pose, Context& context);
 
 /// Draws this scene from now on; its owner is the session, which hands it to the engine uncopied.
 void give(Session& session, std::shared_ptr<PreparedScene> scene);

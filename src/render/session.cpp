@@ -24,6 +24,14 @@ bool are_prepared_alike(const Scene& a, const Scene& b) {
            a.missing_normals_are_flat == b.missing_normals_are_flat && a.source == b.source;
 }
 
+/// What prepare does not look at.
+void take_surroundings(Scene& prepared, const Scene& scene) {
+    prepared.lights = scene.lights;
+    prepared.cameras = scene.cameras;
+    prepared.fog = scene.fog;
+    prepared.environment = scene.environment;
+}
+
 std::string counted(std::size_t count, const std::string& what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
@@ -87,7 +95,22 @@ std::shared_ptr<PreparedScene> make_prepared(Scene scene, const PrepareOptions& 
     auto out = std::make_shared<PreparedScene>();
     out->options = options_for(options, settings, scene);
     scene = with_height_maps(std::move(scene), settings, context);
-    out->scene = valid::prepare_scene(std::move(scene), out->options, context);
+    if (!has_bind_pose(scene, out->options)) {
+        out->scene = valid::prepare_scene(std::move(scene), out->options, context);
+        return out;
+    }
+    out->pose = scene.pose;
+    out->bound = std::make_shared<const BoundScene>(bind_scene(std::move(scene), out->options, context));
+    out->scene = finish_scene(*out->bound, out->pose, out->options, context);
+    return out;
+}
+
+std::shared_ptr<PreparedScene> make_posed(const PreparedScene& prepared, const Rare<ScenePose>& pose,
+                                          Context& context) {
+    auto out = std::make_shared<PreparedScene>();
+    out->options = prepared.options, out->bound = prepared.bound, out->pose = pose;
+    out->has_chosen_lights = prepared.has_chosen_lights;
+    out->scene = finish_scene(*prepared.bound, pose, prepared.options, context);
     return out;
 }
 
@@ -134,16 +157,13 @@ const Engine& Session::engine() const { return *state_->engine; }
 void Session::set(Scene scene, const PrepareOptions& options) {
     State& s = *state_;
     validate_changes(scene, s.scene);
-    const bool is_alike =
-        s.source == State::Source::scene && s.prepared && s.options == options && are_prepared_alike(scene, s.scene);
+    const bool is_alike = s.source == State::Source::scene && s.prepared && s.options == options &&
+                          are_prepared_alike(scene, s.scene) && (s.prepared->bound || scene.pose == s.scene.pose);
     if (!is_alike) check_drawable(scene);
     std::shared_ptr<PreparedScene> next;
     if (is_alike) {
         next = std::make_shared<PreparedScene>(*s.prepared);
-        next->scene.lights = scene.lights;
-        next->scene.cameras = scene.cameras;
-        next->scene.fog = scene.fog;
-        next->scene.environment = scene.environment;
+        take_surroundings(next->scene, scene);
     }
     s.begin(State::Source::scene);
     s.scene = std::move(scene);
@@ -184,10 +204,15 @@ std::shared_ptr<const PreparedScene> Session::prepared(const RenderSettings& set
     State& s = *state_;
     const Scene& current = s.current();
     if (s.source == State::Source::owned || s.source == State::Source::given)
-        return std::make_shared<const PreparedScene>(PreparedScene{current, {}, true});
+        return std::make_shared<const PreparedScene>(PreparedScene{.scene = current, .has_chosen_lights = true});
     const bool is_ready = s.source == State::Source::prepared ||
                           (s.prepared && s.prepared->options == options_for(s.options, settings, s.scene));
     if (!is_ready) s.prepared = make_prepared(s.scene, s.options, settings, context);
+    if (s.source == State::Source::scene && s.prepared->bound && !(s.prepared->pose == s.scene.pose)) {
+        std::shared_ptr<PreparedScene> posed = make_posed(*s.prepared, s.scene.pose, context);
+        take_surroundings(posed->scene, s.scene);
+        s.prepared = std::move(posed);
+    }
     return s.prepared;
 }
 

@@ -10,6 +10,7 @@
 
 #include "math/functions.h"
 #include "math/linear.h"
+#include "prepare/pose_scene.h"
 #include "world/scene_of_request.h"
 
 namespace rakelight {
@@ -96,6 +97,8 @@ Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect,
 
 Camera valid::choose_camera(const Scene& scene, const ViewRequest& asked, double picture_aspect, Context& context) {
     check_placement(asked);
+    if (const std::optional<Scene> posed = posed_outline(scene, context))
+        return valid::choose_camera(*posed, asked, picture_aspect, context);
     double aspect = picture_aspect;
     const ViewRequest view = resolve_angles(asked, aspect);
     const Bounds bounds = world_bounds(scene);

@@ -28,6 +28,7 @@ void for_each_unpaid(const Mesh& m, const Visit& visit) {
     };
     look(m.positions), look(m.indices), look(m.normals), look(m.tangents), look(m.colors);
     look(m.smoothing), look(m.smoothing_hint), look(m.polygons), look(m.influences);
+    look(m.more_influences);
     for (const Block<vec2>& set : m.texcoords) look(set);
     for (const VertexArray& a : m.arrays) look(a.values);
     for (const MorphTarget& t : m.targets) look(t.positions), look(t.normals), look(t.tangents);

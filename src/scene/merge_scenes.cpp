@@ -70,13 +70,35 @@ void add_nodes(Scene& into, const Scene& part, const std::optional<Node>& root, 
     }
 }
 
-void add_motion(Scene& into, const Scene& part, const MergeOffsets& by) {
+/// How many of what a channel's path counts stood before the part.
+std::uint32_t elements_before(AnimationPath path, const MergeOffsets& by) {
+    switch (path) {
+        case AnimationPath::material:
+            return by.materials;
+        case AnimationPath::light:
+            return by.lights;
+        case AnimationPath::camera:
+            return by.cameras;
+        default:
+            return by.nodes;
+    }
+}
+
+/// Channels of lights and cameras go where these do.
+bool is_kept(const AnimationChannel& channel, const ScenePart& part) {
+    return (channel.path != AnimationPath::light || part.with_lights) &&
+           (channel.path != AnimationPath::camera || part.with_cameras);
+}
+
+void add_motion(Scene& into, const ScenePart& added, const MergeOffsets& by) {
+    const Scene& part = added.scene;
     for (Skin skin : part.skins) {
         for (std::uint32_t& joint : skin.joints) shift(joint, by.nodes);
         into.skins.push_back(std::move(skin));
     }
     for (Animation animation : part.animations) {
-        for (AnimationChannel& channel : animation.channels) shift(channel.node, by.nodes);
+        std::erase_if(animation.channels, [&](const AnimationChannel& c) { return !is_kept(c, added); });
+        for (AnimationChannel& channel : animation.channels) shift(channel.element, elements_before(channel.path, by));
         into.animations.push_back(std::move(animation));
     }
 }
@@ -120,9 +142,13 @@ private:
 
 MergeOffsets add_part(Scene& into, const ScenePart& added) {
     const Scene& part = added.scene;
-    const MergeOffsets by{std::uint32_t(into.nodes.size() + (added.root ? 1 : 0)), std::uint32_t(into.meshes.size()),
-                          std::uint32_t(into.materials.size()), std::uint32_t(into.textures.size()),
-                          std::uint32_t(into.skins.size())};
+    const MergeOffsets by{std::uint32_t(into.nodes.size() + (added.root ? 1 : 0)),
+                          std::uint32_t(into.meshes.size()),
+                          std::uint32_t(into.materials.size()),
+                          std::uint32_t(into.textures.size()),
+                          std::uint32_t(into.skins.size()),
+                          std::uint32_t(into.lights.size()),
+                          std::uint32_t(into.cameras.size())};
     add_nodes(into, part, added.root, by);
     for (Mesh mesh : part.meshes) {
         shift(mesh.material, by.materials);
@@ -130,7 +156,7 @@ MergeOffsets add_part(Scene& into, const ScenePart& added) {
     }
     for (const Material& m : part.materials) into.materials.push_back(shifted(m, by));
     into.textures.insert(into.textures.end(), part.textures.begin(), part.textures.end());
-    add_motion(into, part, by);
+    add_motion(into, added, by);
     const Follower follower(added.root, by);
     if (added.with_lights)
         for (const Light& light : part.lights) into.lights.push_back(follower.moved(light));

@@ -20,7 +20,7 @@ struct ScenePart {
 
 /// What becomes of the numbers of a part: each is that much larger.
 struct MergeOffsets {
-    std::uint32_t nodes = 0, meshes = 0, materials = 0, textures = 0, skins = 0;
+    std::uint32_t nodes = 0, meshes = 0, materials = 0, textures = 0, skins = 0, lights = 0, cameras = 0;
 };
 
 struct MergedScene {
@@ -29,7 +29,7 @@ struct MergedScene {
 };
 
 /// All of the parts, one after another; arrays and pictures are shared, tables are copied and charged to the budget
-/// before. Fog, surroundings and missing_normals_are_flat of the parts are left out.
+/// before. Fog, surroundings, poses and missing_normals_are_flat of the parts are left out.
 /// @throws Error bad_file: too many elements for 32-bit indices, more memory than the budget has; failed: cancelled
 MergedScene merge_scenes(std::span<const ScenePart> parts, Context& context);
 

@@ -24,14 +24,7 @@ void check_node(const Scene& scene, std::size_t i) {
     place.index_or_none("skin", node.skin, scene.skins.size());
     if (node.shading) place.enumerator("shading", *node.shading, Shading::automatic);
     for (const float w : node.morph_weights) place.finite("a morph weight", w);
-    const Transform& t = node.local;
-    if (t.matrix) {
-        place.finite("the matrix", *t.matrix);
-    } else {
-        place.finite("the translation", t.translation);
-        place.finite("the scale", t.scale);
-        place.finite("the rotation", dvec4{t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w});
-    }
+    check_transform(place, node.local);
 }
 
 void check_use(const Scene& scene, const Place& place, const TextureRole& role, const TextureUse& use) {
@@ -185,6 +178,7 @@ void validate(const Scene& scene, const Scene* known) {
     for (std::size_t i = 0; i < scene.skins.size(); ++i) check_skin(scene, i);
     check_influences(scene, joints_needed);
     check_animations(scene);
+    check_pose(scene);
     check_world_matrices(scene);
 }
 

@@ -7,8 +7,10 @@
 #include <unordered_set>
 
 #include <rakelight/error.h>
+#include <rakelight/motion.h>
 
 #include "math/linear.h"
+#include "scene/sample_channel.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -87,29 +89,32 @@ void check_indices(const Place& place, const Mesh& mesh) {
 
 std::uint32_t check_influences(const Place& place, const Mesh& mesh) {
     std::uint32_t needed = 0;
-    for (const JointInfluence& influence : mesh.influences)
-        for (std::size_t k = 0; k < 4; ++k) {
-            place.finite("a joint weight", influence.weights[k]);
-            if (influence.weights[k] != 0) needed = std::max(needed, influence.joints[k] + 1u);
-        }
+    for (const Block<JointInfluence>* block : {&mesh.influences, &mesh.more_influences})
+        for (const JointInfluence& influence : *block)
+            for (std::size_t k = 0; k < 4; ++k) {
+                place.finite("a joint weight", influence.weights[k]);
+                if (influence.weights[k] != 0) needed = std::max(needed, influence.joints[k] + 1u);
+            }
     return needed;
 }
 
-/// Values a key of a channel.
-std::size_t channel_width(const Scene& scene, const AnimationChannel& channel) {
+void check_target(const Scene& scene, const Place& place, const AnimationChannel& channel) {
     switch (channel.path) {
-        case AnimationPath::rotation:
-            return 4;
-        case AnimationPath::translation:
-        case AnimationPath::scale:
-            return 3;
-        case AnimationPath::morph_weights:
+        case AnimationPath::material:
+            place.index_or_none("material", channel.element, scene.materials.size());
             break;
+        case AnimationPath::light:
+            place.index_or_none("light", channel.element, scene.lights.size());
+            break;
+        case AnimationPath::camera:
+            place.index_or_none("camera", channel.element, scene.cameras.size());
+            break;
+        default:
+            place.index_or_none("node", channel.element, scene.nodes.size());
+            return;
     }
-    std::size_t targets = 0;
-    for (const std::uint32_t mesh : scene.nodes[channel.node].meshes)
-        targets = std::max(targets, scene.meshes[mesh].targets.size());
-    return targets;
+    if (!animated_property(channel.path, channel.property))
+        place.fail("there is no property '" + one_line(channel.property, 40) + "' to animate");
 }
 
 /// Blocks whose numbers were looked at: a small file may use one large block in thousands of channels.
@@ -118,10 +123,10 @@ struct SeenNumbers {
 };
 
 void check_channel(const Scene& scene, const Place& place, const AnimationChannel& channel, SeenNumbers& seen) {
-    place.index_or_none("node", channel.node, scene.nodes.size());
-    place.enumerator("path", channel.path, AnimationPath::morph_weights);
+    place.enumerator("path", channel.path, AnimationPath::camera);
     place.enumerator("interpolation", channel.interpolation, Interpolation::cubic_spline);
-    if (channel.node == no_index) return;
+    check_target(scene, place, channel);
+    if (channel.element == no_index) return;
     if (seen.times.insert(channel.times.identity()).second)
         for (std::size_t k = 0; k < channel.times.size(); ++k) {
             place.finite("a key's time", channel.times[k]);
@@ -132,6 +137,12 @@ void check_channel(const Scene& scene, const Place& place, const AnimationChanne
     const std::size_t per_key =
         channel_width(scene, channel) * (channel.interpolation == Interpolation::cubic_spline ? 3 : 1);
     place.size("values of a channel", channel.values.size(), channel.times.size() * per_key, "expected");
+}
+
+void check_animation(const Scene& scene, std::size_t number, SeenNumbers& seen) {
+    const Animation& animation = scene.animations[number];
+    const Place place{"animation", number, animation.name};
+    for (const AnimationChannel& channel : animation.channels) check_channel(scene, place, channel, seen);
 }
 
 void check_choice(const Place& place, const NormalChoice& choice) {
@@ -167,6 +178,7 @@ std::uint32_t check_mesh(const Scene& scene, std::size_t number, const Mesh* kno
             place.fail("the numbers '" + one_line(array.name, 40) + "' are not those of all vertices");
     }
     place.size_or_empty("joint influences", mesh.influences.size(), vertices, "vertices");
+    place.size_or_empty("more joint influences", mesh.more_influences.size(), mesh.influences.size(), "vertices");
     place.size_or_empty("smoothing groups", mesh.smoothing.size(), mesh.triangle_count(), "triangles");
     place.size_or_empty("smoothing hints", mesh.smoothing_hint.size(), 3 * std::size_t(mesh.triangle_count()),
                         "corners");
@@ -182,13 +194,36 @@ std::uint32_t check_mesh(const Scene& scene, std::size_t number, const Mesh* kno
     return check_influences(place, mesh);
 }
 
+void check_transform(const Place& place, const Transform& t) {
+    if (t.matrix) {
+        place.finite("the matrix", *t.matrix);
+        return;
+    }
+    place.finite("the translation", t.translation);
+    place.finite("the scale", t.scale);
+    place.finite("the rotation", dvec4{t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w});
+}
+
+void check_animation(const Scene& scene, std::size_t number) {
+    SeenNumbers seen;
+    check_animation(scene, number, seen);
+}
+
+void check_pose(const Scene& scene) {
+    if (!scene.pose) return;
+    const Place place{"scene", 0, scene.source};
+    place.size("placements of the pose", scene.pose->local.size(), scene.nodes.size(), "nodes");
+    place.size("morph weights of the pose", scene.pose->morph_weights.size(), scene.nodes.size(), "nodes");
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        check_transform(Place{"node", i, scene.nodes[i].name}, scene.pose->local[i]);
+        for (const float weight : scene.pose->morph_weights[i])
+            Place{"node", i, scene.nodes[i].name}.finite("a morph weight", weight);
+    }
+}
+
 void check_animations(const Scene& scene) {
     SeenNumbers seen;
-    for (std::size_t i = 0; i < scene.animations.size(); ++i) {
-        const Animation& animation = scene.animations[i];
-        const Place place{"animation", i, animation.name};
-        for (const AnimationChannel& channel : animation.channels) check_channel(scene, place, channel, seen);
-    }
+    for (std::size_t i = 0; i < scene.animations.size(); ++i) check_animation(scene, i, seen);
 }
 
 }  // namespace rakelight

@@ -41,6 +41,15 @@ struct Place {
 /// @return 1 + the largest joint that an influence of weight > 0 names; 0 without influences
 std::uint32_t check_mesh(const Scene& scene, std::size_t number, const Mesh* known);
 
+/// One of them. @throws Error bad_file
+void check_animation(const Scene& scene, std::size_t number);
+
+/// A node's placement: finite.
+void check_transform(const Place& place, const Transform& t);
+
+/// Scene::pose: one entry a node, finite.
+void check_pose(const Scene& scene);
+
 /// Nodes, sizes, and times that are finite and ascending. Numbers that channels share are looked at once.
 void check_animations(const Scene& scene);
 

@@ -54,7 +54,7 @@ Mesh placed(const Mesh& mesh, const dmat4& place, dvec3 origin, Context& context
     out.positions = {std::move(positions), charge.split(mesh.positions.size() * sizeof(vec3))};
     out.normals = {std::move(normals), std::move(charge)};
     out.tangents = {};
-    out.influences = {};
+    out.influences = {}, out.more_influences = {};
     out.targets.clear();
     if (turn.is_mirrored() && mesh.topology == Topology::triangles) {
         out.indices = rewound(mesh.indices, context);

@@ -70,5 +70,6 @@ std::span<const RenderKey> normal_keys();
 std::span<const RenderKey> view_keys();
 std::span<const RenderKey> scene_keys();
 std::span<const RenderKey> coloring_keys();
+std::span<const RenderKey> motion_keys();
 
 }  // namespace rakelight::keys

@@ -11,8 +11,9 @@ namespace {
 
 std::vector<RenderKey> all_keys() {
     std::vector<RenderKey> all;
-    for (const std::span<const RenderKey> part : {keys::picture_keys(), keys::surface_keys(), keys::normal_keys(),
-                                                  keys::view_keys(), keys::scene_keys(), keys::coloring_keys()})
+    for (const std::span<const RenderKey> part :
+         {keys::picture_keys(), keys::surface_keys(), keys::normal_keys(), keys::view_keys(), keys::scene_keys(),
+          keys::coloring_keys(), keys::motion_keys()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }
@@ -149,6 +150,7 @@ void read_render_keys(std::span<const WorldValue> values, PictureRequest& to) {
     check_view(to, given);
     check_subdivision(given);
     check_coloring(to, given);
+    if (given.has("animation-index") && given.has("animation-name")) exclude("animation-index", "animation-name");
 }
 
 namespace {

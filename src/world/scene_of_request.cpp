@@ -9,7 +9,12 @@ namespace rakelight {
 
 Scene scene_of_request(const PictureRequest& request, Context& context) {
     check_settings(request.settings);
-    return as_asked(load(request.input, request.load, context), request, context);
+    return as_asked(moved_as_asked(load(request.input, request.load, context), request), request, context);
+}
+
+Scene moved_as_asked(Scene scene, const PictureRequest& request) {
+    const std::vector<ClipTime> clips = clips_of(scene, request.motion);
+    return scene_at(std::move(scene), clips);
 }
 
 Scene as_asked(Scene scene, const PictureRequest& request, Context& context) {

@@ -16,6 +16,9 @@ Scene with_environment(Scene scene, const PictureRequest& request, Context& cont
 /// Then the default rig is not wanted.
 bool is_lit_by_environment(const Scene& scene);
 
+/// The scene with the clips that a request asks for at their moments. @throws Error usage: see clips_of()
+Scene moved_as_asked(Scene scene, const PictureRequest& request);
+
 /// A scene with the materials and the environment that a request asks for.
 Scene as_asked(Scene scene, const PictureRequest& request, Context& context);
 

@@ -30,8 +30,8 @@ private:
     std::optional<AnimationChannel> read_channel(const Value& animation, const Value& channel) {
         const Value target = channel.object("target");
         AnimationChannel result;
-        result.node = nodes_.scene_index(target.index("node"));
-        if (result.node == no_index) return std::nullopt;
+        result.element = nodes_.scene_index(target.index("node"));
+        if (result.element == no_index) return std::nullopt;
         result.path = path_of(target);
         const Value samplers = animation.list("samplers");
         const std::uint32_t index = channel.required_index("sampler");
@@ -93,7 +93,7 @@ private:
     }
 
     void check_size(const AnimationChannel& channel, const Value& sampler) const {
-        const std::size_t targets = scene_.nodes[channel.node].morph_weights.size();
+        const std::size_t targets = scene_.nodes[channel.element].morph_weights.size();
         const std::size_t width = channel.path == AnimationPath::rotation        ? 4
                                   : channel.path == AnimationPath::morph_weights ? targets
                                                                                  : 3;

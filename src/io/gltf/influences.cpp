@@ -8,6 +8,7 @@ namespace rakelight::io::gltf {
 namespace {
 
 constexpr std::uint32_t max_sets = 4;   // 16 influences a vertex; more are not seen in the wild
+constexpr std::size_t most_joints = 8;  // that a vertex follows
 constexpr float sum_tolerance = 2e-3f;  // 8-bit weights miss 1 by up to 4 * 0.5 / 255
 
 struct Weighted {
@@ -19,31 +20,40 @@ struct Counts {
     std::uint64_t surplus = 0, bad_weights = 0, bad_sums = 0;
 };
 
-/// Keeps the four strongest and makes them sum to 1.
-JointInfluence strongest(std::vector<Weighted>& all, Counts& counts) {
+/// The eight strongest, which sum to 1: four and four.
+struct Strongest {
+    JointInfluence first, next;
+};
+
+Strongest strongest(std::vector<Weighted>& all, Counts& counts) {
     bool bad = false;
     for (Weighted& w : all)
         if (!(w.weight >= 0) || !std::isfinite(w.weight)) bad = true, w.weight = 0;
     if (bad) ++counts.bad_weights;
-    std::stable_sort(all.begin(), all.end(), [](const Weighted& a, const Weighted& b) { return a.weight > b.weight; });
-    if (all.size() > 4 && all[4].weight > 0) ++counts.surplus;
+    std::sort(all.begin(), all.end(), [](const Weighted& a, const Weighted& b) {
+        return a.weight != b.weight ? a.weight > b.weight
+                                    : a.joint < b.joint;  // equal vertices: equal sums, to the bit
+    });
+    if (all.size() > most_joints && all[most_joints].weight > 0) ++counts.surplus;
+    const std::size_t count = std::min(all.size(), most_joints);
     float sum = 0;
-    for (std::size_t k = 0; k < 4; ++k) sum += all[k].weight;
-    JointInfluence influence;
-    if (!(sum > 0) || !std::isfinite(sum)) return influence;
+    for (std::size_t k = 0; k < count; ++k) sum += all[k].weight;
+    Strongest kept;
+    if (!(sum > 0) || !std::isfinite(sum)) return kept;
     if (std::fabs(sum - 1) > sum_tolerance) ++counts.bad_sums;
-    for (std::size_t k = 0; k < 4; ++k) {
-        influence.weights[k] = all[k].weight / sum;
-        influence.joints[k] = all[k].weight > 0 ? std::uint16_t(all[k].joint) : std::uint16_t(0);
+    for (std::size_t k = 0; k < count; ++k) {
+        JointInfluence& influence = k < 4 ? kept.first : kept.next;
+        influence.weights[k % 4] = all[k].weight / sum;
+        influence.joints[k % 4] = all[k].weight > 0 ? std::uint16_t(all[k].joint) : std::uint16_t(0);
     }
-    return influence;
+    return kept;
 }
 
 void report(const Counts& counts, const Document& document, const Value& primitive) {
     const auto say = [&](Remark kind, std::uint64_t n, const char* what) {
         if (n) document.remark(kind, primitive.place(), std::to_string(n) + " vertices " + what);
     };
-    say(Remark::dropped, counts.surplus, "have more than four joints; the strongest four are kept");
+    say(Remark::dropped, counts.surplus, "have more than eight joints; the strongest eight are kept");
     say(Remark::changed, counts.bad_weights, "have negative or non-finite joint weights, taken as 0");
     say(Remark::changed, counts.bad_sums, "have joint weights that do not sum to 1; scaled");
 }
@@ -72,28 +82,37 @@ std::vector<Set> read_sets(VertexData& vertices, const Document& document, const
 
 }  // namespace
 
-Block<JointInfluence> read_influences(VertexData& vertices, const Document& document, const Value& primitive) {
+Influences read_influences(VertexData& vertices, const Document& document, const Value& primitive) {
     const std::vector<Set> sets = read_sets(vertices, document, primitive);
     if (sets.empty()) return {};
-    MemoryCharge charge(document.context().memory(), vertices.vertex_count() * sizeof(JointInfluence), "joint weights");
-    std::vector<JointInfluence> result(std::size_t(vertices.vertex_count()));
+    const std::uint64_t bytes = vertices.vertex_count() * sizeof(JointInfluence);
+    MemoryCharge charge(document.context().memory(), bytes, "joint weights");
+    std::vector<JointInfluence> first(std::size_t(vertices.vertex_count()));
+    MemoryCharge charge_for_next(document.context().memory(), sets.size() > 1 ? bytes : 0, "joint weights");
+    std::vector<JointInfluence> next(sets.size() > 1 ? first.size() : 0);
+    bool has_next = false;
     Counts counts;
     std::vector<Weighted> all(4 * sets.size());
-    for (std::size_t v = 0; v < result.size(); ++v) {
+    for (std::size_t v = 0; v < first.size(); ++v) {
         for (std::size_t s = 0; s < sets.size(); ++s)
             for (std::size_t k = 0; k < 4; ++k)
                 all[4 * s + k] = {sets[s].joints[4 * v + k], sets[s].weights[4 * v + k]};
-        result[v] = strongest(all, counts);
+        const Strongest kept = strongest(all, counts);
+        first[v] = kept.first;
+        if (!next.empty()) next[v] = kept.next;
+        has_next = has_next || kept.next.weights[0] > 0;
     }
     report(counts, document, primitive);
-    return {std::move(result), std::move(charge)};
+    if (!has_next) return {{std::move(first), std::move(charge)}, {}};
+    return {{std::move(first), std::move(charge)}, {std::move(next), std::move(charge_for_next)}};
 }
 
-std::uint32_t joints_used(const Block<JointInfluence>& influences) {
+std::uint32_t joints_used(const Mesh& mesh) {
     std::uint32_t used = 0;
-    for (const JointInfluence& influence : influences)
-        for (std::size_t k = 0; k < 4; ++k)
-            if (influence.weights[k] > 0) used = std::max(used, std::uint32_t(influence.joints[k]) + 1);
+    for (const Block<JointInfluence>* block : {&mesh.influences, &mesh.more_influences})
+        for (const JointInfluence& influence : *block)
+            for (std::size_t k = 0; k < 4; ++k)
+                if (influence.weights[k] > 0) used = std::max(used, std::uint32_t(influence.joints[k]) + 1);
     return used;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Skin influences of vertices: the four strongest of all sets, with weights that sum to 1.
+// Skin influences of vertices: the eight strongest of all sets, with weights that sum to 1.
 #pragma once
 #include <rakelight/scene.h>
 
@@ -7,12 +7,17 @@
 
 namespace rakelight::io::gltf {
 
-/// JOINTS_n and WEIGHTS_n of a primitive as [V] influences, empty where it has none. Joints of weight 0 become 0. Says
-/// in the report where a vertex had more than four, and where weights were negative, not finite, or did not sum to 1.
+struct Influences {
+    Block<JointInfluence> first, next;  ///< Mesh::influences, Mesh::more_influences
+};
+
+/// JOINTS_n and WEIGHTS_n of a primitive as [V] influences, empty where it has none, and where no vertex has more
+/// than four. Joints of weight 0 become 0. Says
+/// in the report where a vertex had more than eight, and where weights were negative, not finite, or did not sum to 1.
 /// @throws Error: one of a pair is missing, wrong types or counts.
-Block<JointInfluence> read_influences(VertexData& vertices, const Document& document, const Value& primitive);
+Influences read_influences(VertexData& vertices, const Document& document, const Value& primitive);
 
 /// One more than the largest joint that counts; 0 for none.
-std::uint32_t joints_used(const Block<JointInfluence>& influences);
+std::uint32_t joints_used(const Mesh& mesh);
 
 }  // namespace rakelight::io::gltf

@@ -44,7 +44,7 @@ const LoadedMesh& Meshes::load(std::uint32_t index, const Value& from) {
         result.source_primitive = std::uint32_t(p);
         read_primitive(mesh, primitive, result);
         if (result.indices.empty()) continue;
-        loaded.joints_used = std::max(loaded.joints_used, joints_used(result.influences));
+        loaded.joints_used = std::max(loaded.joints_used, joints_used(result));
         loaded.meshes.push_back(std::uint32_t(scene_.meshes.size()));
         scene_.meshes.push_back(std::move(result));
     }
@@ -78,7 +78,8 @@ void Meshes::read_primitive(const Value& mesh, const Value& primitive, Mesh& res
     result.tangents = vertices.tangents();
     result.colors = vertices.colors();
     read_texcoords(vertices, primitive, result);
-    result.influences = read_influences(vertices, document(), primitive);
+    Influences influences = read_influences(vertices, document(), primitive);
+    result.influences = std::move(influences.first), result.more_influences = std::move(influences.next);
     read_targets(vertices, mesh, primitive, result);
 
     // 2. indices

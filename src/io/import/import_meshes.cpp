@@ -10,7 +10,7 @@
 namespace rakelight::io {
 namespace {
 
-using import_stream::Part;
+using import_stream::Influence, import_stream::Part;
 
 /// Unit to within rounding stays as it is; zero and non-finite ones are left for prepare, which replaces and reports them.
 std::vector<vec3> unit_normals(std::vector<vec3>&& normals) {
@@ -44,10 +44,17 @@ std::vector<vec2> v_down(std::vector<vec2>&& set) {
     return std::move(set);
 }
 
-std::vector<JointInfluence> influences_of(const Part& part) {
+/// Joints 4 * set to 4 * set + 3 of each vertex; empty where none has as many.
+std::vector<JointInfluence> influences_of(const Part& part, std::size_t set) {
+    const auto has_more = [&](const Influence& f) { return f.weights[4 * set] > 0; };
     std::vector<JointInfluence> result;
+    if (set > 0 && std::ranges::none_of(part.influences, has_more)) return result;
     result.reserve(part.influences.size());
-    for (const auto& f : part.influences) result.push_back({f.joints, f.weights});
+    for (const Influence& f : part.influences) {
+        JointInfluence& out = result.emplace_back();
+        for (std::size_t k = 0; k < 4; ++k)
+            out.joints[k] = f.joints[4 * set + k], out.weights[k] = f.weights[4 * set + k];
+    }
     return result;
 }
 
@@ -66,7 +73,8 @@ void detail::add_meshes(import_stream::Import& import, const std::string& path, 
         if (has_stray_vertices(part.positions))
             context.report().add(Remark::warning, path, "mesh '" + one_line(mesh.name, 60) + "'", stray_vertices_text);
         const bool had_tangents = !part.tangents.empty();
-        mesh.influences = block(influences_of(part));
+        mesh.influences = block(influences_of(part, 0));
+        mesh.more_influences = block(influences_of(part, 1));
         mesh.positions = block(std::move(part.positions));
         mesh.indices = block(std::move(part.indices));
         mesh.normals = block(unit_normals(std::move(part.normals)));

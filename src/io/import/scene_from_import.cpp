@@ -111,7 +111,7 @@ void add_animations(Document& d, Scene& scene) {
                                        : t.path == 1 ? AnimationPath::rotation
                                                      : AnimationPath::scale;
             animation.channels.push_back(
-                {t.node, path, Interpolation::linear, std::move(t.times), std::move(t.values)});
+                {t.node, path, Interpolation::linear, {}, std::move(t.times), std::move(t.values)});
         }
         scene.animations.push_back(std::move(animation));
     }

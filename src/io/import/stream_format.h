@@ -19,7 +19,7 @@ namespace rakelight::io::import_stream {
 static_assert(std::endian::native == std::endian::little, "the stream is written by memcpy");
 
 inline constexpr std::uint64_t magic = 0x31504D4954474B52;  // "RKGTIMP1"
-inline constexpr std::uint32_t version = 2;                 // both programs come from one build; raise at every change
+inline constexpr std::uint32_t version = 3;                 // both programs come from one build; raise at every change
 inline constexpr std::uint64_t end_mark = 0x444E45504D49474B;  // the last eight bytes: nothing was lost
 inline constexpr std::uint32_t nothing = 0xFFFFFFFF;           // "no such element" of every index
 
@@ -125,8 +125,8 @@ struct Note {
 };
 
 struct Influence {
-    std::array<std::uint16_t, 4> joints{};  ///< into Document::joints
-    std::array<float, 4> weights{};
+    std::array<std::uint16_t, 8> joints{};  ///< into Document::joints
+    std::array<float, 8> weights{};         ///< falling
 };
 
 struct Shape {

@@ -91,7 +91,7 @@ void check_part(const Part& p, const Document& d) {
         require(s.positions.size() == v && fits(s.normals.size()), "size of a morph target");
     for (std::uint32_t k : p.indices) require(k < v, "vertex index");
     for (const Influence& f : p.influences)
-        for (std::size_t k = 0; k < 4; ++k)
+        for (std::size_t k = 0; k < f.joints.size(); ++k)
             require(f.weights[k] == 0 || f.joints[k] < d.joints.size(), "joint of a vertex");
 }
 

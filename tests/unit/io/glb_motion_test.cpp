@@ -39,11 +39,11 @@ Scene moving_scene() {
     scene.nodes[2].morph_weights = {0.5f};
     scene.skins = {{"rig", {0, 1}, {translation(dvec3{0, 0, 0}), translation(dvec3{0, -2, 0})}}};
     AnimationChannel turn;
-    turn.node = 1, turn.path = AnimationPath::rotation;
+    turn.element = 1, turn.path = AnimationPath::rotation;
     turn.times = std::vector<float>{0, 1};
     turn.values = std::vector<float>{0, 0, 0, 1, 0, 0, 1, 0};
     AnimationChannel smile;
-    smile.node = 2, smile.path = AnimationPath::morph_weights, smile.interpolation = Interpolation::step;
+    smile.element = 2, smile.path = AnimationPath::morph_weights, smile.interpolation = Interpolation::step;
     smile.times = std::vector<float>{0, 0.5f};
     smile.values = std::vector<float>{0, 1};
     scene.animations = {{"nod", {turn, smile}}};
@@ -58,7 +58,7 @@ void expect_motion(const Scene& wanted, const Scene& got) {
     ASSERT_EQ(got.animations[0].channels.size(), 2u);
     for (std::size_t c = 0; c < 2; ++c) {
         const AnimationChannel &a = wanted.animations[0].channels[c], &b = got.animations[0].channels[c];
-        EXPECT_EQ(a.node, b.node);
+        EXPECT_EQ(a.element, b.element);
         EXPECT_EQ(a.path, b.path);
         EXPECT_EQ(a.interpolation, b.interpolation);
         EXPECT_TRUE(std::equal(a.times.begin(), a.times.end(), b.times.begin(), b.times.end()));

@@ -37,7 +37,7 @@ Scene one_of_everything(const std::string& name) {
     s.nodes = {base, child};
     s.skins = {{"skin", {1}, {dmat4{}}}};
     AnimationChannel channel;
-    channel.node = 1;
+    channel.element = 1;
     channel.times = Block<float>({0.0f});
     channel.values = Block<float>({0.0f, 0.0f, 0.0f});
     s.animations = {{"walk", {channel}}};

@@ -185,7 +185,7 @@ TEST(Validate, ChecksKeysOfAnimations) {
                             Interpolation interpolation = Interpolation::linear) {
         return [=](Scene& s) {
             AnimationChannel c;
-            c.node = 0;
+            c.element = 0;
             c.path = AnimationPath::rotation;
             c.interpolation = interpolation;
             c.times = times;
@@ -207,7 +207,7 @@ TEST(Validate, ChecksSharedNumbersOnceInEachUse) {
                              Block<float> second_values) {
         return [=](Scene& s) {
             AnimationChannel a, b;
-            a.node = b.node = 0;
+            a.element = b.element = 0;
             a.path = b.path = AnimationPath::morph_weights;
             s.nodes[0].morph_weights = {0};
             for (std::uint32_t m : s.nodes[0].meshes) s.meshes[m].targets.resize(1);

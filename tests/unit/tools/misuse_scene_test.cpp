@@ -100,10 +100,10 @@ const Fault indices_and_sizes[] = {
     {"TextureOutOfRange", [](Scene& s) { s.materials[0].normal_texture.texture = 3; },
      "normal texture 3 does not exist"},
     {"TextureWithoutImage", [](Scene& s) { s.textures.emplace_back(); }, "texture 0: it has no image"},
-    {"ChannelNodeOutOfRange", [](Scene& s) { add_channel(s, {.node = 5}); }, "animation 0: node 5 does not exist"},
+    {"ChannelNodeOutOfRange", [](Scene& s) { add_channel(s, {.element = 5}); }, "animation 0: node 5 does not exist"},
     {"ChannelOfOtherSize",
      [](Scene& s) {
-         add_channel(s, {.node = 0, .times = std::vector<float>{0}, .values = std::vector<float>{1, 2}});
+         add_channel(s, {.element = 0, .times = std::vector<float>{0}, .values = std::vector<float>{1, 2}});
      },
      "2 values of a channel for 3 expected"},
 };
@@ -215,8 +215,8 @@ const Fault enumerators[] = {
     {"NoFog", [](Scene& s) { s.fog.kind = no_such<FogKind>(); }, "there is no kind 99"},
     {"NoProjection", [](Scene& s) { s.cameras[0].projection = no_such<Projection>(); },
      "camera 0: there is no projection 99"},
-    {"NoPath", [](Scene& s) { add_channel(s, {.node = 0, .path = no_such<AnimationPath>()}); }, "no path 99"},
-    {"NoInterpolation", [](Scene& s) { add_channel(s, {.node = 0, .interpolation = no_such<Interpolation>()}); },
+    {"NoPath", [](Scene& s) { add_channel(s, {.element = 0, .path = no_such<AnimationPath>()}); }, "no path 99"},
+    {"NoInterpolation", [](Scene& s) { add_channel(s, {.element = 0, .interpolation = no_such<Interpolation>()}); },
      "no interpolation 99"},
 };
 

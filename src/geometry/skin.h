@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Linear blend skinning: vertices and their directions by blended matrices. Spans in, spans out; no scene.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include <rakelight/context.h>
+#include <rakelight/joint_influence.h>
+#include <rakelight/vector.h>
+
+namespace rakelight::geometry {
+
+/// Joint matrices as kernels read them: the columns of an affine matrix, w unused.
+struct alignas(16) JointColumns {
+    std::array<std::array<float, 4>, 4> columns;
+};
+
+/// Where vertices come from: arrays of [V], or empty.
+struct SkinInput {
+    std::span<const vec3> positions{}, normals{};
+    std::span<const vec4> tangents{};
+    std::span<const JointInfluence> influences{}, more_influences{};  ///< the first one is there
+    std::span<const JointColumns> joints{};                           ///< those of all influences of weight > 0
+};
+
+/// Where they go: as large as the input's, which they may not overlap.
+struct SkinOutput {
+    std::span<vec3> positions{}, normals{};
+    std::span<vec4> tangents{};
+};
+
+/// Each vertex by the sum of its joints' matrices times their weights (Magnenat-Thalmann, Laperriere, Thalmann 1988,
+/// "Joint-Dependent Local Deformations for Hand Animation and Object Grasping"); where all weights are 0
+/// by the first joint alone. Normals by the cofactor of the blended matrix, tangents by the matrix; both unit, w changes its sign where
+/// the blended matrix mirrors. A direction that vanishes stays as it is. The same bits for any number of threads.
+void skin_vertices(const SkinInput& in, const SkinOutput& out, Context& context);
+
+}  // namespace rakelight::geometry

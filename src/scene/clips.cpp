@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Clips at a moment: nodes' placements and morph weights into the scene's pose, other numbers to where they belong.
+#include <rakelight/motion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <rakelight/error.h>
+
+#include "math/linear.h"
+#include "scene/animated_properties.h"
+#include "scene/sample_channel.h"
+#include "scene/scene_tools.h"
+#include "scene/validate_parts.h"
+
+namespace rakelight {
+namespace {
+
+/// The rotation of an orthonormal basis (Shepperd 1978, "Quaternion from Rotation Matrix": the largest of four first).
+dquat rotation_of(dvec3 x, dvec3 y, dvec3 z) {
+    const double trace = x.x + y.y + z.z;
+    const auto root = [](double v) { return std::sqrt(std::max(v, 0.0)) / 2; };
+    if (trace >= std::max({x.x, y.y, z.z})) {
+        const double w = root(1 + trace);
+        return {(y.z - z.y) / (4 * w), (z.x - x.z) / (4 * w), (x.y - y.x) / (4 * w), w};
+    }
+    if (x.x >= std::max(y.y, z.z)) {
+        const double q = root(1 + x.x - y.y - z.z);
+        return {q, (x.y + y.x) / (4 * q), (x.z + z.x) / (4 * q), (y.z - z.y) / (4 * q)};
+    }
+    if (y.y >= z.z) {
+        const double q = root(1 + y.y - x.x - z.z);
+        return {(x.y + y.x) / (4 * q), q, (y.z + z.y) / (4 * q), (z.x - x.z) / (4 * q)};
+    }
+    const double q = root(1 + z.z - x.x - y.y);
+    return {(z.x + x.z) / (4 * q), (z.y + y.z) / (4 * q), q, (x.y - y.x) / (4 * q)};
+}
+
+/// A matrix as the parts that channels set; shear, which they cannot, is lost.
+Transform in_parts(const Transform& t) {
+    if (!t.matrix) return t;
+    const dmat4& m = *t.matrix;
+    dvec3 x = m[0].xyz(), y = m[1].xyz(), z = m[2].xyz();
+    const double side = determinant(upper_left(m)) < 0 ? -1 : 1;
+    Transform parts;
+    parts.translation = m[3].xyz();
+    parts.scale = {side * length(x), length(y), length(z)};
+    x = normalize_or(x * side, dvec3{1, 0, 0});
+    y = normalize_or(y - x * dot(x, y), dvec3{0, 1, 0});
+    parts.rotation = rotation_of(x, y, cross(x, y));
+    return parts;
+}
+
+ScenePose pose_of(const Scene& scene) {
+    ScenePose pose;
+    pose.local.reserve(scene.nodes.size()), pose.morph_weights.reserve(scene.nodes.size());
+    for (const Node& node : scene.nodes) {
+        pose.local.push_back(node.local);
+        pose.morph_weights.push_back(node.morph_weights);
+    }
+    return pose;
+}
+
+void move_node(const AnimationChannel& channel, std::span<const float> v, ScenePose& pose) {
+    if (channel.path == AnimationPath::morph_weights) {
+        pose.morph_weights[channel.element].assign(v.begin(), v.end());
+        return;
+    }
+    Transform& t = pose.local[channel.element];
+    t = in_parts(t);
+    if (channel.path == AnimationPath::translation)
+        t.translation = {v[0], v[1], v[2]};
+    else if (channel.path == AnimationPath::rotation)
+        t.rotation = {v[0], v[1], v[2], v[3]};
+    else
+        t.scale = {v[0], v[1], v[2]};
+}
+
+void apply(const Animation& animation, double time_s, Scene& scene, ScenePose& pose) {
+    std::vector<float> values;
+    for (const AnimationChannel& channel : animation.channels) {
+        if (channel.element == no_index || channel.times.empty()) continue;
+        values.resize(channel_width(scene, channel));
+        if (values.empty()) continue;
+        sample_channel(channel, time_s, values);
+        if (channel.is_of_node())
+            move_node(channel, values, pose);
+        else
+            set_property(scene, *animated_property(channel.path, channel.property), channel.element, values);
+    }
+}
+
+}  // namespace
+
+ClipSpan clip_span(const Animation& animation) {
+    double begin = std::numeric_limits<double>::infinity(), end = -begin;
+    for (const AnimationChannel& channel : animation.channels) {
+        if (channel.times.empty()) continue;
+        begin = std::min(begin, double(channel.times[0]));
+        end = std::max(end, double(channel.times[channel.times.size() - 1]));
+    }
+    return begin <= end ? ClipSpan{begin, end} : ClipSpan{};
+}
+
+Scene scene_at(Scene scene, std::span<const ClipTime> clips) {
+    for (const ClipTime& clip : clips) {
+        if (clip.animation >= scene.animations.size())
+            throw Error(ErrorCode::usage, "there is no animation " + std::to_string(clip.animation) +
+                                              ": the scene has " + std::to_string(scene.animations.size()));
+        if (!std::isfinite(clip.time_s)) throw Error(ErrorCode::usage, "the time of an animation is not a number");
+        check_animation(scene, clip.animation);
+    }
+    if (clips.empty()) return scene;
+    ScenePose pose = scene.pose ? *scene.pose : pose_of(scene);
+    for (const ClipTime& clip : clips) {
+        const Animation animation = scene.animations[clip.animation];  // arrays are shared
+        apply(animation, clip.time_s, scene, pose);
+    }
+    scene.pose = pose;
+    return scene;
+}
+
+}  // namespace rakelight
