@@ -85,6 +85,18 @@ struct WorldEnvironment {
     WorldPlace place{};
 };
 
+/// A place, number or color of a camera or light of the world that `keys` move.
+struct WorldTrack {
+    enum class Between : std::uint8_t { linear, step, smooth };  ///< keys; smooth: a cubic spline through them
+    AnimationPath path = AnimationPath::camera;                  ///< or light
+    std::uint32_t element = 0;  ///< into WorldFile::cameras or lights; a track of one that is not there is left out
+    std::string property{};     ///< of animated_properties() (motion.h), in its units
+    Between between = Between::linear;
+    std::vector<float> times{};   ///< [K] seconds, each later than the one before
+    std::vector<float> values{};  ///< [K * width]
+    bool operator==(const WorldTrack&) const = default;
+};
+
 /// What is to be told of a world file that is not refused.
 struct WorldRemark {
     Remark kind = Remark::note;
@@ -98,6 +110,8 @@ struct WorldFile {
     std::vector<WorldPrimitive> primitives{};
     std::vector<Light> lights{};
     std::vector<Camera> cameras{};
+    std::vector<WorldTrack>
+        tracks{};  ///< what moves of lights and cameras: the clip `world_clip_name` (motion.h) of the scene
     std::vector<WorldMaterial> materials{};
     std::optional<Fog> fog{};
     std::optional<WorldEnvironment> environment{};

@@ -45,15 +45,18 @@ public:
     void write(const std::string& path) {
         say_what_is_lost();
         std::vector<std::byte> binary;
-        MaterialWriter materials(root_, scene_, context_);
+        const MovedMaterials moved(scene_);
+        MaterialWriter materials(root_, scene_, moved, context_);
         materials.write(binary);
         while (binary.size() % 4 != 0) binary.push_back(std::byte{0});
         NewData data(root_, 0, binary.size());
         nodes(data);
-        motion_.animations(mesh_node_, data);
         cameras();
-        lights();
-        extensions_.insert(extensions_.end(), materials.extensions().begin(), materials.extensions().end());
+        PointerWriter pointers(root_, scene_, moved, lights());
+        const bool uses_pointers = motion_.animations(mesh_node_, pointers, data);
+        for (const std::vector<std::string>& list : {materials.extensions(), pointers.extensions()})
+            for (const std::string& name : list) used(name);
+        if (uses_pointers) used("KHR_animation_pointer");
         if (!extensions_.empty()) root_["extensionsUsed"] = extensions_;
         if (std::find(extensions_.begin(), extensions_.end(), "EXT_texture_webp") != extensions_.end())
             root_["extensionsRequired"] = {"EXT_texture_webp"};  // the textures have no other source
@@ -64,6 +67,11 @@ public:
     }
 
 private:
+    void used(const std::string& extension) {
+        if (std::find(extensions_.begin(), extensions_.end(), extension) == extensions_.end())
+            extensions_.push_back(extension);
+    }
+
     void lost(const char* what) { context_.report().add(Remark::dropped, scene_.source, {}, what); }
 
     void say_what_is_lost() {
@@ -210,27 +218,32 @@ private:
         }
     }
 
-    void lights() {
+    /// @return [of the scene] their numbers in the file, or `no_index`
+    std::vector<std::size_t> lights() {
+        std::vector<std::size_t> numbers;
         OrderedJson list = OrderedJson::array();
         bool is_converted = false;
         for (const Light& light : scene_.lights) {
             if (light.type == LightType::ambient) {
                 lost("ambient lights have no place in glTF");
+                numbers.push_back(no_index);
                 continue;
             }
             is_converted = is_converted || light.units == LightUnits::classical;
             OrderedJson node = {{"extensions", {{"KHR_lights_punctual", {{"light", list.size()}}}}}};
             if (light.node == no_index) node["matrix"] = json_of(placed_light(light));
+            numbers.push_back(list.size());
             list.push_back(light_json(light));
             add_node(std::move(node), light.node);
         }
-        if (list.empty()) return;
+        if (list.empty()) return numbers;
         root_["extensions"]["KHR_lights_punctual"]["lights"] = std::move(list);
         extensions_.push_back("KHR_lights_punctual");
         if (is_converted)
             context_.report().add(Remark::changed, scene_.source, {},
                                   "classical lights became photometric ones; of their attenuation the part that falls "
                                   "with the square was kept");
+        return numbers;
     }
 
     /// JSON with its data in NAME.bin beside it. Both are whole before one takes the place of an older file.

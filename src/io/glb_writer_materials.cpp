@@ -142,8 +142,8 @@ bool MaterialWriter::set_use(OrderedJson& owner, const char* name, const Texture
     return true;
 }
 
-/// Numbers that are not the default, and textures; nothing of a layer that is not there.
-OrderedJson MaterialWriter::extension_of(const char* name, const Material& m) {
+/// Numbers that are not the default, and textures; nothing of a layer that is not there and that no clip brings.
+OrderedJson MaterialWriter::extension_of(const char* name, const Material& m, bool is_moved) {
     static const MetallicRoughnessParameters defaults;
     const MetallicRoughnessParameters& p = m.metallic_roughness;
     const auto is_this = [name](const GltfPlace& place) {
@@ -159,20 +159,21 @@ OrderedJson MaterialWriter::extension_of(const char* name, const Material& m) {
     }
     for (const TextureRole& role : texture_roles()) {
         if (!is_this(role.gltf)) continue;
-        if (role.layer.silences(m)) return OrderedJson::object();
+        if (!is_moved && role.layer.silences(m)) return OrderedJson::object();
         if (set_use(object, role.gltf.name, role.in(m)) && role.number == role_clearcoat_normal)
             object[role.gltf.name]["scale"] = p.clearcoat_normal_scale;
     }
     return object;
 }
 
-void MaterialWriter::extensions(OrderedJson& json, const Material& m) {
+void MaterialWriter::extensions(OrderedJson& json, const Material& m, bool is_moved) {
     std::vector<std::string_view> done;
     for (const MaterialParameter& parameter : metallic_roughness_parameters()) {
         const char* const name = parameter.gltf.extension;
         if (!name || std::find(done.begin(), done.end(), name) != done.end()) continue;
         done.emplace_back(name);
-        if (OrderedJson object = extension_of(name, m); !object.empty()) extension(json, name, std::move(object));
+        if (OrderedJson object = extension_of(name, m, is_moved); !object.empty())
+            extension(json, name, std::move(object));
     }
 }
 
@@ -200,11 +201,12 @@ OrderedJson MaterialWriter::material(const Material& source, std::size_t number)
         json["occlusionTexture"]["strength"] = m.occlusion_strength;
     if (m.emission_texture && !set_use(json, "emissiveTexture", m.emission_texture))
         drop_emission(m, context_.report(), scene_.source, place);
-    const float strength = std::max({m.emission.x, m.emission.y, m.emission.z});
-    if (strength > 1) {
+    const float strength = moved_.emission_strength(number);
+    const bool is_dark = m.emission == vec3{0, 0, 0};
+    if (strength > 1 && !(is_dark && !moved_.is_moved(number))) {
         json["emissiveFactor"] = json_of(clamped(m.emission / strength));
         extension(json, "KHR_materials_emissive_strength", {{"emissiveStrength", strength}});
-    } else if (strength > 0) {
+    } else if (!is_dark) {
         json["emissiveFactor"] = json_of(clamped(m.emission));
     }
     if (m.alpha_mode == AlphaMode::mask) json["alphaMode"] = "MASK", json["alphaCutoff"] = m.alpha_cutoff;
@@ -213,7 +215,7 @@ OrderedJson MaterialWriter::material(const Material& source, std::size_t number)
     if (m.model == MaterialModel::unlit)
         extension(json, "KHR_materials_unlit", OrderedJson::object());
     else
-        extensions(json, m);
+        extensions(json, m, moved_.is_moved(number));
     return json;
 }
 

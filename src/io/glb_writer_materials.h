@@ -9,6 +9,7 @@
 #include <rakelight/context.h>
 #include <rakelight/scene.h>
 
+#include "io/glb_writer_pointers.h"
 #include "io/gltf/save_tree.h"
 
 namespace rakelight::io::gltf {
@@ -16,8 +17,8 @@ namespace rakelight::io::gltf {
 /// Writes the lists "materials", "textures", "images" and "samplers"; what glTF cannot express goes into the report.
 class MaterialWriter {
 public:
-    MaterialWriter(OrderedJson& root, const Scene& scene, Context& context)
-        : root_(root), scene_(scene), context_(context) {}
+    MaterialWriter(OrderedJson& root, const Scene& scene, const MovedMaterials& moved, Context& context)
+        : root_(root), scene_(scene), moved_(moved), context_(context) {}
 
     /// All materials of the scene, in its order. Images are appended to `binary` with views of buffer 0.
     void write(std::vector<std::byte>& binary);
@@ -26,8 +27,8 @@ public:
 private:
     OrderedJson material(const Material& source, std::size_t number);
     void extension(OrderedJson& material, const char* name, OrderedJson value);
-    OrderedJson extension_of(const char* name, const Material& m);
-    void extensions(OrderedJson& json, const Material& m);
+    OrderedJson extension_of(const char* name, const Material& m, bool is_moved);
+    void extensions(OrderedJson& json, const Material& m, bool is_moved);
     OrderedJson use(const TextureUse& use);
     bool set_use(OrderedJson& owner, const char* name, const TextureUse& use);
     std::uint32_t texture(std::uint32_t number);
@@ -38,6 +39,7 @@ private:
 
     OrderedJson& root_;
     const Scene& scene_;
+    const MovedMaterials& moved_;
     Context& context_;
     std::vector<std::byte>* binary_ = nullptr;
     std::map<std::uint32_t, std::uint32_t> textures_;  ///< by the scene's number; `none` where it cannot be written

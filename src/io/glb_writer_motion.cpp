@@ -129,40 +129,76 @@ std::uint32_t MotionWriter::skin_of(std::uint32_t skin, dvec3 origin, NewData& d
     return entry->second;
 }
 
+namespace {
+
+OrderedJson sampler_of(const AnimationChannel& channel, std::span<const float> values, std::uint32_t width,
+                       NewData& data) {
+    OrderedJson sampler = OrderedJson::object();
+    sampler["input"] = data.numbers({channel.times.data(), channel.times.size()}, 1, true);
+    sampler["interpolation"] = name_of(channel.interpolation);
+    sampler["output"] = data.numbers(values, width);
+    return sampler;
+}
+
+void add_to(OrderedJson& clip, OrderedJson sampler, OrderedJson target) {
+    clip["channels"].push_back({{"sampler", clip["samplers"].size()}, {"target", std::move(target)}});
+    clip["samplers"].push_back(std::move(sampler));
+}
+
+}  // namespace
+
 bool MotionWriter::add_channel(OrderedJson& clip, const AnimationChannel& channel,
                                const std::vector<std::size_t>& mesh_node, NewData& data) const {
-    if (!channel.is_of_node()) return false;
+    if (channel.element == no_index) return false;
     const bool morphs = channel.path == AnimationPath::morph_weights;
     const std::size_t node = morphs ? mesh_node[channel.element] : channel.element;
     const bool has_place =
         !morphs || (node != no_index && target_count(scene_, scene_.nodes[channel.element].meshes) > 0);
     if (channel.times.empty() || channel.values.empty() || !has_place) return false;
     const std::uint32_t width = morphs ? 1 : channel.path == AnimationPath::rotation ? 4 : 3;
-    OrderedJson sampler = OrderedJson::object();
-    sampler["input"] = data.numbers({channel.times.data(), channel.times.size()}, 1, true);
-    sampler["interpolation"] = name_of(channel.interpolation);
-    sampler["output"] = data.numbers({channel.values.data(), channel.values.size()}, width);
-    clip["channels"].push_back(
-        {{"sampler", clip["samplers"].size()}, {"target", {{"node", node}, {"path", name_of(channel.path)}}}});
-    clip["samplers"].push_back(std::move(sampler));
+    add_to(clip, sampler_of(channel, {channel.values.data(), channel.values.size()}, width, data),
+           {{"node", node}, {"path", name_of(channel.path)}});
     return true;
 }
 
-void MotionWriter::animations(const std::vector<std::size_t>& mesh_node, NewData& data) {
+bool MotionWriter::add_pointers(OrderedJson& clip, const AnimationChannel& channel, PointerWriter& pointers,
+                                NewData& data) const {
+    if (channel.times.empty() || channel.values.empty()) return false;
+    const std::vector<WrittenPointer> all = pointers.pointers_of(channel);
+    for (const WrittenPointer& to : all) {
+        std::vector<float> values(channel.values.begin(), channel.values.end());
+        for (float& value : values) value /= to.divisor;
+        OrderedJson target = {{"path", "pointer"}};
+        target["extensions"]["KHR_animation_pointer"] = {{"pointer", to.pointer}};
+        add_to(clip, sampler_of(channel, values, to.width, data), std::move(target));
+    }
+    return !all.empty();
+}
+
+bool MotionWriter::animations(const std::vector<std::size_t>& mesh_node, PointerWriter& pointers, NewData& data) {
     std::uint64_t left_out = 0;
+    bool uses_pointers = false;
     for (const Animation& source : scene_.animations) {
         context_.throw_if_cancelled();
         OrderedJson clip = OrderedJson::object();
         if (!source.name.empty()) clip["name"] = one_line(source.name);
         clip["channels"] = OrderedJson::array();
         clip["samplers"] = OrderedJson::array();
-        for (const AnimationChannel& channel : source.channels)
-            left_out += !add_channel(clip, channel, mesh_node, data);
+        for (const AnimationChannel& channel : source.channels) {
+            const bool is_written = channel.is_of_node() ? add_channel(clip, channel, mesh_node, data)
+                                                         : add_pointers(clip, channel, pointers, data);
+            uses_pointers |= is_written && !channel.is_of_node();
+            left_out += !is_written;
+        }
         if (!clip["channels"].empty()) root_["animations"].push_back(std::move(clip));
     }
     if (left_out > 0)
         context_.report().add(Remark::dropped, scene_.source, {},
-                              std::to_string(left_out) + " channels of animations that move nothing were left out");
+                              std::to_string(left_out) +
+                                  (left_out == 1 ? " channel of animations was left out: it moves"
+                                                 : " channels of animations were left out: they move") +
+                                  " nothing that glTF has a place for");
+    return uses_pointers;
 }
 
 }  // namespace rakelight::io::gltf

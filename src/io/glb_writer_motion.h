@@ -8,6 +8,7 @@
 #include <rakelight/context.h>
 #include <rakelight/scene.h>
 
+#include "io/glb_writer_pointers.h"
 #include "io/gltf/save_data.h"
 
 namespace rakelight::io::gltf {
@@ -23,13 +24,15 @@ public:
     void add_targets(OrderedJson& primitive, const Mesh& mesh, std::size_t count, NewData& data) const;
     /// The number of the file's skin for a node's meshes, whose positions count from `origin`; it is made when it is new.
     std::uint32_t skin_of(std::uint32_t skin, dvec3 origin, NewData& data);
-    /// All clips; channels that move nothing that was written are left out, and said.
+    /// All clips; channels that glTF has no place for, or that move nothing that was written, are left out, and said.
     /// @param mesh_node  [nodes] the node of the file that shows its meshes, or `no_index`
-    void animations(const std::vector<std::size_t>& mesh_node, NewData& data);
+    /// @return whether KHR_animation_pointer is used
+    bool animations(const std::vector<std::size_t>& mesh_node, PointerWriter& pointers, NewData& data);
 
 private:
     bool add_channel(OrderedJson& clip, const AnimationChannel& channel, const std::vector<std::size_t>& mesh_node,
                      NewData& data) const;
+    bool add_pointers(OrderedJson& clip, const AnimationChannel& channel, PointerWriter& pointers, NewData& data) const;
 
     OrderedJson& root_;
     const Scene& scene_;

@@ -8,7 +8,10 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/light_limits.h>
+
 #include "math/linear.h"
+#include "math/up_of_view.h"
 #include "scene/material_table.h"
 
 namespace rakelight {
@@ -87,10 +90,12 @@ const std::vector<Setter<Light>>& light_rows() {
         {"specular", 3, [](Light& l, Values v) { l.specular = color(v); }},
         {"color", 3, [](Light& l, Values v) { l.color = color(v); }},
         {"intensity", 1, [](Light& l, Values v) { l.intensity = not_negative(v[0]); }},
-        {"range", 1, [](Light& l, Values v) { l.range = v[0] > 0 ? v[0] : std::numeric_limits<float>::infinity(); }},
-        {"inner_cone", 1, [](Light& l, Values v) { l.inner_cone_rad = std::clamp(v[0], 0.0f, l.outer_cone_rad); }},
-        {"outer_cone", 1,
-         [](Light& l, Values v) { l.outer_cone_rad = std::clamp(v[0], l.inner_cone_rad, float(pi / 2)); }},
+        {"range", 1,
+         [](Light& l, Values v) {
+             l.range = v[0] > 0 ? std::max(v[0], float(least_light_range)) : std::numeric_limits<float>::infinity();
+         }},
+        {"inner_cone", 1, [](Light& l, Values v) { l.inner_cone_rad = std::clamp(v[0], 0.0f, float(pi / 2)); }},
+        {"outer_cone", 1, [](Light& l, Values v) { l.outer_cone_rad = std::clamp(v[0], 0.0f, float(pi / 2)); }},
     };
     return rows;
 }
@@ -102,6 +107,27 @@ void turn_to(Camera& c, dvec3 target) {
     if (dot(target - eye, target - eye) > 0) c.to_world = look_at(eye, target, c.to_world[1].xyz());
 }
 
+void turn_up(Camera& c, dvec3 up) {
+    const dvec3 eye = c.to_world[3].xyz();
+    const dvec3 view = -c.to_world[2].xyz();
+    c.to_world = look_at(eye, eye + view, is_along(up, view) ? up_of_view(view).up : up);
+}
+
+double length_of(float v) { return std::max(double(v), 1e-9); }
+
+/// Of a parallel projection with an aspect of its own the width stays what it is.
+void set_half_height(Camera& c, double height) {
+    if (c.aspect && !c.half_width) c.aspect = *c.aspect * (c.half_height / height);
+    c.half_height = height;
+}
+
+void set_half_width(Camera& c, double width) {
+    if (c.aspect && !c.half_width)
+        c.aspect = width / c.half_height;
+    else
+        c.half_width = width;
+}
+
 /// Fields of view beyond what a camera can have show nothing: the nearest that it can have.
 double field_of_view(float v) { return std::clamp(double(v), 1e-4, pi - 1e-4); }
 
@@ -110,16 +136,11 @@ const std::vector<Setter<Camera>>& camera_rows() {
         {"position", 3, [](Camera& c, Values v) { place_eye(c, place(v)); }},
         {"target", 3, [](Camera& c, Values v) { turn_to(c, place(v)); }},
         {"vertical_fov", 1, [](Camera& c, Values v) { c.vertical_fov_rad = field_of_view(v[0]); }},
-        {"near", 1,
-         [](Camera& c, Values v) {
-             if (v[0] < c.z_far && (v[0] > 0 || c.projection == Projection::orthographic)) c.z_near = v[0];
-         }},
-        {"far", 1,
-         [](Camera& c, Values v) {
-             if (v[0] > c.z_near) c.z_far = v[0];
-         }},
-        {"half_height", 1, [](Camera& c, Values v) { c.half_height = std::max(double(v[0]), 1e-9); }},
-        {"half_width", 1, [](Camera& c, Values v) { c.half_width = std::max(double(v[0]), 1e-9); }},
+        {"up", 3, [](Camera& c, Values v) { turn_up(c, place(v)); }},
+        {"near", 1, [](Camera& c, Values v) { c.z_near = v[0]; }},
+        {"far", 1, [](Camera& c, Values v) { c.z_far = v[0]; }},
+        {"half_height", 1, [](Camera& c, Values v) { set_half_height(c, length_of(v[0])); }},
+        {"half_width", 1, [](Camera& c, Values v) { set_half_width(c, length_of(v[0])); }},
         {"aspect", 1, [](Camera& c, Values v) { c.aspect = std::max(double(v[0]), 1e-6); }},
     };
     return rows;
@@ -164,5 +185,13 @@ void set_property(Scene& scene, const AnimatedProperty& property, std::uint32_t 
     else
         set(camera_rows(), property.name, scene.cameras[element], values);
 }
+
+void settle(Camera& camera, const Camera& before) {
+    const bool is_fine =
+        camera.z_near < camera.z_far && (camera.z_near > 0 || camera.projection == Projection::orthographic);
+    if (!is_fine) camera.z_near = before.z_near, camera.z_far = before.z_far;
+}
+
+void settle(Light& light) { light.inner_cone_rad = std::min(light.inner_cone_rad, light.outer_cone_rad); }
 
 }  // namespace rakelight

@@ -92,6 +92,15 @@ void apply(const Animation& animation, double time_s, Scene& scene, ScenePose& p
     }
 }
 
+/// The lights and cameras that a clip moves.
+void settle(const Animation& animation, const std::vector<Camera>& before, Scene& scene) {
+    for (const AnimationChannel& channel : animation.channels) {
+        if (channel.element == no_index) continue;
+        if (channel.path == AnimationPath::light) settle(scene.lights[channel.element]);
+        if (channel.path == AnimationPath::camera) settle(scene.cameras[channel.element], before[channel.element]);
+    }
+}
+
 }  // namespace
 
 ClipSpan clip_span(const Animation& animation) {
@@ -114,10 +123,12 @@ Scene scene_at(Scene scene, std::span<const ClipTime> clips) {
     }
     if (clips.empty()) return scene;
     ScenePose pose = scene.pose ? *scene.pose : pose_of(scene);
+    const std::vector<Camera> before = scene.cameras;
     for (const ClipTime& clip : clips) {
         const Animation animation = scene.animations[clip.animation];  // arrays are shared
         apply(animation, clip.time_s, scene, pose);
     }
+    for (const ClipTime& clip : clips) settle(scene.animations[clip.animation], before, scene);
     scene.pose = pose;
     return scene;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <rakelight/motion.h>
 
@@ -62,9 +63,12 @@ void spline(const AnimationChannel& c, const Moment& m, std::span<float> out) {
     const double s = m.share, s2 = s * s, s3 = s2 * s;
     const auto p0 = key(c, m.from, 1, width), m0 = key(c, m.from, 2, width), m1 = key(c, m.to, 0, width),
                p1 = key(c, m.to, 1, width);
-    for (std::size_t i = 0; i < width; ++i)
-        out[i] = float((2 * s3 - 3 * s2 + 1) * p0[i] + m.seconds * (s3 - 2 * s2 + s) * m0[i] +
-                       (-2 * s3 + 3 * s2) * p1[i] + m.seconds * (s3 - s2) * m1[i]);
+    constexpr double most = std::numeric_limits<float>::max();  // tangents from files may lead beyond
+    for (std::size_t i = 0; i < width; ++i) {
+        const double x = ((2 * s3 - 3 * s2 + 1) * p0[i] + m.seconds * (s3 - 2 * s2 + s) * m0[i] +
+                          (-2 * s3 + 3 * s2) * p1[i] + m.seconds * (s3 - s2) * m1[i]);
+        out[i] = float(std::clamp(x, -most, most));
+    }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which clips a picture shows.
+#include <algorithm>
 #include <string>
 
 #include <rakelight/error.h>
@@ -27,6 +28,28 @@ std::uint32_t clip_named(const Scene& scene, const std::string& name) {
         .about("animation-name", {"animation-index"});
 }
 
+bool is_of_world(const Animation& animation) { return animation.name == world_clip_name; }
+
+/// The clips that are asked for. The first that is not the world's own where nothing says which.
+std::vector<std::uint32_t> chosen(const Scene& scene, const MotionRequest& motion) {
+    const auto count = std::uint32_t(scene.animations.size());
+    if (!motion.name.empty()) return {clip_named(scene, motion.name)};
+    std::vector<std::uint32_t> clips;
+    if (motion.index == -1) {
+        for (std::uint32_t i = 0; i < count; ++i) clips.push_back(i);
+        return clips;
+    }
+    if (!motion.index) {
+        const auto first = std::ranges::find_if_not(scene.animations, is_of_world);
+        return {first == scene.animations.end() ? 0 : std::uint32_t(first - scene.animations.begin())};
+    }
+    if (std::size_t(*motion.index) >= count)
+        throw Error(ErrorCode::usage,
+                    "there is no animation " + std::to_string(*motion.index) + "; the scene has " + list_of(scene))
+            .about("animation-index", {"animation-name"});
+    return {std::uint32_t(*motion.index)};
+}
+
 }  // namespace
 
 std::vector<ClipTime> clips_of(const Scene& scene, const MotionRequest& motion) {
@@ -36,22 +59,12 @@ std::vector<ClipTime> clips_of(const Scene& scene, const MotionRequest& motion) 
         if (motion.autoplay && !motion.index && motion.name.empty() && !motion.time_s) return {};
         throw Error(ErrorCode::usage, "the scene has no animations").about("animation-time", {"animation-time"});
     }
-    std::vector<std::uint32_t> clips;
-    if (!motion.name.empty()) {
-        clips = {clip_named(scene, motion.name)};
-    } else if (motion.index == -1) {
-        for (std::uint32_t i = 0; i < count; ++i) clips.push_back(i);
-    } else {
-        const auto index = std::size_t(motion.index.value_or(0));
-        if (index >= count)
-            throw Error(ErrorCode::usage,
-                        "there is no animation " + std::to_string(index) + "; the scene has " + list_of(scene))
-                .about("animation-index", {"animation-name"});
-        clips = {std::uint32_t(index)};
-    }
     std::vector<ClipTime> times;
-    for (const std::uint32_t clip : clips)
+    for (const std::uint32_t clip : chosen(scene, motion))
         times.push_back({clip, motion.time_s.value_or(clip_span(scene.animations[clip]).begin_s)});
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (is_of_world(scene.animations[i]) && std::ranges::find(times, i, &ClipTime::animation) == times.end())
+            times.push_back({i, times[0].time_s});
     return times;
 }
 

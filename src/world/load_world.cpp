@@ -14,6 +14,7 @@
 #include "scene/scene_tools.h"
 #include "world/make_shape.h"
 #include "world/scene_of_request.h"
+#include "world/world_clip.h"
 
 namespace rakelight {
 namespace {
@@ -123,8 +124,7 @@ public:
     Scene finish(const WorldFile& world) {
         put_together();
         apply_materials(scene_, world, parts_, path_, options_, context_);
-        scene_.lights.insert(scene_.lights.begin(), world.lights.begin(), world.lights.end());
-        scene_.cameras.insert(scene_.cameras.begin(), world.cameras.begin(), world.cameras.end());
+        add_lights_and_cameras(world);
         check_render(world);
         warn_of_twins(world, path_, context_.report());
         if (world.fog) scene_.fog = *world.fog;
@@ -134,6 +134,20 @@ public:
     }
 
 private:
+    /// In front of those of the models, whose channels go on to mean them.
+    void add_lights_and_cameras(const WorldFile& world) {
+        for (Animation& animation : scene_.animations)
+            for (AnimationChannel& channel : animation.channels) {
+                if (channel.element == no_index) continue;
+                if (channel.path == AnimationPath::light) channel.element += std::uint32_t(world.lights.size());
+                if (channel.path == AnimationPath::camera) channel.element += std::uint32_t(world.cameras.size());
+            }
+        scene_.lights.insert(scene_.lights.begin(), world.lights.begin(), world.lights.end());
+        scene_.cameras.insert(scene_.cameras.begin(), world.cameras.begin(), world.cameras.end());
+        Animation own = world_clip(world);
+        if (!own.channels.empty()) scene_.animations.push_back(std::move(own));
+    }
+
     /// A file that stands several times in the world is read once; its arrays are shared.
     const Scene& load_file(const WorldModel& model) {
         const auto known = loaded_.find(model.file);

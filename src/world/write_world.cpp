@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 
 #include <rakelight/linear.h>
 
@@ -10,6 +11,7 @@
 #include "io/beside.h"
 #include "io/world/material_keys.h"
 #include "world/key_fields.h"
+#include "world/write_tracks.h"
 
 namespace rakelight {
 namespace {
@@ -51,6 +53,7 @@ std::string flag(bool value) { return value ? "true" : "false"; }
 class Writer {
 public:
     void section(const std::string& header) { text_ += (text_.empty() ? "" : "\n") + header + "\n"; }
+    void lines(const std::string& whole) { text_ += whole; }
     void put(const std::string& key, const std::string& value) { text_ += key + " = " + value + "\n"; }
     template <class T, class Text>
     void put_unless(const std::string& key, const T& value, const T& usual, const Text& text) {
@@ -253,6 +256,15 @@ void check(const WorldMaterial& material) {
             refuse("material", material.name, "it has no '" + one_line(value.key, 40) + "'");
 }
 
+void check(const WorldTrack& track) {
+    const std::size_t keys = track.times.size();
+    const bool ascends = std::ranges::adjacent_find(track.times, std::greater_equal<>()) == track.times.end();
+    if (!ascends || keys == 0 || track.values.empty() || track.values.size() % keys != 0 ||
+        (track.path != AnimationPath::camera && track.path != AnimationPath::light))
+        throw Error(ErrorCode::usage,
+                    "the track of '" + one_line(track.property, 40) + "' has no keys in ascending order");
+}
+
 /// What the sections below cannot say.
 void check(const WorldFile& world) {
     const auto check_shading = [](const auto& part) {
@@ -262,6 +274,7 @@ void check(const WorldFile& world) {
     std::ranges::for_each(world.models, check_shading);
     std::ranges::for_each(world.primitives, check_shading);
     for (const WorldMaterial& material : world.materials) check(material);
+    for (const WorldTrack& track : world.tracks) check(track);
     for (const Light& light : world.lights)
         if (!exists(light.type, LightType::spot) || !exists(light.units, LightUnits::photometric))
             refuse("light", light.name, "there is no such type");
@@ -287,8 +300,14 @@ std::string to_toml(const WorldFile& world) {
     for (const WorldModel& model : world.models) write_model(to, model);
     for (const WorldPrimitive& shape : world.primitives) write_primitive(to, shape);
     for (const WorldMaterial& material : world.materials) write_material(to, material);
-    for (const Light& light : world.lights) write_light(to, light);
-    for (const Camera& camera : world.cameras) write_camera(to, camera);
+    for (std::size_t i = 0; i < world.lights.size(); ++i) {
+        write_light(to, world.lights[i]);
+        to.lines(text_of_tracks(world, AnimationPath::light, i));
+    }
+    for (std::size_t i = 0; i < world.cameras.size(); ++i) {
+        write_camera(to, world.cameras[i]);
+        to.lines(text_of_tracks(world, AnimationPath::camera, i));
+    }
     if (world.fog) write_fog(to, *world.fog);
     if (world.environment) write_environment(to, *world.environment);
     write_render(to, world.render);

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/animations.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+
+#include "scene/sample_channel.h"
 
 namespace rakelight::io::gltf {
 namespace {
 
 class AnimationReader {
 public:
-    AnimationReader(Accessors& accessors, const Nodes& nodes, Scene& scene)
-        : accessors_(accessors), nodes_(nodes), scene_(scene) {}
+    AnimationReader(Accessors& accessors, const ChannelTargets& targets, Scene& scene)
+        : accessors_(accessors), targets_(targets), scene_(scene) {}
 
     void read(const Value& source, std::uint32_t index) {
         Animation animation;
@@ -19,7 +23,7 @@ public:
         for (std::size_t c = 0; c < channels.size(); ++c)
             read_or_drop(document(), "an animation channel", [&] {
                 const Value channel = channels.element(c, source.place() + ", channel " + std::to_string(c));
-                if (auto read = read_channel(source, channel)) animation.channels.push_back(std::move(*read));
+                read_channel(source, channel, animation.channels);
             });
         if (!animation.channels.empty()) scene_.animations.push_back(std::move(animation));
     }
@@ -27,12 +31,11 @@ public:
 private:
     const Document& document() const { return accessors_.document(); }
 
-    std::optional<AnimationChannel> read_channel(const Value& animation, const Value& channel) {
-        const Value target = channel.object("target");
+    void read_channel(const Value& animation, const Value& channel, std::vector<AnimationChannel>& into) {
+        const ChannelTarget target = targets_.of(channel);
+        if (target.elements.empty()) return;
         AnimationChannel result;
-        result.element = nodes_.scene_index(target.index("node"));
-        if (result.element == no_index) return std::nullopt;
-        result.path = path_of(target);
+        result.path = target.path, result.property = target.property;
         const Value samplers = animation.list("samplers");
         const std::uint32_t index = channel.required_index("sampler");
         if (index >= samplers.size()) channel.fail("sampler " + std::to_string(index) + " does not exist");
@@ -40,22 +43,28 @@ private:
         result.interpolation = interpolation_of(sampler);
         result.times = numbers(times_, sampler.required_index("input"), {"key times", components(1), float_only},
                                sampler, check_times);
-        const std::uint32_t width = result.path == AnimationPath::rotation        ? 4
-                                    : result.path == AnimationPath::morph_weights ? 1
-                                                                                  : 3;
         result.values = numbers(values_, sampler.required_index("output"),
-                                {"key values", components(width), float_or_small}, sampler, check_values);
-        check_size(result, sampler);
-        return result;
+                                {"key values", components(target.width), float_or_small}, sampler, check_values);
+        if (!target.factors.empty()) result.values = multiplied(result.values, target.factors);
+        document().scene_charge().grow((target.elements.size() - 1) * sizeof(AnimationChannel), "animations");
+        for (const std::uint32_t element : target.elements) {
+            result.element = element;
+            check_size(result, sampler);
+            into.push_back(result);
+        }
     }
 
-    static AnimationPath path_of(const Value& target) {
-        const std::string path = target.text("path");
-        if (path == "translation") return AnimationPath::translation;
-        if (path == "rotation") return AnimationPath::rotation;
-        if (path == "scale") return AnimationPath::scale;
-        if (path == "weights") return AnimationPath::morph_weights;
-        target.fail("its path '" + one_line(path, 30) + "' is not supported");
+    /// By one factor; or each number by three, side by side.
+    Block<float> multiplied(const Block<float>& values, const std::vector<float>& factors) const {
+        if (factors == std::vector<float>{1}) return values;
+        constexpr float most = std::numeric_limits<float>::max();
+        MemoryCharge charge(document().context().memory(), values.size() * factors.size() * sizeof(float),
+                            "animations");
+        std::vector<float> all;
+        all.reserve(values.size() * factors.size());
+        for (const float value : values)
+            for (const float factor : factors) all.push_back(std::clamp(value * factor, -most, most));
+        return {std::move(all), std::move(charge)};
     }
 
     static Interpolation interpolation_of(const Value& sampler) {
@@ -93,10 +102,9 @@ private:
     }
 
     void check_size(const AnimationChannel& channel, const Value& sampler) const {
-        const std::size_t targets = scene_.nodes[channel.element].morph_weights.size();
-        const std::size_t width = channel.path == AnimationPath::rotation        ? 4
-                                  : channel.path == AnimationPath::morph_weights ? targets
-                                                                                 : 3;
+        const std::size_t width = channel.path == AnimationPath::morph_weights
+                                      ? scene_.nodes[channel.element].morph_weights.size()
+                                      : channel_width(scene_, channel);
         const std::size_t per_key = width * (channel.interpolation == Interpolation::cubic_spline ? 3 : 1);
         if (per_key == 0 || channel.values.size() / per_key != channel.times.size() ||
             channel.values.size() % per_key != 0)
@@ -105,16 +113,16 @@ private:
     }
 
     Accessors& accessors_;
-    const Nodes& nodes_;
+    const ChannelTargets& targets_;
     Scene& scene_;
     std::map<std::uint32_t, Block<float>> times_, values_;
 };
 
 }  // namespace
 
-void read_animations(Accessors& accessors, const Nodes& nodes, Scene& scene) {
+void read_animations(Accessors& accessors, const ChannelTargets& targets, Scene& scene) {
     const Document& document = accessors.document();
-    AnimationReader reader(accessors, nodes, scene);
+    AnimationReader reader(accessors, targets, scene);
     for (std::uint32_t a = 0; a < document.count(animation_kind); ++a)
         read_or_drop(document, "animation " + std::to_string(a),
                      [&] { reader.read(document.element(animation_kind, a, document.root()), a); });

@@ -16,9 +16,10 @@ namespace {
 /// Extensions whose data is read, beside those of the material table. A file that requires another one is refused, unless
 /// that is visual.
 constexpr std::array supported = std::to_array<std::string_view>(
-    {"EXT_mesh_gpu_instancing", "EXT_meshopt_compression", "EXT_texture_webp", "KHR_draco_mesh_compression",
-     "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness",
-     "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_meshopt_compression", "KHR_texture_transform"});
+    {"EXT_mesh_gpu_instancing", "EXT_meshopt_compression", "EXT_texture_webp", "KHR_animation_pointer",
+     "KHR_draco_mesh_compression", "KHR_lights_punctual", "KHR_materials_emissive_strength",
+     "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_meshopt_compression",
+     "KHR_texture_transform"});
 
 /// Extensions that change nothing about the picture (metadata, alternatives to choose from): leaving them out is right.
 constexpr std::array harmless =

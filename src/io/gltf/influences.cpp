@@ -17,7 +17,7 @@ struct Weighted {
 };
 
 struct Counts {
-    std::uint64_t surplus = 0, bad_weights = 0, bad_sums = 0;
+    std::uint64_t surplus = 0, bad_weights = 0, bad_sums = 0, no_sums = 0;
 };
 
 /// The eight strongest, which sum to 1: four and four.
@@ -39,7 +39,10 @@ Strongest strongest(std::vector<Weighted>& all, Counts& counts) {
     float sum = 0;
     for (std::size_t k = 0; k < count; ++k) sum += all[k].weight;
     Strongest kept;
-    if (!(sum > 0) || !std::isfinite(sum)) return kept;
+    if (!(sum > 0) || !std::isfinite(sum)) {
+        ++counts.no_sums;
+        return kept;
+    }
     if (std::fabs(sum - 1) > sum_tolerance) ++counts.bad_sums;
     for (std::size_t k = 0; k < count; ++k) {
         JointInfluence& influence = k < 4 ? kept.first : kept.next;
@@ -56,6 +59,7 @@ void report(const Counts& counts, const Document& document, const Value& primiti
     say(Remark::dropped, counts.surplus, "have more than eight joints; the strongest eight are kept");
     say(Remark::changed, counts.bad_weights, "have negative or non-finite joint weights, taken as 0");
     say(Remark::changed, counts.bad_sums, "have joint weights that do not sum to 1; scaled");
+    say(Remark::changed, counts.no_sums, "have joint weights without a sum; they follow no joint");
 }
 
 struct Set {

@@ -85,7 +85,7 @@ Light read_light(const Value& source, std::uint32_t index) {
 
 }  // namespace
 
-void read_cameras(const Document& document, const Nodes& nodes, Scene& scene) {
+std::vector<std::uint32_t> read_cameras(const Document& document, const Nodes& nodes, Scene& scene) {
     struct Numbered {
         std::uint32_t index;
         Camera camera;
@@ -103,11 +103,17 @@ void read_cameras(const Document& document, const Nodes& nodes, Scene& scene) {
     }
     std::stable_sort(found.begin(), found.end(),
                      [](const Numbered& a, const Numbered& b) { return a.index < b.index; });
-    for (Numbered& numbered : found) scene.cameras.push_back(std::move(numbered.camera));
+    std::vector<std::uint32_t> numbers;
+    for (Numbered& numbered : found) {
+        numbers.push_back(numbered.index);
+        scene.cameras.push_back(std::move(numbered.camera));
+    }
+    return numbers;
 }
 
-void read_lights(const Document& document, const Nodes& nodes, Scene& scene) {
+std::vector<std::uint32_t> read_lights(const Document& document, const Nodes& nodes, Scene& scene) {
     const Value owner = document.root().extension("KHR_lights_punctual");
+    std::vector<std::uint32_t> numbers;
     for (const PlacedNode& placed : nodes.placed()) {
         const Value node = document.element(node_kind, placed.file, document.root());
         const Value use = node.extension("KHR_lights_punctual");
@@ -117,8 +123,10 @@ void read_lights(const Document& document, const Nodes& nodes, Scene& scene) {
             Light light = read_light(document.element_of(owner, light_kind, index, use), index);
             light.node = placed.scene;
             scene.lights.push_back(std::move(light));
+            numbers.push_back(index);
         });
     }
+    return numbers;
 }
 
 }  // namespace rakelight::io::gltf

@@ -13,6 +13,11 @@ public:
     /// The scene's index of material `index` (`none` stays `none`: the default material).
     /// @throws Error: no such material, values of wrong kinds or out of range.
     std::uint32_t load(std::uint32_t index, const Value& from);
+    /// The scene's index of a material of the file that was loaded; `no_index`: nothing uses it.
+    std::uint32_t scene_index(std::uint32_t index) const {
+        const auto known = loaded_.find(index);
+        return known == loaded_.end() ? no_index : known->second;
+    }
 
 private:
     void read_common(const Value& source, Material& material);

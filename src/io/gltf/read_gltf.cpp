@@ -35,9 +35,9 @@ Scene read_document(const std::string& path, Bytes file, const ReadOptions& opti
         throw Error(ErrorCode::bad_file, "nothing to draw: no node of its scene holds a triangle, line or point");
     context.progress("load", 0.9);
     read_skins(accessors, meshes, nodes, scene);
-    read_animations(accessors, nodes, scene);
-    read_cameras(document, nodes, scene);
-    read_lights(document, nodes, scene);
+    const std::vector<std::uint32_t> cameras = read_cameras(document, nodes, scene);
+    const std::vector<std::uint32_t> lights = read_lights(document, nodes, scene);
+    read_animations(accessors, {document, nodes, materials, cameras, lights, scene}, scene);
     scene.charges.push_back(share(std::move(document.scene_charge())));
     context.progress("load", 1);
     return scene;

@@ -5,6 +5,7 @@
 
 #include "io/file.h"
 #include "io/world/material_keys.h"
+#include "io/world/motion_keys.h"
 #include "io/world/read_settings.h"
 #include "io/world/section_values.h"
 #include "io/world/world_parts.h"
@@ -22,8 +23,16 @@ using Reading = void (*)(const SectionValues& values, WorldFile& world);
 constexpr std::pair<const char*, Reading> readings[] = {
     {"model", [](const SectionValues& v, WorldFile& w) { w.models.push_back(read_model(v)); }},
     {"primitive", [](const SectionValues& v, WorldFile& w) { w.primitives.push_back(read_primitive(v)); }},
-    {"light", [](const SectionValues& v, WorldFile& w) { w.lights.push_back(read_light(v)); }},
-    {"camera", [](const SectionValues& v, WorldFile& w) { w.cameras.push_back(read_camera(v, w)); }},
+    {"light",
+     [](const SectionValues& v, WorldFile& w) {
+         w.lights.push_back(read_light(v));
+         add_light_tracks(v, w);
+     }},
+    {"camera",
+     [](const SectionValues& v, WorldFile& w) {
+         w.cameras.push_back(read_camera(v, w));
+         add_camera_tracks(v, w);
+     }},
     {"material", [](const SectionValues& v, WorldFile& w) { w.materials.push_back(read_material(v)); }},
     {"fog", [](const SectionValues& v, WorldFile& w) { w.fog = read_fog(v); }},
     {"environment", [](const SectionValues& v, WorldFile& w) { w.environment = read_environment(v); }},

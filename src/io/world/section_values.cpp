@@ -42,6 +42,8 @@ const char* expectation(Kind kind) {
             return "a number, or three in brackets";
         case Kind::color:
             return "three numbers in brackets, or a text like '#ff8000' or 'orange'";
+        case Kind::tables:
+            return "a list of tables";
     }
     return "";
 }
@@ -217,15 +219,35 @@ SectionValues::SectionValues(const TomlNode& table, const WorldSection& section,
             for (const WorldKey& k : section.keys) names.push_back(k.name);
             fail(entry.place, "unknown key " + said(entry.key) + " in " + title, advice_for(entry.key, names));
         }
-        values_.push_back(ValueReader(*key, entry, written).read());
+        if (key->kind == Kind::tables)
+            read_tables(entry, *key, section);
+        else
+            values_.push_back(ValueReader(*key, entry, written).read());
     }
     for (const WorldKey& key : section.keys)
         if (key.is_required && !has(key.name)) fail(place_, title + " lacks the key '" + key.name + "'");
 }
 
+void SectionValues::read_tables(const TomlEntry& entry, const WorldKey& key, const WorldSection& section) {
+    constexpr std::size_t most_tables = 10'000;
+    const std::vector<TomlNode>& items = entry.value.items;
+    const auto is_table = [](const TomlNode& item) { return item.kind == TomlNode::Kind::table; };
+    if (entry.value.kind != TomlNode::Kind::array || !std::ranges::all_of(items, is_table))
+        fail(entry.value.place, said(entry.key) + " must be " + expectation(key.kind), "write [{ ... }, { ... }]");
+    if (items.empty()) fail(entry.value.place, said(entry.key) + " is empty");
+    if (items.size() > most_tables)
+        fail(entry.value.place, "more than " + std::to_string(most_tables) + " of " + said(entry.key));
+    const std::string name = std::string(section.name) + "." + key.name;
+    const WorldSection of_tables{name.c_str(), true, key.help, key.parts};
+    for (const TomlNode& item : items) tables_.emplace_back(item, of_tables);
+    values_.push_back({.key = entry.key, .words = {}, .numbers = {}, .place = entry.value.place});
+}
+
 const WorldValue* SectionValues::find(std::string_view key) const {
-    for (const WorldValue& value : values_)
-        if (value.key == key) return &value;
+    const auto value = std::ranges::find(values_, key, &WorldValue::key);
+    if (value != values_.end()) return &*value;
+    for (const SectionValues& table : tables_)
+        if (const WorldValue* const first = table.find(key)) return first;
     return nullptr;
 }
 

@@ -27,7 +27,10 @@ public:
 
     WorldPlace place() const { return place_; }
     const std::vector<WorldValue>& all() const { return values_; }
-    const WorldValue* find(std::string_view key) const;  ///< null: not given
+    /// The tables of its key of Kind::tables, of which a section has one at most.
+    const std::vector<SectionValues>& tables() const { return tables_; }
+    /// Null: not given. What only the tables have is as the first of them says it.
+    const WorldValue* find(std::string_view key) const;
     bool has(std::string_view key) const { return find(key) != nullptr; }
     WorldPlace place_of(std::string_view key) const;  ///< of the table where it is not given
 
@@ -39,8 +42,10 @@ public:
     dvec3 direction(std::string_view key, dvec3 otherwise) const;  ///< unit; @throws Error: zero
 
 private:
+    void read_tables(const TomlEntry& entry, const WorldKey& key, const WorldSection& section);
     WorldPlace place_;
     std::vector<WorldValue> values_;
+    std::vector<SectionValues> tables_;
 };
 
 /// A value of [render]: a text, number or flag, or an array of such.

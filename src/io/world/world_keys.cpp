@@ -6,6 +6,7 @@
 #include <rakelight/light_limits.h>
 
 #include "base/assert.h"
+#include "io/world/motion_keys.h"
 
 namespace rakelight::io::world {
 namespace {
@@ -75,6 +76,32 @@ std::vector<WorldKey> primitive_keys() {
     });
 }
 
+/// What a section that moves has beside its own keys.
+std::vector<WorldKey> moving(std::vector<WorldKey> keys, std::vector<WorldKey> parts) {
+    parts.insert(parts.begin(), {"time", Kind::number, "When [s]", {-1e6, 1e6}, {}, true});
+    keys.push_back({.name = "keys",
+                    .kind = Kind::tables,
+                    .help = "What it is at some moments, which --animation-time and sequences show",
+                    .parts = std::move(parts)});
+    keys.push_back({"interpolation",
+                    Kind::word,
+                    "How keys are joined; smooth: by cubic splines (default linear)",
+                    any_number,
+                    {"linear", "step", "smooth"}});
+    return keys;
+}
+
+/// Those of the keys that may move.
+std::vector<WorldKey> parts_of(const std::vector<WorldKey>& keys, std::span<const MovingKey> moving) {
+    std::vector<WorldKey> parts;
+    for (const WorldKey& key : keys)
+        if (std::ranges::any_of(moving, [&](const MovingKey& m) { return std::string_view(m.key) == key.name; })) {
+            parts.push_back(key);
+            parts.back().is_required = false;
+        }
+    return parts;
+}
+
 std::vector<WorldKey> camera_keys() {
     return {
         {"name", Kind::text, "For camera-index of [render]"},
@@ -97,8 +124,10 @@ std::vector<WorldSection> make_sections() {
     return {
         {"model", true, "A model file", model_keys()},
         {"primitive", true, "A shape made by formula, about its origin, y up", primitive_keys()},
-        {"light", true, "A light; without any the default lights shine", light_keys()},
-        {"camera", true, "A camera; the first is the default", camera_keys()},
+        {"light", true, "A light; without any the default lights shine",
+         moving(light_keys(), parts_of(light_keys(), moving_light_keys()))},
+        {"camera", true, "A camera; the first is the default",
+         moving(camera_keys(), parts_of(camera_keys(), moving_camera_keys()))},
         {"material", true, "Changes of the models' materials of a name, or a material for models and primitives",
          material_keys()},
         {"fog",

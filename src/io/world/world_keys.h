@@ -23,6 +23,7 @@ enum class Kind {
     integers,  ///< two whole numbers
     vector,    ///< three numbers
     scale,     ///< one number or three
+    tables,    ///< a list of tables of WorldKey::parts
     color,     ///< three numbers >= 0 of linear light, or "#rrggbb", "#rgb" or a name of CSS, as seen on a display
 };
 
@@ -40,6 +41,7 @@ struct WorldKey {
     Range range = any_number;
     std::vector<const char*> words = {};
     bool is_required = false;
+    std::vector<WorldKey> parts = {};
 };
 
 struct WorldSection {

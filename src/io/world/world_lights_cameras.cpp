@@ -40,14 +40,22 @@ std::vector<const char*> keys_of(const Light& light) {
     return keys;
 }
 
-void check_keys(const SectionValues& v, const Light& light) {
-    const std::vector<const char*> keys = keys_of(light);
-    for (const WorldValue& value : v.all())
+/// @param of  the light itself, or one of its keys
+void check_known(const SectionValues& of, const SectionValues& v, const std::vector<const char*>& keys) {
+    for (const WorldValue& value : of.all())
         if (std::none_of(keys.begin(), keys.end(), [&](std::string_view k) { return value.key == k; })) {
             std::string all;
             for (const char* key : keys) all += (all.empty() ? "" : ", ") + std::string(key);
             fail(value.place, "a light of type '" + v.text("type") + "' has no '" + value.key + "'", "it has " + all);
         }
+}
+
+void check_keys(const SectionValues& v, const Light& light) {
+    std::vector<const char*> keys = keys_of(light);
+    keys.insert(keys.end(), {"keys", "interpolation"});
+    check_known(v, v, keys);
+    keys.insert(keys.begin(), "time");
+    for (const SectionValues& key : v.tables()) check_known(key, v, keys);
     const auto require = [&](const char* key) {
         if (!v.has(key)) fail(v.place(), "a light of type '" + v.text("type") + "' lacks the key '" + key + "'");
     };

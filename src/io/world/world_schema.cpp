@@ -2,6 +2,8 @@
 // The tables of keys as a JSON schema.
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 #include "io/world/world_keys.h"
 
 namespace rakelight {
@@ -20,6 +22,8 @@ json number_of(const Range& r, const char* type) {
 json list_of(const Range& r, int count, const char* type = "number") {
     return {{"type", "array"}, {"items", number_of(r, type)}, {"minItems", count}, {"maxItems", count}};
 }
+
+json table_of(const std::vector<WorldKey>& keys);
 
 json type_of(const WorldKey& key) {
     switch (key.kind) {
@@ -46,17 +50,26 @@ json type_of(const WorldKey& key) {
             return {{"oneOf",
                      {list_of(from_0, 3),
                       {{"type", "string"}, {"pattern", "^(#[0-9a-fA-F]{3}|#[0-9a-fA-F]{6}|[A-Za-z]+)$"}}}}};
+        case Kind::tables:
+            return {{"type", "array"}, {"items", table_of(key.parts)}, {"minItems", 1}};
     }
     return {};
 }
 
-json table_of(const WorldSection& section) {
+/// Of a list of tables: what its tables have may be missing beside them.
+bool is_in_tables(const std::vector<WorldKey>& keys, std::string_view name) {
+    return std::ranges::any_of(keys, [&](const WorldKey& key) {
+        return std::ranges::any_of(key.parts, [&](const WorldKey& part) { return part.name == name; });
+    });
+}
+
+json table_of(const std::vector<WorldKey>& keys) {
     json properties = json::object(), required = json::array();
-    for (const WorldKey& key : section.keys) {
+    for (const WorldKey& key : keys) {
         json value = type_of(key);
         value["description"] = key.help;
         properties[key.name] = std::move(value);
-        if (key.is_required) required.push_back(key.name);
+        if (key.is_required && !is_in_tables(keys, key.name)) required.push_back(key.name);
     }
     json out = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
     if (!required.empty()) out["required"] = required;
@@ -68,7 +81,7 @@ json table_of(const WorldSection& section) {
 std::string world_schema() {
     json properties = json::object();
     for (const WorldSection& s : sections()) {
-        json table = table_of(s);
+        json table = table_of(s.keys);
         json whole = s.is_array ? json{{"type", "array"}, {"items", table}} : table;
         whole["description"] = s.help;
         properties[s.name] = std::move(whole);
