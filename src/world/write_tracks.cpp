@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/world/motion_keys.h"
+#include "io/world/world_parts.h"
 #include "world/key_fields.h"
 
 namespace rakelight {
@@ -28,6 +29,13 @@ const MovingKey& key_of(const WorldFile& world, const WorldTrack& track) {
             return key;
     }
     throw Error(ErrorCode::usage, "no key of a world file moves '" + one_line(track.property, 40) + "'");
+}
+
+/// Lights may have become of another type than their tracks were read for.
+bool is_had(const WorldFile& world, const WorldTrack& track, const MovingKey& key) {
+    if (track.path == AnimationPath::camera) return true;
+    return std::ranges::any_of(io::world::keys_of(world.lights[track.element]),
+                               [&](std::string_view name) { return name == key.key; });
 }
 
 std::string number_of(float number, MovingKey::Unit unit) {
@@ -61,7 +69,9 @@ std::string text_of_tracks(const WorldFile& world, AnimationPath path, std::size
     std::set<float> times;
     for (const WorldTrack& track : world.tracks) {
         if (track.path != path || track.element != element || track.times.empty()) continue;
-        tracks.push_back({&track, &key_of(world, track)});
+        const MovingKey& key = key_of(world, track);
+        if (!is_had(world, track, key)) continue;
+        tracks.push_back({&track, &key});
         times.insert(track.times.begin(), track.times.end());
     }
     if (tracks.empty()) return {};

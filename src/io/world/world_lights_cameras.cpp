@@ -22,24 +22,6 @@ constexpr Word<LightWord> types[] = {
     {"photometric-spot", {LightType::spot, LightUnits::photometric}},
 };
 
-/// Keys that a kind of light has beside type and name.
-std::vector<const char*> keys_of(const Light& light) {
-    const bool classical = light.units == LightUnits::classical;
-    const bool is_spot = light.type == LightType::spot, is_placed = is_spot || light.type == LightType::point;
-    std::vector<const char*> keys = {"type", "name", "ambient"};
-    if (light.type == LightType::ambient) return keys;
-    keys.push_back("casts_shadow");
-    if (is_placed) keys.insert(keys.end(), {"position", "range"});
-    if (!is_placed || is_spot) keys.push_back("direction");
-    if (classical) keys.insert(keys.end(), {"diffuse", "specular"});
-    if (!classical) std::erase_if(keys, [](std::string_view k) { return k == "ambient"; });
-    if (classical && is_placed) keys.push_back("attenuation");
-    if (classical && is_spot) keys.insert(keys.end(), {"cutoff_deg", "exponent"});
-    if (!classical) keys.insert(keys.end(), {"color", is_placed ? "intensity_cd" : "intensity_lux"});
-    if (!classical && is_spot) keys.insert(keys.end(), {"inner_cone_deg", "outer_cone_deg"});
-    return keys;
-}
-
 /// @param of  the light itself, or one of its keys
 void check_known(const SectionValues& of, const SectionValues& v, const std::vector<const char*>& keys) {
     for (const WorldValue& value : of.all())
@@ -86,6 +68,23 @@ dvec3 read_up(const SectionValues& v, dvec3 view, WorldFile& world) {
 }
 
 }  // namespace
+
+std::vector<const char*> keys_of(const Light& light) {
+    const bool classical = light.units == LightUnits::classical;
+    const bool is_spot = light.type == LightType::spot, is_placed = is_spot || light.type == LightType::point;
+    std::vector<const char*> keys = {"type", "name", "ambient"};
+    if (light.type == LightType::ambient) return keys;
+    keys.push_back("casts_shadow");
+    if (is_placed) keys.insert(keys.end(), {"position", "range"});
+    if (!is_placed || is_spot) keys.push_back("direction");
+    if (classical) keys.insert(keys.end(), {"diffuse", "specular"});
+    if (!classical) std::erase_if(keys, [](std::string_view k) { return k == "ambient"; });
+    if (classical && is_placed) keys.push_back("attenuation");
+    if (classical && is_spot) keys.insert(keys.end(), {"cutoff_deg", "exponent"});
+    if (!classical) keys.insert(keys.end(), {"color", is_placed ? "intensity_cd" : "intensity_lux"});
+    if (!classical && is_spot) keys.insert(keys.end(), {"inner_cone_deg", "outer_cone_deg"});
+    return keys;
+}
 
 Light read_light(const SectionValues& v) {
     Light light;

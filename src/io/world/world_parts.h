@@ -8,6 +8,8 @@ namespace rakelight::io::world {
 WorldModel read_model(const SectionValues& values);
 WorldPrimitive read_primitive(const SectionValues& values);
 Light read_light(const SectionValues& values);
+/// Keys that a light of this type has, beside `keys` and `interpolation`.
+std::vector<const char*> keys_of(const Light& light);
 Camera read_camera(const SectionValues& values, WorldFile& world);  ///< remarks of its up
 WorldMaterial read_material(const SectionValues& values);
 Fog read_fog(const SectionValues& values);

@@ -202,5 +202,17 @@ TEST(WorldClip, TracksOfWhatIsNotThereAreLeftOutAndBrokenOnesRefused) {
     EXPECT_EQ(error_of([&] { to_toml(world); }).code(), ErrorCode::usage);
 }
 
+TEST(WorldClip, TracksThatALightOfAnotherTypeHasNoKeyForAreNotWritten) {
+    WorldFile world = parse_world(sphere + std::string(R"(
+[[light]]
+type = "point"
+keys = [{ time = 0, position = [0, 4, 0], diffuse = [1, 1, 1] }, { time = 1, position = [4, 4, 0] }]
+)"));
+    world.lights[0].units = LightUnits::photometric;
+    const WorldFile again = parse_world(to_toml(world));
+    ASSERT_EQ(again.tracks.size(), 1u);
+    EXPECT_EQ(again.tracks[0].property, "position");
+}
+
 }  // namespace
 }  // namespace rakelight::test
