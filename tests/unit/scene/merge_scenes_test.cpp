@@ -70,7 +70,7 @@ TEST(MergeScenes, EveryNumberGoesOnMeaningTheSameThing) {
     EXPECT_EQ(all.meshes.at(all.nodes[4].meshes.at(0)).name, "b");
     EXPECT_EQ(all.nodes[4].skin, 1u);
     EXPECT_EQ(all.skins[1].joints, std::vector<std::uint32_t>{4});
-    EXPECT_EQ(all.animations.at(1).channels[0].node, 4u);
+    EXPECT_EQ(all.animations.at(1).channels[0].element, 4u);
     EXPECT_EQ(all.materials.at(all.meshes[1].material).name, "b");
     EXPECT_EQ(all.meshes[1].targets.at(0).name, "up");
     int uses = 0;
