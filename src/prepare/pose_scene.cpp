@@ -57,9 +57,7 @@ public:
         std::vector<JointColumns> result;
         const dmat4 from_world = (is_mirrored ? scaling(dvec3{-1, 1, 1}) : dmat4{}) * translation(origin_ * -1.0);
         for (const dmat4& joint : joint_matrices(i)) {
-            const dmat4 m = from_world * joint * translation(scene_.meshes[i.mesh].origin);
-            JointColumns& c = result.emplace_back();
-            for (std::size_t k = 0; k < 4; ++k) c.columns[k] = {float(m[k].x), float(m[k].y), float(m[k].z), 0};
+            result.push_back(geometry::columns_of(from_world * joint * translation(scene_.meshes[i.mesh].origin)));
         }
         return result;
     }
