@@ -3,16 +3,12 @@
 
 #include <vector>
 
+#include "shading/mark_color.h"
+
 namespace rakelight::opengl {
 namespace {
 
 using Mark = PictureDrawer::Mark;
-
-vec4 color_of(const shading::DrawMaterial& m) {
-    const float* const c = m.factors.base_color;
-    return {c[0] + m.factors.emission[0], c[1] + m.factors.emission[1], c[2] + m.factors.emission[2],
-            m.factors.blend ? c[3] : 1.0f};
-}
 
 /// In the order of the scene: its lines and points, edges, vertices.
 std::vector<Marks::Planned> plan(const shading::DrawList& list, const RenderSettings& s) {
@@ -20,7 +16,7 @@ std::vector<Marks::Planned> plan(const shading::DrawList& list, const RenderSett
     const Mark::Shape point = s.points == PointShape::square ? Mark::square : Mark::disc;
     const auto own = [&](const shading::Draw& draw, Mark::Kind kind, Mark::Shape shape, float size) {
         const bool has_colors = !list.scene.meshes[draw.mesh].colors.empty();
-        out.push_back({&draw, {kind, shape, size, color_of(list.material(draw)), has_colors}});
+        out.push_back({&draw, {kind, shape, size, shading::mark_color(list.material(draw)), has_colors}});
     };
     for (const shading::Draw& draw : list.line_draws) {
         const bool is_line = list.scene.meshes[draw.mesh].topology == Topology::lines;
