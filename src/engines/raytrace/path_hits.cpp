@@ -192,6 +192,7 @@ void take_hits(const PathPicture& picture, int depth, std::uint32_t draw, std::u
 /// Points give their color as surfaces that are not lit do.
 void take_points(const PathPicture& picture, int depth, std::uint32_t sample, std::size_t begin, std::size_t end,
                  PathScratch& s) {
+    s.counts.marked += end - begin;
     for (std::size_t i = begin; i < end; ++i) {
         const auto ray = std::size_t(s.order[i]);
         const vec4 color = picture.trace.point_color(s.meetings[ray]);

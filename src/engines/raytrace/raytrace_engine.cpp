@@ -137,12 +137,13 @@ private:
         RayCounts counts;
         const auto take = [&counts](TileScratch& scratch) {
             const RayCounts c = std::exchange(scratch.counts, {});
-            counts.shaded += c.shaded, counts.not_finite += c.not_finite;
+            counts.shaded += c.shaded, counts.marked += c.marked, counts.not_finite += c.not_finite;
             add(c.rays, counts.rays);
         };
         pool_.for_each(take), path_pool_.for_each(take);
         RenderStats stats;
         stats.pixels_shaded = stats.lighting_evaluations = counts.shaded;
+        stats.pixels_marked = counts.marked;
         stats.pixels_not_finite = counts.not_finite;
         stats.rays = counts.rays;
         stats.rays.passes = passes.passes, stats.rays.samples = passes.samples, stats.rays.noise = passes.noise;

@@ -88,6 +88,7 @@ void lay(const TracePicture& picture, std::size_t ray, vec3 color, float alpha, 
 
 /// Points are not lit.
 void show_points(const TracePicture& picture, std::size_t begin, std::size_t end, WaveScratch& s) {
+    s.counts.marked += end - begin;
     for (std::size_t i = begin; i < end; ++i) {
         const auto ray = std::size_t(s.order[i]);
         const vec4 color = picture.point_color(s.meetings[ray]);

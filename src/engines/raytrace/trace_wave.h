@@ -36,7 +36,7 @@ struct NextRay {
 
 /// Counts of a tile.
 struct RayCounts {
-    std::uint64_t shaded = 0, not_finite = 0;
+    std::uint64_t shaded = 0, marked = 0, not_finite = 0;
     RayStats rays;
 };
 

@@ -57,6 +57,12 @@ void TileMarks::put_channels() {
         if (shown_[p].key >= 0) put(p, shown_[p]);
 }
 
+const Draw* TileMarks::draw_at(std::size_t pixel) {
+    shown_.assign(tile_pixels, Shown{});
+    for_each_fragment([](const MarkFragment&) {});
+    return shown_[pixel].key < 0 ? nullptr : marks_.draws[shown_[pixel].item >> 32];
+}
+
 /// A mark has no triangle, normal or texture coordinates, and is not lit: there stands what stands where nothing is.
 void TileMarks::put(std::size_t pixel, const Shown& shown) {
     const std::uint32_t channels = job_.front.settings.channels;

@@ -83,6 +83,8 @@ public:
     /// Where the center of a pixel lies in an opaque mark, the channels hold the nearest such mark. After everything
     /// that compares depths.
     void put_channels();
+    /// Whose mark they hold at a pixel of the tile; null: none's.
+    const Draw* draw_at(std::size_t pixel);
 
 private:
     /// What the channels of a pixel hold.
