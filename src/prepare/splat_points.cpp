@@ -16,6 +16,7 @@ namespace rakelight {
 namespace {
 
 constexpr float rim_radius = 1.5f;  ///< of a splat, in spacings: scattered points leave few gaps then
+constexpr float flat_half = 0.8f;   ///< half the side of a flat square over the radius
 constexpr float sine_60 = 0.8660254f;
 constexpr float mark_diameter = 2.6f;            ///< of a disc on the screen, likewise
 constexpr float most_of_median = 4;              ///< points far from all others are not larger than this many medians
@@ -37,42 +38,60 @@ bool may_be_splat(const Scene& scene, const Mesh& mesh) {
            !(mesh.material != no_index && wants_tangents(scene.materials[mesh.material]));
 }
 
-/// Arrays of P splats, splat_vertices and 3 splat_triangles of each.
+/// How the pieces of a mesh are made: splats, or squares in one plane where there are many, which are small on the picture.
+struct Layout {
+    bool is_flat;
+    std::size_t vertices() const { return is_flat ? 4 : splat_vertices; }
+    std::size_t corners() const { return is_flat ? 6 : 3 * splat_triangles; }
+    std::uint32_t corner(std::size_t k) const {
+        constexpr std::uint32_t order[6] = {0, 1, 2, 0, 2, 3};
+        return is_flat ? order[k] : splat_corner(k);
+    }
+    /// Of as many bytes as a point comes to.
+    std::uint64_t bytes(const Mesh& mesh) const {
+        return vertices() * (2 * sizeof(vec3) + sizeof(vec4) + mesh.texcoords.size() * sizeof(vec2)) +
+               corners() * sizeof(std::uint32_t);
+    }
+};
+
+/// Arrays of the pieces of P points.
 struct Splats {
+    Layout layout;
     std::vector<vec3> positions, normals;
     std::vector<vec4> colors;
     std::vector<std::vector<vec2>> texcoords;
     std::vector<std::uint32_t> indices;
 
     Splats(const Mesh& mesh, std::size_t points)
-        : positions(splat_vertices * points),
-          normals(splat_vertices * points),
-          colors(mesh.colors.empty() ? 0 : splat_vertices * points),
-          indices(3 * splat_triangles * points) {
-        for (const Block<vec2>& set : mesh.texcoords) texcoords.emplace_back(set.empty() ? 0 : splat_vertices * points);
+        : layout{points > most_raised},
+          positions(layout.vertices() * points),
+          normals(positions.size()),
+          colors(mesh.colors.empty() ? 0 : positions.size()),
+          indices(layout.corners() * points) {
+        for (const Block<vec2>& set : mesh.texcoords) texcoords.emplace_back(set.empty() ? 0 : positions.size());
     }
 
     void set(std::size_t i, const Mesh& mesh, std::uint32_t v, float radius) {
         const vec3 p = mesh.positions[v], n = mesh.normals[v], up = n * (radius * splat_slope);
         const vec3 x = cast<float>(geometry::perpendicular(cast<double>(n))) * radius, y = cross(n, x) * sine_60,
-                   z = x * 0.5f;
-        const vec3 corner[splat_vertices] = {p + up, p - up, p + x, p + z + y, p - z + y, p - x, p - z - y, p + z - y};
-        const std::size_t first = splat_vertices * i;
-        for (std::size_t k = 0; k < splat_vertices; ++k) {
-            positions[first + k] = corner[k];
+                   z = x * 0.5f, a = x * flat_half, b = cross(n, a);
+        const vec3 flat[4] = {p - a - b, p + a - b, p + a + b, p - a + b};
+        const vec3 raised[splat_vertices] = {p + up, p - up, p + x, p + z + y, p - z + y, p - x, p - z - y, p + z - y};
+        const std::size_t first = layout.vertices() * i;
+        for (std::size_t k = 0; k < layout.vertices(); ++k) {
+            positions[first + k] = layout.is_flat ? flat[k] : raised[k];
             normals[first + k] = n;
             if (!colors.empty()) colors[first + k] = mesh.colors[v];
             for (std::size_t s = 0; s < texcoords.size(); ++s)
                 if (!texcoords[s].empty()) texcoords[s][first + k] = mesh.texcoords[s][v];
         }
-        for (std::size_t k = 0; k < 3 * splat_triangles; ++k)
-            indices[3 * splat_triangles * i + k] = std::uint32_t(first) + splat_corner(k);
+        for (std::size_t k = 0; k < layout.corners(); ++k)
+            indices[layout.corners() * i + k] = std::uint32_t(first) + layout.corner(k);
     }
 };
 
 std::uint64_t bytes_of_splats(const Mesh& mesh, std::size_t points) {
-    return points * (splat_vertices * (2 * sizeof(vec3) + sizeof(vec4) + mesh.texcoords.size() * sizeof(vec2)) +
-                     3 * splat_triangles * sizeof(std::uint32_t));
+    return points * Layout{points > most_raised}.bytes(mesh);
 }
 
 bool is_direction(vec3 n) { return std::fabs(dot(n, n) - 1) < 0.01f; }
