@@ -90,9 +90,9 @@ void expose(const Frame& frame, PictureRequest& request, Context& context) {
 }  // namespace
 
 void adjust_to_picture(PictureRequest& request, Session& session, const Camera& camera, Context& context) {
-    if (request.look == Look::plain || request.engine == "trace") return;
+    if (request.look == Look::plain) return;
     size_points(request, session, camera, context);
-    if (!request.settings.colors) return;
+    if (request.engine == "trace" || !request.settings.colors) return;
     const bool may_expose = !request.lights && !request.default_lights && !request.studio_lights &&
                             !names(request, "exposure") && !names(request, "tone-mapping");
     if (names(request, "background") && !may_expose) return;

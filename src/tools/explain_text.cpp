@@ -318,7 +318,8 @@ std::string to_text(const ExplainedPixel& e) {
     text += shown_text(e) + look_text(e);
     Values color(4);
     color.add("linear color, alpha", p.color,
-              p.layers.empty()
+              p.mark ? "of the surfaces behind it"
+              : p.layers.empty()
                   ? p.has_marks ? "background, if none of the lines and points about it covers it" : "background"
               : p.samples.size() > 1 ? "the mean of its samples"
                                      : "");

@@ -58,7 +58,7 @@ class Points(program.Case):
         self.assertGreater(max(map(brightness, pixels)), 3 * min(map(brightness, pixels)), "one side is lit")
         self.assertEqual(len(set(self.inside(self.picture(plain, *FLAT, "--point-size", "8")))), 1, "discs are not lit")
         run = self.run_program("render", plain, "-o", "json.png", *SIZE, "--json")
-        self.assertEqual(json.loads(run.out)["rows"][0]["triangles"], 12000)
+        self.assertEqual(json.loads(run.out)["rows"][0]["triangles"], 12 * 6000)
         run = self.run_program("render", plain, "-o", "json.png", "--json", "--look", "plain")
         self.assertEqual(json.loads(run.out)["rows"][0]["triangles"], 0)
 
