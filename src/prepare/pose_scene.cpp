@@ -206,6 +206,13 @@ private:
     const std::vector<dmat4>& world_;
 };
 
+/// Nothing is left that could move.
+void end_motion(Scene& scene) {
+    for (Mesh& mesh : scene.meshes) mesh.influences = {}, mesh.more_influences = {}, mesh.targets.clear();
+    for (Node& node : scene.nodes) node.skin = no_index, node.morph_weights.clear();
+    scene.skins.clear(), scene.animations.clear(), scene.pose = {};
+}
+
 }  // namespace
 
 Scene with_posed_nodes(Scene scene) {
@@ -244,9 +251,7 @@ Scene valid::posed_scene(Scene scene, Context& context) {
         Detacher(scene, skeleton.world()).detach(placed);
         for (std::size_t k = 0; k < moving.size(); ++k) scene.meshes[moving[k].mesh] = std::move(posed[k]);
     }
-    for (Mesh& mesh : scene.meshes) mesh.influences = {}, mesh.more_influences = {}, mesh.targets.clear();
-    for (Node& node : scene.nodes) node.skin = no_index, node.morph_weights.clear();
-    scene.skins.clear(), scene.animations.clear();
+    end_motion(scene);
     charge_new_arrays(scene, own, context);
     return scene;
 }
