@@ -39,7 +39,7 @@ int run(int argc, const char* const* argv) {
     for (const Verb& verb : verbs) commands.push_back(verb.command);
     const apps::Program program{"rakelight", "Renders 3D models made of many parts: bumps show, seams do not.",
                                 main_footer, commands, "rakelight MODEL... [-o FILE] [OPTIONS]"};
-    const std::vector<std::string> words = with_implied_verb(commands, {argv + std::min(argc, 1), argv + argc});
+    const std::vector<std::string> words = with_implied_verb(program, {argv + std::min(argc, 1), argv + argc});
     apps::CommandLine line;
     line.help = apps::manual_for(program, words);
     if (line.help.empty()) line = apps::read_command_line(program, words);

@@ -19,10 +19,6 @@ constexpr double least_contrast = 0.16;
 /// The brightest tenth of the model shall begin between these; else it is brought to the middle. [display, linear]
 constexpr double lowest_bright = 0.1, highest_bright = 1, wanted_bright = 0.7;
 
-bool names(const PictureRequest& request, std::string_view key) {
-    return std::ranges::find(request.named, key) != request.named.end();
-}
-
 double luminance(const vec4& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
 Frame small_picture(const RenderSettings& of, Session& session, const Camera& camera, Context& context) {

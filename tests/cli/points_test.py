@@ -73,6 +73,9 @@ class Points(program.Case):
         left, right = rows[60][30], rows[60][129]
         self.assertTrue(left[2] > left[1] and right[1] > right[2] + 60, "viridis goes from purple to yellow")
         self.assertEqual(self.picture(cloud, *FLAT, "--scalar-coloring"), rows, "the first array")
+        plain, colored = (self.run_program("render", cloud, "-o", "n.png", "--verbose", *FLAT, *words).err for words in ((), ("--scalars", "height")))
+        self.assertIn("note: " + str(cloud) + ": numbers of the vertices that a picture shows by --scalars alone: intensity, height", plain)
+        self.assertNotIn("alone", colored)
         gray = self.picture(cloud, *FLAT, "--scalars", "height", "--colormap", "gray")
         self.assertLess(gray[100][80][0], gray[20][80][0])
         self.assertEqual(len(set(gray[60][80])), 1)

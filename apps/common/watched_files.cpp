@@ -2,9 +2,11 @@
 #include "watched_files.h"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
+#include <thread>
 
-namespace rakelight::viewer {
+namespace rakelight::apps {
 namespace {
 
 std::filesystem::file_time_type time_of(const std::string& file) {
@@ -32,7 +34,7 @@ void WatchedFiles::take(const std::vector<std::string>& files) {
     files_.resize(1);
     known.at(files_[0].path).path.clear();  // it is there
     for (const std::string& path : files) {
-        if (files_.size() >= most) break;
+        if (files_.size() >= most_) break;
         const auto [file, is_new] = known.emplace(path, File{.path = path});
         if (is_new) file->second.read = file->second.seen = std::min(time_of(path), began_);
         if (!file->second.path.empty()) files_.push_back(file->second);
@@ -41,10 +43,13 @@ void WatchedFiles::take(const std::vector<std::string>& files) {
     next_ = 0;
 }
 
-void WatchedFiles::add(const std::vector<std::string>& files) {
-    for (const std::string& path : files)
-        if (!files_.empty() && files_.size() < most && std::ranges::find(files_, path, &File::path) == files_.end())
-            files_.push_back({.path = path, .read = time_of(path), .seen = time_of(path)});
+void WatchedFiles::add(const std::vector<std::string>& files, std::optional<Time> began) {
+    for (const std::string& path : files) {
+        if (files_.empty() || files_.size() >= most_) return;
+        if (std::ranges::find(files_, path, &File::path) != files_.end()) continue;
+        const Time now = time_of(path), read = began ? std::min(now, *began) : now;
+        files_.push_back({.path = path, .read = read, .seen = read});
+    }
 }
 
 bool WatchedFiles::has_changed() {
@@ -60,4 +65,15 @@ bool WatchedFiles::has_changed() {
     return has_settled && !is_changing;
 }
 
-}  // namespace rakelight::viewer
+std::string WatchedFiles::wait() {
+    constexpr auto pause = std::chrono::milliseconds(100);
+    while (!has_changed()) std::this_thread::sleep_for(pause);
+    std::string changed;
+    for (File& f : files_) {
+        if (f.seen != f.read && changed.empty()) changed = f.path;
+        f.read = f.seen;
+    }
+    return changed;
+}
+
+}  // namespace rakelight::apps

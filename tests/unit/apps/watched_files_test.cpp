@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../../../apps/viewer/watched_files.h"
+#include "../../../apps/common/watched_files.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
 
-#include "looks.h"
-#include "support/shared.h"
+#include "support/temporary_folder.h"
 
-namespace rakelight::viewer {
+namespace rakelight::apps {
 namespace {
 
-class Watched : public Looks {
+class Watched : public testing::Test {
 protected:
     /// As if it had been written so many seconds later.
     std::string write(const std::string& name, int seconds) {
@@ -18,6 +19,7 @@ protected:
         std::filesystem::last_write_time(path, begin_ + std::chrono::seconds(seconds));
         return path;
     }
+    test::TemporaryFolder folder_;
     const std::filesystem::file_time_type begin_ = std::filesystem::file_time_type::clock::now();
     const std::string model_ = write("a.gltf", 0), beside_ = write("a.bin", 0);
     WatchedFiles files_;
@@ -103,15 +105,31 @@ TEST_F(Watched, ManyAreLookedAtAFewAtATime) {
     EXPECT_LT(looks, 5);
 }
 
-TEST_F(Watched, AModelKnowsTheFilesThatItIsMadeOf) {
-    folder_.write("m.mtl", "newmtl red\nmap_Kd red.png\n");
-    std::filesystem::copy_file(test::source_dir() / "data/bricks/normal.png", folder_.file("red.png"));
-    folder_.write("model.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl red\nf 1/1 2/1 3/1\n");
-    folder_.write("one.scene.toml", "[[model]]\nfile = \"model.obj\"\n");
-    const auto m = model(file("one.scene.toml"));
-    for (const char* name : {"one.scene.toml", "model.obj", "m.mtl", "red.png"})
-        EXPECT_NE(std::ranges::find(m->files, file(name)), m->files.end()) << name;
+TEST_F(Watched, WaitingEndsWithTheChangeAndKnowsItThen) {
+    const std::string picture = write("p.png", 0);
+    files_.begin(model_);
+    files_.add({picture, beside_});
+    EXPECT_EQ(files_.count(), 3u);
+    write("p.png", 1);
+    EXPECT_EQ(files_.wait(), picture);
+    EXPECT_FALSE(files_.has_changed() || files_.has_changed());
+}
+
+TEST_F(Watched, WhatIsWrittenAfterReadingBeganHasChanged) {
+    files_.begin(model_);
+    write("a.bin", 1);
+    files_.add({beside_}, begin_);
+    EXPECT_EQ(files_.wait(), beside_);
+}
+
+TEST_F(Watched, NoMoreThanTheMostAreWatched) {
+    WatchedFiles two(2);
+    two.add({model_});
+    EXPECT_EQ(two.count(), 0u) << "not begun";
+    two.begin(model_);
+    two.add({beside_, write("p.png", 0)});
+    EXPECT_EQ(two.count(), 2u);
 }
 
 }  // namespace
-}  // namespace rakelight::viewer
+}  // namespace rakelight::apps
