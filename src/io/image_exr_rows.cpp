@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // OpenEXR row by row: scan lines of one part, every channel as it is, without a division by alpha.
 #include <ImfChannelList.h>
+#include <ImfCompression.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
@@ -31,7 +32,10 @@ public:
         return file_.position() < file_.size();
     }
     std::uint64_t tellg() override { return file_.position(); }
-    void seekg(std::uint64_t position) override { file_.seek(position); }
+    void seekg(std::uint64_t position) override {
+        if (position > file_.size()) throw std::runtime_error("it ends too early");
+        file_.seek(position);
+    }
 
 private:
     InputFile& file_;
@@ -64,6 +68,26 @@ ExrType type_of(const Imf::Channel& channel) {
     return channel.type == Imf::UINT ? ExrType::u32 : channel.type == Imf::HALF ? ExrType::f16 : ExrType::f32;
 }
 
+/// "Technical Introduction to OpenEXR", section "Data Compression"; the most for one that is not known.
+std::uint64_t lines_a_block(Imf::Compression compression) {
+    switch (compression) {
+        case Imf::NO_COMPRESSION:
+        case Imf::RLE_COMPRESSION:
+        case Imf::ZIPS_COMPRESSION:
+            return 1;
+        case Imf::ZIP_COMPRESSION:
+        case Imf::PXR24_COMPRESSION:
+            return 16;
+        case Imf::PIZ_COMPRESSION:
+        case Imf::B44_COMPRESSION:
+        case Imf::B44A_COMPRESSION:
+        case Imf::DWAA_COMPRESSION:
+            return 32;
+        default:
+            return 256;
+    }
+}
+
 class ExrRows final : public RowReader {
 public:
     ExrRows(std::unique_ptr<InputFile> file, Context& context) : file_(std::move(file)), input_(*file_) {
@@ -84,7 +108,7 @@ private:
         if (exr_->parts() != 1 || header.hasTileDescription() || (header.hasType() && Imf::isDeepData(header.type())))
             bad_picture("is an EXR picture of several parts, in tiles or deep");
         read_header(header);
-        charge(context);
+        charge(context, header.compression());
         part_ = std::make_unique<Imf::InputPart>(*exr_, 0);
         set_buffer(header.dataWindow());
     }
@@ -109,13 +133,12 @@ private:
         if (comment) header_.kind.comment = comment->value();
     }
 
-    /// A block of lines as the library holds it, and a row.
-    void charge(Context& context) {
-        const std::uint64_t row = std::uint64_t(header_.width) * header_.kind.pixel_bytes();
-        constexpr std::uint64_t most_lines_a_block = 256;
-        charge_ = MemoryCharge(context.memory(),
-                               row * (1 + std::min<std::uint64_t>(most_lines_a_block, std::uint64_t(header_.height))),
-                               "rows of the picture");
+    /// A block of lines as the library holds it, packed and unpacked, and a row.
+    void charge(Context& context, Imf::Compression compression) {
+        const std::uint64_t lines = std::min(lines_a_block(compression), std::uint64_t(header_.height));
+        charge_ =
+            MemoryCharge(context.memory(), std::uint64_t(header_.width) * header_.kind.pixel_bytes() * (2 * lines + 1),
+                         "rows of the picture");
         row_.resize(std::size_t(header_.width) * header_.kind.exr_channels.size());
     }
 
