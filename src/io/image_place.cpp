@@ -36,7 +36,8 @@ ImagePlace place_of(std::string_view text, int width, int height) {
     std::array<int, 2> whole{};
     if (middle == std::string_view::npos || !read_numbers(text.substr(0, middle), window) ||
         !read_numbers(text.substr(middle + between.size()), whole))
-        throw Error(ErrorCode::bad_file, "its metadata name the window '" + one_line(std::string(text), 60) + "', which is none");
+        throw Error(ErrorCode::bad_file,
+                    "its metadata name the window '" + one_line(std::string(text), 60) + "', which is none");
     if (window[2] != width || window[3] != height)
         throw Error(ErrorCode::bad_file, "its metadata name a window of " + std::to_string(window[2]) + " x " +
                                              std::to_string(window[3]) + " pixels, and it has " +
