@@ -161,6 +161,27 @@ Bytes read_file(const std::string& path, Context& context, bool is_told) {
     }
 }
 
+InputFile::InputFile(std::string path, Context& context) : path_(std::move(path)) {
+    context.note_file(path_);
+    struct ::stat status {};
+    Descriptor file{open_regular(path_, status)};
+    file_ = ::fdopen(file.fd, "rb");
+    if (file_ == nullptr) refuse_input(path_, "cannot be opened: " + system_message(errno));
+    file.fd = -1;
+    size_ = std::uint64_t(status.st_size);
+}
+
+std::size_t InputFile::read(std::span<std::byte> bytes) {
+    const std::size_t got = std::fread(bytes.data(), 1, bytes.size(), file_);
+    if (got < bytes.size() && std::ferror(file_) != 0) refuse_input(path_, "cannot be read: " + system_message(errno));
+    return got;
+}
+
+void InputFile::seek(std::uint64_t position) {
+    if (::fseeko(file_, off_t(position), SEEK_SET) != 0)
+        refuse_input(path_, "cannot be read: " + system_message(errno));
+}
+
 bool is_regular_file(const std::string& path) {
     struct ::stat status {};
     return path.find('\0') == std::string::npos && ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
