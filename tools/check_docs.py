@@ -106,6 +106,8 @@ def run_command(root, program, command, wrong):
                 pass  # the program makes folders
             elif option == "--config":
                 (folder / word).write_text("[render]\nsamples = 8\n")
+            elif words[0] == "join-windows" and word.endswith((".png", ".exr", ".hdr")):
+                is_missing = True  # windows that the command before has made
             elif words[0] == "compare" and word.endswith("/"):  # a folder of pictures
                 provide(root, folder, word + "picture.png")
             elif words[0] == "compare" and word.endswith(".png"):
@@ -145,7 +147,7 @@ def help_texts(program):
         return subprocess.run([program, *words, "--help"], capture_output=True, text=True, check=True, stdin=subprocess.DEVNULL).stdout
     top = text()
     yield "rakelight --help", top
-    for verb in re.findall(r"^  ([a-z]+) {2,}", top[top.index("Subcommands:"):], re.M):
+    for verb in re.findall(r"^  ([a-z-]+) {2,}", top[top.index("Subcommands:"):], re.M):
         yield f"rakelight {verb} --help", text(verb)
 
 

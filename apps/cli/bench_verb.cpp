@@ -20,6 +20,7 @@ using enum apps::Form;
 
 constexpr const char* of_smooth = "Measurement: bench smooth";
 constexpr const char* of_render = "Measurement: bench render";
+constexpr const char* of_pose = "Measurement: bench pose";
 
 std::vector<Option> options_of_pictures() {
     std::vector<Option> options = apps::without(apps::picture_options(), {"engine"});
@@ -41,15 +42,16 @@ std::vector<Option> options_of_pictures() {
 std::vector<Option> options_of_measurement() {
     return {
         {"triangles", "Measurement", "N",
-         "Size of the model that is made; 100k, 10M (default: smooth 1M, render 100k)"},
+         "Size of the model that is made; 100k, 10M (default: smooth and pose 1M, render 100k)"},
         {"objects", "Measurement", "N",
-         "Objects that it has (default: smooth 16, render 100; fewer where triangles are few)"},
+         "Objects that it has (default: smooth and pose 16, render 100; fewer where triangles are few)"},
         {"order", of_smooth, "ORDER", "coherent (default) or shuffled triangles and vertices"},
-        {"repetitions", of_smooth, "N", "Counted runs of each row (default 10)"},
+        {"repetitions", of_smooth, "N", "Counted runs of each row, of pose too (default 10)"},
         {"with", of_smooth, "ROWS",
          "Also measure: crease (60 degrees), tolerance (0.1), order (the other one), plan (group, accumulate, "
          "regroup); all"},
         {"brute-force", of_smooth, "", "Also every vertex against every face, up to 50k triangles", flag},
+        {"joints", of_pose, "N", "Joints of the character that is made (default 64)"},
         {"lights", of_render, "N",
          "Point lights of the scene that is made, 0 to 8 (default 2), or up to 10000 small ones; 8,1000: both"},
         {"engine", of_render, "NAMES", "Engines, separated by commas; their pictures are interleaved (default soft)"},
@@ -69,8 +71,10 @@ Command bench_command() {
     return {"bench",
             "Measure the program itself, beside what it is compared with",
             bench_footer,
-            {{"WHAT", "What to measure: smooth (normals and tangents) or render (pictures)", true, false},
-             {"SCENE", "For render: a model or world file, or builtin:teapot (default: a scene made by formulas)",
+            {{"WHAT", "What to measure: smooth (normals and tangents), render (pictures) or pose (clips)", true, false},
+             {"SCENE",
+              "For render: a model or world file, or builtin:teapot; for pose: a model with clips (default: made by "
+              "formulas)",
               false, false}},
             apps::joined({options_of_pictures(), options_of_measurement(), apps::common_options()})};
 }
@@ -118,7 +122,7 @@ void refuse(const Given& given, const char* what, std::initializer_list<std::str
 SmoothBenchOptions smooth_options(const Run& run) {
     const Given& given = run.given;
     if (run.inputs.size() > 1) throw Error(ErrorCode::usage, "a scene is not for bench smooth");
-    refuse(given, "smooth", {"lights", "engine", "frames", "output", "export"});
+    refuse(given, "smooth", {"lights", "engine", "frames", "output", "export", "joints"});
     for (const WorldValue& value : given.settings())
         if (value.key != "weight" && value.key != "crease-angle" && value.key != "weld-distance")
             throw Error(ErrorCode::usage, "--" + value.key + " is not for bench smooth");
@@ -152,7 +156,7 @@ void take_world(const Run& run, RenderBenchOptions& o) {
 
 RenderBenchOptions render_options(const Run& run) {
     const Given& given = run.given;
-    refuse(given, "render", {"order", "repetitions", "with", "brute-force"});
+    refuse(given, "render", {"order", "repetitions", "with", "brute-force", "joints"});
     RenderBenchOptions o;
     if (run.inputs.size() > 1) o.scene = run.inputs[1];
     if (const std::string_view option = given.first_of({"triangles", "objects", "lights"});
@@ -182,8 +186,28 @@ RenderBenchOptions render_options(const Run& run) {
     return o;
 }
 
+PoseBenchOptions pose_options(const Run& run) {
+    const Given& given = run.given;
+    refuse(given, "pose", {"order", "with", "brute-force", "lights", "engine", "frames", "output", "export"});
+    PoseBenchOptions o;
+    if (run.inputs.size() > 1) o.scene = run.inputs[1];
+    if (const std::string_view option = given.first_of({"triangles", "objects", "joints"});
+        !o.scene.empty() && !option.empty())
+        throw Error(ErrorCode::usage,
+                    "--" + std::string(option) + " is for the character that is made, not for a file");
+    o.load = run.picture.load;
+    read_count(given, "triangles", o.triangles, 100, 100'000'000);
+    o.objects = std::uint32_t(std::min<std::uint64_t>(o.objects, o.triangles / 32));
+    read_count(given, "objects", o.objects, 1, 100'000);
+    read_count(given, "joints", o.joints, 2, 1000);
+    read_count(given, "repetitions", o.repetitions, 1, 1000);
+    read_render_keys(given.settings(), o.picture);  // 1280 x 720 where nobody says else
+    return o;
+}
+
 /// What the program's own models may ask for: no file does.
 std::uint64_t memory_for(const SmoothBenchOptions& o) { return o.triangles * (o.order ? 500 : 400) + (1u << 30); }
+std::uint64_t memory_for(const PoseBenchOptions& o) { return o.scene.empty() ? o.triangles * 1000 + (2ull << 30) : 0; }
 std::uint64_t memory_for(const RenderBenchOptions& o) {
     return o.scene.empty() ? o.triangles * 1200 + (4ull << 30) : 0;
 }
@@ -212,8 +236,10 @@ int run_bench(const Run& run) {
         measure(run, render_options(run), bench_render, run.loudness);
     else if (what == "smooth")
         measure(run, smooth_options(run), bench_smooth, Loudness::quiet);
+    else if (what == "pose")
+        measure(run, pose_options(run), bench_pose, run.loudness);
     else
-        throw Error(ErrorCode::usage, "bench measures smooth or render, not '" + one_line(what, 80) + "'");
+        throw Error(ErrorCode::usage, "bench measures smooth, render or pose, not '" + one_line(what, 80) + "'");
     return 0;
 }
 

@@ -114,6 +114,10 @@ void print_note(const std::string& text, Loudness loudness) {
     if (loudness == Loudness::verbose) print_line("", "", one_line(text, max_text));
 }
 
+void print_message(const std::string& text, Loudness loudness) {
+    if (loudness != Loudness::quiet) print_line("", "", one_line(text, max_text));
+}
+
 std::string summary(const PictureResult& r) {
     char text[400];
     std::snprintf(text, sizeof text,

@@ -34,6 +34,8 @@ void print_remarks(const Report& report, Loudness loudness);
 
 /// "rakelight: ..." at Loudness::verbose.
 void print_note(const std::string& text, Loudness loudness);
+/// A line about the run, unless it is to be quiet.
+void print_message(const std::string& text, Loudness loudness);
 
 /// A picture in words: size, triangles, times.
 std::string summary(const PictureResult& result);

@@ -203,6 +203,18 @@ Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found,
 4 file broken or too large, 5 a limit is passed, the pictures differ in size, or a
 file is in one folder only; of several pairs the largest.)";
 
+inline constexpr const char* join_windows_footer =
+    R"(The pixels are those of one whole run, and the bytes of a PNG too. Parts may overlap where
+they are equal. They are read row by row: a picture need not fit into memory.
+
+Examples:
+  rakelight render helmet.glb --resolution 2000,1000 --window 0,0,1000,1000 -o left.png
+  rakelight render helmet.glb --resolution 2000,1000 --window 1000,0,1000,1000 -o right.png
+  rakelight join-windows left.png right.png -o helmet.png
+      Many windows on a cluster: docs/cluster.md.
+Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 a part not found, 4 a part
+broken, missing, of another picture, or different from one that it overlaps.)";
+
 inline constexpr const char* stages_footer =
     R"(Stages: model, world, camera and clip space, clipped polygons, normalized device
 coordinates, screen, culled faces, coverage, depth, visibility, normals, each light's

@@ -46,13 +46,17 @@ bool is_model_word(const std::string& word) {
     return word == "-" || is_scene(word) || (!word.empty() && std::filesystem::exists(word, ignored));
 }
 
-std::vector<std::string> with_implied_verb(std::span<const apps::Command> commands, std::vector<std::string> words) {
-    const std::string* const model = first_model(commands, words);
+std::vector<std::string> with_implied_verb(const apps::Program& program, std::vector<std::string> words) {
+    const std::string* const model = first_model(program.commands, words);
     if (!model) return words;
     const bool renders = std::ranges::any_of(words, names_output) || std::ranges::any_of(words, asks_help);
-    if (!renders && !can_view())
+    if (!renders && !can_view()) {
+        std::vector<std::string> rendering = {"render", "-o", picture_name(*model)};
+        rendering.insert(rendering.end(), words.begin(), words.end());
+        apps::read_command_line(program, rendering);  // throws what is wrong with the options
         throw Error(ErrorCode::usage, "there is no display to open a window on", {},
                     "for a picture write: rakelight " + one_line(*model, 80) + " -o " + picture_name(*model));
+    }
     words.insert(words.begin(), renders ? "render" : "view");
     return words;
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Command lines that begin with a model: `rakelight helmet.glb -o helmet.png`.
 #pragma once
-#include <span>
 #include <string>
 #include <vector>
 
-#include "../common/option.h"
+#include "../common/command_line.h"
 
 namespace rakelight::cli {
 
@@ -15,7 +14,7 @@ bool is_model_word(const std::string& word);
 
 /// The words, with "render" before them where they begin with a model and name an output, and with "view" where they name none and
 /// a window can be opened. Others are left as they are.
-/// @throws Error usage: models, but nothing to show them on
-std::vector<std::string> with_implied_verb(std::span<const apps::Command> commands, std::vector<std::string> words);
+/// @throws Error usage: wrong options; models, but nothing to show them on
+std::vector<std::string> with_implied_verb(const apps::Program& program, std::vector<std::string> words);
 
 }  // namespace rakelight::cli

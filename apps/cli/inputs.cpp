@@ -44,6 +44,10 @@ bool is_folder(const std::string& path) {
     return fs::is_directory(path, ignored);
 }
 
+bool means_folder(const std::string& path) {
+    return path.ends_with('/') || (is_folder(path) && !has_picture_ending(path) && !is_scene(path));
+}
+
 std::vector<Input> expanded(std::span<const std::string> words, bool is_recursive) {
     std::vector<Input> inputs;
     for (const std::string& word : words) {

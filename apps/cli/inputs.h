@@ -23,6 +23,8 @@ struct Input {
 };
 
 bool is_folder(const std::string& path);
+/// Whether an output or a reference is the name of a folder: one that ends with '/', or that is there and named as no picture or model.
+bool means_folder(const std::string& path);
 
 /// Folders as the models and worlds in them, by name and not hidden; all else as it is.
 /// @throws Error not_found: a folder that cannot be read or holds no model

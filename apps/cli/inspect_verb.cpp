@@ -69,6 +69,15 @@ std::vector<Option> own_options() {
     return options;
 }
 
+std::vector<Option> motion_options() {
+    std::vector<Option> options = apps::picture_options();
+    std::erase_if(options, [](const Option& option) { return std::string_view(option.group) != "Motion"; });
+    apps::find(options, "animation-time").help =
+        "The moment of the clip in seconds whose bounds are given (default: its begin); seams are those of the bind "
+        "pose";
+    return options;
+}
+
 /// How the heat map is seen.
 std::vector<Option> heat_map_options() {
     std::vector<Option> options;
@@ -89,8 +98,8 @@ Command inspect_command() {
             "Say what is in models: objects, materials, textures, seams",
             inspect_footer,
             {{"MODEL", models_help}},
-            apps::joined(
-                {apps::input_options(), normal_options(), own_options(), heat_map_options(), apps::common_options()})};
+            apps::joined({apps::input_options(), normal_options(), motion_options(), own_options(), heat_map_options(),
+                          apps::common_options()})};
 }
 
 namespace {
@@ -198,7 +207,9 @@ std::vector<ReportPicture> page_pictures(const Scene& scene, const PictureReques
 /// The work on one file.
 void inspect_file(const PictureRequest& picture, Task task, InspectionRow& row, std::vector<ReportPicture>& pictures,
                   Context& context) {
-    const Scene scene = load(picture.input, picture.load, context);
+    Scene loaded = load(picture.input, picture.load, context);
+    const std::vector<ClipTime> clips = clips_of(loaded, picture.motion);
+    const Scene scene = scene_at(std::move(loaded), clips);
     task.options.prepare = picture.prepare;
     task.options.weld_distance = picture.prepare.weld_distance;
     row.inspection = inspect(scene, task.options, context);

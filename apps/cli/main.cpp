@@ -14,6 +14,7 @@
 #include "implied_verb.h"
 #include "inspect_verb.h"
 #include "interrupt.h"
+#include "join_windows_verb.h"
 #include "render_verb.h"
 #include "run_file.h"
 #include "smooth_verb.h"
@@ -34,12 +35,13 @@ int run(int argc, const char* const* argv) {
     const Verb verbs[] = {
         {render_command(), run_render},   {inspect_command(), run_inspect}, {smooth_command(), run_smooth},
         {bench_command(), run_bench},     {explain_command(), run_explain}, {stages_command(), run_stages},
-        {compare_command(), run_compare}, {check_command(), run_check},     {apps::view_command(), nullptr}};
+        {compare_command(), run_compare}, {check_command(), run_check},     {join_windows_command(), run_join_windows},
+        {apps::view_command(), nullptr}};
     std::vector<Command> commands;
     for (const Verb& verb : verbs) commands.push_back(verb.command);
     const apps::Program program{"rakelight", "Renders 3D models made of many parts: bumps show, seams do not.",
                                 main_footer, commands, "rakelight MODEL... [-o FILE] [OPTIONS]"};
-    const std::vector<std::string> words = with_implied_verb(commands, {argv + std::min(argc, 1), argv + argc});
+    const std::vector<std::string> words = with_implied_verb(program, {argv + std::min(argc, 1), argv + argc});
     apps::CommandLine line;
     line.help = apps::manual_for(program, words);
     if (line.help.empty()) line = apps::read_command_line(program, words);

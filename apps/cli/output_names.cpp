@@ -118,12 +118,6 @@ std::string ending_in_folder(const Run& run, const std::string& input) {
     return ending == "gltf" || ending == "obj" || ending == "ply" ? ending : "glb";
 }
 
-bool means_folder(const Run& run, const std::string& output) {
-    const bool writes_folders = std::string_view(run.command.name) == "stages";
-    return !writes_folders && !output.empty() &&
-           (output.ends_with('/') || (is_folder(output) && !has_picture_ending(output) && !is_scene(output)));
-}
-
 std::string format_of(const Run& run, bool of_pictures) {
     if (!run.given.has("format")) return {};
     const std::string list = run.given.word("format");
@@ -144,6 +138,15 @@ std::string format_of(const Run& run, bool of_pictures) {
 
 }  // namespace
 
+void check_picture_name(const Run& run) {
+    const std::string& output = run.picture.output;
+    if (output.empty() || means_folder(output) || is_standard_output(output)) return;
+    if (!ending_of(output).empty()) return;
+    const std::string name = one_line(output, 80);
+    throw Error(ErrorCode::usage, "'" + name + "' has no ending that says the kind of picture", {},
+                "write -o " + name + ".png, or for a folder -o " + name + "/");
+}
+
 std::string picture_format(const Run& run) { return format_of(run, true); }
 std::string model_format(const Run& run) { return format_of(run, false); }
 
@@ -155,8 +158,14 @@ bool is_standard_output(const std::string& output) {
 
 OutputNames::OutputNames(const Run& run, std::size_t inputs) : run_(run), template_(run.picture.output) {
     const std::size_t differing = check_template(template_);
-    is_folder_ = means_folder(run, template_);
+    const bool writes_folders = std::string_view(run.command.name) == "stages";
+    is_folder_ = !writes_folders && means_folder(template_);
     if (!is_folder_ && differing == 0 && inputs > 1) throw no_name_for_each(run.command.name);
+}
+
+std::string OutputNames::example_of_parts(const std::string& input) const {
+    const std::string folder = is_folder_ ? one_line(template_, 80) : "out";
+    return (fs::path(folder) / ("{model}-{ext}." + ending_in_folder(run_, input))).string();
 }
 
 std::string OutputNames::of(const std::string& input, const OutputParts& parts) {
@@ -184,7 +193,7 @@ std::string OutputNames::of(const std::string& input, const OutputParts& parts) 
         throw Error(ErrorCode::usage,
                     "'" + one_line(entry->second, 80) + "' and '" + one_line(input, 80) +
                         "' would both be written to '" + one_line(output, 80) + "'",
-                    {}, "tell them apart by {ext}, {dir} or {n}, as in -o 'out/{model}-{ext}.png'");
+                    {}, "tell them apart by {ext}, {dir} or {n}, as in -o '" + example_of_parts(input) + "'");
     return output;
 }
 

@@ -24,12 +24,17 @@ public:
     std::string of(const std::string& input, const OutputParts& parts = {});
 
 private:
+    std::string example_of_parts(const std::string& input) const;
+
     const Run& run_;
     std::string template_;
     bool is_folder_ = false;  ///< the template names a folder
     std::size_t count_ = 0;
     std::map<std::string, std::string> inputs_of_;  ///< output -> input
 };
+
+/// @throws Error usage: the name of a picture without an ending, which may be meant as a folder's
+void check_picture_name(const Run& run);
 
 /// The word of `--format` that is one of pictures (or of models); empty: none is.
 /// @throws Error usage: a word that is neither, or two of a kind

@@ -7,6 +7,7 @@
 #include <rakelight/tools/exit_code.h>
 #include <rakelight/tools/values.h>
 
+#include "inputs.h"
 #include "output_names.h"
 
 namespace rakelight::cli {
@@ -30,8 +31,6 @@ std::vector<std::string> names_by_template(const Run& run, const std::vector<Inp
     for (const InputRequest& request : requests) all.push_back(names.of(request.picture.input));
     return all;
 }
-
-bool means_folder(const std::string& path) { return path.ends_with('/') || is_folder(path); }
 
 /// One for each picture: by name, by a template, or of the picture's own name in a folder.
 std::vector<std::string> reference_names(const Run& run, std::string_view option,

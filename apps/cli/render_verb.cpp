@@ -4,18 +4,18 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <cstdint>
 
 #include <rakelight/tools/rows.h>
 
 #include "../common/picture_options.h"
+#include "../common/watched_files.h"
 #include "help_texts.h"
 #include "interrupt.h"
 #include "output_names.h"
 #include "references.h"
 #include "run_file.h"
 #include "stats_text.h"
-#include "watch.h"
 
 namespace rakelight::cli {
 
@@ -54,8 +54,6 @@ Command render_command() {
 
 namespace {
 
-using Time = std::filesystem::file_time_type;
-
 /// A picture in a pipe: one, whole, and nothing else beside it.
 void check_standard_output(const Run& run, std::size_t pictures) {
     for (const char* const other : {"json", "stats", "watch", "ref", "reference"})
@@ -82,7 +80,8 @@ PictureResult draw_to_standard_output(const PictureRequest& request, Context& co
 }
 
 /// Draws all once. @param watched  what they were made of; null: nobody asks
-int draw_all(const Run& run, int frame, WatchedInputs* watched) {
+int draw_all(const Run& run, int frame, apps::WatchedFiles* watched) {
+    check_picture_name(run);
     std::vector<InputRequest> requests = picture_requests(run, frame);
     *run.files = {.of = requests.size()};
     const bool is_piped = is_standard_output(run.picture.output);
@@ -103,10 +102,11 @@ int draw_all(const Run& run, int frame, WatchedInputs* watched) {
             row.error = Error(ErrorCode::failed, "cancelled").with_file(request.input);
             continue;
         }
-        const Time began = Time::clock::now();
+        const auto began = apps::WatchedFiles::Time::clock::now();
         const auto watch = [&](const std::vector<std::string>& files) {
             if (watched) watched->add(files, began);
         };
+        if (watched && watched->count() == 0) watched->begin(request.input);
         watch({request.input});
         watch(request.load.joined);
         const int code = run_input(run, input, row, [&](Context& c) {
@@ -133,11 +133,17 @@ int draw_all(const Run& run, int frame, WatchedInputs* watched) {
 int run_render(const Run& run) {
     if (run.given.has("keep-partial")) CancelOnInterrupt::let_finish();
     if (!run.given.has("watch")) return draw_all(run, 1, nullptr);
-    WatchedInputs watched;
+    apps::WatchedFiles watched(SIZE_MAX);
     for (int frame = 1;; ++frame) {
         const int code = draw_all(run, frame, &watched);
         if (CancelOnInterrupt::happened()) return code;
-        watched.wait();
+        const std::size_t count = watched.count();
+        if (frame == 1)
+            print_message("watching " + std::to_string(count) + (count == 1 ? " file" : " files") +
+                              ": pictures are drawn again when one changes, until Ctrl+C",
+                          run.loudness);
+        const std::string changed = watched.wait();
+        print_message(one_line(changed, 160) + " has changed: drawing again", run.loudness);
     }
 }
 

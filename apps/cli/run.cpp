@@ -45,6 +45,8 @@ constexpr std::uint64_t most_standard_input = std::uint64_t(4) << 30;  ///< [byt
 void take_inputs(Run& run) {
     const std::vector<std::string> words = std::move(run.inputs);
     run.inputs.clear();
+    if (run.given.has("watch") && std::ranges::find(words, "-") != words.end())
+        throw Error(ErrorCode::usage, "standard input (-) cannot be watched", {}, "name a file").about("watch");
     for (Input& input : expanded(words, run.given.has("recursive"))) {
         if (input.path == "-" && run.picture.load.memory_files.empty())
             run.picture.load.memory_files.push_back(

@@ -34,9 +34,11 @@ std::string nearest_option(const std::vector<Option>& options, const std::string
 Error unknown_option(const Command* command, const std::string& given, const std::string& help) {
     const bool is_long = given.starts_with("--") && given.size() > 2;
     const std::string word = is_long ? given.substr(0, given.find('=')) : given;
-    const std::string_view ours = is_long && command ? our_option_for(word.substr(2)) : std::string_view();
-    if (!ours.empty() && find_or_null(command->options, ours))
-        return Error(ErrorCode::usage, one_line(word, 60) + ": unknown", {}, "see --" + std::string(ours));
+    std::string ours;
+    if (is_long && command)
+        for (const std::string_view name : our_options_for(word.substr(2)))
+            if (find_or_null(command->options, name)) ours += (ours.empty() ? "--" : ", --") + std::string(name);
+    if (!ours.empty()) return Error(ErrorCode::usage, one_line(word, 60) + ": unknown", {}, "see " + ours);
     const std::string nearest = is_long && command ? nearest_option(command->options, word) : "";
     return Error(ErrorCode::usage, "unknown option '" + one_line(word, 60) + "'", {},
                  nearest.empty() ? help : "did you mean " + nearest + "? " + help);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "other_names.h"
 
-#include <span>
-
 #include <rakelight/tools/words.h>
 
 namespace rakelight::apps {
@@ -48,6 +46,16 @@ constexpr OtherName options[] = {
     {"jobs", "threads"},
     {"look-at", "camera-focal-point"},
     {"lookat", "camera-focal-point"},
+    {"measure", "max-flip"},
+    {"measure", "max-rmse"},
+    {"measure", "min-psnr"},
+    {"measure", "min-ssim"},
+    {"measure", "ref-measure"},
+    {"metric", "max-flip"},
+    {"metric", "max-rmse"},
+    {"metric", "min-psnr"},
+    {"metric", "min-ssim"},
+    {"metric", "ref-measure"},
     {"msaa", "samples"},
     {"no-background", "background"},
     {"normal-map", "texture-normal"},
@@ -76,6 +84,11 @@ constexpr OtherName options[] = {
     {"ssao", "ambient-occlusion"},
     {"target", "camera-focal-point"},
     {"texture-matcap", "lighting"},
+    {"threshold", "max-flip"},
+    {"threshold", "max-rmse"},
+    {"threshold", "min-psnr"},
+    {"threshold", "min-ssim"},
+    {"threshold", "ref-threshold"},
     {"tolerance", "weld-distance"},
     {"tonemap", "tone-mapping"},
     {"tonemapping", "tone-mapping"},
@@ -97,16 +110,19 @@ constexpr OtherName commands[] = {
     {"verify", "check"},    {"viewer", "view"},       {"weld", "smooth"},      {"why", "explain"},
 };
 
-std::string_view find(std::span<const OtherName> names, std::string_view theirs) {
-    for (const OtherName& name : names)
+}  // namespace
+
+std::vector<std::string_view> our_options_for(std::string_view theirs) {
+    std::vector<std::string_view> ours;
+    for (const OtherName& name : options)
+        if (same_word(name.theirs, theirs)) ours.push_back(name.ours);
+    return ours;
+}
+
+std::string_view our_command_for(std::string_view theirs) {
+    for (const OtherName& name : commands)
         if (same_word(name.theirs, theirs)) return name.ours;
     return {};
 }
-
-}  // namespace
-
-std::string_view our_option_for(std::string_view theirs) { return find(options, theirs); }
-
-std::string_view our_command_for(std::string_view theirs) { return find(commands, theirs); }
 
 }  // namespace rakelight::apps

@@ -261,7 +261,10 @@ std::vector<Option> input_options() {
          "its "
          "first bytes), and that of pictures on standard output (-o -) or in a folder as png (default), ppm, jpg, "
          "webp, exr, hdr. Both: glb,ppm"},
-        {"as-one", input, "", "Put all models into one scene, each where its own coordinates say", Form::flag},
+        {"as-one", input, "",
+         "Put all models into one scene, each where its own coordinates say. Of world files the first input's [render] "
+         "alone counts",
+         Form::flag},
     };
 }
 

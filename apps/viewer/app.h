@@ -11,6 +11,7 @@
 #include <rakelight/gl_view.h>
 #include <rakelight/inspect.h>
 
+#include "../common/watched_files.h"
 #include "background.h"
 #include "gizmo.h"
 #include "input.h"
@@ -21,7 +22,6 @@
 #include "painter.h"
 #include "panels.h"
 #include "settings_file.h"
-#include "watched_files.h"
 #include "window.h"
 
 namespace rakelight::viewer {
@@ -177,7 +177,7 @@ private:
     int frames_to_draw_ = 3;  ///< ImGui needs some frames to settle
     std::vector<Command> from_panels_;
 
-    WatchedFiles watched_files_;
+    apps::WatchedFiles watched_files_;
     std::shared_ptr<const Seams> seams_;
     std::shared_ptr<const Model> seams_model_;
     PrepareOptions seams_prepare_;

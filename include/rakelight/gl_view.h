@@ -35,8 +35,8 @@ public:
     /// Shows a picture of codes, row 0 on top, over the whole viewport. @param srgb8  [width * height] R in the low byte,
     /// straight alpha, over black. `smooth`: filtered where the viewport has another size
     void show(int width, int height, std::span<const std::uint32_t> srgb8, bool smooth = true);
-    /// The same of a frame of linear colors.
-    void show(const Frame& frame, const ToneSettings& tone = {});
+    /// The same of a frame of linear colors. @param behind  as to_srgb8() takes it: of keep_background()
+    void show(const Frame& frame, const ToneSettings& tone = {}, vec4 behind = {});
     /// Shows the picture of the last show() once more, as it was to be filtered then; nothing is uploaded. For windows
     /// that are drawn again while their picture stays. @return false: there is none, and nothing was drawn
     bool show_again();

@@ -129,7 +129,9 @@ struct Inspection {
     std::vector<TJunctionPlace> t_junction_places{};  ///< at most 1000
     std::vector<InsideOutBody> inside_out{};          ///< at most 1000
     std::uint64_t edges_not_searched = 0;             ///< open edges at which the search for T-junctions gave up
-    dvec3 low{}, high{};  ///< world bounding box [m]; meaningful when triangles, lines or points are drawn
+    dvec3 low{}, high{};  ///< world bounding box [m] of the pose; meaningful when triangles, lines or points are drawn
+    /// Skins, morph targets or clips stand in the scene: the box is that of the pose, seams are those of the bind pose.
+    bool is_posed = false;
     std::uint64_t shared_positions = 0;  ///< world positions that two or more objects draw
     SeamTotals seams{};
     std::vector<BorderSummary> borders{};  ///< the largest seam first, then the largest angle; at most 10,000

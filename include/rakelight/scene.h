@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,10 @@
 #include <rakelight/vector.h>
 
 namespace rakelight {
+
+namespace geometry {
+struct NormalSides;  // of the library itself
+}
 
 /// "No such element" for indices into the arrays of a Scene.
 inline constexpr std::uint32_t no_index = std::numeric_limits<std::uint32_t>::max();
@@ -433,6 +438,9 @@ struct Scene {
     std::optional<Environment> environment{};
     /// How missing normals are to be understood by NormalSource::automatic: glTF says flat, others smooth.
     bool missing_normals_are_flat = false;
+    /// [meshes] on which side of their triangles normals stand, of scenes that were posed: found in the bind pose, so
+    /// that it is the same in every pose. Null: engines look for themselves.
+    std::shared_ptr<const std::vector<geometry::NormalSides>> normal_sides{};
     /// What pays for the tables above where a file decided their size; copies share it. Blocks have their own.
     std::vector<SharedCharge> charges{};
 };

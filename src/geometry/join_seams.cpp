@@ -151,7 +151,10 @@ private:
         return c;
     }
 
-    static bool is_own(dvec3 corner, dvec3 face) { return angle_between(corner, face) <= radians(authored_flat_deg); }
+    /// A normal of zero is none.
+    static bool is_own(dvec3 corner, dvec3 face) {
+        return corner != dvec3{} && angle_between(corner, face) <= radians(authored_flat_deg);
+    }
 
     Found look_at_places(std::size_t chunk, const CornerBins& bins) const {
         Found found;

@@ -16,6 +16,9 @@ struct alignas(16) JointColumns {
     std::array<std::array<float, 4>, 4> columns;
 };
 
+/// Of an affine matrix.
+JointColumns columns_of(const dmat4& m);
+
 /// Where vertices come from: arrays of [V], or empty.
 struct SkinInput {
     std::span<const vec3> positions{}, normals{};
@@ -33,7 +36,7 @@ struct SkinOutput {
 /// Each vertex by the sum of its joints' matrices times their weights (Magnenat-Thalmann, Laperriere, Thalmann 1988,
 /// "Joint-Dependent Local Deformations for Hand Animation and Object Grasping"); where all weights are 0
 /// by the first joint alone. Normals by the cofactor of the blended matrix, tangents by the matrix; both unit, w changes its sign where
-/// the blended matrix mirrors. A direction that vanishes stays as it is. The same bits for any number of threads.
+/// the blended matrix mirrors. A direction that vanishes stays as it is. The same bits for any number of threads and instruction set.
 void skin_vertices(const SkinInput& in, const SkinOutput& out, Context& context);
 
 }  // namespace rakelight::geometry

@@ -3,6 +3,8 @@
 
 #include "geometry/face_vote.h"
 #include "geometry/tangent_groups.h"
+#include "geometry/vote_kernel_types.h"
+#include "math/isa.h"
 
 namespace rakelight::geometry {
 namespace {
@@ -51,6 +53,23 @@ void add(NormalRow& to, dvec3 normal, double weight) {
 void add(TangentRow& to, dvec3 tangent, double hand) {
     to.tangent += tangent;
     to.hand += hand;
+}
+
+static_assert(int(VoteWeight::uniform) == int(CornerWeight::uniform) &&
+              int(VoteWeight::angle_area) == int(CornerWeight::angle_area));
+
+const VoteKernels* vote_kernels_for(Isa isa) {
+    switch (isa) {
+        case Isa::scalar:
+            break;
+        case Isa::sse2:
+            return sse2::vote_kernels();
+        case Isa::avx2:
+            return avx2::vote_kernels();
+        case Isa::avx512:
+            return avx512::vote_kernels();
+    }
+    return scalar::vote_kernels();
 }
 
 class Scatter {
@@ -131,48 +150,110 @@ private:
             scatter_range<weight, false>(c, m, first, last, own);
     }
 
-    // Everything that the loop reads is copied to its own stack frame first: no thread shares a cache line with it.
+    /// Where the votes of one chunk's faces of one mesh go. Everything that the loop reads is copied to its own stack
+    /// frame first: no thread shares a cache line with it.
+    struct Receiver {
+        Scatter& scatter;
+        std::size_t c;
+        std::uint32_t m;
+        Owned own;
+        std::uint32_t pieces;
+        bool owns_all;
+        NormalRow* normals;
+        TangentRow* tangents;
+
+        template <bool has_tangents>
+        void add_vote(std::uint32_t row, const NormalRow& normal, const TangentRow& tangent) const {
+            if (owns_all || own.holds(row)) {
+                add(normals[row], normal.normal, normal.weight);
+                if constexpr (has_tangents) add(tangents[row], tangent.tangent, tangent.hand);
+                return;
+            }
+            Outboxes& out = scatter.outbox_[c][scatter.owner_of(row, m, pieces)];
+            out.normals.push({normal, row}, scatter.memory_);
+            if constexpr (has_tangents) out.tangents.push({tangent, row}, scatter.memory_);
+        }
+    };
+
+    /// Rows of a face's corners.
+    struct Rows {
+        const std::uint32_t* split;  ///< of the mesh's first corner, or null
+        std::uint32_t vertex_base;
+        std::uint32_t of(const std::uint32_t* index, std::uint32_t t, std::uint32_t k) const {
+            return split ? split[3 * std::size_t(t) + k] : vertex_base + index[k];
+        }
+    };
+
     template <CornerWeight weight, bool tangents>
-    void scatter_range(std::size_t c, std::uint32_t m, std::uint32_t first, std::uint32_t last, const Owned own) {
+    void scatter_range(std::size_t c, std::uint32_t m, std::uint32_t first, std::uint32_t last, const Owned& own) {
         const AttributeMesh mesh = input_.meshes[m];
         const Placement placement = input_.placements[m];
-        const std::uint32_t pieces = chunks_[c].pieces, vertex_base = input_.vertex_base[m];
-        const std::uint32_t* split = topology_.corner_vertex.empty()
-                                         ? nullptr
-                                         : topology_.corner_vertex.data() + 3 * std::size_t(input_.triangle_base[m]);
-        const bool keep_normals = !options_.normals, owns_all = pieces == 1;
-        NormalRow* normals = sums_.normals.data();
-        TangentRow* tangent_rows = sums_.tangents.data();
+        const Receiver to{
+            *this, c, m, own, chunks_[c].pieces, chunks_[c].pieces == 1, sums_.normals.data(), sums_.tangents.data()};
+        const Rows rows{topology_.corner_vertex.empty()
+                            ? nullptr
+                            : topology_.corner_vertex.data() + 3 * std::size_t(input_.triangle_base[m]),
+                        input_.vertex_base[m]};
+        VoteJob job = job_of(mesh, placement, tangents, VoteWeight(weight));
+        VoteBlock block;
         std::uint32_t degenerate = 0;
-        for (std::uint32_t t = first; t != last; ++t) {
-            const std::uint32_t* index = &mesh.indices[3 * std::size_t(t)];
-            const FaceCorners face = face_corners(mesh, index);
-            const Direction normal = face_normal(placement, face);
-            if (!(normal.length > 0)) {
-                ++degenerate;
-                continue;
-            }
-            const dvec3 weights = corner_weights<weight>(placement, face, normal.length);
-            FaceTangent tangent;
-            if constexpr (tangents) tangent = face_tangent(mesh, index, placement, face);
-            for (std::uint32_t k = 0; k < 3; ++k) {
-                const double w = weights[k];
-                double hand = tangent.hand * w;
-                if (tangents && keep_normals)
-                    hand = hand_from(given_normal(placement, mesh.normals[index[k]]), normal, hand);
-                const std::uint32_t row = split ? split[3 * std::size_t(t) + k] : vertex_base + index[k];
-                if (owns_all || own.holds(row)) {
-                    add(normals[row], normal.unit * w, w);
-                    if constexpr (tangents) add(tangent_rows[row], tangent.unit * w, hand);
-                } else {
-                    Outboxes& out = outbox_[c][owner_of(row, m, pieces)];
-                    out.normals.push({{normal.unit * w, w}, row}, memory_);
-                    if constexpr (tangents) out.tangents.push({{tangent.unit * w, hand}, row}, memory_);
-                }
+        for (std::uint32_t t0 = first; t0 != last; t0 += job.count) {
+            job.count = std::min(vote_block, last - t0);
+            job.indices = mesh.indices.data() + 3 * std::size_t(t0);
+            kernels_.vote(job, block);
+            for (std::uint32_t f = 0; f < job.count; ++f) {
+                const std::uint32_t* index = job.indices + 3 * f;
+                if (block.is_odd[f] || !options_.normals)
+                    degenerate += !vote_alone<weight, tangents>(mesh, placement, index, t0 + f, rows, to);
+                else
+                    for (std::uint32_t k = 0; k < 3; ++k) {
+                        const auto& v = block.votes[k];
+                        to.add_vote<tangents>(
+                            rows.of(index, t0 + f, k),
+                            {{v[VoteBlock::normal_x][f], v[VoteBlock::normal_y][f], v[VoteBlock::normal_z][f]},
+                             v[VoteBlock::weight][f]},
+                            {{v[VoteBlock::tangent_x][f], v[VoteBlock::tangent_y][f], v[VoteBlock::tangent_z][f]},
+                             v[VoteBlock::hand][f]});
+                    }
             }
         }
         if (degenerate != 0)
             std::atomic_ref(sums_.degenerate_faces[m]).fetch_add(degenerate, std::memory_order_relaxed);
+    }
+
+    static VoteJob job_of(const AttributeMesh& mesh, const Placement& placement, bool tangents, VoteWeight weight) {
+        VoteJob job;
+        job.positions = &mesh.positions.data()->x;
+        job.texcoords = tangents ? &mesh.texcoords.data()->x : nullptr;
+        job.weight = weight;
+        job.flip = placement.flip;
+        for (std::size_t column = 0; column < 3; ++column)
+            for (std::size_t row = 0; row < 3; ++row) {
+                job.linear[column][row] = placement.linear[column][row];
+                job.normal_to_world[column][row] = placement.normal_to_world[column][row];
+            }
+        return job;
+    }
+
+    /// A face for which the kernel is not made: without area, of extreme size, or that has to ask given normals.
+    /// @return whether it has a vote
+    template <CornerWeight weight, bool tangents>
+    bool vote_alone(const AttributeMesh& mesh, const Placement& placement, const std::uint32_t* index, std::uint32_t t,
+                    const Rows& rows, const Receiver& to) const {
+        const FaceCorners face = face_corners(mesh, index);
+        const Direction normal = face_normal(placement, face);
+        if (!(normal.length > 0)) return false;
+        const dvec3 weights = corner_weights<weight>(placement, face, normal.length);
+        FaceTangent tangent;
+        if constexpr (tangents) tangent = face_tangent(mesh, index, placement, face);
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const double w = weights[k];
+            double hand = tangent.hand * w;
+            if (tangents && !options_.normals)
+                hand = hand_from(given_normal(placement, mesh.normals[index[k]]), normal, hand);
+            to.add_vote<tangents>(rows.of(index, t, k), {normal.unit * w, w}, {tangent.unit * w, hand});
+        }
+        return true;
     }
 
     void drain(std::size_t c) {
@@ -192,6 +273,7 @@ private:
         }
     }
 
+    const VoteKernels& kernels_ = *vote_kernels_for(isa_from_environment());
     VoteSums& sums_;
     const Topology& topology_;
     const AttributeInput& input_;

@@ -13,8 +13,11 @@ namespace rakelight {
 /// [dots] of a character with the gap to its neighbors; capitals and digits are 7 dots high, the eighth row is for descenders.
 inline constexpr int text_dots_across = 6, text_dots_down = 8, glyph_dots_across = 5;
 
+/// Of words over pictures.
+inline constexpr Code words_color{255, 255, 255}, halo_color{24, 24, 28};
+
 struct TextStyle {
-    Code color{255, 255, 255};   ///< sRGB codes
+    Code color = words_color;    ///< sRGB codes
     int scale = 1;               ///< [px] a side of a dot, >= 1
     std::optional<Code> halo{};  ///< color of the dots around, for words over a picture of any brightness
 };

@@ -4,9 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/color.h"
+
 namespace rakelight {
 
 std::uint8_t code_of(double v) { return std::uint8_t(v > 0 ? (v < 1 ? v * 255 + 0.5 : 255) : 0); }
+
+Code code_of_light(vec3 linear) {
+    return {srgb8_from_linear(linear.x), srgb8_from_linear(linear.y), srgb8_from_linear(linear.z)};
+}
 
 Code color_of_number(std::uint32_t number) {
     const double hue = double(number * 2654435769u) / 4294967296.0 * 6;  // 2^32 / golden ratio

@@ -3,6 +3,8 @@
 #pragma once
 #include <cstdint>
 
+#include <rakelight/vector.h>
+
 namespace rakelight {
 
 struct Code {
@@ -16,5 +18,7 @@ Code color_of_number(std::uint32_t number);
 Code heat(double value);
 /// 0 is code 0, 1 is code 255; clamped, NaN is 0.
 std::uint8_t code_of(double value);
+/// As a display shows linear light.
+Code code_of_light(vec3 linear);
 
 }  // namespace rakelight

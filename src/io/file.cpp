@@ -24,6 +24,21 @@ namespace fs = std::filesystem;
     throw Error(ErrorCode::not_found, reason).with_file(path);
 }
 
+bool is_ascii_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// "C:\x" and "C:x".
+bool begins_with_drive(const std::string& path) {
+    return path.size() >= 2 && path[1] == ':' && is_ascii_letter(path[0]);
+}
+
+[[noreturn]] void refuse_missing(const std::string& path, int error) {
+    if (error != ENOENT || !begins_with_drive(path)) refuse_input(path, "cannot be opened: " + system_message(error));
+    const std::size_t slash = path.find_last_of("/\\:");
+    throw Error(ErrorCode::not_found, "is a path of another machine", {},
+                "say where '" + one_line(path.substr(slash + 1), 80) + "' lies on this one")
+        .with_file(path);
+}
+
 void require_regular(const std::string& path, const struct ::stat& status) {
     if (S_ISDIR(status.st_mode)) refuse_input(path, "is a folder, not a file");
     if (!S_ISREG(status.st_mode)) refuse_input(path, "is not a regular file");
@@ -33,7 +48,7 @@ void require_regular(const std::string& path, const struct ::stat& status) {
 int open_regular(const std::string& path, struct ::stat& status) {
     if (path.empty()) throw Error(ErrorCode::not_found, "the file name is empty");
     if (path.find('\0') != std::string::npos) refuse_input(path, "the file name holds a zero byte");
-    if (::stat(path.c_str(), &status) != 0) refuse_input(path, "cannot be opened: " + system_message(errno));
+    if (::stat(path.c_str(), &status) != 0) refuse_missing(path, errno);
     require_regular(path, status);
     Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
     if (file.fd < 0 || ::fstat(file.fd, &status) != 0) refuse_input(path, "cannot be opened: " + system_message(errno));
@@ -53,8 +68,6 @@ void read_all(const std::string& path, int fd, std::vector<std::byte>& bytes) {
     }
     bytes.resize(done);
 }
-
-bool is_ascii_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 /// "http://x", "file:x" and "data:x"; a colon elsewhere may stand in a file name.
 bool has_scheme(const std::string& reference) {
@@ -77,9 +90,9 @@ bool has_scheme(const std::string& reference) {
         .naming({"allow-outside"});
 }
 
-/// "C:\x" and "C:x": such a file is not on this machine, wherever references may lead.
+/// Such a file is not on this machine, wherever references may lead.
 void refuse_drive(const std::string& reference) {
-    if (reference.size() < 2 || reference[1] != ':' || !is_ascii_letter(reference[0])) return;
+    if (!begins_with_drive(reference)) return;
     const std::size_t slash = reference.find_last_of("/\\:");
     throw Error(ErrorCode::bad_file, "the reference to '" + one_line(reference, 160) + "' is a path of another machine",
                 {}, "put '" + one_line(reference.substr(slash + 1), 80) + "' beside the model and let it name that");
@@ -146,6 +159,27 @@ Bytes read_file(const std::string& path, Context& context, bool is_told) {
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::bad_file, "does not fit into memory").with_file(path);
     }
+}
+
+InputFile::InputFile(std::string path, Context& context) : path_(std::move(path)) {
+    context.note_file(path_);
+    struct ::stat status {};
+    Descriptor file{open_regular(path_, status)};
+    file_ = ::fdopen(file.fd, "rb");
+    if (file_ == nullptr) refuse_input(path_, "cannot be opened: " + system_message(errno));
+    file.fd = -1;
+    size_ = std::uint64_t(status.st_size);
+}
+
+std::size_t InputFile::read(std::span<std::byte> bytes) {
+    const std::size_t got = std::fread(bytes.data(), 1, bytes.size(), file_);
+    if (got < bytes.size() && std::ferror(file_) != 0) refuse_input(path_, "cannot be read: " + system_message(errno));
+    return got;
+}
+
+void InputFile::seek(std::uint64_t position) {
+    if (::fseeko(file_, off_t(position), SEEK_SET) != 0)
+        refuse_input(path_, "cannot be read: " + system_message(errno));
 }
 
 bool is_regular_file(const std::string& path) {

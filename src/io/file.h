@@ -30,6 +30,28 @@ Bytes charged_bytes(std::vector<std::byte> bytes, MemoryCharge charge);
 ///         The error carries `path` as its file.
 Bytes read_file(const std::string& path, Context& context, bool is_told = false);
 
+/// A regular file that is read piece by piece. Tells the context of the file.
+class InputFile {
+public:
+    /// @throws Error not_found, as read_file()
+    InputFile(std::string path, Context& context);
+    InputFile(const InputFile&) = delete;
+    InputFile& operator=(const InputFile&) = delete;
+    ~InputFile() { std::fclose(file_); }
+    /// @return how many bytes were read; fewer than asked for at the end of the file. @throws Error not_found
+    std::size_t read(std::span<std::byte> bytes);
+    void seek(std::uint64_t position);
+    std::uint64_t position() const { return std::uint64_t(std::ftell(file_)); }
+    std::uint64_t size() const { return size_; }  ///< [bytes] when it was opened
+    const std::string& path() const { return path_; }
+    std::FILE* handle() { return file_; }  ///< for libraries that want a FILE*
+
+private:
+    std::string path_;
+    std::uint64_t size_ = 0;
+    std::FILE* file_ = nullptr;
+};
+
 /// True for an existing regular file.
 bool is_regular_file(const std::string& path);
 
@@ -49,6 +71,13 @@ std::optional<std::string> percent_decode(const std::string& uri);
 /// Bytes of base64 (RFC 4648, padding optional, no white space); nullopt when a character is illegal.
 std::optional<std::vector<std::byte>> base64_decode(std::string_view text);
 
+/// Where the pixels of a picture file lie in the whole picture, of which it may be a window [px].
+struct ImagePlace {
+    int x = 0, y = 0;           ///< of the file's top left pixel
+    int width = 0, height = 0;  ///< of the whole picture; 0: not known, or the file is the whole
+    bool operator==(const ImagePlace&) const = default;
+};
+
 /// Where an output goes: a file, or memory.
 struct OutputTarget {
     OutputTarget(std::string file) : path(std::move(file)) {}  // NOLINT(google-explicit-constructor): mostly files
@@ -57,6 +86,7 @@ struct OutputTarget {
     std::string path;                          ///< of the file; in memory: for messages
     std::vector<std::byte>* memory = nullptr;  ///< lives as long as the output
     std::string comment{};  ///< ASCII, into the metadata of PNG, JPEG, EXR and HDR files; empty: none
+    ImagePlace place{};     ///< of a picture, into the metadata of PNG, EXR and HDR files
 };
 
 /// The missing folders above a file that is to be written, from the outermost. They are removed again, where they are empty,

@@ -33,7 +33,8 @@ Pixels read_hdr(std::span<const std::byte> bytes, Want want, Context& context);
 Pixels read_bmp(std::span<const std::byte> bytes, Want want, Context& context);
 Pixels read_tga(std::span<const std::byte> bytes, Want want, Context& context);
 /// Refuses an EXR file whose headers would make the library ask for more memory than the file explains.
-void check_exr(std::span<const std::byte> bytes, Context& context);
+/// @param bytes  the file, or its beginning with all of its headers
+void check_exr(std::span<const std::byte> bytes, Context& context, std::uint64_t most_a_side = max_side);
 /// TGA has no magic number: true where the header could be one.
 bool may_be_tga(std::span<const std::byte> bytes);
 
@@ -51,6 +52,6 @@ std::unique_ptr<ImageWriter> write_hdr(const OutputTarget& target, int width, in
 std::unique_ptr<ImageWriter> write_ppm(const OutputTarget& target, int width, int height, int channels,
                                        Component component);
 std::unique_ptr<ImageWriter> write_exr_channels(const OutputTarget& target, int width, int height,
-                                                std::vector<ExrChannel> channels, ExrPlace place);
+                                                std::vector<ExrChannel> channels);
 
 }  // namespace rakelight::io::codec

@@ -176,8 +176,7 @@ void round_to_half(float& value) {
 class ExrWriter final : public ImageWriter {
 public:
     /// @param alpha  the last channel is alpha: the others are multiplied by it
-    ExrWriter(const OutputTarget& target, int width, int height, std::vector<ExrChannel> channels, bool alpha,
-              ExrPlace place)
+    ExrWriter(const OutputTarget& target, int width, int height, std::vector<ExrChannel> channels, bool alpha)
         : path_(target.path),
           channels_(std::move(channels)),
           alpha_(alpha),
@@ -185,6 +184,7 @@ public:
           file_(target),
           output_(file_.handle()),
           row_(std::size_t(width) * channels_.size()) {
+        const ImagePlace place = target.place.width != 0 ? target.place : ImagePlace{0, 0, width, height};
         const Imath::Box2i whole({0, 0}, {place.width - 1, place.height - 1});
         Imf::Header header(whole, {{place.x, place.y}, {place.x + width - 1, place.y + height - 1}});
         header.compression() = Imf::ZIP_COMPRESSION;
@@ -266,13 +266,12 @@ std::unique_ptr<ImageWriter> write_exr(const OutputTarget& target, int width, in
         channels < 3 ? Layout{{"Y", "A", nullptr, nullptr}, channels} : Layout{{"R", "G", "B", "A"}, channels};
     std::vector<ExrChannel> list;
     for (int c = 0; c < channels; ++c) list.push_back({layout.names[std::size_t(c)], ExrType::f32});
-    return std::make_unique<ExrWriter>(target, width, height, std::move(list), channels % 2 == 0,
-                                       ExrPlace{0, 0, width, height});
+    return std::make_unique<ExrWriter>(target, width, height, std::move(list), channels % 2 == 0);
 }
 
 std::unique_ptr<ImageWriter> write_exr_channels(const OutputTarget& target, int width, int height,
-                                                std::vector<ExrChannel> channels, ExrPlace place) {
-    return std::make_unique<ExrWriter>(target, width, height, std::move(channels), false, place);
+                                                std::vector<ExrChannel> channels) {
+    return std::make_unique<ExrWriter>(target, width, height, std::move(channels), false);
 }
 
 }  // namespace rakelight::io::codec

@@ -47,7 +47,7 @@ struct Part {
     std::uint64_t width = 0, height = 0, tile_width = 0, tile_height = 0, bytes_a_pixel = 0;
 };
 
-void read_window(std::span<const std::byte> value, Part& part) {
+void read_window(std::span<const std::byte> value, Part& part, std::uint64_t most_a_side) {
     const auto at = [&](std::size_t i) { return std::int64_t(std::int32_t(Source::u32_at(value, 4 * i))); };
     // The library adds to these numbers as int, so they must stay far from its limits.
     for (std::size_t i = 0; i < 4; ++i)
@@ -55,9 +55,9 @@ void read_window(std::span<const std::byte> value, Part& part) {
     if (at(2) < at(0) || at(3) < at(1)) bad_picture("the picture has no pixels");
     part.width = std::uint64_t(at(2) - at(0) + 1);
     part.height = std::uint64_t(at(3) - at(1) + 1);
-    if (part.width > max_side || part.height > max_side)
+    if (part.width > most_a_side || part.height > most_a_side)
         bad_picture("the picture is " + std::to_string(part.width) + " x " + std::to_string(part.height) +
-                    " pixels, more than " + std::to_string(max_side) + " a side");
+                    " pixels, more than " + std::to_string(most_a_side) + " a side");
 }
 
 /// Bytes of one pixel in all channels.
@@ -135,7 +135,7 @@ void require_type(std::string_view type, std::string_view expected) {
 }
 
 /// @return false at the empty header that ends a list of parts
-bool read_part(Source& source, Part& part) {
+bool read_part(Source& source, Part& part, std::uint64_t most_a_side) {
     bool any = false;
     for (std::string_view name = source.name(); !name.empty(); name = source.name()) {
         any = true;
@@ -144,7 +144,7 @@ bool read_part(Source& source, Part& part) {
         check_value(type, value);
         if (name == "dataWindow") {
             require_type(type, "box2i");
-            read_window(value, part);
+            read_window(value, part, most_a_side);
         } else if (name == "channels") {
             require_type(type, "chlist");
             part.bytes_a_pixel = read_channels(value);
@@ -172,11 +172,11 @@ void check_part(const Part& part, std::size_t file_bytes, Context& context) {
 
 }  // namespace
 
-void check_exr(std::span<const std::byte> bytes, Context& context) {
+void check_exr(std::span<const std::byte> bytes, Context& context, std::uint64_t most_a_side) {
     Source source(bytes);
     source.u32();
     const bool several = (source.u32() & multi_part_flag) != 0;
-    for (Part part; read_part(source, part); part = {}) {
+    for (Part part; read_part(source, part, most_a_side); part = {}) {
         check_part(part, bytes.size(), context);
         if (!several) return;
     }

@@ -47,17 +47,14 @@ enum class ExrType : std::uint8_t { f32, f16, u32 };
 struct ExrChannel {
     std::string name;  ///< "R", "normal.X": the part before the last dot is the layer
     ExrType type = ExrType::f32;
-};
-/// Where the pixels of an EXR file (its data window) lie in the whole picture (its display window) [px].
-struct ExrPlace {
-    int x = 0, y = 0;           ///< of the file's top left pixel
-    int width = 0, height = 0;  ///< of the whole picture; 0: the file is the whole
+    bool operator==(const ExrChannel&) const = default;
 };
 /// An EXR file of any channels. Rows are [width * channels] values of four bytes, in the order given: floats (halves
 /// are rounded from them, what is too large for one becomes the largest) or, for u32, unsigned integers. They are
-/// written as they are, without a multiplication by alpha. @throws Error usage / failed.
+/// written as they are, without a multiplication by alpha. The data window is where `target` places the file in the whole
+/// picture, the display window. @throws Error usage / failed.
 std::unique_ptr<ImageWriter> make_exr_writer(const OutputTarget& target, int width, int height,
-                                             std::vector<ExrChannel> channels, ExrPlace place = {});
+                                             std::vector<ExrChannel> channels);
 /// All rows at once.
 void write_image(const OutputTarget& target, const Pixels& pixels, Sync sync = Sync::now);
 

@@ -5,9 +5,11 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <vector>
 
 #include "io/file.h"
 #include "io/image_codecs.h"
+#include "io/image_place.h"
 
 namespace rakelight::io::codec {
 namespace {
@@ -17,6 +19,7 @@ public:
     PngWriter(const OutputTarget& target, int width, int height, int channels, Component component)
         : path_(target.path),
           comment_(target.comment),
+          window_(window_text(target.place, width, height)),
           row_bytes_(std::size_t(width) * std::size_t(channels) * size_of(component)),
           rows_left_(height),
           file_(target),
@@ -32,7 +35,8 @@ public:
         require(spng_set_ihdr(png_.get(), &header));
         require(spng_set_png_file(png_.get(), file_.handle()));
         if (component == Component::u8 && channels >= 3) require(spng_set_srgb(png_.get(), perceptual_intent));
-        if (!target.comment.empty()) set_comment();
+        set_texts();
+        if (!window_.empty()) set_offset(target.place);
         // Measured at 1280 x 720 on a shaded sphere and on a photograph: run lengths over one fixed filter take 12 and 38 ms
         // for 234 and 576 KB; zlib's default level 6 with a filter chosen for every row 185 ms for 589 KB of photograph.
         require(spng_set_option(png_.get(), SPNG_IMG_COMPRESSION_LEVEL, 1));
@@ -57,12 +61,25 @@ private:
     static constexpr std::uint8_t perceptual_intent = 0;
     static constexpr int run_lengths = 3;  // Z_RLE of zlib.h
 
-    void set_comment() {
-        spng_text text{};
-        std::strcpy(text.keyword, "Comment");
-        text.type = SPNG_TEXT;
-        text.text = comment_.data(), text.length = comment_.size();
-        require(spng_set_text(png_.get(), &text, 1));
+    void set_texts() {
+        std::vector<spng_text> texts;
+        const auto add = [&](const char* keyword, std::string& value) {
+            if (value.empty()) return;
+            spng_text& text = texts.emplace_back();
+            std::strcpy(text.keyword, keyword);
+            text.type = SPNG_TEXT;
+            text.text = value.data(), text.length = value.size();
+        };
+        add("Comment", comment_);
+        add(png_window_keyword, window_);
+        if (!texts.empty()) require(spng_set_text(png_.get(), texts.data(), std::uint32_t(texts.size())));
+    }
+
+    /// For programs that lay pictures over one another.
+    void set_offset(const ImagePlace& place) {
+        constexpr std::uint8_t pixels = 0;
+        spng_offs offset{place.x, place.y, pixels};
+        require(spng_set_offs(png_.get(), &offset));
     }
 
     void require(int result) {
@@ -74,7 +91,7 @@ private:
     }
 
     std::string path_;
-    std::string comment_;  // the encoder keeps a pointer
+    std::string comment_, window_;  // the encoder keeps pointers
     std::size_t row_bytes_;
     int rows_left_;
     OutputFile file_;  // outlives the encoder that holds its handle

@@ -72,11 +72,11 @@ std::unique_ptr<ImageWriter> make_image_writer(const OutputTarget& target, int w
 }
 
 std::unique_ptr<ImageWriter> make_exr_writer(const OutputTarget& target, int width, int height,
-                                             std::vector<ExrChannel> channels, ExrPlace place) {
+                                             std::vector<ExrChannel> channels) {
     check_written_size(target.path, width, height, channels.size(), 1024);
-    if (place.width == 0) place = {0, 0, width, height};
-    check_written_size(target.path, place.width, place.height, channels.size(), 1024);
-    return codec::write_exr_channels(target, width, height, std::move(channels), place);
+    if (target.place.width != 0)
+        check_written_size(target.path, target.place.width, target.place.height, channels.size(), 1024);
+    return codec::write_exr_channels(target, width, height, std::move(channels));
 }
 
 void write_image(const OutputTarget& target, const Pixels& pixels, Sync sync) {

@@ -42,12 +42,13 @@ private:
     std::uint64_t number_ = 0;
 };
 
-/// @return how many numbers a line holds; most_columns + 1: a word is none
-std::size_t read_line(std::string_view line, double (&values)[most_columns]) {
+/// @return how many numbers a line holds; of more than most_columns that many; most_columns + 1: a word is none
+std::size_t read_line(std::string_view line, double (&values)[most_columns], bool* has_more = nullptr) {
     const auto separates = [](char c) { return c == ' ' || c == '\t' || c == ',' || c == ';' || c == '\0'; };
     std::size_t count = 0;
     for (const char *at = line.data(), *const end = at + line.size();;) {
         while (at != end && separates(*at)) ++at;
+        if (has_more) *has_more = at != end;
         if (at == end || count == most_columns) return count;
         const auto [after, problem] = std::from_chars(at + (*at == '+' ? 1 : 0), end, values[count]);
         if (problem == std::errc::invalid_argument || (after != end && !separates(*after))) return most_columns + 1;
@@ -60,6 +61,7 @@ std::size_t read_line(std::string_view line, double (&values)[most_columns]) {
 /// What is known of the columns before memory is asked for.
 struct Survey {
     std::uint64_t points = 0;
+    std::uint64_t longer = 0;  ///< lines that hold more numbers than `columns`
     std::size_t columns = 0;
     bool begins_with_count = false;
     /// Of the three columns that begin there: all are of length 1; all are whole numbers 0..255; all are 0..1.
@@ -76,7 +78,8 @@ Survey survey(std::string_view text, Context& context) {
     double v[most_columns];
     for (std::uint64_t i = 0; lines.next(line); ++i) {
         if (i % 65536 == 0) context.throw_if_cancelled();
-        const std::size_t count = read_line(line, v);
+        bool has_more = false;
+        const std::size_t count = read_line(line, v, &has_more);
         if (i == 0 && count == 1) {
             s.begins_with_count = true;
             continue;
@@ -89,6 +92,7 @@ Survey survey(std::string_view text, Context& context) {
                                                    std::to_string(std::max<std::size_t>(s.columns, 3)),
                         lines.place());
         ++s.points;
+        s.longer += has_more || count > s.columns;
         for (std::size_t c = 3; c + 3 <= s.columns; ++c) {
             const double length = v[c] * v[c] + v[c + 1] * v[c + 1] + v[c + 2] * v[c + 2];
             s.are_unit[c] = s.are_unit[c] && (std::fabs(length - 1) < 0.02 || length == 0);
@@ -152,6 +156,10 @@ Scene read_xyz_text(std::string_view bytes, const std::string& path, Context& co
     const Survey s = survey(text, context);
     if (s.points == 0) throw Error(ErrorCode::bad_file, "nothing to draw: the file holds no point");
     if (s.points >= no_index) throw Error(ErrorCode::bad_file, "more than 4294967294 points are not supported");
+    if (s.longer > 0)
+        context.report().add(Remark::dropped, path, "",
+                             std::to_string(s.longer) + (s.longer == 1 ? " line holds" : " lines hold") +
+                                 " more than " + std::to_string(s.columns) + " numbers; those behind are left out");
     VertexTable table(s.points, context);
     fill(text, s, table, context);
     Scene scene;

@@ -7,11 +7,9 @@
 #include <limits>
 
 #include <rakelight/report.h>
-#include <rakelight/tools/words.h>
 
 #include "io/position_origin.h"
 #include "io/stray_vertices.h"
-#include "math/color.h"
 #include "math/linear.h"
 
 namespace rakelight::io {
@@ -19,46 +17,20 @@ namespace {
 
 constexpr std::size_t rows_per_task = 1 << 16;
 
-enum class Role : std::uint8_t { position, normal, color, texcoord, packed, harmonics };
+enum class Role : std::uint8_t { position, normal, texcoord, packed, harmonics };
 struct KnownName {
     std::string_view name;
     Role role;
     std::size_t component;
 };
 constexpr KnownName known_names[] = {
-    {"x", Role::position, 0},
-    {"y", Role::position, 1},
-    {"z", Role::position, 2},
-    {"nx", Role::normal, 0},
-    {"ny", Role::normal, 1},
-    {"nz", Role::normal, 2},
-    {"normal_x", Role::normal, 0},
-    {"normal_y", Role::normal, 1},
-    {"normal_z", Role::normal, 2},
-    {"red", Role::color, 0},
-    {"green", Role::color, 1},
-    {"blue", Role::color, 2},
-    {"alpha", Role::color, 3},
-    {"diffuse_red", Role::color, 0},
-    {"diffuse_green", Role::color, 1},
-    {"diffuse_blue", Role::color, 2},
-    {"diffuse_alpha", Role::color, 3},
-    {"r", Role::color, 0},
-    {"g", Role::color, 1},
-    {"b", Role::color, 2},
-    {"a", Role::color, 3},
-    {"rgb", Role::packed, 0},
-    {"rgba", Role::packed, 1},
-    {"f_dc_0", Role::harmonics, 0},
-    {"f_dc_1", Role::harmonics, 1},
-    {"f_dc_2", Role::harmonics, 2},
-    {"s", Role::texcoord, 0},
-    {"t", Role::texcoord, 1},
-    {"u", Role::texcoord, 0},
-    {"v", Role::texcoord, 1},
-    {"texture_u", Role::texcoord, 0},
-    {"texture_v", Role::texcoord, 1},
-    {"texture_s", Role::texcoord, 0},
+    {"x", Role::position, 0},         {"y", Role::position, 1},         {"z", Role::position, 2},
+    {"nx", Role::normal, 0},          {"ny", Role::normal, 1},          {"nz", Role::normal, 2},
+    {"normal_x", Role::normal, 0},    {"normal_y", Role::normal, 1},    {"normal_z", Role::normal, 2},
+    {"rgb", Role::packed, 0},         {"rgba", Role::packed, 1},        {"f_dc_0", Role::harmonics, 0},
+    {"f_dc_1", Role::harmonics, 1},   {"f_dc_2", Role::harmonics, 2},   {"s", Role::texcoord, 0},
+    {"t", Role::texcoord, 1},         {"u", Role::texcoord, 0},         {"v", Role::texcoord, 1},
+    {"texture_u", Role::texcoord, 0}, {"texture_v", Role::texcoord, 1}, {"texture_s", Role::texcoord, 0},
     {"texture_t", Role::texcoord, 1},
 };
 
@@ -67,10 +39,6 @@ const KnownName* find_name(std::string name) {
     for (const KnownName& known : known_names)
         if (known.name == name) return &known;
     return nullptr;
-}
-
-float largest_of(ColorScale scale) {
-    return scale == ColorScale::bytes ? 255.0f : scale == ColorScale::words ? 65535.0f : 1.0f;
 }
 
 }  // namespace
@@ -103,16 +71,13 @@ ColumnTarget VertexTable::position_column(std::size_t axis, ColumnKind kind) {
 ColumnTarget VertexTable::column(std::string_view name, ColumnKind kind) {
     const KnownName* const known = find_name(std::string(name));
     if (count_ == 0 || name == "pad") return {};  // what fills up bytes, as our own writer's does
+    if (const std::optional<std::size_t> c = color_component(name); c && color_columns_.take(*c, kind.color))
+        return {part_of(colors_, *c, vec4{0, 0, 0, largest_of(kind.color)}), nullptr, 4};
     if (known) switch (known->role) {
             case Role::position:
                 return has_axis_[known->component] ? ColumnTarget{} : position_column(known->component, kind);
             case Role::normal:
                 return {part_of(normals_, known->component, vec3{}), nullptr, 3};
-            case Role::color:
-                if (has_component_[known->component]) break;
-                has_component_[known->component] = true;
-                (known->component == 3 ? alpha_scale_ : scale_) = kind.color;
-                return {part_of(colors_, known->component, vec4{0, 0, 0, largest_of(kind.color)}), nullptr, 4};
             case Role::texcoord:
                 return {part_of(texcoords_, known->component, vec2{}), nullptr, 2};
             case Role::harmonics:
@@ -197,26 +162,7 @@ void VertexTable::unpack_colors() {
         const auto byte = [bits](int shift) { return float(bits >> shift & 0xffu); };
         colors_[i] = {byte(16), byte(8), byte(0), has_packed_alpha_ ? byte(24) : 255.0f};
     }
-    scale_ = alpha_scale_ = ColorScale::bytes;
-    has_component_[0] = has_component_[1] = has_component_[2] = has_component_[3] = true;
-}
-
-/// Numbers without a range of their own are 0..1, unless one is more: then they are 0..255, or 0..65535.
-void VertexTable::scale_colors(const std::string& path) {
-    const auto range_of = [&](std::size_t first, std::size_t end) {
-        float most = 0;
-        for (const vec4& c : colors_)
-            for (std::size_t k = first; k < end; ++k)
-                if (std::isfinite(c[k])) most = std::max(most, c[k]);
-        return most > 255 ? ColorScale::words : most > 1 ? ColorScale::bytes : ColorScale::unit;
-    };
-    if (scale_ == ColorScale::by_value) {
-        scale_ = range_of(0, 3);
-        if (scale_ != ColorScale::unit)
-            context_.report().add(Remark::guessed, path, "",
-                                  "vertex colors over 1 were read as 0.." + std::to_string(int(largest_of(scale_))));
-    }
-    if (alpha_scale_ == ColorScale::by_value) alpha_scale_ = has_component_[3] ? range_of(3, 4) : ColorScale::unit;
+    color_columns_.take_all(ColorScale::bytes);
 }
 
 void VertexTable::finish_colors(Mesh& mesh, const std::string& path) {
@@ -226,38 +172,19 @@ void VertexTable::finish_colors(Mesh& mesh, const std::string& path) {
         charge_.grow(count_ * sizeof(vec4), "the colors of the vertices");
         for (const vec3& h : harmonics_)
             colors_.push_back({0.5f + 0.28209479f * h.x, 0.5f + 0.28209479f * h.y, 0.5f + 0.28209479f * h.z, 1});
-        scale_ = alpha_scale_ = ColorScale::unit;
+        color_columns_.take_all(ColorScale::unit);
         context_.report().add(Remark::guessed, path, "",
                               "Gaussian splats are shown as points in the constant part of their colors");
     }
     if (colors_.empty()) return;
-    scale_colors(path);
-    const float scale = 1 / largest_of(scale_), alpha_scale = 1 / largest_of(alpha_scale_);
-    const bool has_alpha = has_component_[3], are_bytes = scale_ == ColorScale::bytes;
-    const std::size_t tasks = (colors_.size() + rows_per_task - 1) / rows_per_task;
-    context_.parallel_for(tasks, [&](std::size_t task) {
+    if (color_columns_.is_by_value())
+        for (const vec4& c : colors_) color_columns_.look_at(c);
+    color_columns_.settle("vertex", path, context_.report());
+    context_.parallel_for((colors_.size() + rows_per_task - 1) / rows_per_task, [&](std::size_t task) {
         const std::size_t end = std::min(colors_.size(), (task + 1) * rows_per_task);
-        const auto linear = [&](float v) {
-            if (!(v > 0)) return 0.0f;
-            return are_bytes && v <= 255 && v == std::floor(v) ? linear_from_srgb8(std::uint8_t(v))
-                                                               : linear_from_srgb(std::min(v * scale, 1.0f));
-        };
-        for (std::size_t i = task * rows_per_task; i < end; ++i) {
-            vec4& c = colors_[i];
-            const float alpha = has_alpha ? c.w * alpha_scale : 1;
-            c = {linear(c.x), linear(c.y), linear(c.z), alpha >= 0 && alpha <= 1 ? alpha : 1.0f};
-        }
+        for (std::size_t i = task * rows_per_task; i < end; ++i) colors_[i] = color_columns_.linear(colors_[i]);
     });
     mesh.colors = block_of(colors_);
-}
-
-void VertexTable::note_arrays(const std::string& path) {
-    if (arrays_.empty()) return;
-    std::vector<std::string> names;
-    for (const auto& [name, values] : arrays_) names.push_back(name);
-    context_.report().add(
-        Remark::note, path, "",
-        "numbers of the vertices that a picture shows by 'scalars' alone: " + list_of_names(names, 8, 40), {"scalars"});
 }
 
 void VertexTable::move_to(Mesh& mesh, const std::string& path) {
@@ -266,7 +193,6 @@ void VertexTable::move_to(Mesh& mesh, const std::string& path) {
     finish_colors(mesh, path);
     for (vec2& uv : texcoords_) uv = std::isfinite(uv.x) && std::isfinite(uv.y) ? vec2{uv.x, 1 - uv.y} : vec2{};
     if (!texcoords_.empty()) mesh.texcoords.push_back(block_of(texcoords_));
-    note_arrays(path);
     for (auto& [name, values] : arrays_) mesh.arrays.push_back({std::move(name), 1, block_of(values)});
     arrays_.clear();
 }

@@ -9,6 +9,8 @@
 #include <rakelight/context.h>
 #include <rakelight/scene.h>
 
+#include "io/color_columns.h"
+
 namespace rakelight::io {
 
 /// Where the numbers of one column go: value -> *(base + row * stride).
@@ -24,9 +26,6 @@ struct ColumnTarget {
             floats[row * stride] = float(value);
     }
 };
-
-/// The range that numbers of a color are written in: as the column's type has it, or by what they are.
-enum class ColorScale : std::uint8_t { unit, bytes, words, by_value };
 
 struct ColumnKind {
     bool is_real = true;        ///< written as float, double or text
@@ -62,8 +61,6 @@ private:
     void finish_normals(Mesh& mesh, const std::string& path);
     void finish_colors(Mesh& mesh, const std::string& path);
     void unpack_colors();
-    void scale_colors(const std::string& path);
-    void note_arrays(const std::string& path);
     template <class T>
     Block<T> block_of(std::vector<T>& array);
 
@@ -75,8 +72,7 @@ private:
     std::vector<dvec3> exact_;  ///< in place of `positions_`
     std::vector<vec3> normals_, harmonics_;
     std::vector<vec4> colors_;
-    bool has_component_[4] = {false, false, false, false};
-    ColorScale scale_ = ColorScale::by_value, alpha_scale_ = ColorScale::by_value;
+    ColorColumns color_columns_;
     std::vector<double> packed_;
     bool is_packed_real_ = false, has_packed_alpha_ = false;
     std::vector<vec2> texcoords_;

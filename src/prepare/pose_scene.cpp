@@ -57,9 +57,7 @@ public:
         std::vector<JointColumns> result;
         const dmat4 from_world = (is_mirrored ? scaling(dvec3{-1, 1, 1}) : dmat4{}) * translation(origin_ * -1.0);
         for (const dmat4& joint : joint_matrices(i)) {
-            const dmat4 m = from_world * joint * translation(scene_.meshes[i.mesh].origin);
-            JointColumns& c = result.emplace_back();
-            for (std::size_t k = 0; k < 4; ++k) c.columns[k] = {float(m[k].x), float(m[k].y), float(m[k].z), 0};
+            result.push_back(geometry::columns_of(from_world * joint * translation(scene_.meshes[i.mesh].origin)));
         }
         return result;
     }
@@ -208,6 +206,13 @@ private:
     const std::vector<dmat4>& world_;
 };
 
+/// Nothing is left that could move.
+void end_motion(Scene& scene) {
+    for (Mesh& mesh : scene.meshes) mesh.influences = {}, mesh.more_influences = {}, mesh.targets.clear();
+    for (Node& node : scene.nodes) node.skin = no_index, node.morph_weights.clear();
+    scene.skins.clear(), scene.animations.clear(), scene.pose = {};
+}
+
 }  // namespace
 
 Scene with_posed_nodes(Scene scene) {
@@ -246,9 +251,7 @@ Scene valid::posed_scene(Scene scene, Context& context) {
         Detacher(scene, skeleton.world()).detach(placed);
         for (std::size_t k = 0; k < moving.size(); ++k) scene.meshes[moving[k].mesh] = std::move(posed[k]);
     }
-    for (Mesh& mesh : scene.meshes) mesh.influences = {}, mesh.more_influences = {}, mesh.targets.clear();
-    for (Node& node : scene.nodes) node.skin = no_index, node.morph_weights.clear();
-    scene.skins.clear(), scene.animations.clear();
+    end_motion(scene);
     charge_new_arrays(scene, own, context);
     return scene;
 }

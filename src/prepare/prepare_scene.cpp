@@ -7,6 +7,7 @@
 
 #include "base/enumerators.h"
 #include "math/linear.h"
+#include "prepare/bound_sides.h"
 #include "prepare/displace.h"
 #include "prepare/moving_placements.h"
 #include "prepare/normal_rule.h"
@@ -205,8 +206,10 @@ public:
         if (options_.measure_orthogonality) report_kept_tangents(scene, report);
         scene = with_seams_joined(with_normals(std::move(scene), is_posable(scene) ? &bound.made : nullptr));
         const bool waits = wants_displacement(scene, options_.displacement);  // for the new surface
-        bound.scene = waits && !is_posable(scene) ? std::move(scene)
-                                                  : paid(add_missing_tangents(std::move(scene), request_, context_));
+        const bool moves = is_posable(scene);
+        bound.scene =
+            waits && !moves ? std::move(scene) : paid(add_missing_tangents(std::move(scene), request_, context_));
+        if (moves) bound.scene.normal_sides = bound_sides(bound.scene, context_);
         return bound;
     }
 
@@ -220,6 +223,7 @@ public:
             scene = paid(std::move(scene));
         }
         if (!wants_displacement(scene, options_.displacement)) return scene;
+        scene.normal_sides = nullptr;  // of other triangles
         return paid(add_missing_tangents(displaced(std::move(scene)), request_, context_));
     }
 
@@ -313,6 +317,7 @@ Scene valid::prepare_scene(Scene scene, const PrepareOptions& options, Context& 
     TriangleTurner turner;
     scene = turner.turned(std::move(scene), context);
     scene = preparing.finish(preparing.bind(std::move(scene)), pose);
+    scene.normal_sides = nullptr;  // of triangles that turn the other way
     return preparing.paid(turner.turned(std::move(scene), context));
 }
 

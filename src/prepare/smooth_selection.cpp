@@ -20,8 +20,9 @@ bool have_same_arrays(const Mesh& a, const Mesh& b) {
     return a.topology == b.topology && a.origin == b.origin && a.position_step == b.position_step &&
            a.positions == b.positions && a.indices == b.indices && a.normals == b.normals && a.tangents == b.tangents &&
            a.texcoords == b.texcoords && a.colors == b.colors && a.smoothing == b.smoothing &&
-           a.smoothing_kind == b.smoothing_kind && a.smoothing_hint == b.smoothing_hint && a.influences.empty() &&
-           b.influences.empty() && a.targets.empty() && b.targets.empty();
+           a.smoothing_kind == b.smoothing_kind && a.smoothing_hint == b.smoothing_hint &&
+           a.influences == b.influences && a.more_influences == b.more_influences && a.targets.empty() &&
+           b.targets.empty();
 }
 
 /// [meshes] The first one of which the same becomes, or the mesh itself: a file that stands several times in a world
@@ -36,7 +37,9 @@ std::vector<std::uint32_t> first_alike(const Scene& scene, const SmoothRequest& 
         auto& candidates = seen[mesh.positions.identity()];
         for (const std::uint32_t c : candidates) {
             const Mesh& other = scene.meshes[c];
-            if (first[m] == m && have_same_arrays(mesh, other) && mesh.normal_choice == other.normal_choice &&
+            const bool moves_alone = request.made && !mesh.influences.empty();  // see MadeAttributes
+            if (first[m] == m && !moves_alone && have_same_arrays(mesh, other) &&
+                mesh.normal_choice == other.normal_choice &&
                 tangent_set(scene, mesh, request.tangents) == tangent_set(scene, other, request.tangents))
                 first[m] = c;
         }

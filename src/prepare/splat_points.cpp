@@ -10,11 +10,14 @@
 #include "geometry/point_spacing.h"
 #include "math/linear.h"
 #include "scene/scene_tools.h"
+#include "scene/splat_mesh.h"
 
 namespace rakelight {
 namespace {
 
-constexpr float half_side = 1.2f;                ///< of a square, in spacings: scattered points leave few gaps then
+constexpr float rim_radius = 1.5f;  ///< of a splat, in spacings: scattered points leave few gaps then
+constexpr float flat_half = 0.8f;   ///< half the side of a flat square over the radius
+constexpr float sine_60 = 0.8660254f;
 constexpr float mark_diameter = 2.6f;            ///< of a disc on the screen, likewise
 constexpr float most_of_median = 4;              ///< points far from all others are not larger than this many medians
 constexpr float most_of_box = 0.025f;            ///< of the box's diagonal: a few points are dots and not a surface
@@ -35,40 +38,60 @@ bool may_be_splat(const Scene& scene, const Mesh& mesh) {
            !(mesh.material != no_index && wants_tangents(scene.materials[mesh.material]));
 }
 
-/// Arrays [4 P] and indices [6 P] of squares.
-struct Squares {
+/// How the pieces of a mesh are made: splats, or squares in one plane where there are many, which are small on the picture.
+struct Layout {
+    bool is_flat;
+    std::size_t vertices() const { return is_flat ? 4 : splat_vertices; }
+    std::size_t corners() const { return is_flat ? 6 : 3 * splat_triangles; }
+    std::uint32_t corner(std::size_t k) const {
+        constexpr std::uint32_t order[6] = {0, 1, 2, 0, 2, 3};
+        return is_flat ? order[k] : splat_corner(k);
+    }
+    /// Of as many bytes as a point comes to.
+    std::uint64_t bytes(const Mesh& mesh) const {
+        return vertices() * (2 * sizeof(vec3) + sizeof(vec4) + mesh.texcoords.size() * sizeof(vec2)) +
+               corners() * sizeof(std::uint32_t);
+    }
+};
+
+/// Arrays of the pieces of P points.
+struct Splats {
+    Layout layout;
     std::vector<vec3> positions, normals;
     std::vector<vec4> colors;
     std::vector<std::vector<vec2>> texcoords;
     std::vector<std::uint32_t> indices;
 
-    Squares(const Mesh& mesh, std::size_t points)
-        : positions(4 * points),
-          normals(4 * points),
-          colors(mesh.colors.empty() ? 0 : 4 * points),
-          indices(6 * points) {
-        for (const Block<vec2>& set : mesh.texcoords) texcoords.emplace_back(set.empty() ? 0 : 4 * points);
+    Splats(const Mesh& mesh, std::size_t points)
+        : layout{points > most_raised},
+          positions(layout.vertices() * points),
+          normals(positions.size()),
+          colors(mesh.colors.empty() ? 0 : positions.size()),
+          indices(layout.corners() * points) {
+        for (const Block<vec2>& set : mesh.texcoords) texcoords.emplace_back(set.empty() ? 0 : positions.size());
     }
 
-    void set(std::size_t i, const Mesh& mesh, std::uint32_t v, float half) {
-        const vec3 p = mesh.positions[v], n = mesh.normals[v];
-        const vec3 x = cast<float>(geometry::perpendicular(cast<double>(n))) * half, y = cross(n, x);
-        const vec3 corner[4] = {p - x - y, p + x - y, p + x + y, p - x + y};
-        for (std::size_t k = 0; k < 4; ++k) {
-            positions[4 * i + k] = corner[k];
-            normals[4 * i + k] = n;
-            if (!colors.empty()) colors[4 * i + k] = mesh.colors[v];
+    void set(std::size_t i, const Mesh& mesh, std::uint32_t v, float radius) {
+        const vec3 p = mesh.positions[v], n = mesh.normals[v], up = n * (radius * splat_slope);
+        const vec3 x = cast<float>(geometry::perpendicular(cast<double>(n))) * radius, y = cross(n, x) * sine_60,
+                   z = x * 0.5f, a = x * flat_half, b = cross(n, a);
+        const vec3 flat[4] = {p - a - b, p + a - b, p + a + b, p - a + b};
+        const vec3 raised[splat_vertices] = {p + up, p - up, p + x, p + z + y, p - z + y, p - x, p - z - y, p + z - y};
+        const std::size_t first = layout.vertices() * i;
+        for (std::size_t k = 0; k < layout.vertices(); ++k) {
+            positions[first + k] = layout.is_flat ? flat[k] : raised[k];
+            normals[first + k] = n;
+            if (!colors.empty()) colors[first + k] = mesh.colors[v];
             for (std::size_t s = 0; s < texcoords.size(); ++s)
-                if (!texcoords[s].empty()) texcoords[s][4 * i + k] = mesh.texcoords[s][v];
+                if (!texcoords[s].empty()) texcoords[s][first + k] = mesh.texcoords[s][v];
         }
-        constexpr std::uint32_t order[6] = {0, 1, 2, 0, 2, 3};
-        for (std::size_t k = 0; k < 6; ++k) indices[6 * i + k] = std::uint32_t(4 * i) + order[k];
+        for (std::size_t k = 0; k < layout.corners(); ++k)
+            indices[layout.corners() * i + k] = std::uint32_t(first) + layout.corner(k);
     }
 };
 
-std::uint64_t bytes_of_squares(const Mesh& mesh, std::size_t points) {
-    return points *
-           (4 * (2 * sizeof(vec3) + sizeof(vec4) + mesh.texcoords.size() * sizeof(vec2)) + 6 * sizeof(std::uint32_t));
+std::uint64_t bytes_of_splats(const Mesh& mesh, std::size_t points) {
+    return points * Layout{points > most_raised}.bytes(mesh);
 }
 
 bool is_direction(vec3 n) { return std::fabs(dot(n, n) - 1) < 0.01f; }
@@ -90,8 +113,8 @@ public:
         Mesh rest = mesh;
         rest.indices = others;
         rest.normals = {};
-        make_squares(mesh, lit, [&](std::uint32_t v) {
-            return std::min(half_side * std::min(spacing[v], most_of_median * median), most);
+        make_splats(mesh, lit, [&](std::uint32_t v) {
+            return std::min(rim_radius * std::min(spacing[v], most_of_median * median), most);
         });
         return rest;
     }
@@ -119,23 +142,23 @@ public:
     }
 
 private:
-    template <class HalfOf>
-    void make_squares(Mesh& mesh, const std::vector<std::uint32_t>& points, const HalfOf& half_of) {
-        MemoryCharge charge(context_.memory(), bytes_of_squares(mesh, points.size()), "the discs of points");
-        Squares squares(mesh, points.size());
+    template <class RadiusOf>
+    void make_splats(Mesh& mesh, const std::vector<std::uint32_t>& points, const RadiusOf& radius_of) {
+        MemoryCharge charge(context_.memory(), bytes_of_splats(mesh, points.size()), "the discs of points");
+        Splats splats(mesh, points.size());
         context_.parallel_for((points.size() + points_per_task - 1) / points_per_task, [&](std::size_t task) {
             const std::size_t end = std::min(points.size(), (task + 1) * points_per_task);
             for (std::size_t i = task * points_per_task; i < end; ++i)
-                squares.set(i, mesh, points[i], half_of(points[i]));
+                splats.set(i, mesh, points[i], radius_of(points[i]));
         });
         const auto block = [&charge](auto& array) {
             MemoryCharge part = charge.split(array.size() * sizeof(array[0]));
             return Block(std::move(array), std::move(part));
         };
         mesh.topology = Topology::triangles;
-        mesh.positions = block(squares.positions), mesh.normals = block(squares.normals);
-        mesh.colors = block(squares.colors), mesh.indices = block(squares.indices);
-        for (std::size_t s = 0; s < mesh.texcoords.size(); ++s) mesh.texcoords[s] = block(squares.texcoords[s]);
+        mesh.positions = block(splats.positions), mesh.normals = block(splats.normals);
+        mesh.colors = block(splats.colors), mesh.indices = block(splats.indices);
+        for (std::size_t s = 0; s < mesh.texcoords.size(); ++s) mesh.texcoords[s] = block(splats.texcoords[s]);
         mesh.tangents = {};
         mesh.arrays.clear();  // they are one a point; colors were made of them before
         mesh.material = two_sided(mesh.material);
@@ -148,7 +171,7 @@ private:
 
 double length_of(const dvec4& column) { return std::sqrt(dot(column.xyz(), column.xyz())); }
 
-/// Numbers of the meshes that become squares.
+/// Numbers of the meshes that become splats.
 std::vector<std::uint32_t> meshes_to_splat(const Scene& scene) {
     std::vector<std::uint32_t> numbers;
     for (std::uint32_t m = 0; m < scene.meshes.size(); ++m)

@@ -9,12 +9,14 @@
 
 namespace rakelight {
 
-/// Points of a mesh of more are not made into squares: each is four vertices then.
+/// Points of a mesh of more are not made into pieces of surface.
 inline constexpr std::size_t most_splats = 6'000'000;
+/// Of more each is a square of two triangles in place of a splat, which has twelve.
+inline constexpr std::size_t most_raised = 300'000;
 
-/// Meshes of points with normals become squares of two triangles a point, in the plane of its normal and as large as closes a
-/// surface that the points lie in (surface elements: Pfister et al. 2000, "Surfels"; here without blending where they overlap). They
-/// are lit as surfaces are, by every engine, and both sides of them show. Points without a normal stay points, in a mesh of their
+/// Meshes of points with normals become splats (scene/splat_mesh.h) in the plane of their normals, as large as closes a surface that
+/// the points lie in (surface elements: Pfister et al. 2000, "Surfels"). Where they overlap the nearest center shows. They are lit as
+/// surfaces are, by every engine, and both sides of them show. Points without a normal stay points, in a mesh of their
 /// own. Where there are neither normals nor colors, normals are found from neighbors, if the points lie in a surface.
 /// @throws Error bad_file: over the memory limit; failed: cancelled
 Scene splat_points(Scene scene, Context& context);

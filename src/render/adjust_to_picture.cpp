@@ -19,10 +19,6 @@ constexpr double least_contrast = 0.16;
 /// The brightest tenth of the model shall begin between these; else it is brought to the middle. [display, linear]
 constexpr double lowest_bright = 0.1, highest_bright = 1, wanted_bright = 0.7;
 
-bool names(const PictureRequest& request, std::string_view key) {
-    return std::ranges::find(request.named, key) != request.named.end();
-}
-
 double luminance(const vec4& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
 Frame small_picture(const RenderSettings& of, Session& session, const Camera& camera, Context& context) {
@@ -90,9 +86,9 @@ void expose(const Frame& frame, PictureRequest& request, Context& context) {
 }  // namespace
 
 void adjust_to_picture(PictureRequest& request, Session& session, const Camera& camera, Context& context) {
-    if (request.look == Look::plain || request.engine == "trace") return;
+    if (request.look == Look::plain) return;
     size_points(request, session, camera, context);
-    if (!request.settings.colors) return;
+    if (request.engine == "trace" || !request.settings.colors) return;
     const bool may_expose = !request.lights && !request.default_lights && !request.studio_lights &&
                             !names(request, "exposure") && !names(request, "tone-mapping");
     if (names(request, "background") && !may_expose) return;

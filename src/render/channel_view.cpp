@@ -71,8 +71,7 @@ Code view(const ChannelInfo& channel, const ViewRange& range, const std::uint32_
             return {gray, gray, gray};
         }
         case ChannelKind::color:
-            return {srgb8_from_linear(std::bit_cast<float>(w[0])), srgb8_from_linear(std::bit_cast<float>(w[1])),
-                    srgb8_from_linear(std::bit_cast<float>(w[2]))};
+            return code_of_light({std::bit_cast<float>(w[0]), std::bit_cast<float>(w[1]), std::bit_cast<float>(w[2])});
     }
     return {};
 }

@@ -5,6 +5,7 @@
 
 #include "engines/check_settings.h"
 #include "render/engines.h"
+#include "render/look.h"
 #include "render/picture_files.h"
 #include "render/picture_steps.h"
 
@@ -55,6 +56,21 @@ void check_request(const PictureRequest& request) {
     } catch (const Error& error) {
         throw error.with_file(request.output);
     }
+}
+
+void warn_of_unused(const PictureRequest& request, Report& report) {
+    const RenderSettings& s = request.settings;
+    if (s.method != RayMethod::path && s.paths != PathSettings{})
+        report.add(Remark::warning, request.input, "",
+                   "seed, max-seconds, noise, clamp, denoise and light-sampling have no effect without the method path",
+                   {"method"});
+    const bool has_occlusion_settings = names(request, {"ambient-occlusion-radius", "ambient-occlusion-samples"}) ||
+                                        s.ambient_occlusion_radius != 0 ||
+                                        s.ambient_occlusion_samples != usual_occlusion_samples;
+    if (has_occlusion_settings && !s.ambient_occlusion && !names(request, "ambient-occlusion"))
+        report.add(Remark::warning, request.input, "",
+                   "a radius and samples of ambient occlusion have no effect without 'ambient-occlusion'",
+                   {"ambient-occlusion"});
 }
 
 }  // namespace rakelight

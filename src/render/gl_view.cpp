@@ -56,8 +56,8 @@ void GlView::show(int width, int height, std::span<const std::uint32_t> srgb8, b
     state_->view.show(width, height, srgb8, smooth);
 }
 
-void GlView::show(const Frame& frame, const ToneSettings& tone) {
-    state_->view.show(frame.window.width, frame.window.height, to_srgb8(frame, tone), true);
+void GlView::show(const Frame& frame, const ToneSettings& tone, vec4 behind) {
+    state_->view.show(frame.window.width, frame.window.height, to_srgb8(frame, tone, behind), true);
 }
 
 bool GlView::show_again() { return state_->view.show_again(); }

@@ -22,11 +22,6 @@ constexpr int usual_samples = 4;
 constexpr int soft_shadow_filter = 2;     ///< [texels]
 constexpr double least_seen_share = 0.9;  ///< of the model, by a camera of the file that is taken unasked
 
-bool names(const PictureRequest& request, std::initializer_list<std::string_view> keys) {
-    return std::ranges::any_of(
-        keys, [&](std::string_view key) { return std::ranges::find(request.named, key) != request.named.end(); });
-}
-
 /// A mesh that is drawn has such a material, or none.
 bool draws_metallic_roughness(const Scene& scene) {
     const auto is_such = [&](std::uint32_t mesh) {
@@ -78,7 +73,7 @@ void note_up(const Scene& scene, PictureRequest& request, Context& context) {
 
 /// Metallic-roughness materials are lit by the studio, where nobody has said what lights the scene.
 void take_light(const Scene& scene, bool takes_file, PictureRequest& request) {
-    if (!takes_file && !names(request, {"light"})) request.default_lights = !scene.lights.empty();
+    if (!takes_file && !names(request, "light")) request.default_lights = !scene.lights.empty();
     if (scene.environment || request.fog || scene.fog.kind != FogKind::none) return;
     if (names(request, {"light", "lighting", "shading", "specular", "hdri-file", "hdri-ambient", "hdri-skybox"}))
         return;
@@ -88,9 +83,9 @@ void take_light(const Scene& scene, bool takes_file, PictureRequest& request) {
         return;
     }
     request.studio_lights = true, request.default_lights = false;
-    if (names(request, {"shadows"})) return;
+    if (names(request, "shadows")) return;
     request.settings.shadows = true;
-    if (!names(request, {"shadow-filter"})) request.settings.shadow_filter = soft_shadow_filter;
+    if (!names(request, "shadow-filter")) request.settings.shadow_filter = soft_shadow_filter;
 }
 
 void take_look_of_posed(const Scene& scene, PictureRequest& request, Context& context) {
@@ -104,6 +99,14 @@ void take_look_of_posed(const Scene& scene, PictureRequest& request, Context& co
 }
 
 }  // namespace
+
+bool names(const PictureRequest& request, std::string_view key) {
+    return std::ranges::find(request.named, key) != request.named.end();
+}
+
+bool names(const PictureRequest& request, std::initializer_list<std::string_view> keys) {
+    return std::ranges::any_of(keys, [&](std::string_view key) { return names(request, key); });
+}
 
 void take_look(const Scene& scene, PictureRequest& request, Context& context) {
     if (request.look == Look::plain) return;

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The default look: what a picture is like in what nobody names. docs/default-look.md has it as numbers.
 #pragma once
+#include <initializer_list>
+#include <string_view>
+
 #include <rakelight/picture_parts.h>
 #include <rakelight/session.h>
 
 namespace rakelight {
+
+/// Somebody has given the setting: the look leaves its topic alone. Of several: one of them.
+bool names(const PictureRequest& request, std::string_view key);
+bool names(const PictureRequest& request, std::initializer_list<std::string_view> keys);
 
 /// The rest of take_look(), by looking at a small picture first: the background's tone, and the exposure where the file's lights are in
 /// physical units. @param session  has the scene of the picture

@@ -17,7 +17,6 @@
 namespace rakelight {
 namespace {
 
-constexpr Code words_color{255, 255, 255}, halo_color{24, 24, 28};
 constexpr Code axis_codes[3] = {{235, 64, 52}, {96, 200, 64}, {64, 128, 250}};
 constexpr int margin_dots = 4;            ///< of the picture's border, in dots of the font
 constexpr int widest_axes_px = 400;       ///< of the tripod

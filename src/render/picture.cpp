@@ -192,11 +192,7 @@ void draw_to_memory(Session& session, const Camera& camera, const PictureRequest
 template <class Draw>
 PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session, Context& context, const Draw& draw) {
     PictureResult result{.file = request.input, .output = request.output};
-    if (request.settings.method != RayMethod::path && request.settings.paths != PathSettings{})
-        context.report().add(Remark::warning, request.input, "",
-                             "seed, max-seconds, noise, clamp, denoise and light-sampling have no effect without the "
-                             "method path",
-                             {"method"});
+    warn_of_unused(request, context.report());
     Stopwatch watch;
     context.progress("prepare", 0);
     auto [ready, camera] = ready_scene(std::move(loaded), request, context);

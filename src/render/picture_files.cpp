@@ -47,13 +47,6 @@ std::uint32_t float_word(const ChannelInfo& info, std::uint32_t number) {
     return std::bit_cast<std::uint32_t>(info.kind == ChannelKind::number && number == no_index ? -1.0f : float(number));
 }
 
-/// The file of the colors.
-io::OutputTarget color_target(const std::string& path, const ChannelWishes& wishes) {
-    io::OutputTarget target(path);
-    target.comment = wishes.comment, target.memory = wishes.memory;
-    return target;
-}
-
 }  // namespace
 
 PixelFormat format_for(const std::string& output, bool transparent) {
@@ -73,10 +66,9 @@ void check_alpha(const std::string& path, const PixelFormat& format) {
 }
 
 std::unique_ptr<io::ImageWriter> make_color_writer(const io::OutputTarget& target, int width, int height,
-                                                   PixelFormat format, bool half, io::ExrPlace place) {
-    return is_exr(target.path)
-               ? io::make_exr_writer(target, width, height, color_channels(format.channels, half), place)
-               : io::make_image_writer(target, width, height, format.channels, format.component);
+                                                   PixelFormat format, bool half) {
+    return is_exr(target.path) ? io::make_exr_writer(target, width, height, color_channels(format.channels, half))
+                               : io::make_image_writer(target, width, height, format.channels, format.component);
 }
 
 std::string channel_file(const std::string& output, const std::string& channel, const std::string& ending) {
@@ -86,7 +78,7 @@ std::string channel_file(const std::string& output, const std::string& channel, 
 }
 
 PictureFiles::PictureFiles(const std::string& output, int width, int height, PixelFormat format,
-                           const ChannelWishes& wishes, io::ExrPlace place)
+                           const ChannelWishes& wishes, io::ImagePlace place)
     : output_(output), width_(width), height_(height), format_(format), place_(place) {
     const bool layers = wishes.channels != 0 && (wishes.files & channel_files_layers),
                inside = layers && is_exr(output);
@@ -106,6 +98,18 @@ PictureFiles::PictureFiles(const std::string& output, int width, int height, Pix
             add_png(info.channel, plane++, wishes.range);
 }
 
+io::OutputTarget PictureFiles::target(const std::string& path) const {
+    io::OutputTarget target(path);
+    target.place = place_;
+    return target;
+}
+
+io::OutputTarget PictureFiles::color_target(const std::string& path, const ChannelWishes& wishes) const {
+    io::OutputTarget color = target(path);
+    color.comment = wishes.comment, color.memory = wishes.memory;
+    return color;
+}
+
 void PictureFiles::add(std::vector<File>& to, const std::string& path,
                        const std::function<std::unique_ptr<io::ImageWriter>()>& make, Row row) {
     to.push_back({path, named(path, make), std::move(row)});
@@ -114,10 +118,7 @@ void PictureFiles::add(std::vector<File>& to, const std::string& path,
 void PictureFiles::add_color(const ChannelWishes& wishes) {
     add(
         color_, output_,
-        [&] {
-            return make_color_writer(color_target(output_, wishes), width_, height_, format_, wishes.half_colors,
-                                     place_);
-        },
+        [&] { return make_color_writer(color_target(output_, wishes), width_, height_, format_, wishes.half_colors); },
         [](const PictureSink& strip, int y) -> const void* { return strip.color_row(y); });
 }
 
@@ -138,7 +139,7 @@ void PictureFiles::add_exr(std::uint32_t channel, std::size_t plane, bool half) 
             return values.data();
         };
     add(
-        channels_, path, [&] { return io::make_exr_writer(path, width_, height_, std::move(list), place_); },
+        channels_, path, [&] { return io::make_exr_writer(target(path), width_, height_, std::move(list)); },
         std::move(row));
 }
 
@@ -164,7 +165,7 @@ void PictureFiles::add_layers(const std::string& path, const ChannelWishes& wish
     };
     add(
         path == output_ ? color_ : channels_, path,
-        [&] { return io::make_exr_writer(color_target(path, wishes), width_, height_, std::move(list), place_); },
+        [&] { return io::make_exr_writer(color_target(path, wishes), width_, height_, std::move(list)); },
         std::move(row));
 }
 
@@ -172,7 +173,7 @@ void PictureFiles::add_png(std::uint32_t channel, std::size_t plane, const ViewR
     const ChannelInfo& info = info_of(channel);
     const std::string path = channel_file(output_, info.word, ".png");
     add(
-        channels_, path, [&] { return io::make_image_writer(path, width_, height_, 3, Component::u8); },
+        channels_, path, [&] { return io::make_image_writer(target(path), width_, height_, 3, Component::u8); },
         [=, &info, rgb = std::vector<std::uint8_t>(3 * std::size_t(width_))](const PictureSink& strip,
                                                                              int y) mutable -> const void* {
             view_row(info, range, strip.channel_row(plane, y), rgb.size() / 3, rgb.data());

@@ -25,7 +25,7 @@ void check_alpha(const std::string& path, const PixelFormat& format);
 
 /// Takes rows of convert_row(). @throws Error usage, failed
 std::unique_ptr<io::ImageWriter> make_color_writer(const io::OutputTarget& target, int width, int height,
-                                                   PixelFormat format, bool half = false, io::ExrPlace place = {});
+                                                   PixelFormat format, bool half = false);
 
 /// "out/a.png", "depth", ".exr" -> "out/a.depth.exr"
 std::string channel_file(const std::string& output, const std::string& channel, const std::string& ending = ".exr");
@@ -42,10 +42,10 @@ struct ChannelWishes {
 
 class PictureFiles {
 public:
-    /// Opens all files under temporary names. EXR files know their place in the whole picture.
+    /// Opens all files under temporary names. PNG, EXR and HDR files know their place in the whole picture.
     /// @throws Error failed, with the file's name
     PictureFiles(const std::string& output, int width, int height, PixelFormat format, const ChannelWishes& wishes,
-                 io::ExrPlace place = {});
+                 io::ImagePlace place = {});
     /// Whether the sink must keep linear colors.
     bool needs_linear() const { return needs_linear_; }
     void write(const PictureSink& strip, int rows);  ///< the next `rows` rows of the picture
@@ -60,6 +60,8 @@ private:
         std::unique_ptr<io::ImageWriter> writer;
         Row row;
     };
+    io::OutputTarget target(const std::string& path) const;
+    io::OutputTarget color_target(const std::string& path, const ChannelWishes& wishes) const;
     void add(std::vector<File>& to, const std::string& path,
              const std::function<std::unique_ptr<io::ImageWriter>()>& make, Row row);
     void add_color(const ChannelWishes& wishes);
@@ -70,7 +72,7 @@ private:
     std::string output_;
     int width_, height_;
     PixelFormat format_;
-    io::ExrPlace place_;
+    io::ImagePlace place_;
     bool needs_linear_ = false;
     std::vector<File> color_, channels_;  ///< one of color
 };

@@ -28,6 +28,8 @@ ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& cont
 
 /// Warns of rules for shading that fit nothing in the scene.
 void warn_of_unknown_names(const Scene& scene, const RenderSettings& settings, Report& report);
+/// Warns of settings of paths and of ambient occlusion that nothing asks for.
+void warn_of_unused(const PictureRequest& request, Report& report);
 
 /// Draws what a session holds and writes the files, in bands.
 void draw_to_files(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,

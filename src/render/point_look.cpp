@@ -6,6 +6,7 @@
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/splat_points.h"
+#include "render/look.h"
 #include "render/prepared_scene.h"
 #include "scene/scene_tools.h"
 
@@ -13,10 +14,6 @@ namespace rakelight {
 namespace {
 
 constexpr double smallest = 1.5, largest = 48;  ///< [px] of a point
-
-bool names(const PictureRequest& request, std::string_view key) {
-    return std::ranges::find(request.named, key) != request.named.end();
-}
 
 bool is_by_spacing(const PictureRequest& request) {
     return request.look != Look::plain && !names(request, "point-size");

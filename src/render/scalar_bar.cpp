@@ -6,21 +6,14 @@
 #include <cstdio>
 
 #include "image/draw_text.h"
-#include "math/color.h"
 
 namespace rakelight {
 namespace {
-
-constexpr Code words_color{255, 255, 255}, halo_color{24, 24, 28};
 
 std::string text_of(double number, double step) {
     char text[40];
     std::snprintf(text, sizeof text, "%.6g", std::fabs(number) < step * 1e-6 ? 0.0 : number);
     return text;
-}
-
-Code code_of(vec3 linear) {
-    return {srgb8_from_linear(linear.x), srgb8_from_linear(linear.y), srgb8_from_linear(linear.z)};
 }
 
 /// The largest of 1, 2 and 5 times a power of ten that is not above; without libm, for pictures are the same everywhere.
@@ -61,7 +54,7 @@ ScalarBar::ScalarBar(const Coloring& coloring, int width, int height) {
     fill_rectangle(pixels, 0, title - dot, bar_width + 2 * dot, bar_height + 2 * dot, halo_color);
     for (int row = 0; row < bar_height; ++row) {
         const double t = 1 - (row + 0.5) / bar_height;
-        fill_rectangle(pixels, dot, title + row, bar_width, 1, code_of(color_of(coloring.map, t)));
+        fill_rectangle(pixels, dot, title + row, bar_width, 1, code_of_light(color_of(coloring.map, t)));
     }
     for (const double t : at) {
         const double share = range.y > range.x ? (t - range.x) / (range.y - range.x) : 0.5;

@@ -189,6 +189,10 @@ void drop_coat_normals(DrawList& list) {
 
 /// Of each mesh where it is drawn first: a table for each of its places would cost more than it mends.
 void find_normal_sides(DrawList& list, Context& context) {
+    if (list.scene.normal_sides && list.scene.normal_sides->size() == list.scene.meshes.size()) {
+        list.normal_sides = *list.scene.normal_sides;
+        return;
+    }
     std::vector<AttributeMesh> meshes;
     std::vector<std::uint32_t> numbers;
     std::vector<bool> seen(list.scene.meshes.size(), false);

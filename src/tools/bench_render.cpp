@@ -7,6 +7,8 @@
 
 #include <rakelight/picture.h>
 
+#include <rakelight/picture_parts.h>
+
 #include "engines/check_settings.h"
 #include "render/engines.h"
 #include "render/picture_sink.h"
@@ -76,11 +78,13 @@ public:
         : options_(options),
           context_(context),
           settings_(options.settings),
-          sink_(PixelFormat{}, ToneCurve(options.picture.tone)) {
+          drawn_(settings_),
+          sink_(PixelFormat{}, ToneCurve(options.picture.tone, keep_background(drawn_, options.picture.tone))) {
         if (options.scene.empty())
             take_built_in();
         else
             take_file();
+        drawn_.cull = settings_.cull;
     }
 
     RenderBenchReport run() {
@@ -145,7 +149,7 @@ private:
         Stopwatch watch;
         m.engine->prepare(scene, context_);
         m.row.prepare_ms = watch.lap_ms();
-        m.engine->render(camera_, settings_, sink_, context_);
+        m.engine->render(camera_, drawn_, sink_, context_);
         m.row.first_ms = watch.lap_ms();
     }
 
@@ -153,7 +157,7 @@ private:
         context_.throw_if_cancelled();
         const std::clock_t cpu = std::clock();
         const Stopwatch watch;
-        m.row.stats = m.engine->render(camera_, settings_, sink_, context_);
+        m.row.stats = m.engine->render(camera_, drawn_, sink_, context_);
         m.ms.push_back(watch.ms());
         m.cpu_ms.push_back(1e3 * double(std::clock() - cpu) / CLOCKS_PER_SEC);
         m.stages.push_back(m.row.stats.times);
@@ -202,6 +206,7 @@ private:
     const RenderBenchOptions& options_;
     Context& context_;
     RenderSettings settings_;
+    RenderSettings drawn_;  ///< the same, as 8-bit pictures are drawn
     Scene scene_;
     Camera camera_;
     PictureSink sink_;  ///< display values, three bytes a pixel

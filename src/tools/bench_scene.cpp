@@ -68,15 +68,6 @@ Material material(Random& random) {
     return m;
 }
 
-ImageHandle image(const char* name, Pixels pixels) {
-    auto made = std::make_shared<EncodedImage>();
-    made->name = name;
-    made->decode = [kept = std::make_shared<const Pixels>(std::move(pixels))](const EncodedImage&, Context&) {
-        return *kept;
-    };
-    return made;
-}
-
 std::vector<Light> large_lights(std::uint32_t count) {
     std::vector<Light> lights;
     constexpr dvec3 places[bench_lights_max] = {{-6, 5, -2}, {7, 3, -3}, {0, -6, -4},  {-8, -2, -6},
@@ -124,9 +115,7 @@ std::vector<Light> make_bench_lights(std::uint32_t lights) {
 Scene make_bench_scene(std::uint64_t triangles, std::uint32_t objects, std::uint32_t lights, Context& context) {
     Scene scene;
     scene.source = "builtin:bench";
-    BenchTextures textures = make_bench_textures();
-    scene.textures = {{"bricks, color", image("bricks-color", std::move(textures.color)), {}},
-                      {"bricks, normal", image("bricks-normal", std::move(textures.normal)), {}}};
+    scene.textures = make_bench_wall();
     std::vector<std::uint32_t> order(objects);
     std::iota(order.begin(), order.end(), 0u);
     Random random(1);

@@ -86,4 +86,23 @@ BenchTextures make_bench_textures() {
     return made;
 }
 
+namespace {
+
+ImageHandle image(const char* name, Pixels pixels) {
+    auto made = std::make_shared<EncodedImage>();
+    made->name = name;
+    made->decode = [kept = std::make_shared<const Pixels>(std::move(pixels))](const EncodedImage&, Context&) {
+        return *kept;
+    };
+    return made;
+}
+
+}  // namespace
+
+std::vector<Texture> make_bench_wall() {
+    BenchTextures textures = make_bench_textures();
+    return {{"bricks, color", image("bricks-color", std::move(textures.color)), {}},
+            {"bricks, normal", image("bricks-normal", std::move(textures.normal)), {}}};
+}
+
 }  // namespace rakelight

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <rakelight/image.h>
+#include <vector>
+
+#include <rakelight/scene.h>
 
 namespace rakelight {
 
@@ -11,5 +13,7 @@ struct BenchTextures {
 };
 
 BenchTextures make_bench_textures();
+/// As textures of a scene: 0 the color, 1 the normal map.
+std::vector<Texture> make_bench_wall();
 
 }  // namespace rakelight

@@ -3,6 +3,7 @@
 #include <rakelight/error.h>
 
 #include "tools/explained_pixel.h"
+#include "tools/object_title.h"
 #include "tools/shortest_digits.h"
 
 namespace rakelight {
@@ -16,29 +17,44 @@ std::string named(const char* kind, const std::string& name, std::uint32_t index
     return kind + (name.empty() ? " number " + digits(index) : " '" + one_line(name, 60) + "'");
 }
 
-std::string names_text(const ExplainedPixel& e, const CoveringTriangle& t) {
-    const TriangleNames n = names_of(e, t);
+std::string names_text(const TriangleNames& n) {
     return named("object", n.object, n.node) + ", " + named("mesh", n.mesh, n.mesh_index) + ", " +
            named("material", n.material, n.material_index);
 }
 
-Json names_json(const ExplainedPixel& e, const CoveringTriangle& t) {
-    const TriangleNames n = names_of(e, t);
+Json names_json(const TriangleNames& n) {
     const auto index = [](std::uint32_t i) { return i == no_index ? Json() : Json(i); };
-    return {{"object", n.object},
-            {"node", index(n.node)},
-            {"mesh_name", n.mesh},
-            {"mesh", index(n.mesh_index)},
-            {"triangle", t.triangle},
-            {"material_name", n.material},
-            {"material", index(n.material_index)}};
+    return {{"object", n.object},          {"node", index(n.node)},       {"mesh_name", n.mesh},
+            {"mesh", index(n.mesh_index)}, {"material_name", n.material}, {"material", index(n.material_index)}};
+}
+
+/// A line or a point, as names_of() has a triangle's.
+TriangleNames names_of(const ExplainedPixel& e, const raster::ShownMark& mark) {
+    const Scene& scene = e.engine->list().scene;
+    TriangleNames n;
+    n.node = mark.node, n.mesh_index = mark.mesh, n.material_index = mark.material;
+    n.object = object_title(scene, mark.node), n.mesh = scene.meshes[mark.mesh].name;
+    if (mark.material != no_index) n.material = scene.materials[mark.material].name;
+    return n;
 }
 
 std::string nearest_text(const ExplainedPixel& e) {
     const CoveringTriangle* const t = e.nearest ? shown_triangle(*e.nearest) : nullptr;
     if (!t) return "; no other pixel shows a surface either\n";
     return "; the nearest pixel that shows something is " + digits(e.nearest->x) + "," + digits(e.nearest->y) + ": " +
-           names_text(e, *t) + "\n";
+           names_text(names_of(e, *t)) + "\n";
+}
+
+Json shown_triangle_json(const ExplainedPixel& e, const CoveringTriangle& t) {
+    Json out = names_json(names_of(e, t));
+    out["triangle"] = t.triangle;
+    return out;
+}
+
+Json mark_json(const ExplainedPixel& e, const raster::ShownMark& mark) {
+    Json out = names_json(names_of(e, mark));
+    out["kind"] = mark.is_point ? "point" : "line";
+    return out;
 }
 
 }  // namespace
@@ -50,7 +66,11 @@ const CoveringTriangle* shown_triangle(const raster::PixelExplanation& pixel) {
 }
 
 std::string shown_text(const ExplainedPixel& e) {
-    if (const CoveringTriangle* const t = shown_triangle(e.pixel)) return "  shows " + names_text(e, *t) + "\n";
+    if (const auto& mark = e.pixel.mark)
+        return std::string("  shows a ") + (mark->is_point ? "point" : "line") + " of " +
+               names_text(names_of(e, *mark)) + "; not lit\n";
+    if (const CoveringTriangle* const t = shown_triangle(e.pixel))
+        return "  shows " + names_text(names_of(e, *t)) + "\n";
     const bool is_covered = !e.pixel.triangles.empty();
     return std::string("  background: ") +
            (is_covered ? "none of the triangles that cover it is drawn" : "no triangle covers it") + nearest_text(e);
@@ -58,10 +78,10 @@ std::string shown_text(const ExplainedPixel& e) {
 
 void add_shown(Json& row, const ExplainedPixel& e) {
     const CoveringTriangle* const t = shown_triangle(e.pixel);
-    row["shows"] = t ? names_json(e, *t) : Json();
-    if (t) return;
+    row["shows"] = e.pixel.mark ? mark_json(e, *e.pixel.mark) : t ? shown_triangle_json(e, *t) : Json();
+    if (t || e.pixel.mark) return;
     const CoveringTriangle* const near = e.nearest ? shown_triangle(*e.nearest) : nullptr;
-    row["nearest"] = near ? names_json(e, *near) : Json();
+    row["nearest"] = near ? shown_triangle_json(e, *near) : Json();
     if (near) row["nearest"]["pixel"] = {e.nearest->x, e.nearest->y};
 }
 

@@ -145,12 +145,6 @@ std::string indented(const std::string& text) {
     return out;
 }
 
-std::string light_name(const ExplainedPixel& e, std::size_t i) {
-    const Light& light = e.engine->list().scene.lights[i];
-    return "Light " + digits(i) + " (" + name_of(light.type) +
-           (light.name.empty() ? "" : ", " + one_line(light.name, 40)) + ")";
-}
-
 /// What the light's colors are on the way to the point.
 void add_way(Values& values, const Light& light, const TracedLight& l) {
     const char* const of_photometric = light.units == LightUnits::photometric ? "intensity / pi" : "";
@@ -185,7 +179,7 @@ std::string light_text(const ExplainedPixel& e, const ShadedLayer& layer, const 
     for (int k = 0; k < parts.count; ++k)
         if (light.type != LightType::ambient || parts.part[k].term == raster::TracedTerm::ambient)
             add_factors(values, parts.part[k], term_of(parts, k, l));
-    return "  " + light_name(e, i) + "\n" + values.text("    ");
+    return "  Light " + name_of_light(e, i) + "\n" + values.text("    ");
 }
 
 /// Flat and Gouraud: the points that were lit.
@@ -318,7 +312,8 @@ std::string to_text(const ExplainedPixel& e) {
     text += shown_text(e) + look_text(e);
     Values color(4);
     color.add("linear color, alpha", p.color,
-              p.layers.empty()
+              p.mark ? "of the surfaces behind it"
+              : p.layers.empty()
                   ? p.has_marks ? "background, if none of the lines and points about it covers it" : "background"
               : p.samples.size() > 1 ? "the mean of its samples"
                                      : "");
@@ -331,7 +326,7 @@ std::string to_text(const ExplainedPixel& e) {
     if (!p.triangles.empty()) text += triangles_text(e);
     for (std::size_t i = 0; i < p.layers.size(); ++i) text += layer_text(e, p.layers[i], i);
     if (p.samples.size() > 1 && !p.layers.empty()) text += samples_text(e);
-    return text + code_text(e);
+    return text + code_text(e) + conclusion_text(e);
 }
 
 }  // namespace rakelight

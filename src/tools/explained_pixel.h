@@ -51,6 +51,11 @@ std::string look_text(const ExplainedPixel& e);
 /// From light to codes where there is an exposure or a tone curve; lines, or nothing.
 std::string code_text(const ExplainedPixel& e);
 
+/// "0 (directional, sun)"
+std::string name_of_light(const ExplainedPixel& e, std::size_t light);
+/// Which term makes most of the pixel; of a dark one the factors that make it so. A line.
+std::string conclusion_text(const ExplainedPixel& e);
+
 /// "visible", "blended", "hidden", "masked_out", "culled_back", "culled_front"
 const char* word_for(raster::Fate fate);
 

@@ -14,6 +14,8 @@
 #include "geometry/t_junctions.h"
 #include "io/reader.h"
 #include "math/linear.h"
+#include "prepare/bind_pose.h"
+#include "prepare/pose_scene.h"
 #include "prepare/prepare.h"
 #include "scene/scene_tools.h"
 #include "tools/borders.h"
@@ -262,7 +264,9 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
     for (const std::uint32_t node : objects) result.objects.push_back(summarize(scene, node));
     result.material_objects = objects_of_materials(scene, objects);
     result.arrays = summarize_arrays(scene);
-    const Bounds bounds = world_bounds(scene);
+    const std::optional<Scene> posed = posed_outline(scene, context);
+    const Bounds bounds = world_bounds(posed ? *posed : scene);
+    result.is_posed = posed.has_value();
     if (!bounds.empty()) result.low = bounds.low, result.high = bounds.high;
     if (options.borders || options.surfaces) {
         const Surfaces surfaces = collect_surfaces(scene, objects, options.prepare.normals);
@@ -276,6 +280,8 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
         context.progress("inspect", 0.6);
         if (options.borders) look_at_borders(result, surfaces, placed, census, options, context);
         look_at_winding(result, census);
+        if (options.borders && !scene.skins.empty())
+            warn_of_parting_vertices(scene, drawn_instances(scene), bind_pose_matrices(scene), context);
     }
     // Only what it says of the tangents is wanted.
     if (options.prepare.measure_orthogonality && result.triangles > 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inspections as the program's JSON, schema rakelight.inspect/1: fields are added, never renamed.
 #include <rakelight/inspect.h>
+#include <rakelight/motion.h>
 #include <rakelight/tools/rows.h>
 
 #include "tools/camera_extent.h"
@@ -154,6 +155,11 @@ Json json_of(const ArraySummary& a) {
             {"high", a.high}, {"vertices", a.vertices},     {"not_finite", a.not_finite}};
 }
 
+Json json_of(const Animation& a) {
+    const ClipSpan span = clip_span(a);
+    return {{"name", a.name}, {"begin_s", span.begin_s}, {"end_s", span.end_s}, {"channels", a.channels.size()}};
+}
+
 Json json_of(const InsideOutBody& b) { return {{"triangles", b.triangles}, {"objects", b.objects}}; }
 
 Json json_of(const CheckFailure& f) { return {{"limit", f.limit}, {"message", f.message}}; }
@@ -179,6 +185,8 @@ void add(Json& row, const Inspection& i) {
     row["lights"] = list(i.scene.lights);
     row["cameras"] = list(i.scene.cameras);
     row["animations"] = i.scene.animations.size();
+    row["clips"] = list(i.scene.animations);
+    row["bounds"]["pose"] = i.is_posed ? "posed" : "static";
     row["shared_positions"] = i.shared_positions;
     row["seams"] = json_of(i.seams);
     row["borders"] = list(i.borders);

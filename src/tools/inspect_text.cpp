@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An inspection for people.
 #include <rakelight/inspect.h>
+#include <rakelight/motion.h>
 #include <rakelight/tools/words.h>
 
 #include <algorithm>
@@ -110,6 +111,17 @@ Section cameras_section(const Scene& scene) {
     });
 }
 
+/// What --animation-index counts.
+Section clips_section(const Scene& scene) {
+    return section("animations", {">#", "name", ">from [s]", ">to", ">channels"}, scene.animations,
+                   [](const Animation& a, std::size_t n) {
+                       const ClipSpan span = clip_span(a);
+                       return std::vector<std::string>{std::to_string(n), name_or(a.name, "animation", n),
+                                                       number(span.begin_s), number(span.end_s),
+                                                       std::to_string(a.channels.size())};
+                   });
+}
+
 }  // namespace
 
 std::vector<std::string> summary_lines(const Inspection& i) {
@@ -121,7 +133,8 @@ std::vector<std::string> summary_lines(const Inspection& i) {
         counted(i.objects.size(), "object") + ", " + counted(i.triangles, "triangle") + ", " +
             counted(i.scene.materials.size(), "material") + unused_text(i) + ", " +
             counted(i.scene.textures.size(), "texture") + ", " + counted(i.scene.animations.size(), "animation"),
-        "bounds " + text(i.low, " ") + " to " + text(i.high, " ") + ", size " + text(size, " x ") + " " + i.unit};
+        "bounds " + text(i.low, " ") + " to " + text(i.high, " ") + ", size " + text(size, " x ") + " " + i.unit +
+            (i.is_posed ? " as posed; seams in the bind pose" : "")};
     for (std::string& line : seams_lines(i)) lines.push_back(std::move(line));
     return lines;
 }
@@ -129,8 +142,8 @@ std::vector<std::string> summary_lines(const Inspection& i) {
 std::vector<Section> sections_of(const Inspection& i) {
     std::vector<Section> all = {objects_section(i),        arrays_section(i),       materials_section(i),
                                 textures_section(i.scene), lights_section(i.scene), cameras_section(i.scene),
-                                surfaces_section(i),       t_junctions_section(i),  inside_out_section(i),
-                                borders_section(i)};
+                                clips_section(i.scene),    surfaces_section(i),     t_junctions_section(i),
+                                inside_out_section(i),     borders_section(i)};
     std::erase_if(all, [](const Section& section) { return section.empty(); });
     return all;
 }

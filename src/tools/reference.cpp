@@ -2,6 +2,7 @@
 #include <rakelight/tools/reference.h>
 
 #include <filesystem>
+#include <iterator>
 
 #include "tools/compare_numbers.h"
 
@@ -22,6 +23,16 @@ constexpr Measure measures[] = {
     {ReferenceMeasure::rmse, "RMSE", "", 0.01, false, &CompareLimits::max_rmse},
     {ReferenceMeasure::ssim, "SSIM", "", 0.99, true, &CompareLimits::min_ssim},
 };
+
+/// Rows and words stand at the numbers of their measures: row_of() and picture_json.cpp take them so.
+constexpr bool are_in_order() {
+    for (std::size_t i = 0; i < std::size(measures); ++i)
+        if (std::size_t(measures[i].measure) != i || reference_measure_words[i].value != measures[i].measure)
+            return false;
+    return std::size(measures) == std::size(reference_measure_words) &&
+           std::size(measures) == std::size_t(ReferenceMeasure::ssim) + 1;
+}
+static_assert(are_in_order());
 
 const Measure& row_of(ReferenceMeasure measure) { return measures[std::size_t(measure)]; }
 

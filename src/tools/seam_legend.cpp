@@ -7,7 +7,6 @@
 #include <cstring>
 
 #include "image/draw_text.h"
-#include "math/color.h"
 #include "tools/inspect_sections.h"
 #include "tools/object_name.h"
 
@@ -21,10 +20,6 @@ struct Tick {
     const char* text;
 };
 constexpr std::array<Tick, 5> ticks = {{{continuous_deg, "0.01"}, {1, "1"}, {5, "5"}, {20, "20"}, {60, "60+"}}};
-
-Code code_of(vec3 linear) {
-    return {srgb8_from_linear(linear.x), srgb8_from_linear(linear.y), srgb8_from_linear(linear.z)};
-}
 
 /// The frame's colors as a picture, and back.
 Pixels pixels_of(const Frame& frame) {
@@ -49,7 +44,7 @@ public:
         y += lines * line_;
         fill_rectangle(picture_, margin_ - scale_, y - scale_, bar + 2 * scale_, bar_height + 2 * scale_, black);
         for (int x = 0; x < bar; ++x)
-            fill_rectangle(picture_, margin_ + x, y, 1, bar_height, code_of(heat_color(deg_at(double(x) / bar))));
+            fill_rectangle(picture_, margin_ + x, y, 1, bar_height, code_of_light(heat_color(deg_at(double(x) / bar))));
         for (std::size_t t = 0; t < ticks.size(); ++t) {
             const int at = margin_ + int(std::lround(double(bar) * double(t) / double(ticks.size() - 1)));
             const bool is_last = t + 1 == ticks.size();

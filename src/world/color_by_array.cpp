@@ -109,6 +109,14 @@ Coloring completed(const Scene& scene, Coloring coloring) {
     return coloring;
 }
 
+void note_arrays(const Scene& scene, Report& report) {
+    const std::vector<std::string> names = array_names(scene);
+    if (names.empty()) return;
+    report.add(Remark::note, scene.source, "",
+               "numbers of the vertices that a picture shows by 'scalars' alone: " + list_of_names(names, 8, 40),
+               {"scalars"});
+}
+
 Scene color_by_array(Scene scene, const Coloring& asked, Context& context) {
     if (!asked.is_on) return scene;
     const Coloring coloring = completed(scene, asked);

@@ -8,4 +8,7 @@ namespace rakelight {
 /// With the array's name and the range filled in where they were left open. @throws Error usage: as color_by_array()
 Coloring completed(const Scene& scene, Coloring coloring);
 
+/// A note of the numbers that a picture in other colors does not show, where there are any.
+void note_arrays(const Scene& scene, Report& report);
+
 }  // namespace rakelight

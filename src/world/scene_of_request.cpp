@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engines/check_settings.h"
+#include "world/coloring.h"
 
 namespace rakelight {
 
@@ -20,7 +21,10 @@ Scene moved_as_asked(Scene scene, const PictureRequest& request) {
 Scene as_asked(Scene scene, const PictureRequest& request, Context& context) {
     if (!(request.materials == MaterialOverrides{}))
         scene = valid::override_materials(std::move(scene), request.materials, context);
-    if (request.coloring.is_on) scene = color_by_array(std::move(scene), request.coloring, context);
+    if (request.coloring.is_on)
+        scene = color_by_array(std::move(scene), request.coloring, context);
+    else
+        note_arrays(scene, context.report());
     return with_environment(std::move(scene), request, context);
 }
 

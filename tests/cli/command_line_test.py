@@ -76,6 +76,8 @@ class CommandLine(program.Case):
         for model in ("a.obj", "builtin:teapot", "gone.glb", "plain"):
             self.check_refused(self.run_program(model, **HEADLESS), 2, "no display", f"rakelight {model} -o ", ".png")
         self.check_refused(self.run_program("gone.glb", "-o", "a.png", **HEADLESS), 3, "gone.glb")
+        self.check_refused(self.run_program("a.obj", "--sampels", "4", **HEADLESS), 2, "unknown option '--sampels'", "did you mean --samples?")
+        self.check_refused(self.run_program("a.obj", "--fov", "4", **HEADLESS), 2, "--fov: unknown", "--camera-view-angle")
 
     def test_with_a_display_the_viewer_gets_the_words(self):
         self.write("a.obj")
@@ -136,6 +138,9 @@ class CommandLine(program.Case):
         self.write("models/a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n")
         self.check_refused(self.run_program("models", "-o", "out/", *SIZE), 2, "'models/a.obj' and 'models/a.stl'", "out/a.png", "{ext}")
         self.check_refused(self.run_program("models", "-o", "a.png", *SIZE), 2, "several models", "-o out/")
+        self.check_refused(self.run_program("models/a.obj", "models/a.stl", "-o", "out/", *SIZE), 2, "as in -o 'out/{model}-{ext}.png'")
+        for models in (("models",), ("models/a.obj",)):
+            self.check_refused(self.run_program(*models, "-o", "pics", *SIZE), 2, "'pics' has no ending", "-o pics.png", "for a folder -o pics/")
         self.check_refused(self.run_program("models", "-o", "{nam}.png", *SIZE), 2, "{nam}", "{model}")
         self.check_refused(self.run_program("models", "-o", "{model:3}.png", *SIZE), 2, "{model:3}")
         (self.folder / "empty/deeper").mkdir(parents=True)
@@ -215,6 +220,9 @@ class CommandLine(program.Case):
                              ("--no-background", "--background"), ("--zoom=2", "--camera-zoom-factor")):
             result = self.run_program("render", "a.obj", "-o", "a.png", theirs, "30")
             self.check_refused(result, 2, f"{theirs.split('=')[0]}: unknown; see {ours}\n")
+        for theirs in ("--threshold", "--metric"):
+            self.check_refused(self.run_program("compare", "a.png", "b.png", theirs, "3"), 2, f"{theirs}: unknown; see --max-flip, --max-rmse, --min-psnr, --min-ssim\n")
+        self.check_refused(self.run_program("a.obj", "-o", "a.png", "--threshold", "3"), 2, "--threshold: unknown; see --ref-threshold\n")
         self.assertEqual(self.files(), ["a.obj"])
 
     def test_names_of_f3d_are_synonyms_in_our_own_help(self):
@@ -282,9 +290,12 @@ class CommandLine(program.Case):
         running = subprocess.Popen([program.PROGRAM, "a.obj", "-o", "out/{frame}.png", *SIZE, "--watch"], cwd=self.folder, stderr=subprocess.PIPE, text=True)
         try:
             self.wait_for("out/1.png")
+            self.assertEqual(running.stderr.readline(), "rakelight: watching 1 file: pictures are drawn again when one changes, until Ctrl+C\n")
             self.write("a.obj", "v nothing\n")  # an error does not end it
             os.utime(self.folder / "a.obj", (1, 1))
-            running.stderr.readline()
+            self.assertEqual(running.stderr.readline(), "rakelight: a.obj has changed: drawing again\n")
+            while not running.stderr.readline().startswith("rakelight: error: a.obj"):
+                self.assertIsNone(running.poll())
             self.write("a.obj", square(0) + "v 3 3 3\nv 4 4 4\nv 3 4 4\nf 5 6 7\n")
             self.wait_for("out/3.png")
         finally:
@@ -293,6 +304,9 @@ class CommandLine(program.Case):
         self.assertEqual(running.returncode, -signal.SIGTERM)
         self.assertNotEqual((self.folder / "out/1.png").read_bytes(), (self.folder / "out/3.png").read_bytes())
         self.assertEqual(self.pictures(), ["out/1.png", "out/3.png"])
+
+    def test_standard_input_cannot_be_watched(self):
+        self.check_refused(self.run_program("-", "-o", "a.png", *SIZE, "--watch"), 2, "--watch: standard input (-) cannot be watched", "name a file")
 
     def wait_for(self, name):
         for _ in range(1200):
@@ -309,6 +323,7 @@ class CommandLine(program.Case):
         self.fine("render", "a.obj", "-o", "a.png", *SIZE)
         verbs = {"render": ("a.obj", "-o", "b.png", *SIZE), "inspect": ("a.obj",), "smooth": ("a.obj", "-o", "b.obj"), "check": ("a.obj",),
                  "explain": ("a.obj", "--pixel", "3,3", *SIZE), "stages": ("a.obj", "-o", "stages", *SIZE), "compare": ("a.png", "a.png"),
+                 "join-windows": ("a.png", "-o", "c.png"),
                  "bench": ("smooth", "--triangles", "200", "--repetitions", "1")}
         for verb, words in verbs.items():
             for letters in (("-q", "-j", "1"), ("-v", "-j2")):
@@ -364,7 +379,10 @@ class CommandLine(program.Case):
         triangle["buffers"][0]["uri"] = "C:\\work\\a.bin"
         self.write("model/a.gltf", json.dumps(triangle))
         self.check_refused(self.run_program("check", "model/a.gltf"), 4, "'C:\\work\\a.bin' is a path of another machine", "put 'a.bin' beside the model")
-        self.check_refused(self.run_program("check", "C:\\models\\a.glb"), 3, "C:\\models\\a.glb")
+        for words in (("check", "C:\\models\\a.glb"), ("C:\\models\\a.glb", "-o", "a.png"), ("render", "a/b.obj", "C:/models/a.glb", "-o", "{n}.png")):
+            result = self.run_program(*words)
+            self.assertEqual(result.code, 3)
+            self.assertRegex(result.err, r"C:.models.a\.glb: is a path of another machine; say where 'a\.glb' lies on this one\n")
 
     # --- the manual ---
 
@@ -373,7 +391,7 @@ class CommandLine(program.Case):
         for words in ("rakelight helmet.glb -o helmet.png", "models/ -o", "--as-one", "--up +Z", "-o -", "--background white", "cloud.ply", "smooth knight.glb",
                       "--check --max-seam", "rakelight compare", "rakelight explain"):
             self.assertIn(words, text.partition("Examples:")[2])
-        for verb in ("render", "inspect", "smooth", "bench", "explain", "stages", "compare", "check", "view"):
+        for verb in ("render", "inspect", "smooth", "bench", "explain", "stages", "compare", "check", "join-windows", "view"):
             self.assertIn(f"  {verb} ", text)
 
     def test_the_documentation_is_what_the_program_says(self):

@@ -117,6 +117,14 @@ class Explain(program.Case):
         text = self.run_program("explain", "scene.obj", "--pixel", "0,32", "--resolution", "%d,%d" % SIZE, "--view", "front").out
         self.assertRegex(text, r"background: no triangle covers it; the nearest pixel that shows something is \d+,32: object 'back'")
 
+    def test_a_point_is_named_where_it_shows(self):
+        (self.folder / "scan.xyz").write_text("0 0 0 255 0 0\n1 0 0 0 255 0\n")
+        for options in ((), ("--samples", "4")):
+            row = self.explain("scan.xyz", 48, 32, "--camera-focal-point", "0,0,0", "--camera-position", "0,0,5", *options)
+            self.assertEqual((row["shows"]["kind"], row["shows"]["mesh"], row["is_background"]), ("point", 0, False))
+            row = self.explain("scan.xyz", 5, 5, "--camera-focal-point", "0,0,0", "--camera-position", "0,0,5", *options)
+            self.assertIsNone(row["shows"])
+
     def test_exposure_and_tone_curve_are_said_where_they_act(self):
         options = ("--tone-mapping", "reinhard", "--exposure", "1")
         plain, curved = self.explain("builtin:teapot", 48, 32), self.explain("builtin:teapot", 48, 32, *options)

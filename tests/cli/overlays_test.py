@@ -147,6 +147,15 @@ class AmbientOcclusion(Over):
         run = self.run_program("render", "builtin:plane", "-o", "a.png", "--channels", "ambient-occlusion")
         self.check_refused(run, 2, "ambient-occlusion")
 
+    def test_settings_of_ambient_occlusion_that_is_off_are_said_to_have_no_effect(self):
+        for setting, value in (("--ambient-occlusion-samples", "32"), ("--ambient-occlusion-radius", "2")):
+            run = self.run_program("render", "builtin:plane", "-o", "a.png", "--resolution", "24,16", setting, value)
+            self.assertEqual(run.code, 0, run.err)
+            self.assertIn("no effect without --ambient-occlusion\n", run.err)
+            for is_on in ("on", "off"):  # who says off knows
+                run = self.run_program("render", "builtin:plane", "-o", "a.png", "--resolution", "24,16", setting, value, f"--ambient-occlusion={is_on}")
+                self.assertEqual((run.code, run.err), (0, ""))
+
 
 if __name__ == "__main__":
     program.main()

@@ -58,7 +58,7 @@ class Points(program.Case):
         self.assertGreater(max(map(brightness, pixels)), 3 * min(map(brightness, pixels)), "one side is lit")
         self.assertEqual(len(set(self.inside(self.picture(plain, *FLAT, "--point-size", "8")))), 1, "discs are not lit")
         run = self.run_program("render", plain, "-o", "json.png", *SIZE, "--json")
-        self.assertEqual(json.loads(run.out)["rows"][0]["triangles"], 12000)
+        self.assertEqual(json.loads(run.out)["rows"][0]["triangles"], 12 * 6000)
         run = self.run_program("render", plain, "-o", "json.png", "--json", "--look", "plain")
         self.assertEqual(json.loads(run.out)["rows"][0]["triangles"], 0)
 
@@ -73,6 +73,9 @@ class Points(program.Case):
         left, right = rows[60][30], rows[60][129]
         self.assertTrue(left[2] > left[1] and right[1] > right[2] + 60, "viridis goes from purple to yellow")
         self.assertEqual(self.picture(cloud, *FLAT, "--scalar-coloring"), rows, "the first array")
+        plain, colored = (self.run_program("render", cloud, "-o", "n.png", "--verbose", *FLAT, *words).err for words in ((), ("--scalars", "height")))
+        self.assertIn("note: " + str(cloud) + ": numbers of the vertices that a picture shows by --scalars alone: intensity, height", plain)
+        self.assertNotIn("alone", colored)
         gray = self.picture(cloud, *FLAT, "--scalars", "height", "--colormap", "gray")
         self.assertLess(gray[100][80][0], gray[20][80][0])
         self.assertEqual(len(set(gray[60][80])), 1)

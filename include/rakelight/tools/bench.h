@@ -61,6 +61,41 @@ std::string to_json(const SmoothBenchReport& report);
 /// A table for people.
 std::string to_text(const SmoothBenchReport& report);
 
+/// A character, or the first clip of a model file, and how often it is posed.
+struct PoseBenchOptions {
+    std::string scene{};  ///< model file; empty: a character made of the three numbers below
+    LoadOptions load{};
+    std::uint64_t triangles = 1'000'000;  ///< about; 100 to 10^8
+    std::uint32_t objects = 16;           ///< 1 to 100 000, at most one for each 32 triangles
+    std::uint32_t joints = 64;            ///< 2 to 1000
+    std::uint32_t repetitions = 10;       ///< 1 to 1000, after one run that is not counted
+    PictureRequest picture{};             ///< of the last row; its input counts for nothing
+};
+
+/// One thing measured, of all vertices that move. Times are wall clock; repetitions of all rows are interleaved.
+struct PoseBenchRow {
+    std::string what{};
+    double median_ms = 0, fastest_ms = 0, slowest_ms = 0, cpu_ms = 0;
+    double ns_per_vertex = 0;  ///< by the median
+    double ratio_to_copy = 0;  ///< of medians, to the plain copy
+};
+
+struct PoseBenchReport {
+    std::string scene{};
+    std::uint64_t triangles = 0, vertices = 0;  ///< of the meshes that move
+    std::uint32_t objects = 0, joints = 0;
+    int threads = 1;
+    std::vector<PoseBenchRow> rows{};
+};
+
+/// Poses at moments spread over the clip: a plain copy of positions, normals and tangents (memcpy, all threads); the
+/// same by the skin alone; the whole pose with given normals; with normals and tangents made again of the moved vertices
+/// by the groups of the bind pose; and pictures of it, from the moment of the clip to display values.
+/// @throws Error usage: options out of range, a scene in which nothing moves
+PoseBenchReport bench_pose(const PoseBenchOptions& options, Context& context);
+std::string to_json(const PoseBenchReport& report);
+std::string to_text(const PoseBenchReport& report);
+
 /// What to draw, how, and how often.
 struct RenderBenchOptions {
     std::string scene{};  ///< model file or "builtin:teapot"; empty: the built-in scene of the three numbers below

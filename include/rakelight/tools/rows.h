@@ -18,6 +18,7 @@
 #include <rakelight/smooth_file.h>
 #include <rakelight/stages.h>
 #include <rakelight/tools/check_scene.h>
+#include <rakelight/tools/join_windows.h>
 #include <rakelight/tools/reference.h>
 
 namespace rakelight {
@@ -70,6 +71,10 @@ struct SmoothedFileRow : ReportRow {
     std::optional<SmoothedFile> result{};
 };
 
+struct JoinRow : ReportRow {
+    JoinResult result{};  ///< at least `output`
+};
+
 /// {"schema": "rakelight.render/1", "rows": [...]}
 std::string to_json(std::span<const PictureRow> rows);
 /// {"schema": "rakelight.check/1", "rows": [...]}
@@ -84,6 +89,9 @@ std::string to_json(std::span<const ExplainRow> rows);
 std::string to_json(std::span<const StagesRow> rows);
 /// {"schema": "rakelight.smooth/1", "rows": [...]}
 std::string to_json(std::span<const SmoothedFileRow> rows);
+
+/// {"schema": "rakelight.join-windows/1", "rows": [...]}
+std::string to_json(std::span<const JoinRow> rows);
 
 /// A table for people; rows with an error are left out. Empty: there are none.
 std::string to_text(std::span<const ComparisonRow> rows);

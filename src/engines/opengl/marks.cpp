@@ -3,16 +3,12 @@
 
 #include <vector>
 
+#include "shading/mark_color.h"
+
 namespace rakelight::opengl {
 namespace {
 
 using Mark = PictureDrawer::Mark;
-
-vec4 color_of(const shading::DrawMaterial& m) {
-    const float* const c = m.factors.base_color;
-    return {c[0] + m.factors.emission[0], c[1] + m.factors.emission[1], c[2] + m.factors.emission[2],
-            m.factors.blend ? c[3] : 1.0f};
-}
 
 /// In the order of the scene: its lines and points, edges, vertices.
 std::vector<Marks::Planned> plan(const shading::DrawList& list, const RenderSettings& s) {
@@ -20,7 +16,7 @@ std::vector<Marks::Planned> plan(const shading::DrawList& list, const RenderSett
     const Mark::Shape point = s.points == PointShape::square ? Mark::square : Mark::disc;
     const auto own = [&](const shading::Draw& draw, Mark::Kind kind, Mark::Shape shape, float size) {
         const bool has_colors = !list.scene.meshes[draw.mesh].colors.empty();
-        out.push_back({&draw, {kind, shape, size, color_of(list.material(draw)), has_colors}});
+        out.push_back({&draw, {kind, shape, size, shading::mark_color(list.material(draw)), has_colors}});
     };
     for (const shading::Draw& draw : list.line_draws) {
         const bool is_line = list.scene.meshes[draw.mesh].topology == Topology::lines;
@@ -40,6 +36,10 @@ std::vector<Marks::Planned> plan(const shading::DrawList& list, const RenderSett
     if (s.points != PointShape::none) of_triangles(Mark::vertices, point, s.point_size);
     return out;
 }
+
+constexpr float least_filling = 3;  ///< [px] of points: few pixels lie in smaller ones as a whole
+
+bool is_colored_point(const Mark& m) { return m.shape != Mark::line && m.has_vertex_colors; }
 
 bool are_of_one_color(const Mark& a, const Mark& b) {
     return !a.has_vertex_colors && !b.has_vertex_colors && a.color == b.color;
@@ -75,7 +75,8 @@ void Marks::reserve(const Target& to) {
     attach(layer_frame_, layer_.name());
 }
 
-/// Where opaque marks hold the middles of pixels, they hide those behind them.
+/// Where opaque marks hold the middles of pixels, they hide those behind them. Points of many colors hold
+/// whole pixels, lest what is behind a cloud shows through the pixels of their borders.
 void Marks::draw_depth(const PictureDrawer& drawer, std::span<const Planned> marks, const Target& to) {
     const DepthRange range(drawer.driver());
     const GLfloat far = range.far_depth();
@@ -86,8 +87,12 @@ void Marks::draw_depth(const PictureDrawer& drawer, std::span<const Planned> mar
     glDepthMask(GL_TRUE);
     glDepthFunc(range.nearer());
     glClearBufferfv(GL_DEPTH, 0, &far);
-    for (const Planned& m : marks)
-        if (m.mark.color.w >= 1) drawer.draw_marks(*m.draw, m.mark, Output::numbers, to.depth_texture());
+    for (const Planned& m : marks) {
+        if (m.mark.color.w < 1) continue;
+        Mark holding = m.mark;
+        holding.fills = is_colored_point(m.mark) && m.mark.size >= least_filling;
+        drawer.draw_marks(*m.draw, holding, Output::numbers, to.depth_texture());
+    }
     glDrawBuffers(1, &all);
     glDepthMask(GL_FALSE);
     glDepthFunc(range.not_farther());
@@ -102,6 +107,12 @@ void Marks::draw_run(const PictureDrawer& drawer, std::span<const Planned> run, 
     glBlendEquation(in_layer ? GL_MAX : GL_FUNC_ADD);
     {
         const PassMeter::Pass pass(meter, pass_name, !in_layer);
+        const DepthRange range(drawer.driver());
+        if (!in_layer && is_colored_point(run[0].mark) && run[0].mark.size < least_filling) {
+            glDepthFunc(range.farther());  // what is hidden shows through the borders of what is not
+            drawer.draw_marks(*run[0].draw, run[0].mark, Output::color, to.depth_texture());
+            glDepthFunc(range.not_farther());
+        }
         for (const Planned& m : run) drawer.draw_marks(*m.draw, m.mark, Output::color, to.depth_texture());
     }
     glBlendEquation(GL_FUNC_ADD);

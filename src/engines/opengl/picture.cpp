@@ -248,13 +248,15 @@ void PictureDrawer::draw_marks(const shading::Draw& draw, const Mark& mark, Outp
     glBindTexture(GL_TEXTURE_2D, depth);
     const shading::View& view = state_.view;
     const shading::Culling culling = shading::culling_of(state_.list, draw, state_.settings);
-    glUniform4f(program.mark, mark.size, float(mark.kind), float(mark.shape),
+    glUniform4f(program.mark, mark.size, float(mark.kind), float(mark.shape + 4 * mark.fills),
                 view.orthographic ? 0.5f : float(view.z_near));
     glUniform4f(program.mark_color, mark.color.x, mark.color.y, mark.color.z, mark.color.w);
     const DepthRange::Row nearness = DepthRange::nearness(view);
     glUniform4f(program.mark_view, float(pixels_.width), float(pixels_.height), float(nearness.scale),
                 float(nearness.offset));
-    glUniform4f(program.mark_cull, culling.back, culling.front, culling.front_is_negative, 0);
+    const double radius = mark.shape == Mark::line ? 0 : double(mark.size) / (view.scale_y * view.height);
+    glUniform4f(program.mark_cull, culling.back, culling.front, culling.front_is_negative,
+                float(view.orthographic ? -nearness.scale * radius : radius));
     if (program.numbers >= 0)
         glUniform4ui(program.numbers, draw.node, state_.list.material(draw).scene_material, draw.mesh, 0);
     glDisable(GL_CULL_FACE);

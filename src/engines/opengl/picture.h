@@ -17,6 +17,7 @@ struct DepthRange {
     bool is_reversed;
     float far_depth() const { return is_reversed ? 0.0f : 1.0f; }
     GLenum nearer() const { return is_reversed ? GL_GREATER : GL_LESS; }
+    GLenum farther() const { return is_reversed ? GL_LESS : GL_GREATER; }
     GLenum not_farther() const { return is_reversed ? GL_GEQUAL : GL_LEQUAL; }
     /// Of a distance along the view axis: (scale * distance + offset) / w + per_w.
     struct Row {
@@ -65,6 +66,7 @@ public:
         float size = 1;  ///< [px]
         vec4 color;      ///< linear, opacity
         bool has_vertex_colors = false;
+        bool fills = false;  ///< only pixels that it covers as a whole
     };
     /// Over what is bound, hidden by `depth`. @param draw  of DrawList::draws or line_draws
     void draw_marks(const shading::Draw& draw, const Mark& mark, Output output, GLuint depth) const;

@@ -189,6 +189,27 @@ void take_hits(const PathPicture& picture, int depth, std::uint32_t draw, std::u
     }
 }
 
+/// Points give their color as surfaces that are not lit do.
+void take_points(const PathPicture& picture, int depth, std::uint32_t sample, std::size_t begin, std::size_t end,
+                 PathScratch& s) {
+    s.counts.marked += end - begin;
+    for (std::size_t i = begin; i < end; ++i) {
+        const auto ray = std::size_t(s.order[i]);
+        const vec4 color = picture.trace.point_color(s.meetings[ray]);
+        const auto numbers = s.numbers[s.wave.pixel_of(ray)].of(sample, group_of(s.states[ray].met, group_emitter));
+        if (unit_float(numbers[3]) >= color.w) {
+            go_behind(ray, s);
+            continue;
+        }
+        PathSample& to = s.brought[s.wave.pixel_of(ray)];
+        add_light(weight_of(picture.trace, s, ray) * s.states[ray].through * color.xyz(), depth <= 1,
+                  picture.trace.settings, to);
+        if (depth > 0 || to.alpha > 0) continue;
+        to.alpha = 1, to.albedo = {1, 1, 1};
+        to.position = s.wave.vector(ray_o, ray) + s.wave.vector(ray_d, ray) * s.meetings[ray].t;
+    }
+}
+
 /// The hits of one draw.
 void walk_run(const PathPicture& picture, int depth, std::uint32_t sample, const Context& context, std::size_t begin,
               std::size_t end, PathScratch& s) {
@@ -223,8 +244,12 @@ void walk_run(const PathPicture& picture, int depth, std::uint32_t sample, const
 }  // namespace
 
 void walk_wave(const PathPicture& picture, int depth, std::uint32_t sample, const Context& context, PathScratch& s) {
-    meet_wave(picture.trace, context, s,
-              [&](std::size_t begin, std::size_t end) { walk_run(picture, depth, sample, context, begin, end, s); });
+    meet_wave(picture.trace, context, s, [&](std::size_t begin, std::size_t end) {
+        if (picture.trace.is_point(s.meetings[std::size_t(s.order[begin])].draw))
+            take_points(picture, depth, sample, begin, end, s);
+        else
+            walk_run(picture, depth, sample, context, begin, end, s);
+    });
 }
 
 bool reaches_emitter(const PathPicture& picture, const Context& context, EmitterRay& ray, PathScratch& s) {

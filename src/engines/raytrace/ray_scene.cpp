@@ -37,13 +37,6 @@ constexpr std::uint64_t most_in_crowd = 4096;
 /// through instances, and it is built in less than a second.
 constexpr std::uint64_t most_single_in_crowd = 1'000'000;
 
-/// [bytes] of Embree's tree a triangle, about: measured on meshes of 1 to 10 million.
-constexpr std::uint64_t tree_bytes = 100;
-
-RTCRay ray_of(vec3 origin, vec3 direction, float from, float to) {
-    return {origin.x, origin.y, origin.z, from, direction.x, direction.y, direction.z, 0, to, ~0u, 0, 0};
-}
-
 }  // namespace
 
 /// Blocks that a part is made of: the same blocks, the same part.
@@ -184,6 +177,8 @@ RTCGeometry triangles_of(RTCDevice device, const float* positions, std::uint64_t
 }
 
 }  // namespace
+
+void RayScene::commit(RTCScene scene, Context& context) const { Building(device_, context).commit(scene); }
 
 void RayScene::clear() {
     if (top_) embree().ReleaseScene(std::exchange(top_, nullptr));

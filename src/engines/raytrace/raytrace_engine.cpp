@@ -110,9 +110,11 @@ public:
             check_naive(*naive, settings, window, list_.scene.lights);
             picture.naive = &*naive;
         }
-        if (!list_.line_draws.empty() && settings.surfaces)
-            context.report().add(Remark::warning, list_.scene.source, {},
-                                 "lines and points are not drawn: rays do not meet them");
+        const auto is_of_lines = [&](const shading::Draw& draw) {
+            return list_.scene.meshes[draw.mesh].topology == Topology::lines;
+        };
+        if (std::ranges::any_of(list_.line_draws, is_of_lines) && settings.surfaces)
+            context.report().add(Remark::warning, list_.scene.source, {}, "lines are not drawn: rays do not meet them");
         if (!is_path) note_rough_glass(settings, context.report());
         sink.begin(settings.width, settings.height, window, settings.channels);
         const auto begin = std::chrono::steady_clock::now();
@@ -135,12 +137,13 @@ private:
         RayCounts counts;
         const auto take = [&counts](TileScratch& scratch) {
             const RayCounts c = std::exchange(scratch.counts, {});
-            counts.shaded += c.shaded, counts.not_finite += c.not_finite;
+            counts.shaded += c.shaded, counts.marked += c.marked, counts.not_finite += c.not_finite;
             add(c.rays, counts.rays);
         };
         pool_.for_each(take), path_pool_.for_each(take);
         RenderStats stats;
         stats.pixels_shaded = stats.lighting_evaluations = counts.shaded;
+        stats.pixels_marked = counts.marked;
         stats.pixels_not_finite = counts.not_finite;
         stats.rays = counts.rays;
         stats.rays.passes = passes.passes, stats.rays.samples = passes.samples, stats.rays.noise = passes.noise;
@@ -201,7 +204,8 @@ private:
             paths.shines_behind.push_back(path_lights_->emitters.shines_back(d));
         paths.has_dispersion = std::ranges::any_of(
             list_.materials, [](const shading::DrawMaterial& m) { return m.factors.dispersion > 0; });
-        paths.shines = lights.has_sky() || std::ranges::any_of(list_.materials, [](const shading::DrawMaterial& m) {
+        paths.shines = lights.has_sky() || !picture.points.is_empty() ||
+                       std::ranges::any_of(list_.materials, [](const shading::DrawMaterial& m) {
                            return shading::emits(m) || m.factors.unlit != 0;
                        });
         note_paths(picture, context.report());

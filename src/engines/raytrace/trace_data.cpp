@@ -11,11 +11,12 @@ namespace {
 
 /// The numbers of a hit, into its pixel.
 void take_numbers(const TracePicture& picture, std::size_t pixel, const Meeting& m, TileScratch& s) {
-    const shading::Draw& draw = picture.list.draws[m.draw];
+    const bool is_point = picture.is_point(m.draw);
+    const shading::Draw& draw = is_point ? picture.point_draw(m) : picture.list.draws[m.draw];
     const std::uint32_t channels = picture.settings.channels;
     if (channels & channel_object) s.object[pixel] = draw.node;
     if (channels & channel_mesh) s.mesh[pixel] = draw.mesh;
-    if (channels & channel_triangle) s.triangle[pixel] = m.triangle;
+    if ((channels & channel_triangle) && !is_point) s.triangle[pixel] = m.triangle;
     if (channels & channel_material) s.material[pixel] = picture.list.material(draw).scene_material;
 }
 
@@ -56,14 +57,27 @@ void take_values(const TracePicture& picture, const Context& context, std::size_
     }
 }
 
-/// Opaque surfaces behind the first one, which is known.
-std::uint32_t count_behind(const TracePicture& picture, std::size_t ray, const Meeting& first, TileScratch& s) {
+/// A point has no triangle, normal or texture coordinates, and is not lit.
+void take_point(const TracePicture& picture, std::size_t pixel, const Meeting& m, TileScratch& s) {
+    const std::uint32_t channels = picture.settings.channels;
+    const vec3 color = picture.point_color(m).xyz();
+    const dvec3 place =
+        cast<double>(s.wave.vector(ray_o, pixel)) + cast<double>(s.wave.vector(ray_d, pixel)) * double(m.t);
+    if (channels & channel_depth) s.depth[pixel] = m.t;
+    if (channels & channel_base_color) s.base_color[pixel] = color;
+    if (channels & channel_emission) s.emission[pixel] = color;
+    if (channels & channel_position) s.position[pixel] = cast<float>(place + picture.view.camera_to_world[3].xyz());
+}
+
+/// Opaque surfaces on a ray; none is a point.
+std::uint32_t count_surfaces(const TracePicture& picture, std::size_t ray, Meeting first, TileScratch& s) {
+    if (picture.is_point(first.draw)) first = find_surface(picture, s, ray, false);
     std::uint32_t count = 0;
-    for (Meeting m = first; m.draw != no_index; ++count) {
-        s.from[ray] = m.t * step_behind;
-        m = find_first(picture, s, ray, false);
+    for (; first.draw != no_index; ++count) {
+        s.from[ray] = first.t * step_behind;
+        first = find_surface(picture, s, ray, false);
     }
-    return count - 1;
+    return count;
 }
 
 }  // namespace
@@ -82,11 +96,15 @@ void find_data(const TracePicture& picture, const Window& area, const Context& c
     for (std::size_t i = 0; i < count && !context.cancelled(); ++i) {
         s.meetings[i] = find_first(picture, s, i, false);
         if (s.meetings[i].draw == no_index) continue;
-        s.order.push_back(std::int32_t(i));
         take_numbers(picture, i, s.meetings[i], s);
-        if (picture.settings.channels & channel_overdraw)
-            s.overdraw[i] = 1 + count_behind(picture, i, s.meetings[i], s);
+        if (picture.is_point(s.meetings[i].draw))
+            take_point(picture, i, s.meetings[i], s);
+        else
+            s.order.push_back(std::int32_t(i));
     }
+    if (picture.settings.channels & channel_overdraw)
+        for (std::size_t i = 0; i < count && !context.cancelled(); ++i)
+            s.overdraw[i] = count_surfaces(picture, i, s.meetings[i], s);
     for_each_run(s, [&](std::size_t begin, std::size_t end) { take_values(picture, context, begin, end, s); });
     std::swap(s.wave, s.primary);
 }

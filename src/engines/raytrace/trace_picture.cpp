@@ -9,6 +9,7 @@
 #include "cpu_shading/make_mesh_view.h"
 #include "engines/raytrace/media.h"
 #include "math/linear.h"
+#include "scene/splat_mesh.h"
 #include "shading/lights.h"
 #include "shading/shading_choice.h"
 
@@ -107,6 +108,7 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
       view(of_view),
       settings(of_settings),
       kernels(of_kernels),
+      points(rays, list, view, settings.point_size, context),
       is_path(of_settings.method == RayMethod::path),
       max_depth(of_settings.method == RayMethod::cast ? 0 : of_settings.max_depth) {
     const dvec3 eye = view.camera_to_world[3].xyz();
@@ -125,6 +127,7 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
         job.light_count = std::int32_t(lights.size());
         job.mesh = cpu_shading::make_mesh_view(list.scene.meshes[draw.mesh], frames_.back());
         set_rows(to_eye_.back(), job.to_eye);
+        job.is_of_splats = is_of_splats(list.scene.meshes[draw.mesh]);
         job.shape = shape_view(rays.shape_of(d), eye_);
         culling_.push_back(shading::culling_of(list, draw, settings));
         job.front_is_negative = culling_.back().front_is_negative;

@@ -7,6 +7,7 @@
 #include "engines/raytrace/kernels/trace_types.h"
 #include "engines/raytrace/media.h"
 #include "engines/raytrace/naive_scan.h"
+#include "engines/raytrace/ray_points.h"
 #include "engines/raytrace/ray_scene.h"
 #include "shading/draw_choices.h"
 #include "shading/draw_frame.h"
@@ -41,6 +42,16 @@ public:
     /// About the coordinates of the ray scene.
     vec3 in_rays(vec3 about_eye) const { return about_eye + eye_; }
 
+    /// Whether a meeting is with a point: Meeting::draw is then list.draws.size() + its place in list.line_draws, and Meeting::triangle
+    /// the number of the point.
+    bool is_point(std::uint32_t draw) const { return draw != no_index && draw >= list.draws.size(); }
+    const shading::Draw& point_draw(const Meeting& meeting) const {
+        return list.line_draws[meeting.draw - list.draws.size()];
+    }
+    vec4 point_color(const Meeting& meeting) const {
+        return points.color(std::uint32_t(meeting.draw - list.draws.size()), meeting.triangle);
+    }
+
     bool is_blended(std::uint32_t draw) const { return list.view(draw).blend != 0; }
     bool is_masked(std::uint32_t draw) const { return cutoffs_[draw] >= 0; }
     bool goes_on(std::uint32_t draw) const { return goes_on_[draw]; }      ///< rays are mirrored there, or go through
@@ -71,6 +82,7 @@ public:
     const shading::View& view;
     const RenderSettings& settings;
     const Kernels& kernels;
+    const RayPoints points;
     std::vector<lighting::LightParameters> lights;
     const bool is_path;         ///< light goes along paths: it is refracted by bodies, and blended surfaces shade
     bool has_filtered = false;  ///< some draw is culled, or has holes

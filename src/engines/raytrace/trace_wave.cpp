@@ -76,6 +76,26 @@ void send_on(const TracePicture& picture, const NextView& hit, std::int32_t lobe
     s.next.push_back(out);
 }
 
+/// Adds what one ray gets of a hit; where that is not opaque the ray goes on behind it.
+void lay(const TracePicture& picture, std::size_t ray, vec3 color, float alpha, WaveScratch& s) {
+    vec3& sum = s.sum[s.wave.pixel_of(ray)];
+    sum = sum + weight_of(picture, s, ray) * color * (s.rest[ray] * alpha);
+    s.rest[ray] *= 1 - alpha;
+    if (s.rest[ray] <= 0) return;
+    s.from[ray] = s.meetings[ray].t * step_behind;
+    s.live.push_back(std::int32_t(ray));
+}
+
+/// Points are not lit.
+void show_points(const TracePicture& picture, std::size_t begin, std::size_t end, WaveScratch& s) {
+    s.counts.marked += end - begin;
+    for (std::size_t i = begin; i < end; ++i) {
+        const auto ray = std::size_t(s.order[i]);
+        const vec4 color = picture.point_color(s.meetings[ray]);
+        lay(picture, ray, color.xyz(), color.w, s);
+    }
+}
+
 /// Lights the hits of one draw.
 void shade_run(const TracePicture& picture, const Context& context, int depth, std::size_t begin, std::size_t end,
                WaveScratch& s) {
@@ -110,15 +130,10 @@ void shade_run(const TracePicture& picture, const Context& context, int depth, s
         const bool is_sound = s.alpha[i] - s.alpha[i] == 0;
         const float alpha = !is_blended || is_opened ? 1.0f : is_sound ? std::clamp(s.alpha[i], 0.0f, 1.0f) : 0.0f;
         const vec3 weight = weight_of(picture, s, ray);
-        vec3& sum = s.sum[s.wave.pixel_of(ray)];
-        sum = sum + weight * vec3{s.red[i], s.green[i], s.blue[i]} * (s.rest[ray] * alpha);
         if (goes_on)
             for (std::int32_t lobe = 0; lobe < lobe_count; ++lobe)
                 send_on(picture, {s.next_planes_of_hits.data(), room, i}, lobe, ray, weight * (s.rest[ray] * alpha), s);
-        s.rest[ray] *= 1 - alpha;
-        if (s.rest[ray] <= 0) continue;
-        s.from[ray] = s.meetings[ray].t * step_behind;
-        s.live.push_back(std::int32_t(ray));
+        lay(picture, ray, {s.red[i], s.green[i], s.blue[i]}, alpha, s);
     }
 }
 
@@ -189,7 +204,7 @@ TileTracer tracer_of(const TracePicture& picture, const Context& context, WaveSc
             s.wave.is_primary() ? nullptr : s.wave.media.data()};
 }
 
-Meeting find_first(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended) {
+Meeting find_surface(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended) {
     const RayWave& wave = s.wave;
     const SeenFilter filter(picture, wave, ray, with_blended);
     const bool needs_filter =
@@ -197,6 +212,18 @@ Meeting find_first(const TracePicture& picture, const WaveScratch& s, std::size_
     const float to = wave.is_primary() ? float(picture.view.z_far) : std::numeric_limits<float>::infinity();
     return picture.first(picture.in_rays(wave.vector(ray_o, ray)), wave.vector(ray_d, ray), s.from[ray], to,
                          needs_filter ? &filter : nullptr);
+}
+
+Meeting find_first(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended) {
+    const Meeting surface = find_surface(picture, s, ray, with_blended);
+    if (picture.points.is_empty()) return surface;
+    const RayWave& wave = s.wave;
+    const float far = wave.is_primary() ? float(picture.view.z_far) : std::numeric_limits<float>::infinity();
+    const RayPoints::Meeting point =
+        picture.points.first(wave.vector(ray_o, ray), wave.vector(ray_d, ray), s.from[ray],
+                             surface.draw == no_index ? far : surface.t * step_behind, wave.is_primary(), with_blended);
+    if (point.draw == no_index) return surface;
+    return {std::uint32_t(picture.list.draws.size()) + point.draw, point.point, point.t};
 }
 
 void set_hits(std::size_t begin, std::size_t end, WaveScratch& s, HitJob& job) {
@@ -216,8 +243,12 @@ void set_hits(std::size_t begin, std::size_t end, WaveScratch& s, HitJob& job) {
 void follow(const TracePicture& picture, const Context& context, int depth, WaveScratch& s) {
     s.rest.assign(s.wave.count, 1.0f);
     s.next.clear();
-    meet_wave(picture, context, s,
-              [&](std::size_t begin, std::size_t end) { shade_run(picture, context, depth, begin, end, s); });
+    meet_wave(picture, context, s, [&](std::size_t begin, std::size_t end) {
+        if (picture.is_point(s.meetings[std::size_t(s.order[begin])].draw))
+            show_points(picture, begin, end, s);
+        else
+            shade_run(picture, context, depth, begin, end, s);
+    });
 }
 
 }  // namespace rakelight::raytrace

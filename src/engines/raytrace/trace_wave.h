@@ -36,7 +36,7 @@ struct NextRay {
 
 /// Counts of a tile.
 struct RayCounts {
-    std::uint64_t shaded = 0, not_finite = 0;
+    std::uint64_t shaded = 0, marked = 0, not_finite = 0;
     RayStats rays;
 };
 
@@ -67,6 +67,8 @@ void follow(const TracePicture& picture, const Context& context, int depth, Wave
 void find_sky_colors(const TracePicture& picture, bool is_parallel, WaveScratch& s);
 
 /// The nearest surface that a ray of the wave shows. @param with_blended  false: only opaque ones
+Meeting find_surface(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended);
+/// The nearest surface or point (TracePicture::is_point()); points lie over surfaces at the same depth.
 Meeting find_first(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended);
 
 /// For the jobs of the hits that set_hits() set.

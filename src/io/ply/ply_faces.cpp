@@ -6,7 +6,6 @@
 
 #include "io/obj/polygon.h"
 #include "io/ply/ply_vertices.h"
-#include "math/color.h"
 
 namespace rakelight::io::ply {
 namespace {
@@ -22,42 +21,35 @@ void make_room(std::vector<T>& array, std::size_t more, MemoryCharge& charge) {
 }
 
 /// What a property of a face is for.
-enum class Use : std::uint8_t { none, corners, texcoords, red, green, blue };
+enum class Use : std::uint8_t { none, corners, texcoords, color };
 
 Use use_of(const Property& p, bool takes_colors) {
     if (p.count_type && p.name.starts_with("vertex_ind")) return Use::corners;
     if (p.count_type && p.name == "texcoord") return Use::texcoords;
-    if (p.count_type || !takes_colors) return Use::none;
-    if (p.name == "red" || p.name == "diffuse_red" || p.name == "r") return Use::red;
-    if (p.name == "green" || p.name == "diffuse_green" || p.name == "g") return Use::green;
-    if (p.name == "blue" || p.name == "diffuse_blue" || p.name == "b") return Use::blue;
-    return Use::none;
-}
-
-float display_value(const Property& p, double value) {
-    const float largest = is_real(p.type) ? (value > 1 ? 255.0f : 1.0f) : size_of(p.type) == 2 ? 65535.0f : 255.0f;
-    return linear_from_srgb(float(value) / largest);
+    return !p.count_type && takes_colors && color_component(p.name) ? Use::color : Use::none;
 }
 
 class FaceReader {
 public:
-    FaceReader(Cursor& cursor, const Element& element, const VertexTable& vertices, bool takes_colors, Faces& out)
-        : cursor_(cursor), vertices_(vertices), out_(out) {
+    FaceReader(Cursor& cursor, const Element& element, Format format, const VertexTable& vertices, bool takes_colors,
+               Faces& out)
+        : cursor_(cursor), vertices_(vertices), out_(out), first_value_(out.triangles.size()) {
         for (const Property& p : element.properties) {
-            uses_.push_back({&p, use_of(p, takes_colors)});
-            const Use use = uses_.back().use;
-            const bool is_color = use == Use::red || use == Use::green || use == Use::blue;
+            Use use = use_of(p, takes_colors);
+            const std::size_t component = use == Use::color ? *color_component(p.name) : 0;
+            if (use == Use::color && !columns_.take(component, kind_of(p, format).color)) use = Use::none;
+            uses_.push_back({&p, use, component});
             out.have_texcoords |= use == Use::texcoords;
-            out.have_colors |= is_color;
-            has_values_ |= is_color || use == Use::texcoords;
+            has_values_ |= use == Use::color || use == Use::texcoords;
             if (use == Use::none) unused_.push_back(p.name);
         }
+        out.have_colors |= columns_.any();
     }
 
     void read_row() {
         corners_.clear(), uvs_.clear();
         bool is_fine = true;
-        for (const auto& [property, use] : uses_) {
+        for (const auto& [property, use, component] : uses_) {
             if (use == Use::corners)
                 is_fine = read_corners(*property);
             else if (use == Use::texcoords)
@@ -65,8 +57,7 @@ public:
             else if (use == Use::none)
                 cursor_.skip(*property);
             else
-                color_[std::size_t(use) - std::size_t(Use::red)] =
-                    display_value(*property, cursor_.number(property->type));
+                read_color(component, cursor_.number(property->type));
         }
         if (!is_fine)
             ++bad_;
@@ -74,6 +65,16 @@ public:
             ++short_;
         else
             add();
+    }
+
+    /// The colors of all faces, as the file has them, become linear: what range they have is known now.
+    void finish_colors(const std::string& path, Report& report) {
+        if (!columns_.any()) return;
+        const std::span<CornerValue> values =
+            std::span(out_.values).subspan(std::min(first_value_, out_.values.size()));
+        for (const CornerValue& v : values) columns_.look_at(v.color);
+        columns_.settle("face", path, report);
+        for (CornerValue& v : values) v.color = columns_.linear(v.color);
     }
 
     void say(const std::string& path, Report& report) const {
@@ -90,7 +91,10 @@ private:
     struct PropertyUse {
         const Property* property;
         Use use;
+        std::size_t component;  ///< of a color
     };
+
+    void read_color(std::size_t component, double value) { color_[component] = std::isnan(value) ? 0 : float(value); }
 
     bool read_corners(const Property& p) {
         const std::uint64_t count = cursor_.list(p);
@@ -134,7 +138,7 @@ private:
             const vec2 uv{uvs_[2 * corner], 1 - uvs_[2 * corner + 1]};
             if (std::isfinite(uv.x) && std::isfinite(uv.y)) value.uv = uv;
         }
-        if (out_.have_colors) value.color = {color_[0], color_[1], color_[2], 1};
+        if (columns_.any()) value.color = color_;
         return value;
     }
 
@@ -148,7 +152,9 @@ private:
     bool has_values_ = false;          ///< of this element's faces
     std::vector<float> uvs_;
     std::vector<dvec3> places_;
-    float color_[3] = {1, 1, 1};
+    ColorColumns columns_;
+    vec4 color_{0, 0, 0, 1};   ///< of the face, as the file has it
+    std::size_t first_value_;  ///< of this element, in the values of all
     std::uint64_t bad_ = 0, short_ = 0;
 };
 
@@ -170,14 +176,15 @@ void Faces::add(std::span<const std::uint32_t> corners, std::span<const CornerVa
     values.resize(3 * after);
 }
 
-void read_faces(Cursor& cursor, const Element& element, const VertexTable& vertices, bool takes_colors, Faces& out,
-                const std::string& path, Context& context) {
+void read_faces(Cursor& cursor, const Element& element, Format format, const VertexTable& vertices, bool takes_colors,
+                Faces& out, const std::string& path, Context& context) {
     cursor.begin(element);
-    FaceReader reader(cursor, element, vertices, takes_colors, out);
+    FaceReader reader(cursor, element, format, vertices, takes_colors, out);
     for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
         if (i % 65536 == 0) context.throw_if_cancelled();
         reader.read_row();
     }
+    reader.finish_colors(path, context.report());
     reader.say(path, context.report());
 }
 

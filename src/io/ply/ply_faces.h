@@ -35,8 +35,8 @@ struct Faces {
 
 /// Reads the faces. Those with fewer than 3 corners, or with vertex numbers out of range, are left out with a remark.
 /// @param takes_colors  vertices have none
-void read_faces(Cursor& cursor, const Element& element, const VertexTable& vertices, bool takes_colors, Faces& out,
-                const std::string& path, Context& context);
+void read_faces(Cursor& cursor, const Element& element, Format format, const VertexTable& vertices, bool takes_colors,
+                Faces& out, const std::string& path, Context& context);
 /// Strips of triangles: each list of vertex numbers is one, and -1 begins another.
 void read_strips(Cursor& cursor, const Element& element, const VertexTable& vertices, Faces& out,
                  const std::string& path, Context& context);

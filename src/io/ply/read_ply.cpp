@@ -41,7 +41,7 @@ Contents read_elements(std::string_view file, const Header& header, const std::s
             cursor.begin(e);
             for (std::uint64_t i = 0; i < e.count && !e.properties.empty(); ++i) cursor.skip_row(e);
         } else if (e.name == "face") {
-            read_faces(cursor, e, *out.vertices, !out.vertices->has_colors(), out.faces, path, context);
+            read_faces(cursor, e, header.format, *out.vertices, !out.vertices->has_colors(), out.faces, path, context);
         } else if (e.name == "tristrips") {
             read_strips(cursor, e, *out.vertices, out.faces, path, context);
         } else {

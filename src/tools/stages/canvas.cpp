@@ -6,8 +6,6 @@
 #include <iterator>
 #include <utility>
 
-#include "math/color.h"
-
 namespace rakelight::stages {
 namespace {
 
@@ -131,7 +129,5 @@ Code gray(double v) { return {code(v), code(v), code(v)}; }
 Code color_of_normal(vec3 n) {
     return {code(double(n.x) * 0.5 + 0.5), code(double(n.y) * 0.5 + 0.5), code(double(n.z) * 0.5 + 0.5)};
 }
-
-Code display(vec3 l) { return {srgb8_from_linear(l.x), srgb8_from_linear(l.y), srgb8_from_linear(l.z)}; }
 
 }  // namespace rakelight::stages

@@ -53,12 +53,11 @@ private:
     std::vector<std::uint32_t> counts_;
 };
 
+using rakelight::code_of_light;
 using rakelight::color_of_number;
 using rakelight::heat;
 Code gray(double value);  ///< 0 black to 1 white; clamped
 /// -1..1 a component to 0..255.
 Code color_of_normal(vec3 n);
-/// Linear light, clamped, as display codes.
-Code display(vec3 linear);
 
 }  // namespace rakelight::stages

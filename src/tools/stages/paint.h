@@ -25,10 +25,10 @@ inline std::string number_and_name(const Light& light, std::size_t i) {
 }
 
 /// A pixel as the picture has it: with its exposure and tone curve, before what lies behind.
-inline Code shown(const Sources& of, vec4 pixel) { return display(of.curve.displayed(pixel).xyz()); }
+inline Code shown(const Sources& of, vec4 pixel) { return code_of_light(of.curve.displayed(pixel).xyz()); }
 /// Light likewise.
-inline Code shown(const Sources& of, vec3 light) { return display(of.curve(light)); }
+inline Code shown(const Sources& of, vec3 light) { return code_of_light(of.curve(light)); }
 /// With the exposure alone, clamped: terms that are shown so add up.
-inline Code exposed(const Sources& of, vec3 light) { return display(of.exposure(light)); }
+inline Code exposed(const Sources& of, vec3 light) { return code_of_light(of.exposure(light)); }
 
 }  // namespace rakelight::stages

@@ -31,7 +31,7 @@ void draw_curve(Canvas& canvas, const ToneCurve& curve, Code color) {
     dvec2 last;
     for (int x = left; x <= right; ++x) {
         const double ev = low_ev + (high_ev - low_ev) * (x - left) / (right - left);
-        const dvec2 p = {double(x), y_of(display(curve(gray_light(light_at(ev)))).g)};
+        const dvec2 p = {double(x), y_of(code_of_light(curve(gray_light(light_at(ev)))).g)};
         if (x > left) canvas.line(last, p, color);
         last = p;
     }
@@ -80,19 +80,20 @@ Stage tone_stage(const Sources& of) {
                  {"pixels brighter than 1 with the exposure", count_over_one(of, of.exposure)},
                  {"pixels brighter than 1 after the curve, clamped", count_over_one(of, of.curve)}};
     s.pictures.push_back({"tone-light", "Before: the light clamped to 1, no exposure, no curve.",
-                          paint(of, [&](std::size_t p) { return display(of.pixels.color[p].xyz()); })});
+                          paint(of, [&](std::size_t p) { return code_of_light(of.pixels.color[p].xyz()); })});
     s.pictures.push_back(
         {"tone-over-1", "Red: with the exposure brighter than 1 before the curve.", paint(of, [&](std::size_t p) {
              const vec3 light = of.exposure(of.pixels.color[p].xyz());
              if (is_over_one(light)) return Code{240, 70, 60};
-             const Code c = display(light);
+             const Code c = code_of_light(light);
              return gray((c.r + 2 * c.g + c.b) / (4 * 255.0) * 0.6);
          })});
     s.pictures.push_back(curve_picture(of));
     s.columns = {"EV about 0.18", "light", "with the exposure", "after the curve", "code"};
     for (int ev = int(low_ev); ev <= int(high_ev); ++ev) {
         const vec3 light = gray_light(light_at(ev)), after = of.curve(light);
-        s.rows.push_back({ev, double(light.y), double(of.exposure(light).y), double(after.y), int(display(after).g)});
+        s.rows.push_back(
+            {ev, double(light.y), double(of.exposure(light).y), double(after.y), int(code_of_light(after).g)});
     }
     s.rows_note = "What becomes of gray light";
     return s;

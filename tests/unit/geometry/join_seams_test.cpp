@@ -134,6 +134,15 @@ TEST(JoinSeams, FlatFacesOfOnePlaneAreJoinedWithASmoothNeighbor) {
     EXPECT_EQ(join(hinge, 20).report.turned, 0u) << "sharper than the crease angle";
 }
 
+TEST(JoinSeams, AFaceWithACornerWithoutANormalIsNotAuthoredFlat) {
+    std::vector<Shape> hinge = make_hinge(radians(30));
+    hinge[0] = flat(hinge[0]), hinge[1] = flat(hinge[1]);
+    hinge[1].object = 1;
+    hinge[1].normals[1] = {0, 0, 0};  // of the triangle at the common edge, the corner that is not there
+    EXPECT_GT(join(hinge).report.turned, 0u);
+    EXPECT_EQ(join(hinge).report.flat_pairs, 0u);
+}
+
 /// Mesh 0 has a hard edge along z at x = 0, mesh 1 is smooth there and goes on at z > 0.
 std::vector<Shape> hard_edge_meets_smooth() {
     Shape a, b;

@@ -209,6 +209,36 @@ TEST(ReadPly, FacesWithTexcoordsOrColorsOfTheirOwnSplitVertices) {
     EXPECT_EQ(colors.mesh().colors[0], (vec4{1, 0, 0, 1}));
 }
 
+TEST(ReadPly, ColorsOfFacesHaveTheRangesOfColorsOfVertices) {
+    const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+    const auto read = [&](const std::string& properties, const std::string& first, const std::string& second) {
+        return ReadPly(header("ascii", "element vertex 4\n" + xyz +
+                                           "element face 2\nproperty list uchar int vertex_indices\n" + properties) +
+                       square + "3 0 1 2 " + first + "\n3 0 2 3 " + second + "\n");
+    };
+    const auto rgb = [](const std::string& type) {
+        return "property " + type + " Red\nproperty " + type + " green\nproperty " + type + " blue\n";
+    };
+    ReadPly reals = read(rgb("float"), "255 51 0", "1 0.5 0");
+    ASSERT_EQ(reals.error, "");
+    ASSERT_EQ(reals.mesh().colors.size(), 6u);
+    EXPECT_EQ(reals.mesh().colors[0].y, linear_from_srgb8(51));
+    EXPECT_EQ(reals.mesh().colors[3].x, linear_from_srgb8(1)) << "one range for the whole column";
+    EXPECT_TRUE(reals.says("face colors over 1 were read as 0..255"));
+    EXPECT_EQ(read(rgb("float"), "0.5 1 0", "1 0 0").mesh().colors[0].x, linear_from_srgb(0.5f));
+    EXPECT_NEAR(read(rgb("ushort"), "65535 13107 0", "0 0 0").mesh().colors[0].y, linear_from_srgb(0.2f), 1e-6f);
+    const ReadPly alpha = read(rgb("uchar") + "property uchar alpha\n", "255 0 0 51", "0 0 255 255");
+    EXPECT_NEAR(alpha.mesh().colors[0].w, 0.2f, 1e-6f);
+    EXPECT_EQ(alpha.mesh().colors[3].w, 1);
+    EXPECT_EQ(read("property uchar alpha\n", "51", "255").mesh().colors[3], (vec4{1, 1, 1, 1})) << "alpha alone";
+    ReadPly twice = read(rgb("uchar") + "property uchar diffuse_red\n", "255 0 0 7", "0 0 255 7");
+    EXPECT_EQ(twice.mesh().colors[0], (vec4{1, 0, 0, 1}));
+    EXPECT_TRUE(twice.says("'diffuse_red'"));
+    const ReadPly none = read(rgb("float"), "nan 1 0", "nan 1 0");
+    EXPECT_EQ(none.mesh().colors[0], (vec4{0, 1, 0, 1}));
+    EXPECT_EQ(none.mesh().positions.size(), 4u) << "the same color at the corners that both faces share";
+}
+
 TEST(ReadPly, NothingIsLeftOutInSilence) {
     ReadPly read(
         header("ascii",
@@ -217,7 +247,8 @@ TEST(ReadPly, NothingIsLeftOutInSilence) {
                    "camera 1\nproperty float focal\n") +
         "0 0 0 0.5 1 2 7 8\n35\nmore\n");
     ASSERT_EQ(read.error, "");
-    EXPECT_TRUE(read.says("intensity") && read.says("confidence"));
+    ASSERT_EQ(read.mesh().arrays.size(), 2u);
+    EXPECT_TRUE(read.mesh().arrays[0].name == "intensity" && read.mesh().arrays[1].name == "confidence");
     EXPECT_TRUE(read.says("'seen_by'"));
     EXPECT_TRUE(read.says("'camera'"));
     EXPECT_TRUE(read.says("bytes follow"));

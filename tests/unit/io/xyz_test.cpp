@@ -84,5 +84,19 @@ TEST(ReadXyz, PlacesOfSurveysKeepTheirDigits) {
     EXPECT_EQ(first, (dvec3{431234.125, 5432109.875, 100}));
 }
 
+TEST(ReadXyz, NumbersBeyondTheColumnsAreReported) {
+    const auto dropped = [](const std::string& text) {
+        ReadXyz read(text);
+        EXPECT_EQ(read.error, "");
+        const auto entries = read.context.report().entries();
+        return entries.empty() ? std::string() : entries[0].message;
+    };
+    const std::string sixteen = "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16";
+    EXPECT_EQ(dropped(sixteen + " \n" + sixteen + "\n"), "");
+    EXPECT_EQ(dropped(sixteen + " 17\n" + sixteen + ",17,18\n"),
+              "2 lines hold more than 16 numbers; those behind are left out");
+    EXPECT_EQ(dropped("1 2 3\n4 5 6 7\n"), "1 line holds more than 3 numbers; those behind are left out");
+}
+
 }  // namespace
 }  // namespace rakelight::io

@@ -281,6 +281,53 @@ TEST_F(OpenGl, LinesAndPointsAreCountedAndHeldAsBySoft) {
     EXPECT_EQ(by_gl.pixels_covered, 0u);
 }
 
+/// A bent sheet of points in many colors, nearer to each other than they are wide.
+Scene colored_cloud() {
+    Scene scene;
+    scene.materials = {test::matte({1, 1, 1})};
+    scene.materials[0].model = MaterialModel::unlit;
+    Mesh points;
+    points.topology = Topology::points;
+    std::vector<vec3> places;
+    std::vector<vec4> colors;
+    std::vector<std::uint32_t> indices;
+    for (int n = 0; n < 400; ++n) {
+        const float x = float(n % 20) / 10 - 1, y = float(n / 20) / 10 - 1;
+        places.push_back({x + 0.3f * y * y, y, 0.5f * x * x - 0.4f * y});
+        colors.push_back({float(n % 3) / 2, float(n % 5) / 4, float(n % 2), 1});
+        indices.push_back(std::uint32_t(n));
+    }
+    points.positions = places, points.colors = colors, points.indices = indices;
+    test::add_object(scene, points);
+    return scene;
+}
+
+TEST_F(OpenGl, OverlappingPointsPartAsBySoftAndNothingShowsThroughTheirBorders) {
+    RenderSettings settings = small();
+    settings.width = 200, settings.height = 150;
+    settings.channels = channel_depth | channel_base_color;
+    for (const bool is_parallel : {false, true})
+        for (const PointShape shape : {PointShape::none, PointShape::square})
+            for (const float size : {2.0f, 17.0f}) {
+                Camera camera = oblique();
+                if (is_parallel) camera.projection = Projection::orthographic, camera.half_height = 1.2;
+                settings.points = shape, settings.point_size = size;
+                const auto soft = raster::make_engine();
+                soft->prepare(colored_cloud(), context), engine->prepare(colored_cloud(), context);
+                Frame a, b;
+                soft->render(camera, settings, a, context), engine->render(camera, settings, b, context);
+                std::size_t others = 0, covered = 0;
+                for (std::size_t i = 0; i < a.color.size(); ++i) {
+                    covered += !std::isinf(a.depth[i]);
+                    const vec3 d = a.color[i].xyz() - b.color[i].xyz();
+                    others += dot(d, d) > 0.01f || std::isinf(a.depth[i]) != std::isinf(b.depth[i]) ||
+                              a.base_color[i] != b.base_color[i];
+                }
+                EXPECT_GT(covered, size > 10 ? 5000u : 500u);
+                EXPECT_LT(double(others), 0.02 * double(covered)) << is_parallel << int(shape) << ' ' << size;
+            }
+}
+
 TEST_F(OpenGl, EdgesInANearAndFarRangeAreHiddenBySurfaces) {
     RenderSettings settings = small();
     settings.width = 200, settings.height = 150;

@@ -147,12 +147,12 @@ Scene skinned_balls(std::uint32_t placements) {
 }
 
 TEST(Skinning, TheSearchForPartingVerticesStaysWithinTheMemoryBudget) {
-    const PrepareOptions flat{.normals = NormalSource::flat};  // instances share what is made of their mesh
+    const SmoothSceneOptions flat{{.scope = Scope::face}};  // instances share what is made of their mesh
     const Scene few = skinned_balls(4), many = skinned_balls(1000);
     Context enough({.max_memory = 8 << 20}), too_small({.max_memory = 8 << 20});
-    prepare_scene(few, flat, enough);
+    smooth_scene(few, flat, enough);
     EXPECT_EQ(test::remarks(enough, Remark::warning, "part in motion"), 1u) << test::all_remarks(enough);
-    prepare_scene(many, flat, too_small);
+    smooth_scene(many, flat, too_small);
     EXPECT_EQ(test::remarks(too_small, Remark::warning, "part in motion"), 0u);
     EXPECT_EQ(test::remarks(too_small, Remark::note, "were not searched for places that part in motion"), 1u)
         << test::all_remarks(too_small);
@@ -162,7 +162,7 @@ TEST(Skinning, PlacementsOfOneMeshUnderOneSkinAreLookedAtOnce) {
     Scene scene = skinned_balls(1000);
     for (std::uint32_t i = 0; i < 1000; ++i) scene.nodes[i].skin = i % 2;
     Context context({.max_memory = 8 << 20});
-    prepare_scene(scene, {.normals = NormalSource::flat}, context);
+    smooth_scene(scene, {{.scope = Scope::face}}, context);
     EXPECT_EQ(test::remarks(context, Remark::warning, std::to_string(64 * 31 + 2) + " places"), 1u)
         << test::all_remarks(context);
 }

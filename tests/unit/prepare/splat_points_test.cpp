@@ -7,6 +7,7 @@
 #include "math/linear.h"
 #include "prepare/splat_points.h"
 #include "scene/scene_tools.h"
+#include "scene/splat_mesh.h"
 
 namespace rakelight {
 namespace {
@@ -30,25 +31,49 @@ Scene grid(std::size_t n, float step) {
     return scene;
 }
 
-TEST(SplatPoints, SquaresOfAGridCoverItAndLieInThePlaneOfTheNormals) {
+TEST(SplatPoints, OfAGridCoverItWithAnApexOnEachSideOfThePlaneOfTheirNormals) {
     Context context({.threads = 2});
     const Scene scene = splat_points(grid(64, 0.25f), context);
     validate(scene);
     const Mesh& mesh = scene.meshes.at(0);
     ASSERT_EQ(mesh.topology, Topology::triangles);
-    ASSERT_EQ(mesh.positions.size(), 4u * 64 * 64);
-    EXPECT_EQ(mesh.triangle_count(), 2u * 64 * 64);
+    ASSERT_EQ(mesh.positions.size(), splat_vertices * 64 * 64);
+    EXPECT_EQ(mesh.triangle_count(), splat_triangles * 64 * 64);
+    EXPECT_TRUE(is_of_splats(mesh));
     EXPECT_TRUE(scene.materials.at(mesh.material).double_sided);
-    for (std::size_t i = 0; i < mesh.positions.size() / 4; ++i) {
-        const vec3 a = mesh.positions[4 * i], c = mesh.positions[4 * i + 2];
-        EXPECT_EQ(a.z, 0);
-        EXPECT_NEAR((a.x + c.x) / 2, 0.25f * float(i % 64), 1e-5f);
-        EXPECT_GE(std::sqrt(dot(c - a, c - a)), 0.25f * std::sqrt(2.0f)) << "neighbors leave no gap";
-        EXPECT_LE(std::sqrt(dot(c - a, c - a)), 0.25f * 3.5f);
-        EXPECT_EQ(mesh.colors[4 * i + 3].x, float(i));
-        const vec3 face = cross(mesh.positions[4 * i + 1] - a, c - a);
-        EXPECT_GT(face.z, 0) << "it turns as its normal says";
+    for (std::size_t i = 0; i < 64 * 64; ++i) {
+        const vec3* const at = mesh.positions.data() + splat_vertices * i;
+        const vec3 middle{0.25f * float(i % 64), 0.25f * float(i / 64), 0};
+        const float radius = length(at[2] - middle);
+        EXPECT_GE(radius, 0.25f * std::sqrt(2.0f) / std::sqrt(3.0f)) << "neighbors leave no gap";
+        EXPECT_LE(radius, 0.25f * 2);
+        for (std::size_t k = 2; k < splat_vertices; ++k) {
+            EXPECT_EQ(at[k].z, 0);
+            EXPECT_NEAR(length(at[k] - middle), radius, 1e-5f);
+        }
+        EXPECT_NEAR(length(at[0] - middle - vec3{0, 0, splat_slope * radius}), 0, 1e-5f);
+        EXPECT_NEAR(length(at[1] - middle + vec3{0, 0, splat_slope * radius}), 0, 1e-5f);
+        EXPECT_EQ(mesh.colors[splat_vertices * i + 3].x, float(i));
+        for (std::size_t t = 0; t < splat_triangles; ++t) {
+            const std::uint32_t* const c = mesh.indices.data() + 3 * (splat_triangles * i + t);
+            const vec3 a = mesh.positions[c[0]];
+            EXPECT_GT(cross(mesh.positions[c[1]] - a, mesh.positions[c[2]] - a).z, 0) << "it turns as its normal says";
+        }
     }
+}
+
+TEST(SplatPoints, AreKnownAgainByTheOrderOfTheirCornersAlone) {
+    Context context({.threads = 1});
+    Mesh mesh = splat_points(grid(5, 1), context).meshes.at(0);
+    ASSERT_TRUE(is_of_splats(mesh));
+    std::vector<std::uint32_t> indices(mesh.indices.begin(), mesh.indices.end());
+    std::swap(indices[indices.size() - 1], indices[indices.size() - 2]);
+    mesh.indices = indices;
+    EXPECT_FALSE(is_of_splats(mesh));
+    indices.resize(indices.size() - 3);
+    mesh.indices = indices;
+    EXPECT_FALSE(is_of_splats(mesh));
+    EXPECT_FALSE(is_of_splats(Mesh{}));
 }
 
 TEST(SplatPoints, PointsWithoutANormalStayPoints) {
@@ -60,7 +85,7 @@ TEST(SplatPoints, PointsWithoutANormalStayPoints) {
     const Scene out = splat_points(scene, context);
     validate(out);
     ASSERT_EQ(out.meshes.size(), 2u);
-    EXPECT_EQ(out.meshes[0].triangle_count(), 2u * (1600 - 1));
+    EXPECT_EQ(out.meshes[0].triangle_count(), splat_triangles * (1600 - 1));
     EXPECT_EQ(out.meshes[1].topology, Topology::points);
     ASSERT_EQ(out.meshes[1].indices.size(), 1u);
     EXPECT_EQ(out.meshes[1].indices[0], 7u);
@@ -93,8 +118,8 @@ TEST(SplatPoints, PointsOfASurfaceWithNothingButTheirPlacesGetNormalsOfTheirNeig
     const Mesh& mesh = out.meshes.at(0);
     ASSERT_EQ(mesh.topology, Topology::triangles);
     double worst = 1;
-    for (std::size_t i = 0; i < mesh.positions.size(); i += 4) {
-        const vec3 middle = (mesh.positions[i] + mesh.positions[i + 2]) * 0.5f;
+    for (std::size_t i = 0; i < mesh.positions.size(); i += splat_vertices) {
+        const vec3 middle = (mesh.positions[i] + mesh.positions[i + 1]) * 0.5f;
         worst = std::min(worst, std::fabs(double(dot(mesh.normals[i], middle))));
     }
     EXPECT_GT(worst, 0.99) << "within 8 degrees of the sphere's own";

@@ -254,6 +254,61 @@ TEST(Marks, NearerOnesLieOverFartherOnesWhateverTheirOrder) {
     }
 }
 
+TEST(Marks, OverlappingPointsPartWhereTheirParaboloidsMeet) {
+    constexpr vec4 red{1, 0, 0, 1}, green{0, 1, 0, 1};
+    for (const PointShape shape : {PointShape::disc, PointShape::square})
+        for (const float nearer : {0.0f, 0.15f})
+            for (const bool red_first : {true, false}) {
+                Scene scene;
+                std::vector<vec3> places = {place(26, 32), place(38, 32, nearer)};
+                std::vector<vec4> colors = {red, green};
+                if (!red_first) std::swap(places[0], places[1]), std::swap(colors[0], colors[1]);
+                add_marks(scene, Topology::points, places, {1, 1, 1, 1}, colors);
+                RenderSettings s = settings();
+                s.points = shape;
+                s.point_size = 20;
+                s.channels = channel_depth | channel_base_color;
+                const Frame f = draw(scene, flat_camera(), s);
+                // Equal depths part at the bisector, x = 32. The pixels of a row are 1/32 m apart, so both sink 10/32 m in 10 px, and
+                // 10/32 ((x - 26)^2 - (x - 38)^2) / 100 = -nearer.
+                const double border = 32 - 40.0 / 3 * double(nearer);
+                for (int x = 30; x < 34; ++x) {
+                    const vec4 wanted = x + 0.5 < border ? red : green;
+                    EXPECT_EQ(pixel(f, x, 31), wanted) << x << ' ' << nearer << ' ' << red_first;
+                    const std::size_t at = std::size_t(31 * side + x);
+                    EXPECT_EQ(f.base_color[at], wanted.xyz()) << x;
+                    EXPECT_NEAR(f.depth[at], wanted.x > 0 ? 5 : 5 - nearer, 1e-5f)
+                        << "the point's, not the paraboloid's";
+                }
+                EXPECT_EQ(pixel(f, 17, 31), red);
+                EXPECT_EQ(pixel(f, 46, 31), green);
+            }
+}
+
+TEST(Marks, ACloudOfColoredPointsShowsTheNearestCenterAndHasTheSameBitsEverywhere) {
+    Scene scene;
+    std::vector<vec3> places;
+    std::vector<vec4> colors;
+    for (int n = 0; n < 900; ++n) {
+        places.push_back({float(n % 30) * 0.05f - 0.7f, float(n / 30) * 0.05f - 0.6f, float(n % 7) * 1e-5f});
+        colors.push_back({float(n), 0, 0, 1});
+    }
+    add_marks(scene, Topology::points, places, {1, 1, 1, 1}, colors);
+    RenderSettings s = settings();
+    s.width = 150, s.height = 140;
+    s.point_size = 14;
+    expect_same_bits_everywhere(scene, s);
+    const Frame f = draw(scene, eye(), s);
+    int wrong = 0;
+    for (int n = 0; n < 900; ++n) {  // its own pixel, in perspective: 140 px show 2 tan(25 deg) of the distance
+        const double scale = 70 / std::tan(0.436332312998582) / (2.2 - double(places[std::size_t(n)].z));
+        const int x = int(75 + (double(places[std::size_t(n)].x) - 0.1) * scale),
+                  y = int(70 - (double(places[std::size_t(n)].y) - 0.2) * scale);
+        wrong += f.color[std::size_t(y * 150 + x)].x != float(n);
+    }
+    EXPECT_EQ(wrong, 0);
+}
+
 TEST(Marks, VerticesAreShownInsteadOfSurfacesOrOverThem) {
     Scene scene;
     add_object(scene, square_mesh(add_unlit(scene, {0.25f, 0.5f, 1, 1}), 0.5f));

@@ -11,6 +11,7 @@
 
 #include <rakelight/render.h>
 
+#include "math/color.h"
 #include "support/gl_context.h"
 #include "support/scene_builder.h"
 #include "support/thrown_error.h"
@@ -130,6 +131,23 @@ TEST_F(GlViews, ASceneIsDrawnAsTheEngineDrawsIt) {
     const std::vector<std::uint32_t> got = screen(), expected = to_srgb8(frame, tone, behind);
     for (std::size_t i = 0; i < got.size(); ++i)
         for (int c = 0; c < 3; ++c) ASSERT_NEAR(got[i] >> 8 * c & 255, expected[i] >> 8 * c & 255, 1) << "pixel " << i;
+}
+
+TEST_F(GlViews, AFrameIsShownOverItsBackgroundAsItsCodesAre) {
+    GlView view;
+    settings.background = {0.2f, 0.3f, 0.4f, 1};
+    const ToneSettings tone{.mapping = ToneMapping::aces, .exposure_ev = 0.5};
+    const vec4 behind = keep_background(settings, tone);
+    Session session;
+    session.set(red_square());
+    Frame frame;
+    session.render(camera, settings, frame, context);
+    view.show(frame, tone, behind);
+    const std::vector<std::uint32_t> got = screen(), expected = to_srgb8(frame, tone, behind);
+    for (std::size_t i = 0; i < got.size(); ++i)
+        for (int c = 0; c < 3; ++c) ASSERT_NEAR(got[i] >> 8 * c & 255, expected[i] >> 8 * c & 255, 1) << "pixel " << i;
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(at(got, 0, 0) >> 8 * c & 255, srgb8_from_linear(settings.background[std::size_t(c)]), 1);
 }
 
 TEST_F(GlViews, UntilASceneIsWholeTheOneBeforeIsDrawn) {

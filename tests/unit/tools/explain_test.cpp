@@ -10,6 +10,7 @@
 #include "engines/raster/inspect/inspection.h"
 #include "engines/raster/raster_engine.h"
 #include "scene/scene_tools.h"
+#include "support/scene_builder.h"
 #include "support/shared.h"
 
 using namespace rakelight;
@@ -129,6 +130,77 @@ TEST(Explain, TheWindowOfARangeIsAPartOfTheAttenuationAndSaid) {
     EXPECT_NEAR(double(lights[1].range_window), window, 1e-6);
     EXPECT_NEAR(double(lights[1].attenuation), window / (1 + 0.25 * d + 0.125 * d * d), 1e-6);
     EXPECT_EQ(lights[2].range_window, 1.0f);
+}
+
+namespace {
+
+/// Seen from above in parallel.
+Scene lit_square(std::vector<Light> lights, vec3 color = {0.8f, 0.8f, 0.8f}) {
+    Scene scene;
+    scene.materials = {matte(color)};
+    add_object(scene, square_mesh(0, 0.8f));
+    scene.cameras = {flat_camera()};
+    scene.lights = std::move(lights);
+    return scene;
+}
+
+/// The last line, of the pixel in the middle.
+std::string conclusion(const Scene& scene, bool shadows = false, int x = 16) {
+    Context context({.threads = 1});
+    PictureRequest request{.input = "square"};
+    request.settings.width = request.settings.height = 32;
+    request.settings.shadows = shadows;
+    if (scene.lights.empty()) request.lights.emplace();
+    const std::string text = to_text(*explain(scene, request, x, 16, context));
+    const std::string begin = "\nIn short: ";
+    return text.substr(std::min(text.rfind(begin), text.size() - begin.size()) + begin.size());
+}
+
+}  // namespace
+
+TEST(Explain, TheLastLineSaysWhichTermMakesMostOfThePixel) {
+    Light around;
+    around.type = LightType::ambient;
+    around.ambient = {0.25f, 0.25f, 0.25f};
+    around.name = "sky";
+    const Light sun = directional({0, 0, -1}, {0.75f, 0.75f, 0.75f});
+    EXPECT_EQ(conclusion(lit_square({around, sun})),
+              "75 % of its light is the diffuse term of light 1 (directional).\n");
+    EXPECT_EQ(conclusion(lit_square({around})), "100 % of its light is the ambient term of light 0 (ambient, sky).\n");
+    EXPECT_EQ(conclusion(lit_square({sun}), false, 0), "the background.\n");
+    Scene glass = lit_square({sun});
+    glass.materials.push_back(glass.materials[0]);
+    glass.materials[1].alpha_mode = AlphaMode::blend;
+    glass.materials[1].base_color.w = 0.25f;
+    add_object(glass, square_mesh(1, 0.5f), translation(dvec3{0, 0, 1}));
+    EXPECT_EQ(conclusion(glass).substr(0, 32), "layer 0 makes 75 % of the pixel;");
+    Scene own = lit_square({sun});
+    own.materials[0].model = MaterialModel::unlit;
+    EXPECT_EQ(conclusion(own), "100 % of its light is its own color, which is not lit.\n");
+}
+
+TEST(Explain, TheLastLineOfADarkPixelSaysWhatMakesItDark) {
+    const Light sun = directional({0, 0, -1}), from_below = directional({0, 0, 1}), slanting = directional({1, 0, -1}),
+                grazing = directional({1, 0, -0.01});
+    EXPECT_EQ(conclusion(lit_square({from_below})),
+              "black, because light 0 (directional) is below the surface (n.l <= 0).\n");
+    EXPECT_EQ(conclusion(lit_square({})), "black, because the scene has no light.\n");
+    Scene shadowed = lit_square({slanting});
+    add_object(shadowed, square_mesh(0, 0.3f), translation(dvec3{-1, 0, 1}));
+    EXPECT_EQ(conclusion(shadowed, true), "black, because light 0 (directional) is in shadow.\n");
+    EXPECT_EQ(conclusion(lit_square({grazing, from_below})),
+              "dark, because light 0 (directional) only grazes the surface, light 1 (directional) is below the surface "
+              "(n.l <= 0); 100 % of its light is the diffuse term of light 0 (directional).\n");
+    EXPECT_EQ(conclusion(lit_square({sun}, {0.01f, 0.01f, 0.01f})).substr(0, 46),
+              "dark, because the surface reflects little (k a");
+    Light spot = directional({0, 0, -1}), lamp = spot;
+    spot.type = LightType::spot, lamp.type = LightType::point;
+    spot.position = lamp.position = {1, 1, 2};
+    lamp.range = 1, spot.cutoff_rad = 0.2f;
+    const std::string both = conclusion(lit_square({spot, lamp, from_below, from_below, from_below}));
+    EXPECT_EQ(both.substr(0, both.find(", light 2")),
+              "black, because light 0 (spot) shines past it, light 1 (point) does not reach so far");
+    EXPECT_NE(both.find(", 2 more give nothing or little."), std::string::npos) << both;
 }
 
 TEST(Explain, BadPixelsAndModelsAreErrorsOfTheirKind) {

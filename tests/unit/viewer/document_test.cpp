@@ -351,6 +351,16 @@ TEST_F(Looks, APixelIsFoundOnItsMaterial) {
     EXPECT_FALSE(corner);
 }
 
+TEST_F(Looks, AModelKnowsTheFilesThatItIsMadeOf) {
+    folder_.write("m.mtl", "newmtl red\nmap_Kd red.png\n");
+    std::filesystem::copy_file(test::source_dir() / "data/bricks/normal.png", folder_.file("red.png"));
+    folder_.write("model.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl red\nf 1/1 2/1 3/1\n");
+    folder_.write("one.scene.toml", "[[model]]\nfile = \"model.obj\"\n");
+    const auto m = model(file("one.scene.toml"));
+    for (const char* name : {"one.scene.toml", "model.obj", "m.mtl", "red.png"})
+        EXPECT_NE(std::ranges::find(m->files, file(name)), m->files.end()) << name;
+}
+
 TEST_F(Looks, DroppedFilesAreToldByTheirEndings) {
     const auto plan = [](std::vector<std::string> files, bool is_shift_down = false) {
         return plan_of_drop(files, is_shift_down);

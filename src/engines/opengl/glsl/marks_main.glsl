@@ -2,10 +2,10 @@
 // Lines and points: edges and vertices of triangles, and those that scenes hold, as quadrangles on the screen; coverage by
 // the distance of a pixel's center, as engines/raster/marks/mark_coverage.h has it. Both stages.
 #define RL_HALF_DIAGONAL 0.70711  // [px] of a pixel
-uniform vec4 rl_mark;             // [px] size; 0 lines, 1 points, 2 edges, 3 vertices; shape: 0 line, 1 square, 2 disc; nearest w
+uniform vec4 rl_mark;             // [px] size; 0 lines, 1 points, 2 edges, 3 vertices; shape: 0 line, 1 square, 2 disc, + 4: only pixels that it fills; nearest w
 uniform vec4 rl_mark_color;       // linear, opacity; times vertex colors where RL_HAS_COLORS
 uniform vec4 rl_mark_view;        // [px] width, height of what is drawn; DepthRange::nearness(): scale, offset
-uniform vec4 rl_mark_cull;        // 1: back faces are left out; 1: front faces; 1: fronts are negative with y down
+uniform vec4 rl_mark_cull;        // 1: back faces are left out; 1: front faces; 1: fronts are negative with y down; a point's radius: of its distance, in parallel views of nearness
 
 #if RL_IS_VERTEX
 RL_CONSTANT out vec4 v_ends;   // [px]
@@ -148,6 +148,14 @@ bool is_hidden(float key, float reach)
     return key + (x + y) * reach + rounding < there;
 }
 
+// Of the paraboloid by which points hide each other: raster/marks/tile_marks.h, PointParaboloid. sunk: 1 at the border.
+float paraboloid_key(float key, float sunk)
+{
+    float part = rl_mark_cull.w * sunk;
+    float far = RL_PARALLEL != 0 ? key - part : rl_mark_view.z + inverse_of(key) / (1.0 + part);
+    return max(far, 1e-7);  // before nothing
+}
+
 void main()
 {
     vec2 along = v_ends.zw - v_ends.xy;
@@ -157,24 +165,26 @@ void main()
     float width = 0.5 * rl_mark.x;
     vec2 across = squared > 0.0 ? vec2(-along.y, along.x) * inversesqrt(squared) : vec2(1.0, 0.0);
     float coverage = 0.0;
-    if (int(rl_mark.z) == 1) {
+    int shape = int(rl_mark.z) % 4;
+    if (shape == 1) {
         coverage = strip_coverage(vec2(d.x, 0.0), abs(d.x), vec2(1.0, 0.0), width) * strip_coverage(vec2(0.0, d.y), abs(d.y), vec2(0.0, 1.0), width);
     } else {
         coverage = strip_coverage(d, length(d), across, width);
     }
     float key = mix(v_keys.x, v_keys.y, t);
-    if (!(coverage > 1e-6) || key < 0.0 || key > 1.0 || is_hidden(key, width + RL_HALF_DIAGONAL)) {
+    if (!(coverage > (rl_mark.z >= 4.0 ? 0.999 : 1e-6)) || key < 0.0 || key > 1.0 || is_hidden(key, width + RL_HALF_DIAGONAL)) {
         discard;
     }
     // Colors are linear along the line in space: part / w is on the screen.
     vec2 per_w = vec2(inverse_of(v_keys.x) * (1.0 - t), inverse_of(v_keys.y) * t);
     vec4 color = mix(v_color_0, v_color_1, dot(v_parts, per_w) / (per_w.x + per_w.y));
-    gl_FragDepth = RL_IS_REVERSED != 0 ? key : 1.0 - key;
+    float order = shape == 0 ? key : paraboloid_key(key, dot(d, d) / (width * width));
+    gl_FragDepth = RL_IS_REVERSED != 0 ? order : 1.0 - order;
 #if RL_OUTPUT == RL_OUTPUT_COLOR
     float alpha = clamp(color.w, 0.0, 1.0) * coverage;
     o_first = vec4(color.xyz * alpha, alpha);
 #else
-    bool has_center = int(rl_mark.z) == 1 ? max(abs(d.x), abs(d.y)) <= max(width, 0.5) : dot(d, d) <= max(width, 0.5) * max(width, 0.5);
+    bool has_center = shape == 1 ? max(abs(d.x), abs(d.y)) <= max(width, 0.5) : dot(d, d) <= max(width, 0.5) * max(width, 0.5);
     if (!has_center || color.w < 1.0) {
         discard;
     }

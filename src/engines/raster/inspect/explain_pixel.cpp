@@ -10,6 +10,7 @@
 #include "engines/raster/inspect/explained_triangles.h"
 #include "engines/raster/inspect/kernels/trace_kernel.h"
 #include "engines/raster/inspect/open_scene.h"
+#include "engines/raster/marks/tile_marks.h"
 #include "engines/raster/material_jobs.h"
 #include "engines/raster/multisample.h"
 #include "engines/raster/occlusion/occlusion.h"
@@ -52,6 +53,7 @@ public:
         summarize(out_, of_);
         sort_by_depth(out_);
         out_.has_marks = !drawn_.marks.is_empty() && !drawn_.marks.items.empty();
+        if (out_.has_marks) find_mark();
         return std::move(out_);
     }
 
@@ -270,6 +272,17 @@ private:
             if (shade_opaque(job, 0, scratch_)) blend_transparent(job, 0, scratch_);
         }
         out_.color = scratch_.color[std::size_t((y_ - oy_) * tile_size + x_ - ox_)];
+    }
+
+    void find_mark() {
+        TileJob job = job_of(drawn_);
+        job.marks = &drawn_.marks;
+        find_visible(job, 0, scratch_);
+        const Draw* const draw = TileMarks(job, 0, scratch_).draw_at(std::size_t((y_ - oy_) * tile_size + x_ - ox_));
+        if (!draw) return;
+        const DrawList& list = of_.list();
+        out_.mark = {draw->node, draw->mesh, list.materials[draw->material].scene_material,
+                     list.scene.meshes[draw->mesh].topology == Topology::points};
     }
 
     const OpenScene& of_;

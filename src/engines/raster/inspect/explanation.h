@@ -81,6 +81,12 @@ struct SeenSample {
     vec4 color;                       ///< linear
 };
 
+/// A line or a point of the scene.
+struct ShownMark {
+    std::uint32_t node = no_index, mesh = no_index, material = no_index;  ///< of the scene
+    bool is_point = false;
+};
+
 struct PixelExplanation {
     int x = 0, y = 0;
     vec4 background;
@@ -91,6 +97,7 @@ struct PixelExplanation {
     vec4 sum;                         ///< what the layers come to: the mean of the samples
     vec4 color;                       ///< the pixel's surfaces as the engine draws them: equal to `sum` to the bit
     bool has_marks = false;           ///< lines or points of the scene may lie over them
+    std::optional<ShownMark> mark;    ///< the opaque one that hides them at the pixel's center
 };
 
 }  // namespace rakelight::raster

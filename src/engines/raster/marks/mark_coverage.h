@@ -90,6 +90,14 @@ public:
         const double half = std::max(half_, 0.5), x = std::fabs(n.d.x), y = std::fabs(n.d.y);
         return shape_ == Mark::Shape::square ? std::max(x, y) <= half : x * x + y * y <= half * half;
     }
+    /// Whether a point covers the whole pixel, up to rounding.
+    bool fills(const Near& n) const {
+        const double x = std::fabs(n.d.x), y = std::fabs(n.d.y);
+        return shape_ == Mark::Shape::square ? std::max(x, y) + 0.5 <= half_
+                                             : std::sqrt(x * x + y * y) + half_diagonal <= half_;
+    }
+    /// How far a point's paraboloid has sunk there, in radii: 1 at the border.
+    double sunk(const Near& n) const { return (n.d.x * n.d.x + n.d.y * n.d.y) / (half_ * half_); }
     double reach() const { return reach_; }
 
 private:

@@ -9,15 +9,10 @@
 
 #include "engines/raster/marks/mark_set_up.h"
 #include "math/flush_denormals.h"
+#include "shading/mark_color.h"
 
 namespace rakelight::raster {
 namespace {
-
-vec4 color_of(const DrawMaterial& m) {
-    const float* const c = m.factors.base_color;
-    return {c[0] + m.factors.emission[0], c[1] + m.factors.emission[1], c[2] + m.factors.emission[2],
-            m.factors.blend ? c[3] : 1.0f};
-}
 
 /// What is to be made, cut by numbers of elements; with the colors.
 class MarkPlan {
@@ -57,7 +52,7 @@ private:
     }
     /// The material's, times the vertices' where there are any.
     Colors own_color(const Draw& draw) {
-        const vec4 color = color_of(front_.list.materials[draw.material]);
+        const vec4 color = shading::mark_color(front_.list.materials[draw.material]);
         const Block<vec4>& vertices = mesh_of(draw).colors;
         if (vertices.empty()) return one(color);
         front_.memory.add(vertices.size() * sizeof(vec4));

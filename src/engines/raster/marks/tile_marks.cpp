@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/raster/marks/tile_marks.h"
 
+#include <limits>
+
 #include "engines/channel_arrays.h"
 #include "math/linear.h"
 
@@ -11,6 +13,7 @@ TileMarks::TileMarks(const TileJob& job, std::size_t tile, TileScratch& scratch)
       marks_(*job.marks),
       s_(scratch),
       area_(job.grid.pixels(tile)),
+      paraboloid_(job.front.view, 0.5 * double(job.front.settings.point_size)),
       ox_(job.grid.origin_x(tile)),
       oy_(job.grid.origin_y(tile)),
       first_(job.binned.offsets[tile]),
@@ -32,15 +35,32 @@ vec4 TileMarks::mixed_color(const Mark& m, double key, double t) const {
     return a + (b - a) * float(part);
 }
 
-void TileMarks::show(std::uint32_t pixel, std::uint64_t item, const Mark& m, double key, double t) {
+void TileMarks::find_nearest() {
+    nearest_.assign(tile_pixels, std::numeric_limits<float>::lowest());
+    for (const std::uint64_t item : items_) {
+        const Mark& m = marks_.at(item);
+        if (job_.is_cancelled() || m.shape == Mark::Shape::line || !is_opaque(m)) continue;
+        const MarkShape shape = shape_of(m);
+        for_each_pixel(m, shape, [&](std::uint32_t p, const MarkShape::Near& near, double key) {
+            if (shape.fills(near)) nearest_[p] = std::max(nearest_[p], order_of(m, shape, near, key));
+        });
+    }
+}
+
+void TileMarks::show(std::uint32_t pixel, const Mark& m, const Shown& here) {
     Shown& shown = shown_[pixel];
-    const bool is_opaque = marks_.colors[m.color[0]].w >= 1 && marks_.colors[m.color[1]].w >= 1;
-    if (is_opaque && float(key) > shown.key) shown = {float(key), float(t), item};
+    if (is_opaque(m) && (shown.key < 0 || here.order > shown.order)) shown = here;
 }
 
 void TileMarks::put_channels() {
     for (std::size_t p = 0; p < shown_.size(); ++p)
         if (shown_[p].key >= 0) put(p, shown_[p]);
+}
+
+const Draw* TileMarks::draw_at(std::size_t pixel) {
+    shown_.assign(tile_pixels, Shown{});
+    for_each_fragment([](const MarkFragment&) {});
+    return shown_[pixel].key < 0 ? nullptr : marks_.draws[shown_[pixel].item >> 32];
 }
 
 /// A mark has no triangle, normal or texture coordinates, and is not lit: there stands what stands where nothing is.

@@ -43,37 +43,70 @@ private:
     Coverage c_{};
 };
 
+/// Which of two points a pixel shows that both cover: that whose paraboloid is nearer. It opens away from the eye, with its
+/// vertex at the point, and is a radius deep at the border, so that points at equal depth part at their bisector (Schuetz & Wimmer
+/// 2015, "High-Quality Point-Based Rendering Using Fast Single-Pass Interpolation", section 3).
+class PointParaboloid {
+public:
+    /// @param half  [px] the radius of points
+    PointParaboloid(const View& view, double half)
+        : is_parallel_(view.orthographic),
+          radius_(2 * half / (view.scale_y * view.height)),
+          per_depth_(is_parallel_ ? 1 / (view.z_far - view.z_near) : 1) {}
+
+    /// @param key   reversed depth of the point
+    /// @param sunk  MarkShape::sunk()
+    double key(double key, double sunk) const {
+        return is_parallel_ ? key - radius_ * sunk * per_depth_ : key / (1 + radius_ * sunk);
+    }
+
+private:
+    bool is_parallel_;
+    double radius_;  ///< [m] in parallel views; else over the distance along the view axis
+    double per_depth_;
+};
+
 class TileMarks {
 public:
     TileMarks(const TileJob& job, std::size_t tile, TileScratch& scratch);
 
     /// Calls take(MarkFragment) for what no opaque surface hides, mark by mark: in the order of the scene, or far to
-    /// near where colors differ.
+    /// near where colors differ. Of the opaque points that cover a whole pixel it shows one.
     template <class Take>
     void for_each_fragment(const Take& take) {
+        if (!marks_.is_of_one_color) find_nearest();
         for (const std::uint64_t item : items_) {
             if (job_.is_cancelled()) return;
-            const Mark& m = marks_.at(item);
-            const float size =
-                m.shape == Mark::Shape::line ? job_.front.settings.line_width : job_.front.settings.point_size;
-            draw(item, m, MarkShape(m, size), take);
+            draw(item, marks_.at(item), take);
         }
     }
     /// Where the center of a pixel lies in an opaque mark, the channels hold the nearest such mark. After everything
     /// that compares depths.
     void put_channels();
+    /// Whose mark they hold at a pixel of the tile; null: none's.
+    const Draw* draw_at(std::size_t pixel);
 
 private:
     /// What the channels of a pixel hold.
     struct Shown {
-        float key = -1;  ///< -1: no mark
-        float t;         ///< along the mark
+        float key = -1;   ///< -1: no mark
+        float order = 0;  ///< order_of()
+        float t;          ///< along the mark
         std::uint64_t item;
     };
 
-    template <class Take>
-    void draw(std::uint64_t item, const Mark& m, const MarkShape& shape, const Take& take) {
-        const bool is_plain = m.color[0] == m.color[1];
+    MarkShape shape_of(const Mark& m) const {
+        return {m, m.shape == Mark::Shape::line ? job_.front.settings.line_width : job_.front.settings.point_size};
+    }
+    bool is_opaque(const Mark& m) const { return marks_.colors[m.color[0]].w >= 1 && marks_.colors[m.color[1]].w >= 1; }
+    /// By which marks hide each other: the nearer one has more.
+    float order_of(const Mark& m, const MarkShape& shape, const MarkShape::Near& near, double key) const {
+        return float(m.shape == Mark::Shape::line ? key : paraboloid_.key(key, shape.sunk(near)));
+    }
+
+    /// Calls run(pixel, near, key) where the mark may cover something and no opaque surface hides it.
+    template <class Run>
+    void for_each_pixel(const Mark& m, const MarkShape& shape, const Run& run) {
         const auto [top, bottom] = shape.rows(area_);
         for (int y = top; y <= bottom; ++y) {
             const auto [left, right] = shape.columns(y, area_);
@@ -82,14 +115,23 @@ private:
                 const MarkShape::Near near = shape.nearest(x, y);
                 if (shape.is_out_of_reach(near)) continue;
                 const double key = double(m.key[0]) + (double(m.key[1]) - double(m.key[0])) * near.t;
-                if (is_hidden(p, key, shape.reach())) continue;
-                const double covered = shape.coverage(near);
-                if (!(covered > 1e-6)) continue;
-                if (!shown_.empty() && shape.has_center(near)) show(p, item, m, key, near.t);
-                take(MarkFragment{p, is_plain ? m.color[0] : no_index, float(key), float(covered), float(shape.reach()),
-                                  color_at(m, key, near.t)});
+                if (!is_hidden(p, key, shape.reach())) run(p, near, key);
             }
         }
+    }
+
+    template <class Take>
+    void draw(std::uint64_t item, const Mark& m, const Take& take) {
+        const MarkShape shape = shape_of(m);
+        const std::uint32_t color = m.color[0] == m.color[1] ? m.color[0] : no_index;
+        for_each_pixel(m, shape, [&](std::uint32_t p, const MarkShape::Near& near, double key) {
+            const double covered = shape.coverage(near);
+            if (!(covered > 1e-6)) return;
+            const float order = order_of(m, shape, near, key);
+            if (!shown_.empty() && shape.has_center(near)) show(p, m, {float(key), order, float(near.t), item});
+            if (!nearest_.empty() && m.shape != Mark::Shape::line && order < nearest_[p]) return;
+            take(MarkFragment{p, color, float(key), float(covered), float(shape.reach()), color_at(m, key, near.t)});
+        });
     }
 
     bool is_hidden(std::size_t p, double key, double reach) {
@@ -105,17 +147,20 @@ private:
         return m.color[0] == m.color[1] ? marks_.colors[m.color[0]] : mixed_color(m, key, t);
     }
     vec4 mixed_color(const Mark& m, double key, double t) const;
-    void show(std::uint32_t pixel, std::uint64_t item, const Mark& m, double key, double t);
+    void find_nearest();
+    void show(std::uint32_t pixel, const Mark& m, const Shown& here);
     void put(std::size_t pixel, const Shown& shown);
 
     const TileJob& job_;
     const Marks& marks_;
     TileScratch& s_;
     Window area_;
+    PointParaboloid paraboloid_;
     int ox_, oy_;
     std::uint32_t first_;
     std::vector<std::uint64_t> items_;
-    std::vector<Shown> shown_;              ///< [tile_pixels] where channels are asked for
+    std::vector<Shown> shown_;    ///< [tile_pixels] where channels are asked for
+    std::vector<float> nearest_;  ///< [tile_pixels] order of the opaque point that fills the pixel; empty: unknown
     std::vector<DepthTolerance> surfaces_;  ///< [tile_pixels] what is seen there, where it was asked for
 };
 

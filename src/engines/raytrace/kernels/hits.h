@@ -51,13 +51,14 @@ struct Hits {
     }
     vec3 interpolate(vec3 a, vec3 b, vec3 c) const { return a + (b - a) * b1 + (c - a) * b2; }
     /// [m] by which rays begin off the surface: some rounding errors of its place and of its plane, as the ray's and Embree's
-    /// coordinates have them. @param n  unit normal of the plane
+    /// coordinates have them; off splats their radius. @param n  unit normal of the plane
     real offset(const HitJob& job, vec3 n) const {
         const vec3 size(abs(n.x), abs(n.y), abs(n.z));
         const auto off_plane = [&](vec3 v) { return dot(size, vec3(abs(v.x), abs(v.y), abs(v.z))); };
         const real plane = max(max(off_plane(corner[0]), off_plane(corner[1])), off_plane(corner[2]));
         const real place = max(largest_component(position), largest_component(position + splat(job.to_rays)));
-        return max(max(place, plane), largest_component(origin)) * real(ray_offset);
+        const real rounding = max(max(place, plane), largest_component(origin)) * real(ray_offset);
+        return job.is_of_splats != 0 ? rounding + length(corner[1] - corner[0]) : rounding;
     }
     /// How the normal turns when the place moves so on the surface. @param unit  the interpolated normal, unit
     vec3 change_of_normal(const HitJob& job, vec3 unit, vec3 move) const;

@@ -28,6 +28,14 @@ struct SeenByRays {
         return h.position + h.interpolate(lift[0], lift[1], lift[2]);
     }
 
+    /// Along which rays leave the surface, unit. Triangles of splats are tilted against the surface that they stand for.
+    vec3 off_surface(const Hits& h) const {
+        if (job.is_of_splats == 0 || job.mesh.normals == nullptr) return safe_normalize(h.normal);
+        vec3 normal[3];
+        cpu::load_normals(job.mesh, h.corners, normal);
+        return safe_normalize(normal[0]);
+    }
+
     real operator()(int32_t k, int32_t i, lit::LightSample& light) const {
         const lighting::LightParameters& from = job.lights[i];
         if (job.find_seen == nullptr || !from.casts_shadow || from.kind == lighting::LightKind::ambient)
@@ -37,7 +45,7 @@ struct SeenByRays {
         // About the world's axes, also where `light.l` is in tangent space.
         const vec3 at = lifted_position(h);
         const vec3 to_light = is_far ? -splat(from.direction) : splat(from.position) - at;
-        const vec3 n = safe_normalize(h.normal);
+        const vec3 n = off_surface(h);
         const real side = select(dot(n, to_light) < real(0.0f), real(-1.0f), real(1.0f));
         float origin[3][lanes], direction[3][lanes], length[lanes], seen[3][lanes];
         const auto put = [](float(&to)[3][lanes], vec3 v) { store(to[0], v.x), store(to[1], v.y), store(to[2], v.z); };

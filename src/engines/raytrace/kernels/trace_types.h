@@ -87,9 +87,10 @@ struct HitJob : MaterialJob {
     const int32_t* triangle;  ///< [count] likewise
     RayView rays;
     cpu_shading::MeshView mesh;
-    ShapeView shape;     ///< in place of the triangles, which are its faces' numbers then
-    const float* t;      ///< [count] of shapes: where on the rays; read up to batch_padding past it
-    float to_eye[3][4];  ///< rows of object space -> about the eye
+    ShapeView shape;       ///< in place of the triangles, which are its faces' numbers then
+    int32_t is_of_splats;  ///< 1: the mesh is splats; rays leave them beyond their neighbors, which overlap them
+    const float* t;        ///< [count] of shapes: where on the rays; read up to batch_padding past it
+    float to_eye[3][4];    ///< rows of object space -> about the eye
     int32_t
         front_is_negative;  ///< triangles show their front where the ray goes against their normal by the corners' order
     int32_t lit_at;         ///< LitAtNumber

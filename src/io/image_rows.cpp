@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/image_rows.h"
+
+#include <array>
+#include <cstring>
+#include <string_view>
+
+#include "io/image_codecs.h"
+
+namespace rakelight::io {
+namespace codec {
+
+void check_row_size(std::uint64_t width, std::uint64_t height) {
+    if (width == 0 || height == 0) bad_picture("the picture has no pixels");
+    if (width > max_row_side || height > max_row_side)
+        bad_picture("the picture is " + std::to_string(width) + " x " + std::to_string(height) + " pixels, more than " +
+                    std::to_string(max_row_side) + " a side");
+}
+
+namespace {
+
+using Reader = std::unique_ptr<RowReader> (*)(std::unique_ptr<InputFile>, Context&);
+
+Reader reader_for(InputFile& file) {
+    struct Format {
+        std::string_view magic;
+        Reader read;
+    };
+    static constexpr std::array formats{Format{"\x89PNG\r\n\x1a\n", read_png_rows},
+                                        Format{"\x76\x2f\x31\x01", read_exr_rows}, Format{"#?", read_hdr_rows}};
+    std::array<std::byte, 8> first{};
+    const std::size_t got = file.read(first);
+    file.seek(0);
+    for (const Format& format : formats)
+        if (got >= format.magic.size() && std::memcmp(first.data(), format.magic.data(), format.magic.size()) == 0)
+            return format.read;
+    bad_picture("is no PNG, EXR or HDR picture");
+}
+
+}  // namespace
+}  // namespace codec
+
+std::unique_ptr<RowReader> read_rows(const std::string& path, Context& context) {
+    try {
+        auto file = std::make_unique<InputFile>(path, context);
+        const codec::Reader read = codec::reader_for(*file);
+        return read(std::move(file), context);
+    } catch (const Error& error) {
+        throw error.with_file(path);
+    }
+}
+
+std::unique_ptr<ImageWriter> write_rows(const std::string& path, int width, int height, const RowKind& kind) {
+    constexpr std::array<std::string_view, 3> endings{".png", ".exr", ".hdr"};
+    const std::string_view wanted = endings[std::size_t(kind.format)];
+    std::string ending = path.substr(path.size() - std::min(path.size(), wanted.size()));
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    if (ending != wanted)
+        throw Error(ErrorCode::usage, "the rows are those of " + std::string(wanted) + " pictures", {},
+                    "let the output end in " + std::string(wanted))
+            .with_file(path);
+    OutputTarget target(path);
+    target.comment = kind.comment;
+    return kind.format == RowFormat::exr ? make_exr_writer(target, width, height, kind.exr_channels)
+                                         : make_image_writer(target, width, height, kind.channels, kind.component);
+}
+
+}  // namespace rakelight::io
