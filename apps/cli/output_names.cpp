@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <rakelight/compare.h>
+#include <rakelight/movie.h>
 #include <rakelight/tools/values.h>
 
 #include "inputs.h"
@@ -121,7 +122,8 @@ std::string ending_in_folder(const Run& run, const std::string& input) {
 bool means_folder(const Run& run, const std::string& output) {
     const bool writes_folders = std::string_view(run.command.name) == "stages";
     return !writes_folders && !output.empty() &&
-           (output.ends_with('/') || (is_folder(output) && !has_picture_ending(output) && !is_scene(output)));
+           (output.ends_with('/') ||
+            (is_folder(output) && !has_picture_ending(output) && !is_movie(output) && !is_scene(output)));
 }
 
 std::string format_of(const Run& run, bool of_pictures) {
@@ -153,7 +155,10 @@ bool is_standard_output(const std::string& output) {
     return output.ends_with(":-") && colon == output.size() - 2 && colon > 0;
 }
 
-OutputNames::OutputNames(const Run& run, std::size_t inputs) : run_(run), template_(run.picture.output) {
+OutputNames::OutputNames(const Run& run, std::size_t inputs) : OutputNames(run, inputs, run.picture.output) {}
+
+OutputNames::OutputNames(const Run& run, std::size_t inputs, std::string output)
+    : run_(run), template_(std::move(output)) {
     const std::size_t differing = check_template(template_);
     is_folder_ = means_folder(run, template_);
     if (!is_folder_ && differing == 0 && inputs > 1) throw no_name_for_each(run.command.name);
@@ -172,7 +177,8 @@ std::string OutputNames::of(const std::string& input, const OutputParts& parts) 
             if (word == "dir") output += folder == run_.folders.end() ? "." : folder->second.as_written;
             if (word == "n") output += padded(count_, part);
             if (word == "camera") output += parts.camera;
-            if (word == "frame") output += padded(std::size_t(parts.frame), part);
+            if (word == "frame")
+                output += parts.frame ? padded(std::size_t(*parts.frame), part) : "{" + std::string(part) + "}";
         });
     if (is_folder_) {
         const std::string below = folder == run_.folders.end() ? "." : folder->second.below;

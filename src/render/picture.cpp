@@ -7,6 +7,7 @@
 #include "engines/check_settings.h"
 #include "engines/empty_pixel.h"
 #include "math/linear.h"
+#include "render/draw_to_memory.h"
 #include "render/drawable.h"
 #include "render/engines.h"
 #include "render/look.h"
@@ -39,12 +40,6 @@ std::string text_of(const ViewRange& r) {
     return text;
 }
 
-/// What whoever gets the file has to know of its colors.
-std::string comment_of(const RenderSettings& settings) {
-    if (settings.method != RayMethod::path || !settings.paths.denoise) return {};
-    return "rakelight: denoised by joint NL-means filtering (Rousselle, Manzi, Zwicker 2013)";
-}
-
 void note_drawn(const Window& window, const ExtremePixels& extremes, PictureResult& result) {
     result.width = window.width;
     result.height = window.height;
@@ -52,6 +47,23 @@ void note_drawn(const Window& window, const ExtremePixels& extremes, PictureResu
 }
 
 }  // namespace
+
+std::string comment_of(const RenderSettings& settings) {
+    if (settings.method != RayMethod::path || !settings.paths.denoise) return {};
+    return "rakelight: denoised by joint NL-means filtering (Rousselle, Manzi, Zwicker 2013)";
+}
+
+void remark_idle_settings(const PictureRequest& request, Report& report) {
+    if (request.settings.method != RayMethod::path && request.settings.paths != PathSettings{})
+        report.add(Remark::warning, request.input, "",
+                   "seed, max-seconds, noise, clamp, denoise and light-sampling have no effect without the method path",
+                   {"method"});
+}
+
+void count_parts(const Scene& prepared, PictureResult& result) {
+    result.triangles = triangle_count(prepared);
+    result.objects = count_objects(prepared);
+}
 
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera) {
     scene.lights = chosen_lights(scene, request, camera);
@@ -161,9 +173,6 @@ PictureResult draw_picture(const PictureRequest& request, Session& session, Cont
     return result;
 }
 
-namespace {
-
-/// As draw_to_files(), into memory.
 void draw_to_memory(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
                     Pixels& color, Context& context) {
     const Window window = whole_window(request.settings);
@@ -187,22 +196,19 @@ void draw_to_memory(Session& session, const Camera& camera, const PictureRequest
     note_drawn(window, extremes, result);
 }
 
+namespace {
+
 /// Prepares a scene that was loaded, draws it and looks at what was drawn.
 /// @param draw  with the session, the camera and the result that it completes
 template <class Draw>
 PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session, Context& context, const Draw& draw) {
     PictureResult result{.file = request.input, .output = request.output};
-    if (request.settings.method != RayMethod::path && request.settings.paths != PathSettings{})
-        context.report().add(Remark::warning, request.input, "",
-                             "seed, max-seconds, noise, clamp, denoise and light-sampling have no effect without the "
-                             "method path",
-                             {"method"});
+    remark_idle_settings(request, context.report());
     Stopwatch watch;
     context.progress("prepare", 0);
     auto [ready, camera] = ready_scene(std::move(loaded), request, context);
     result.view_range = view_range(ready->scene, camera);
-    result.triangles = triangle_count(ready->scene);
-    result.objects = count_objects(ready->scene);
+    count_parts(ready->scene, result);
     give(session, std::move(ready));
     result.prepare_ms = watch.lap_ms();
 

@@ -29,6 +29,12 @@ ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& cont
 /// Warns of rules for shading that fit nothing in the scene.
 void warn_of_unknown_names(const Scene& scene, const RenderSettings& settings, Report& report);
 
+/// What is said of settings that have no effect.
+void remark_idle_settings(const PictureRequest& request, Report& report);
+
+/// How much there is of what is drawn.
+void count_parts(const Scene& prepared, PictureResult& result);
+
 /// Draws what a session holds and writes the files, in bands.
 void draw_to_files(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
                    Context& context);
