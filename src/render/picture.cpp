@@ -93,12 +93,14 @@ Window whole_window(const RenderSettings& s) {
 namespace {
 
 /// What is drawn over the picture, if anything is. Its settings ask for depths then, where it needs them.
-std::optional<Overlay> overlay_of(const PictureRequest& request, Session& session, const Camera& camera,
-                                  RenderSettings& settings, Context& context) {
+/// @param range  what is shown; of a sequence by all of its pictures
+std::optional<Overlay> overlay_of(const PictureRequest& request, const ViewRange& range, Session& session,
+                                  const Camera& camera, RenderSettings& settings, Context& context) {
     if (!request.has_overlays()) return {};
     const std::shared_ptr<const PreparedScene> prepared = session.prepared(request.settings, context);
     const double aspect = double(settings.width) / double(settings.height);
-    Overlay overlay(request, prepared->scene, camera_in_world(prepared->scene, camera, aspect));
+    const Bounds shown = range.low == range.high ? Bounds{} : Bounds{range.low, range.high};
+    Overlay overlay(request, prepared->scene, camera_in_world(prepared->scene, camera, aspect), shown);
     if (overlay.needs_depth()) settings.channels |= channel_depth;
     return overlay;
 }
@@ -114,7 +116,7 @@ void draw_to_outputs(Session& session, const Camera& camera, const PictureReques
     const Window window = whole_window(settings);
     const PixelFormat format = format_for(request.output, settings.background.w < 1);
     const vec4 behind = format.component == Component::u8 ? keep_background(settings, request.tone) : vec4{};
-    const std::optional<Overlay> overlay = overlay_of(request, session, camera, settings, context);
+    const std::optional<Overlay> overlay = overlay_of(request, result.view_range, session, camera, settings, context);
     PictureFiles files(request.output, window.width, window.height, format,
                        {request.settings.channels, request.channel_files, request.half_colors, result.view_range,
                         comment_of(settings), memory},
@@ -182,7 +184,7 @@ void draw_to_memory(Session& session, const Camera& camera, const PictureRequest
         MemoryCharge(context.memory(), std::uint64_t(color.row_bytes()) * std::uint64_t(window.height), "the picture"));
     RenderSettings settings = request.settings;
     const vec4 behind = keep_background(settings, request.tone);
-    const std::optional<Overlay> overlay = overlay_of(request, session, camera, settings, context);
+    const std::optional<Overlay> overlay = overlay_of(request, result.view_range, session, camera, settings, context);
     PictureSink sink(format, ToneCurve(request.tone, behind));
     keep_depth_for(overlay, request.settings, sink);
     ExtremePixels extremes;

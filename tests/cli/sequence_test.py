@@ -84,6 +84,13 @@ class Sequences(Case):
             corners = {bytes(program.png(self.folder / "whole" / name)[3][0][:3]) for name in whole}
             self.assertEqual(len(corners), 1)
 
+    def test_the_grid_stands_still_while_the_model_moves(self):
+        self.render("-o", "g{frame}.png", "--fps", "4", "--frames", "0:2:2", "--grid", "--color", "#000000", "--light", "none")
+        rows = [program.png(self.folder / ("g%d.png" % i))[3] for i in (0, 2)]
+        self.assertNotEqual(rows[0], rows[1])
+        self.assertGreater(len({bytes(rows[0][-6][x:x + 3]) for x in range(0, len(rows[0][-6]), 3)}), 2)  # there are lines below the model
+        self.assertEqual(rows[0][-6:], rows[1][-6:])
+
     def test_a_turntable_turns_the_model_to_the_right(self):
         self.write("two.obj", "o a\nv 0 0 3\nv 0.4 0 3\nv 0.2 0.8 3\nf 1 2 3\no b\nv -3 0 -3\nv -3.2 0 -3\nv -3 0.2 -3\nv 3 0 -3\nv 3.2 0 -3\nv 3 0.2 -3\nf 4 5 6\nf 7 8 9\n")
         self.render("-o", "{frame}.png", "--turntable", "24", "--frames", "0:1", "--view", "front", "--light", "none", "--color", "#000000",
