@@ -63,11 +63,11 @@ PUBLIC = {
     "vector": "math", "linear": "math", "joint_influence": "math",
     "block": "image", "image": "image", "colormap": "image",
     "attributes": "geometry", "seams": "geometry",
-    "scene": "scene", "motion": "scene", "scene_queries": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "image_sources": "io", "unfinished_outputs": "io",
+    "scene": "scene", "motion": "scene", "scene_queries": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "image_sources": "io", "movie": "io", "unfinished_outputs": "io",
     "prepare": "prepare",
     "engine": "engines", "line": "engines", "values": "world", "request": "world", "settings_file": "world", "material_changes": "world", "load": "world",
     "render": "render", "session": "render", "gl_view": "render", "strip_sink": "engines", "exit_code": "base", "rows": "tools",
-    "picture": "render", "picture_parts": "render", "version": "render",
+    "picture": "render", "picture_parts": "render", "sequence": "render", "version": "render",
     "check_scene": "tools", "compare": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "join_windows": "tools", "bench": "tools", "reference": "tools", "inspection_report": "tools", "text_file": "tools", "smooth_file": "tools", "rakelight": "tools",
 }
 

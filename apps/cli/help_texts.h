@@ -78,6 +78,8 @@ Examples:
       Own camera and lights.
   rakelight render a.glb b.obj c.fbx -o 'out/{model}.png' --resolution 640,480
       Each model to its own picture; one that fails does not stop the others.
+  rakelight render builtin:teapot -o teapot.apng --turntable 12 --fps 12
+      Once around as a movie; clips: -o walk.mp4 --animation-name NAME.
   rakelight render chair.glb -o chair.png --background transparent \
       --channels depth,normal
       With alpha; depth and normals go to chair.depth.exr and chair.normal.exr.

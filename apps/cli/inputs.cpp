@@ -10,6 +10,7 @@
 
 #include <rakelight/compare.h>
 #include <rakelight/error.h>
+#include <rakelight/movie.h>
 
 namespace rakelight::cli {
 namespace {
@@ -45,7 +46,7 @@ bool is_folder(const std::string& path) {
 }
 
 bool means_folder(const std::string& path) {
-    return path.ends_with('/') || (is_folder(path) && !has_picture_ending(path) && !is_scene(path));
+    return path.ends_with('/') || (is_folder(path) && !has_picture_ending(path) && !is_movie(path) && !is_scene(path));
 }
 
 std::vector<Input> expanded(std::span<const std::string> words, bool is_recursive) {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <rakelight/compare.h>
+#include <rakelight/movie.h>
 #include <rakelight/tools/values.h>
 
 #include "inputs.h"
@@ -156,7 +157,10 @@ bool is_standard_output(const std::string& output) {
     return output.ends_with(":-") && colon == output.size() - 2 && colon > 0;
 }
 
-OutputNames::OutputNames(const Run& run, std::size_t inputs) : run_(run), template_(run.picture.output) {
+OutputNames::OutputNames(const Run& run, std::size_t inputs) : OutputNames(run, inputs, run.picture.output) {}
+
+OutputNames::OutputNames(const Run& run, std::size_t inputs, std::string output)
+    : run_(run), template_(std::move(output)) {
     const std::size_t differing = check_template(template_);
     const bool writes_folders = std::string_view(run.command.name) == "stages";
     is_folder_ = !writes_folders && means_folder(template_);
@@ -181,7 +185,8 @@ std::string OutputNames::of(const std::string& input, const OutputParts& parts) 
             if (word == "dir") output += folder == run_.folders.end() ? "." : folder->second.as_written;
             if (word == "n") output += padded(count_, part);
             if (word == "camera") output += parts.camera;
-            if (word == "frame") output += padded(std::size_t(parts.frame), part);
+            if (word == "frame")
+                output += parts.frame ? padded(std::size_t(*parts.frame), part) : "{" + std::string(part) + "}";
         });
     if (is_folder_) {
         const std::string below = folder == run_.folders.end() ? "." : folder->second.below;

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace rakelight::cli {
@@ -12,7 +13,7 @@ struct Run;
 /// What a template is filled in with.
 struct OutputParts {
     std::string camera = "default";  ///< camera or side
-    int frame = 1;                   ///< with --watch: how often it was drawn
+    std::optional<int> frame = 1;    ///< with --watch: how often it was drawn; absent: {frame} stays as it is
 };
 
 class OutputNames {
@@ -20,6 +21,8 @@ public:
     /// A folder stands for a file in it for each model, of the kind that the command writes.
     /// @throws Error usage: an unknown word in braces; several inputs for one output
     OutputNames(const Run& run, std::size_t inputs);
+    /// The same of another output than -o.
+    OutputNames(const Run& run, std::size_t inputs, std::string output);
     /// The name for the next input. @throws Error usage: the same as another input's
     std::string of(const std::string& input, const OutputParts& parts = {});
 

@@ -15,6 +15,7 @@
 #include "output_names.h"
 #include "references.h"
 #include "run_file.h"
+#include "sequence_verb.h"
 #include "stats_text.h"
 
 namespace rakelight::cli {
@@ -28,7 +29,8 @@ Command render_command() {
             "Picture to write: .png .jpg .webp .ppm (sRGB) .exr .hdr (linear); a folder, for a "
             "picture of each model; - or ppm:- for standard output. Filled in are {model} {ext} {dir} "
             "(name, ending and folder of the model), {n} (its number; {n:3} has three digits), "
-            "{camera} (of --camera-index or --view) and {frame} (of --watch). Missing folders are made",
+            "{camera} (of --camera-index or --view) and {frame} (of a sequence, or of --watch). Missing folders "
+            "are made. Or a movie: .mp4 .webm .gif .apng, and .webp of a sequence",
         .is_required = true,
         .letter = 'o'};
     const Option watch = {"watch", "Output", "",
@@ -47,6 +49,7 @@ Command render_command() {
             apps::joined({{picture, watch},
                           apps::input_options(),
                           apps::picture_options(),
+                          sequence_options(),
                           {stats, partial},
                           reference_options(),
                           apps::common_options()})};
@@ -131,6 +134,7 @@ int draw_all(const Run& run, int frame, apps::WatchedFiles* watched) {
 }  // namespace
 
 int run_render(const Run& run) {
+    if (asks_sequence(run)) return run_sequence(run);
     if (run.given.has("keep-partial")) CancelOnInterrupt::let_finish();
     if (!run.given.has("watch")) return draw_all(run, 1, nullptr);
     apps::WatchedFiles watched(SIZE_MAX);

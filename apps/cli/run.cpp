@@ -105,17 +105,13 @@ void check_requests(std::vector<InputRequest>& requests) {
         }
 }
 
-namespace {
-
 std::string camera_of(const PictureRequest& picture) {
     std::string name = !picture.view.camera.empty() ? picture.view.camera : picture.view.side;
     for (char& c : name) c = c == '/' ? '-' : c;
     return name.empty() ? "default" : name;
 }
 
-}  // namespace
-
-std::vector<InputRequest> picture_requests(const Run& run, int frame) {
+std::vector<InputRequest> picture_requests(const Run& run, std::optional<int> frame) {
     std::vector<InputRequest> requests;
     OutputNames names(run, run.inputs.size());
     for (const std::string& input : run.inputs) {

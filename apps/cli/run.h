@@ -50,10 +50,13 @@ struct InputRequest {
 /// The request for an input: as the command line says, and for a world file by its [render], too.
 InputRequest request_for(const Run& run, const std::string& input);
 
+/// What {camera} stands for in the outputs of a request.
+std::string camera_of(const PictureRequest& picture);
+
 /// A request for each input, each with an output of its own (output_names.h).
-/// @param frame  how often the pictures are drawn, with this time
+/// @param frame  how often the pictures are drawn, with this time; absent: {frame} stays in the outputs
 /// @throws Error usage: several inputs for one output, or two inputs for the same
-std::vector<InputRequest> picture_requests(const Run& run, int frame = 1);
+std::vector<InputRequest> picture_requests(const Run& run, std::optional<int> frame = 1);
 
 /// How a world is drawn by its [render] and the settings that were given.
 /// @throws Error bad_file with line and column, usage

@@ -15,6 +15,7 @@
 #include <rakelight/light_limits.h>
 #include <rakelight/linear.h>
 #include <rakelight/load.h>
+#include <rakelight/movie.h>
 #include <rakelight/picture.h>
 #include <rakelight/prepare.h>
 #include <rakelight/render.h>
@@ -23,6 +24,7 @@
 #include <rakelight/scene.h>
 #include <rakelight/scene_queries.h>
 #include <rakelight/seams.h>
+#include <rakelight/sequence.h>
 #include <rakelight/session.h>
 #include <rakelight/smooth_file.h>
 #include <rakelight/stages.h>

@@ -3,6 +3,7 @@
 #include <system_error>
 
 #include "io/file.h"
+#include "io/output_place.h"
 
 namespace rakelight::io {
 namespace fs = std::filesystem;
@@ -32,6 +33,17 @@ void MadeFolders::make_above(const std::string& path) {
         folders_.push_back(sofar.string());
         unfinished_.emplace_back().watch(sofar.string());
     }
+}
+
+void check_output_place(const std::string& output) {
+    std::error_code ignored;
+    const fs::path path(output);
+    fs::path folder = path.parent_path();
+    while (!folder.empty() && !fs::exists(fs::symlink_status(folder, ignored)))
+        folder = folder.has_filename() ? folder.parent_path() : folder.parent_path().parent_path();
+    if (!folder.empty() && !fs::is_directory(folder, ignored))
+        throw Error(ErrorCode::failed, "'" + one_line(folder.string(), 160) + "' is no folder");
+    if (fs::is_directory(path, ignored)) throw Error(ErrorCode::failed, "a folder has this name");
 }
 
 void MadeFolders::keep() {

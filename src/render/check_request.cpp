@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What can be wrong with a picture before anything is loaded.
 #include <cmath>
-#include <filesystem>
 
 #include "engines/check_settings.h"
+#include "io/output_place.h"
 #include "render/engines.h"
 #include "render/look.h"
 #include "render/picture_files.h"
@@ -28,16 +28,7 @@ void check_output(const PictureRequest& request) {
 
 }  // namespace
 
-void check_output_place(const std::string& output) {
-    std::error_code ignored;
-    const std::filesystem::path path(output);
-    std::filesystem::path folder = path.parent_path();
-    while (!folder.empty() && !std::filesystem::exists(std::filesystem::symlink_status(folder, ignored)))
-        folder = folder.has_filename() ? folder.parent_path() : folder.parent_path().parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
-        throw Error(ErrorCode::failed, "'" + one_line(folder.string(), 160) + "' is no folder");
-    if (std::filesystem::is_directory(path, ignored)) throw Error(ErrorCode::failed, "a folder has this name");
-}
+void check_output_place(const std::string& output) { io::check_output_place(output); }
 
 void check_drawing(const PictureRequest& request) {
     check_engine_name(request.engine);

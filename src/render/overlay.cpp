@@ -63,10 +63,10 @@ std::string name_of_file(const std::string& input) { return std::filesystem::pat
 
 }  // namespace
 
-Overlay::Overlay(const PictureRequest& request, const Scene& scene, const Camera& camera)
+Overlay::Overlay(const PictureRequest& request, const Scene& scene, const Camera& camera, const Bounds& shown)
     : width_(request.settings.width), height_(request.settings.height) {
     const Overlays& wanted = request.overlays;
-    const Bounds bounds = wanted.grid ? world_bounds(scene) : Bounds{};
+    const Bounds bounds = wanted.grid && shown.empty() ? world_bounds(scene) : shown;
     if (wanted.grid && !bounds.empty()) {
         const dvec3 up = normalize_or(request.view.world_up.value_or(dvec3{0, 1, 0}), dvec3{0, 1, 0});
         const bool has_sky = scene.environment && scene.environment->is_background;

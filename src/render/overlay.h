@@ -16,7 +16,8 @@ class Overlay {
 public:
     /// @param scene   as the engine has it
     /// @param camera  in the world
-    Overlay(const PictureRequest& request, const Scene& scene, const Camera& camera);
+    /// @param shown  all that a sequence shows, which the grid lies below; empty: the scene
+    Overlay(const PictureRequest& request, const Scene& scene, const Camera& camera, const Bounds& shown = {});
 
     bool is_empty() const { return !grid_ && sprites_.empty(); }
     bool needs_depth() const { return grid_.has_value(); }

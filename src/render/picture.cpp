@@ -7,6 +7,7 @@
 #include "engines/check_settings.h"
 #include "engines/empty_pixel.h"
 #include "math/linear.h"
+#include "render/draw_to_memory.h"
 #include "render/drawable.h"
 #include "render/engines.h"
 #include "render/look.h"
@@ -39,12 +40,6 @@ std::string text_of(const ViewRange& r) {
     return text;
 }
 
-/// What whoever gets the file has to know of its colors.
-std::string comment_of(const RenderSettings& settings) {
-    if (settings.method != RayMethod::path || !settings.paths.denoise) return {};
-    return "rakelight: denoised by joint NL-means filtering (Rousselle, Manzi, Zwicker 2013)";
-}
-
 void note_drawn(const Window& window, const ExtremePixels& extremes, PictureResult& result) {
     result.width = window.width;
     result.height = window.height;
@@ -52,6 +47,16 @@ void note_drawn(const Window& window, const ExtremePixels& extremes, PictureResu
 }
 
 }  // namespace
+
+std::string comment_of(const RenderSettings& settings) {
+    if (settings.method != RayMethod::path || !settings.paths.denoise) return {};
+    return "rakelight: denoised by joint NL-means filtering (Rousselle, Manzi, Zwicker 2013)";
+}
+
+void count_parts(const Scene& prepared, PictureResult& result) {
+    result.triangles = triangle_count(prepared);
+    result.objects = count_objects(prepared);
+}
 
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera) {
     scene.lights = chosen_lights(scene, request, camera);
@@ -81,12 +86,14 @@ Window whole_window(const RenderSettings& s) {
 namespace {
 
 /// What is drawn over the picture, if anything is. Its settings ask for depths then, where it needs them.
-std::optional<Overlay> overlay_of(const PictureRequest& request, Session& session, const Camera& camera,
-                                  RenderSettings& settings, Context& context) {
+/// @param range  what is shown; of a sequence by all of its pictures
+std::optional<Overlay> overlay_of(const PictureRequest& request, const ViewRange& range, Session& session,
+                                  const Camera& camera, RenderSettings& settings, Context& context) {
     if (!request.has_overlays()) return {};
     const std::shared_ptr<const PreparedScene> prepared = session.prepared(request.settings, context);
     const double aspect = double(settings.width) / double(settings.height);
-    Overlay overlay(request, prepared->scene, camera_in_world(prepared->scene, camera, aspect));
+    const Bounds shown = range.low == range.high ? Bounds{} : Bounds{range.low, range.high};
+    Overlay overlay(request, prepared->scene, camera_in_world(prepared->scene, camera, aspect), shown);
     if (overlay.needs_depth()) settings.channels |= channel_depth;
     return overlay;
 }
@@ -102,7 +109,7 @@ void draw_to_outputs(Session& session, const Camera& camera, const PictureReques
     const Window window = whole_window(settings);
     const PixelFormat format = format_for(request.output, settings.background.w < 1);
     const vec4 behind = format.component == Component::u8 ? keep_background(settings, request.tone) : vec4{};
-    const std::optional<Overlay> overlay = overlay_of(request, session, camera, settings, context);
+    const std::optional<Overlay> overlay = overlay_of(request, result.view_range, session, camera, settings, context);
     PictureFiles files(request.output, window.width, window.height, format,
                        {request.settings.channels, request.channel_files, request.half_colors, result.view_range,
                         comment_of(settings), memory},
@@ -161,9 +168,6 @@ PictureResult draw_picture(const PictureRequest& request, Session& session, Cont
     return result;
 }
 
-namespace {
-
-/// As draw_to_files(), into memory.
 void draw_to_memory(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
                     Pixels& color, Context& context) {
     const Window window = whole_window(request.settings);
@@ -173,7 +177,7 @@ void draw_to_memory(Session& session, const Camera& camera, const PictureRequest
         MemoryCharge(context.memory(), std::uint64_t(color.row_bytes()) * std::uint64_t(window.height), "the picture"));
     RenderSettings settings = request.settings;
     const vec4 behind = keep_background(settings, request.tone);
-    const std::optional<Overlay> overlay = overlay_of(request, session, camera, settings, context);
+    const std::optional<Overlay> overlay = overlay_of(request, result.view_range, session, camera, settings, context);
     PictureSink sink(format, ToneCurve(request.tone, behind));
     keep_depth_for(overlay, request.settings, sink);
     ExtremePixels extremes;
@@ -187,6 +191,8 @@ void draw_to_memory(Session& session, const Camera& camera, const PictureRequest
     note_drawn(window, extremes, result);
 }
 
+namespace {
+
 /// Prepares a scene that was loaded, draws it and looks at what was drawn.
 /// @param draw  with the session, the camera and the result that it completes
 template <class Draw>
@@ -197,8 +203,7 @@ PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session
     context.progress("prepare", 0);
     auto [ready, camera] = ready_scene(std::move(loaded), request, context);
     result.view_range = view_range(ready->scene, camera);
-    result.triangles = triangle_count(ready->scene);
-    result.objects = count_objects(ready->scene);
+    count_parts(ready->scene, result);
     give(session, std::move(ready));
     result.prepare_ms = watch.lap_ms();
 

@@ -49,17 +49,6 @@ double radius_of(const Bounds& bounds) {
     return half > 0 ? half : std::max(1.0, 1e-6 * std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)}));
 }
 
-/// Near and far about the box as seen along the view; a camera inside or in front of it gets a near of far / 10000.
-void set_depths(Camera& camera, const Bounds& bounds) {
-    const double radius = 1.05 * radius_of(bounds);
-    const double distance = dot(camera.to_world[3].xyz() - bounds.center(), camera.to_world[2].xyz());
-    camera.z_near = distance - radius;
-    camera.z_far = distance + radius;
-    if (camera.projection == Projection::orthographic) return;
-    camera.z_far = std::max(camera.z_far, radius);
-    camera.z_near = std::max(camera.z_near, 1e-4 * camera.z_far);
-}
-
 /// What is up in a view along `along`, with a remark where what was asked for, or is up otherwise, says nothing there:
 /// a warning only where somebody asked for it.
 dvec3 choose_up(const ViewRequest& view, dvec3 base_up, dvec3 along, const std::string& file, Report& report) {
@@ -72,6 +61,21 @@ dvec3 choose_up(const ViewRequest& view, dvec3 base_up, dvec3 along, const std::
 }
 
 }  // namespace
+
+void set_depths(Camera& camera, const Bounds& bounds) {
+    const double radius = 1.05 * radius_of(bounds);
+    const double distance = dot(camera.to_world[3].xyz() - bounds.center(), camera.to_world[2].xyz());
+    camera.z_near = distance - radius;
+    camera.z_far = distance + radius;
+    if (camera.projection == Projection::orthographic) return;
+    camera.z_far = std::max(camera.z_far, radius);
+    camera.z_near = std::max(camera.z_near, 1e-4 * camera.z_far);
+}
+
+dvec3 axis_of_turns(const ViewRequest& view) {
+    const dvec3 y{0, 1, 0};
+    return normalize_or(view.world_up.value_or(view.up.value_or(y)), y);
+}
 
 void warn_if_up_is_along(dvec3 up, const Camera& camera, const std::string& file, Report& report) {
     const dvec3 along = -camera.to_world[2].xyz();
@@ -99,10 +103,9 @@ Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view,
     if (eye == focal) throw Error(ErrorCode::usage, "the camera's position and focal point are the same");
     const dvec3 up = choose_up(view, base.to_world[1].xyz(), focal - eye, file, context.report());
     camera.to_world = look_at(eye, focal, up);
-    const dvec3 y{0, 1, 0};
     if (view.is_orbited())
-        camera.to_world = orbited(camera.to_world, focal, normalize_or(view.world_up.value_or(view.up.value_or(y)), y),
-                                  view.azimuth_rad.value_or(0), view.elevation_rad.value_or(0));
+        camera.to_world = orbited(camera.to_world, focal, axis_of_turns(view), view.azimuth_rad.value_or(0),
+                                  view.elevation_rad.value_or(0));
 
     // 3. Projection and depths.
     if (camera.projection == Projection::perspective ? view.orthographic : view.vertical_fov_rad.has_value()) {

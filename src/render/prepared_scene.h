@@ -20,6 +20,12 @@ public:
     bool has_chosen_lights = false;
 };
 
+/// Whether two scenes differ in nothing that prepare looks at.
+bool are_prepared_alike(const Scene& a, const Scene& b);
+
+/// Takes over what prepare does not look at: lights, cameras, fog, environment.
+void take_surroundings(Scene& prepared, const Scene& scene);
+
 /// `options`, with what the settings of a picture of the scene ask for.
 PrepareOptions options_for(PrepareOptions options, const RenderSettings& settings, const Scene& scene);
 

@@ -17,21 +17,6 @@
 namespace rakelight {
 namespace {
 
-/// Whether two scenes differ in nothing that prepare looks at.
-bool are_prepared_alike(const Scene& a, const Scene& b) {
-    return a.nodes == b.nodes && a.meshes == b.meshes && a.materials == b.materials && a.textures == b.textures &&
-           a.skins == b.skins && a.animations == b.animations &&
-           a.missing_normals_are_flat == b.missing_normals_are_flat && a.source == b.source;
-}
-
-/// What prepare does not look at.
-void take_surroundings(Scene& prepared, const Scene& scene) {
-    prepared.lights = scene.lights;
-    prepared.cameras = scene.cameras;
-    prepared.fog = scene.fog;
-    prepared.environment = scene.environment;
-}
-
 std::string counted(std::size_t count, const std::string& what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
@@ -77,6 +62,19 @@ bool has_shining_surface(const Scene& scene) {
 }
 
 }  // namespace
+
+bool are_prepared_alike(const Scene& a, const Scene& b) {
+    return a.nodes == b.nodes && a.meshes == b.meshes && a.materials == b.materials && a.textures == b.textures &&
+           a.skins == b.skins && a.animations == b.animations &&
+           a.missing_normals_are_flat == b.missing_normals_are_flat && a.source == b.source;
+}
+
+void take_surroundings(Scene& prepared, const Scene& scene) {
+    prepared.lights = scene.lights;
+    prepared.cameras = scene.cameras;
+    prepared.fog = scene.fog;
+    prepared.environment = scene.environment;
+}
 
 PrepareOptions options_for(PrepareOptions options, const RenderSettings& settings, const Scene& scene) {
     options.all_tangents |= (settings.channels & channel_tangent) != 0;

@@ -39,19 +39,6 @@ Camera checked_camera_of_file(const Scene& scene, std::size_t index, const ViewR
     return camera;
 }
 
-/// A horizontal angle alone becomes the vertical one of square pixels; both change `aspect` to that of what is seen.
-ViewRequest resolve_angles(ViewRequest view, double& aspect) {
-    if (!view.horizontal_fov_rad) return view;
-    const double half_width = math::tan(0.5 * *view.horizontal_fov_rad);
-    if (view.vertical_fov_rad) {
-        aspect = half_width / math::tan(0.5 * *view.vertical_fov_rad);
-    } else {
-        view.vertical_fov_rad = 2 * math::atan2(half_width / aspect, 1);
-        view.horizontal_fov_rad.reset();
-    }
-    return view;
-}
-
 /// The nearer the angle is to 0, the farther away stands a camera that sees the whole model. Engines take distances as
 /// floats: where those of the model's front and back are one, they draw nothing.
 void check_fitted(const Camera& camera) {
@@ -80,6 +67,23 @@ FitWishes fit_wishes(const ViewRequest& view, bool is_moved) {
 }
 
 }  // namespace
+
+ViewRequest resolve_angles(ViewRequest view, double& aspect) {
+    if (!view.horizontal_fov_rad) return view;
+    const double half_width = math::tan(0.5 * *view.horizontal_fov_rad);
+    if (view.vertical_fov_rad) {
+        aspect = half_width / math::tan(0.5 * *view.vertical_fov_rad);
+    } else {
+        view.vertical_fov_rad = 2 * math::atan2(half_width / aspect, 1);
+        view.horizontal_fov_rad.reset();
+    }
+    return view;
+}
+
+bool takes_camera_of_file(const Scene& scene, const ViewRequest& view) {
+    const bool asks = !view.camera.empty() || view.side == "file";
+    return asks || (view.side.empty() && !view.is_placed() && !scene.cameras.empty());
+}
 
 Camera camera_of_file(const Scene& scene, std::size_t index, double aspect) {
     Camera camera = scene.cameras[index];
@@ -110,11 +114,9 @@ Camera valid::choose_camera(const Scene& scene, const ViewRequest& asked, double
                     "a direction of view and a named view, a camera of the file or a position cannot both be used");
     if (view.zoom_factor && (!view.camera.empty() || view.position))
         throw Error(ErrorCode::usage, "a zoom factor is for fitted views, not for a camera of the file or a position");
-    const bool asks_file = !view.camera.empty() || view.side == "file";
     if (view.side == "file" && scene.cameras.empty())
         throw Error(ErrorCode::usage, "the file has no camera").about("view", {"view"});
-    const bool use_file = asks_file || (view.side.empty() && !view.is_placed() && !scene.cameras.empty());
-    if (use_file) {
+    if (takes_camera_of_file(scene, view)) {
         const std::size_t index = view.camera.empty() ? 0 : find_camera(scene, view.camera);
         if (!view.is_placed() && !view.is_orbited())
             return checked_camera_of_file(scene, index, view, aspect, bounds, context);

@@ -33,6 +33,18 @@ void set_asked_depths(Camera& camera, const ViewRequest& view);
 /// The camera with square pixels in a picture of another aspect than it asks for: all that it wants to show stays in.
 Camera adapt_to_aspect(Camera camera, double aspect);
 
+/// Whether a view is that of a camera of the file, moved or not. The scene has one then, or choose_camera() refuses the view.
+bool takes_camera_of_file(const Scene& scene, const ViewRequest& view);
+
+/// A horizontal angle alone becomes the vertical one of square pixels; both change `aspect` to that of what is seen.
+ViewRequest resolve_angles(ViewRequest view, double& aspect);
+
+/// Near and far about the box as seen along the view; a camera inside or in front of it gets a near of far / 10000.
+void set_depths(Camera& camera, const Bounds& bounds);
+
+/// The axis that a view goes round: what is up in its world.
+dvec3 axis_of_turns(const ViewRequest& view);
+
 /// @throws Error usage: a placement that no camera can have, whatever the model
 void check_placement(const ViewRequest& view);
 

@@ -95,9 +95,15 @@ std::string to_json(std::span<const PictureRow> rows) {
     Json list = Json::array();
     for (const PictureRow& r : rows) {
         Json row = {{"file", r.result.file}, {"output", r.result.output}};
+        if (r.frame) {
+            row["frame"] = r.frame->frame;
+            row["time_s"] = r.frame->time_s;
+            row["skipped"] = r.frame->is_skipped;
+        }
+        if (r.movie_pictures > 0) row["movie_pictures"] = r.movie_pictures;
         if (r.error)
             row["error"] = error_json(*r.error);
-        else
+        else if (r.movie_pictures == 0 && !(r.frame && r.frame->is_skipped))
             add_result(row, r.result);
         if (r.reference) row["reference"] = reference_json(*r.reference);
         row["remarks"] = remarks_json(r.remarks);

@@ -181,7 +181,7 @@ class Cli(program.Case):
         for arguments in ((), ("paint",), ("render",), ("render", "a.obj"), ("render", "-o", "a.png"), ("inspect",), ("--what",)):
             with self.subTest(arguments=arguments):
                 self.check_refused(self.run_program(*arguments), 2, "--help")
-        self.check_refused(self.run_program("render", "a.obj", "-o", "a.gif"), 2, "a.gif")
+        self.check_refused(self.run_program("render", "a.obj", "-o", "a.tiff"), 2, "a.tiff")
         self.assertEqual(self.files(), ["a.obj"])
 
     def test_a_misspelt_option_is_said_with_the_nearest_that_there_is(self):

@@ -30,9 +30,18 @@ struct ReportRow {
     std::optional<Error> error{};
 };
 
+/// What a picture is in a sequence.
+struct FrameRow {
+    std::int64_t frame = 0;
+    double time_s = 0;
+    bool is_skipped = false;  ///< it was there: only its names are known
+};
+
 struct PictureRow : ReportRow {
     PictureResult result{};                      ///< at least `file` and `output`
     std::optional<ReferenceResult> reference{};  ///< when it was held against one
+    std::optional<FrameRow> frame{};             ///< of a sequence
+    std::size_t movie_pictures = 0;              ///< of the movie that the output is; 0: it is a picture
 };
 
 struct CheckRow : ReportRow {

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which writer a movie gets, and what is wrong with one before it is begun.
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+
+#include <rakelight/movie.h>
+
+#include "io/file.h"
+#include "io/output_place.h"
+#include "io/movie/movie_writers.h"
+
+namespace rakelight {
+namespace io {
+namespace {
+
+struct Kind {
+    const char* ending;
+    MovieKind kind;
+    int most_side;  ///< [px]
+};
+constexpr std::array<Kind, 5> kinds{{{".apng", MovieKind::apng, 65536},
+                                     {".webp", MovieKind::webp, 16383},
+                                     {".gif", MovieKind::gif, 65535},
+                                     {".mp4", MovieKind::mp4, 16384},
+                                     {".webm", MovieKind::webm, 16384}}};
+
+const Kind* find_kind(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    const auto found = std::ranges::find(kinds, ending, &Kind::ending);
+    return found == kinds.end() ? nullptr : &*found;
+}
+
+/// All pictures have the first one's header; their data are read later, one by one.
+PngHeader common_header(std::span<const std::string> pictures) {
+    std::optional<PngHeader> first;
+    for (const std::string& file : pictures) {
+        if (!is_regular_file(file)) throw Error(ErrorCode::not_found, "there is no such picture").with_file(file);
+        const std::optional<PngHeader> header = header_of_whole_png(file);
+        if (!header) throw Error(ErrorCode::bad_file, "is no whole PNG picture").with_file(file);
+        if (!first) first = header;
+        if (!(*header == *first))
+            throw Error(ErrorCode::bad_file, "has another size or kind of color than the movie's first picture")
+                .with_file(file);
+    }
+    if (first->bit_depth != 8 || first->color_type == 3 || first->interlace != 0)
+        throw Error(ErrorCode::bad_file, "movies are made of plain PNG pictures of 8 bits").with_file(pictures[0]);
+    return *first;
+}
+
+}  // namespace
+
+std::optional<MovieKind> movie_kind(const std::string& path) {
+    const Kind* const kind = find_kind(path);
+    return kind ? std::optional(kind->kind) : std::nullopt;
+}
+
+}  // namespace io
+
+bool is_movie(const std::string& path) { return io::movie_kind(path).has_value(); }
+
+void check_movie(const std::string& path, const MovieSize& size) {
+    const io::Kind* const kind = io::find_kind(path);
+    if (!kind)
+        throw Error(ErrorCode::usage, "no movie has this ending", {}, "use .mp4, .webm, .gif, .apng or .webp")
+            .with_file(path);
+    if (kind->kind == io::MovieKind::mp4 && size.has_alpha)
+        throw Error(ErrorCode::usage, "MP4 has no alpha", {}, "use .webm, .apng or .webp, or an opaque background")
+            .with_file(path);
+    if (std::max(size.width, size.height) > kind->most_side)
+        throw Error(ErrorCode::usage,
+                    "a movie of this kind has at most " + std::to_string(kind->most_side) + " pixels a side")
+            .with_file(path);
+    try {
+        io::check_output_place(path);
+    } catch (const Error& error) {
+        throw error.with_file(path);
+    }
+}
+
+void write_movie(const std::string& path, std::span<const std::string> pictures, double fps, Context& context) {
+    if (pictures.empty()) throw Error(ErrorCode::usage, "a movie needs a picture").with_file(path);
+    if (!(fps >= 0.01 && fps <= 1000))
+        throw Error(ErrorCode::usage, "pictures a second must be 0.01 to 1000").with_file(path);
+    check_movie(path, {});
+    const io::MoviePictures all{pictures, fps, io::common_header(pictures)};
+    check_movie(path, {int(all.header.width), int(all.header.height), all.header.has_alpha()});
+    context.progress("movie", 0);
+    switch (const io::MovieKind kind = *io::movie_kind(path)) {
+        case io::MovieKind::apng:
+            return io::write_apng(path, all, context);
+        case io::MovieKind::webp:
+            return io::write_webp_movie(path, all, context);
+        default:
+            return io::write_movie_by_ffmpeg(path, kind, all, context);
+    }
+}
+
+}  // namespace rakelight

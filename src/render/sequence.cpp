@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+// The way of a sequence: load -> which pictures -> look and camera for all -> each picture: scene at its moment, camera, engine, file.
+#include <rakelight/sequence.h>
+
+#include <algorithm>
+#include <new>
+
+#include <rakelight/picture_parts.h>
+#include <rakelight/validate.h>
+
+#include "io/file.h"
+#include "io/movie/png_chunks.h"
+#include "render/draw_to_memory.h"
+#include "render/drawable.h"
+#include "render/engines.h"
+#include "render/look.h"
+#include "render/picture_files.h"
+#include "render/picture_steps.h"
+#include "render/point_look.h"
+#include "render/sequence_plan.h"
+#include "render/sequence_scenes.h"
+#include "render/sequence_views.h"
+#include "render/sequence_writer.h"
+#include "render/stopwatch.h"
+#include "render/too_dark_or_bright.h"
+#include "scene/light_cutoff.h"
+#include "scene/scene_tools.h"
+#include "world/coloring.h"
+
+namespace rakelight {
+namespace {
+
+bool moves_materials(const Scene& scene) {
+    return std::ranges::any_of(scene.animations, [](const Animation& animation) {
+        return std::ranges::any_of(animation.channels,
+                                   [](const AnimationChannel& c) { return c.path == AnimationPath::material; });
+    });
+}
+
+/// The picture is there: whole and, where that can be seen by a glance at the file, as large as it shall be.
+bool is_there(const PictureRequest& request) {
+    const std::string& path = request.output;
+    if (!path.ends_with(".png")) return io::is_regular_file(path);
+    const std::optional<io::PngHeader> header = io::header_of_whole_png(path);
+    const Window window = whole_window(request.settings);
+    return header && header->width == std::uint32_t(window.width) && header->height == std::uint32_t(window.height) &&
+           header->has_alpha() == (request.settings.background.w < 1);
+}
+
+class Sequence {
+public:
+    Sequence(const SequenceRequest& request, Session& session, Context& context)
+        : context_(context),
+          quiet_({.threads = context.threads(), .max_memory = context.memory().limit(), .parent = &context}),
+          session_(session),
+          scenes_(session),
+          request_(request.picture),
+          skips_existing_(request.skip_existing),
+          loaded_(load(request_.input, request_.load, context)),
+          plan_(loaded_, request) {
+        load_ms_ = clock_.lap_ms();
+    }
+
+    void draw(const std::function<void(const SequenceFrame&)>& done) {
+        const std::vector<std::int64_t> frames = plan_.frames();
+        SequenceWriter writer(context_.threads(), done);
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            context_.throw_if_cancelled();
+            context_.set_progress_part(double(i) / double(frames.size()), double(i + 1) / double(frames.size()));
+            draw_frame(frames[i], writer);
+        }
+        writer.finish();
+        if (drawn_ > 0 && !shows_model_ && request_.settings.colors)
+            context_.report().add(Remark::warning, request_.input, "", "no pixel of the pictures shows the model");
+    }
+    std::int64_t count() const { return plan_.count(); }
+
+private:
+    void draw_frame(std::int64_t number, SequenceWriter& writer);
+    void begin();
+    Scene asked_scene_at(double time_s, Context& context);
+    void draw_picture(SequenceFrame frame, const PictureRequest& request, SequenceWriter& writer, Context& context);
+    Camera show(Scene scene, double angle_rad, Context& context);
+
+    Context& context_;
+    Context quiet_;  ///< of all pictures but the first
+    Session& session_;
+    SequenceScenes scenes_;
+    PictureRequest request_;  ///< with its look, once begun; without output
+    bool skips_existing_;
+    Stopwatch clock_;
+    double load_ms_ = 0;
+    Scene loaded_;
+    Scene asked_;                       ///< loaded_ as asked for, where that does not depend on the moment
+    bool is_asked_at_moments_ = false;  ///< it does
+    SequencePlan plan_;
+    std::optional<SequenceViews> views_;  ///< absent: nothing was drawn yet
+    std::size_t drawn_ = 0;
+    bool shows_model_ = false;
+};
+
+Scene Sequence::asked_scene_at(double time_s, Context& context) {
+    const std::vector<ClipTime> clips = plan_.clips_at(time_s);
+    if (!is_asked_at_moments_) return scene_at(asked_, clips);
+    return with_splats(as_asked(scene_at(loaded_, clips), request_, context), request_, context);
+}
+
+/// What is chosen once for all pictures, by the begin of the clip and by the whole of it.
+void Sequence::begin() {
+    const Scene first = scene_at(loaded_, plan_.clips_at(plan_.begin_s()));
+    take_look(first, request_, context_);
+    request_.coloring = completed(first, request_.coloring);
+    is_asked_at_moments_ = moves_materials(loaded_) && !(request_.materials == MaterialOverrides{});
+    if (!is_asked_at_moments_) asked_ = with_splats(as_asked(loaded_, request_, context_), request_, context_);
+    const Scene asked = asked_scene_at(plan_.begin_s(), context_);
+    check_drawable(asked);
+    warn_of_unused(request_, context_.report());
+    warn_of_unknown_names(asked, request_.settings, context_.report());
+    views_.emplace(
+        plan_, request_, [&](double time_s) { return asked_scene_at(time_s, quiet_); }, context_);
+    const Camera camera = show(asked, plan_.angle_of(0), context_);
+    adjust_to_picture(request_, session_, camera, context_);
+}
+
+/// The session draws the scene through the camera that is returned, with the lights that go with it.
+Camera Sequence::show(Scene scene, double angle_rad, Context& context) {
+    const Camera camera = views_->camera(scene, angle_rad);
+    scene = with_lights(std::move(scene), request_, camera);
+    if (drawn_ == 0) validate(scene);  // what the request has put into it
+    validate_lights(scene.lights, scene.nodes.size());
+    if (request_.light_cutoff > 0) {
+        const auto cut = cut_lights(scene.lights, request_.light_cutoff);
+        context.report().add(Remark::note, scene.source, "", said(cut, request_.light_cutoff));
+    }
+    scenes_.show(std::move(scene), request_.prepare, request_.settings, context);
+    return camera;
+}
+
+void Sequence::draw_picture(SequenceFrame frame, const PictureRequest& request, SequenceWriter& writer,
+                            Context& context) {
+    PictureResult& result = frame.picture;
+    const Scene scene = asked_scene_at(plan_.time_of(frame.frame), context);
+    const Camera camera = show(scene, plan_.angle_of(frame.frame), context);
+    result.engine = session_.engine().name();
+    result.isa = engine_isa(result.engine);
+    result.threads = context.threads();
+    result.view_range = view_range_of(views_->bounds(), camera);
+    count_parts(scenes_.shown(), result);
+    result.prepare_ms = clock_.lap_ms();
+    const bool is_color_alone = request.settings.channels == 0 && request.output.ends_with(".png");
+    Pixels color;
+    if (is_color_alone)
+        draw_to_memory(session_, camera, request, result, color, context);
+    else
+        draw_to_files(session_, camera, request, result, context);
+    shows_model_ |= result.stats.pixels_shaded + result.stats.pixels_marked > 0;
+    if (drawn_ == 0) remark_extremes(session_.engine().scene(), request, result, context.report());
+    ++drawn_;
+    if (is_color_alone)
+        writer.write(std::move(frame), std::move(color), comment_of(request.settings));
+    else
+        writer.add(std::move(frame));
+}
+
+void Sequence::draw_frame(std::int64_t number, SequenceWriter& writer) {
+    SequenceFrame frame{.frame = number, .time_s = plan_.has_clip() ? plan_.time_of(number) : 0};
+    PictureRequest request = request_;
+    request.output = frame_name(request_.output, number);
+    frame.picture.file = request.input, frame.picture.output = request.output;
+    frame.is_skipped = skips_existing_ && is_there(request);
+    if (frame.is_skipped) return writer.add(std::move(frame));
+    clock_.lap_ms();
+    if (!views_) {
+        begin();
+        request = request_;
+        request.output = frame.picture.output;
+    }
+    frame.picture.load_ms = drawn_ == 0 ? load_ms_ : 0;
+    draw_picture(std::move(frame), request, writer, drawn_ == 0 ? context_ : quiet_);
+}
+
+/// Where {frame} or {frame:N} stands in a name.
+struct NumberPlace {
+    std::size_t at = std::string::npos, length = 0;
+    int digits = 1;
+};
+
+NumberPlace number_place(const std::string& name) {
+    for (std::size_t at = name.find("{frame"); at != name.npos; at = name.find("{frame", at + 1)) {
+        std::size_t end = at + 6;
+        int digits = 0;
+        if (end < name.size() && name[end] == ':')
+            for (++end; end < name.size() && name[end] >= '0' && name[end] <= '9'; ++end)
+                digits = std::min(9, 10 * digits + (name[end] - '0'));
+        if (end < name.size() && name[end] == '}') return {at, end + 1 - at, std::max(1, digits)};
+    }
+    return {};
+}
+
+}  // namespace
+
+bool has_frame_number(const std::string& output) { return number_place(output).at != std::string::npos; }
+
+std::string frame_name(const std::string& output, std::int64_t frame) {
+    std::string name = output;
+    for (NumberPlace place = number_place(name); place.at != name.npos; place = number_place(name)) {
+        std::string digits = std::to_string(frame);
+        digits.insert(0, std::size_t(std::max(0, place.digits - int(digits.size()))), '0');
+        name.replace(place.at, place.length, digits);
+    }
+    return name;
+}
+
+void check_sequence(const SequenceRequest& request) {
+    check_numbers(request);
+    if (!has_frame_number(request.picture.output))
+        throw Error(ErrorCode::usage, "the pictures of a sequence need a number in their name", {},
+                    "write for example 'out/{frame:4}.png'")
+            .with_file(request.picture.output);
+    if (request.picture.keep_partial)
+        throw Error(ErrorCode::usage, "is for single pictures: those of a sequence are whole").about("keep-partial");
+    PictureRequest first = request.picture;
+    first.output = frame_name(first.output, request.frames.first);
+    check_request(first);
+}
+
+std::int64_t render_sequence(const SequenceRequest& request, Context& context,
+                             const std::function<void(const SequenceFrame&)>& done) {
+    check_sequence(request);
+    try {
+        Session session(request.picture.engine);
+        Sequence sequence(request, session, context);
+        sequence.draw(done);
+        return sequence.count();
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::failed, "out of memory").with_file(request.picture.input);
+    } catch (const Error& error) {
+        throw error.with_file(request.picture.input);
+    }
+}
+
+}  // namespace rakelight

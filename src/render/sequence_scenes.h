@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a session draws in the course of a sequence: of one picture to the next only what moves is made anew.
+#pragma once
+#include <memory>
+
+#include <rakelight/picture.h>
+#include <rakelight/session.h>
+
+#include "render/prepared_scene.h"
+
+namespace rakelight {
+
+class SequenceScenes {
+public:
+    explicit SequenceScenes(Session& session) : session_(session) {}
+
+    /// The session draws this scene from now on. @param scene  passed validate(), with the lights of the picture
+    void show(Scene scene, const PrepareOptions& options, const RenderSettings& settings, Context& context);
+    /// As it is drawn. There is one.
+    const Scene& shown() const { return ready_->scene; }
+
+private:
+    Session& session_;
+    Scene known_;                           ///< that was shown last, before it was prepared
+    std::shared_ptr<PreparedScene> ready_;  ///< of it; null: none was
+};
+
+}  // namespace rakelight

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a model takes up in the course of a full turn about an axis, as a scene of a few points for cameras that are fitted to it.
+#pragma once
+#include <span>
+
+#include <rakelight/scene.h>
+#include <rakelight/scene_queries.h>
+
+namespace rakelight {
+
+/// Rings about the axis, through the places that reach farthest in 32 directions beside it: what lies between these reaches 0.5 %
+/// farther out at most.
+/// @param outlines  nothing in them moves; each counts
+/// @param box  about all that is drawn of them, not empty: its center lies on the axis, and vertices outside of it do not count
+/// @param axis  of length 1
+Scene swept_outline(std::span<const Scene> outlines, const Bounds& box, dvec3 axis);
+
+}  // namespace rakelight
