@@ -131,7 +131,8 @@ void App::step() {
     play();
     for (std::size_t i = 0; i < view_count(); ++i) submit(views_[i]);
     look_for_seams();
-    if ((is_busy() && !plays()) || window_->needs_drawing()) is_dirty_ = true;
+    const bool has_progress = plays() ? has_background_work() : is_busy();
+    if (has_progress || window_->needs_drawing()) is_dirty_ = true;
     if (!is_dirty_ && frames_to_draw_ == 0) return;
     frames_to_draw_ = std::max(0, frames_to_draw_ - 1);
     is_dirty_ = false;

@@ -6,7 +6,7 @@ namespace {
 
 // GLFW's numbers of keys that are no characters (glfw3.h, which is the window's alone).
 constexpr Key escape = 256, enter = 257, tab = 258, backspace = 259, insert = 260, del = 261, right = 262, left = 263,
-              up = 265, page_up = 266, page_down = 267, home = 268, f1 = 290, keypad_0 = 320, keypad_decimal = 330,
+              up = 265, page_down = 267, home = 268, f1 = 290, keypad_0 = 320, keypad_decimal = 330,
               keypad_enter = 335;
 constexpr const char *files = "Files", *view = "View", *picture = "Picture", *motion = "Motion", *marks = "Marks",
                      *window = "Window";
@@ -64,11 +64,10 @@ constexpr Binding table[] = {
 
     {Command::play, ' ', 0, "Space", "play or pause", motion},
     {Command::next_clip, 'W', mod_shift, "Shift+W", "next clip", motion},
-    {Command::next_clip, page_down, mod_shift, "Shift+Page down, up", "next, previous clip", motion},
-    {Command::previous_clip, page_up, mod_shift, "", "", motion},
+    {Command::previous_clip, 'W', mod_alt, "Alt+W", "previous clip", motion},
     {Command::at_rest, backspace, 0, "Backspace", "no clip: at rest", motion},
-    {Command::frame_back, left, mod_shift, "Shift+Left, Right", "1/30 s back, on", motion},
-    {Command::frame_on, right, mod_shift, "", "", motion},
+    {Command::frame_back, left, mod_shift, "Shift+Left", "1/30 s back", motion},
+    {Command::frame_on, right, mod_shift, "Shift+Right", "1/30 s on", motion},
     {Command::slower, '[', 0, "[, ]", "slower, faster", motion},
     {Command::faster, ']', 0, "", "", motion},
     {Command::loop, 'L', mod_control, "Ctrl+L", "loop", motion},

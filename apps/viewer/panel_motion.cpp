@@ -95,7 +95,7 @@ void draw_motion_panel(PanelView& view) {
     draw_buttons(view);
     draw_moment(view);
     ImGui::Dummy({0, 2 * view.scale});
-    slide("speed", player.speed, 1.0 / 16, 16.0, "%.3g", true);
+    slide("speed", player.speed, 1.0 / 16, 16.0, "%.3g times", true);
     if (!view.look.request.motion.asks()) slide("length", player.length_s, 0.1, 120.0, "%.1f s", true);
     draw_keys(view);
     ImGui::Separator();

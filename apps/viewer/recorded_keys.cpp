@@ -11,6 +11,9 @@ namespace {
 
 bool is_same_moment(double a, double b) { return std::fabs(a - b) < same_moment_s; }
 
+/// But for what rounding makes of a camera that default lights stand with.
+bool are_close(dvec3 a, dvec3 b) { return length(a - b) <= 1e-9 * (1 + length(a)); }
+
 template <class Key>
 void put(std::vector<Key>& keys, Key key) {
     std::erase_if(keys, [&](const Key& k) { return is_same_moment(k.time_s, key.time_s); });
@@ -72,9 +75,9 @@ void set_key(Look& look, const Model& model, int width, int height, double time_
     for (std::size_t i = 0; i < look.lights->size(); ++i) {
         LightItem& item = (*look.lights)[i];
         const Light& light = item.light;
-        const bool is_unmoved = item.keys.empty() && i < own.size() && own[i].light.position == light.position &&
-                                own[i].light.direction == light.direction;
-        if (!is_unmoved) put(item.keys, {time_s, light.position, light.direction});
+        const bool is_unmoved = i < own.size() && are_close(own[i].light.position, light.position) &&
+                                are_close(own[i].light.direction, light.direction);
+        if (!is_unmoved || !item.keys.empty()) put(item.keys, {time_s, light.position, light.direction});
     }
 }
 

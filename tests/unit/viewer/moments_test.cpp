@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of a moment are those of render_picture().
+#include <filesystem>
+#include <thread>
+
 #include <rakelight/render.h>
 
 #include "../../../apps/viewer/painter.h"
@@ -12,7 +15,11 @@ namespace {
 
 class Moments : public Looks {
 protected:
-    Moments() : model_(model((test::source_dir() / "data/motion/door.gltf").string())), look_(first_look(*model_)) {}
+    Moments() {
+        std::filesystem::copy_file(test::source_dir() / "data/motion/door.gltf", file("door.gltf"));
+        model_ = model(file("door.gltf"));
+        look_ = first_look(*model_);
+    }
     void show(std::optional<int> clip, double time_s) {
         choose_clip(look_, clip);
         set_time(look_, *model_, {}, width, height, time_s);
@@ -118,6 +125,22 @@ TEST_F(Moments, AreKeptByASavedScene) {
     EXPECT_EQ(saved->request.motion.time_s, 1.25);
     const std::string line = command_line_of(look_, *model_, width, height);
     EXPECT_NE(line.find("--animation-index 1 --animation-time 1.25"), std::string::npos) << line;
+}
+
+TEST_F(Moments, ShareTheArraysThatNothingMoves) {
+    Studio studio;
+    const auto meshes_at = [&](double time_s) {
+        show(1, time_s);
+        const PictureRequest request = request_of(look_, width, height);
+        const Camera camera = camera_of(look_, *model_, width, height);
+        return scene_of(*studio.prepare(model_, look_, request, camera, context_)).meshes;
+    };
+    const std::vector<Mesh> a = meshes_at(1), b = meshes_at(2);
+    ASSERT_EQ(a.size(), 2u);
+    EXPECT_NE(a[0].positions.identity(), b[0].positions.identity()) << "the door";
+    EXPECT_EQ(a[0].indices.identity(), b[0].indices.identity());
+    EXPECT_TRUE(a[1] == b[1]);
+    EXPECT_EQ(a[1].positions.identity(), b[1].positions.identity()) << "its post";
 }
 
 TEST_F(Moments, AFileWithoutTheClipThatIsAskedForStandsAtRest) {
