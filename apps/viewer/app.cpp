@@ -156,8 +156,7 @@ void App::log_stats() const {
         "pictures by GlView, %s\n",
         first_picture_ms_, longest_block_ms_, longest_load_block_ms_, longest_gl_block_ms_, motion_times_.count(),
         motion_times_.quantile_ms(0.5), motion_times_.quantile_ms(1), static_cast<unsigned long long>(moments_),
-        static_cast<unsigned long long>(gl_pictures_),
-        one_line(views_[0].screen->renderer(), 100).c_str());
+        static_cast<unsigned long long>(gl_pictures_), one_line(views_[0].screen->renderer(), 100).c_str());
 }
 
 void App::poll() {
@@ -238,11 +237,13 @@ void App::submit(View& view) {
     if (ui_.split == Split::wipe) {  // one view of two looks
         const Look& leader = active().look;
         view.look.eye = leader.eye, view.look.world_up = leader.world_up, view.look.request.view = leader.request.view;
-        view.look.request.motion = leader.request.motion, view.look.time_s = leader.time_s, view.look.keys = leader.keys;
+        view.look.request.motion = leader.request.motion, view.look.time_s = leader.time_s,
+        view.look.keys = leader.keys;
     }
     const bool is_playing = plays();
-    const bool is_moving = is_playing || drag_ == Drag::orbit || drag_ == Drag::pan || drag_ == Drag::zoom || drag_ == Drag::roll ||
-                           drag_ == Drag::light || seconds(Clock::now() - last_motion_) < motion_s;
+    const bool is_moving = is_playing || drag_ == Drag::orbit || drag_ == Drag::pan || drag_ == Drag::zoom ||
+                           drag_ == Drag::roll || drag_ == Drag::light ||
+                           seconds(Clock::now() - last_motion_) < motion_s;
     const bool wants_depth = ui_.normals || ui_.tangents || ui_.bitangents || ui_.seams || ui_.grid;
     const Rectangle &a = view.area, &b = view.submitted_area;
     const bool is_by_gl = is_drawn_by_gl(view.look);  // then lines are in the picture

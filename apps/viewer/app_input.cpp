@@ -197,8 +197,7 @@ void App::command(Command command) {
     }
     View& view = active();
     try {
-        if (model_ &&
-            viewer::apply(command, ui_.player, view.look, *model_, view.area.width, view.area.height)) {
+        if (model_ && viewer::apply(command, ui_.player, view.look, *model_, view.area.width, view.area.height)) {
             return ui_.announces ? say(effect_of(command, ui_.player, view.look, *model_)) : void();
         }
         if (model_ && viewer::apply(command, view.look, *model_, view.area.width, view.area.height)) {

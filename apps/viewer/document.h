@@ -68,9 +68,9 @@ struct Look {
     std::optional<Eye> eye;                        ///< absent: as `request.view` says
     std::optional<std::vector<LightItem>> lights;  ///< absent: as `request` says
     std::vector<MaterialEdit> materials;
-    std::optional<double> time_s;   ///< [s] the moment; absent: as `request.motion` says
-    std::vector<EyeKey> keys;       ///< of the camera, in the order of their times
-    std::uint32_t channel = 0;      ///< shown in place of the colors; 0: colors
+    std::optional<double> time_s;  ///< [s] the moment; absent: as `request.motion` says
+    std::vector<EyeKey> keys;      ///< of the camera, in the order of their times
+    std::uint32_t channel = 0;     ///< shown in place of the colors; 0: colors
     bool operator==(const Look&) const = default;
 };
 

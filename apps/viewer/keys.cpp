@@ -6,8 +6,7 @@ namespace {
 
 // GLFW's numbers of keys that are no characters (glfw3.h, which is the window's alone).
 constexpr Key escape = 256, enter = 257, tab = 258, backspace = 259, insert = 260, del = 261, right = 262, left = 263,
-              up = 265, page_down = 267, home = 268, f1 = 290, keypad_0 = 320, keypad_decimal = 330,
-              keypad_enter = 335;
+              up = 265, page_down = 267, home = 268, f1 = 290, keypad_0 = 320, keypad_decimal = 330, keypad_enter = 335;
 constexpr const char *files = "Files", *view = "View", *picture = "Picture", *motion = "Motion", *marks = "Marks",
                      *window = "Window";
 

@@ -11,9 +11,9 @@ namespace {
 
 void draw_clip(PanelView& view, std::optional<int> clip) {
     Look& look = view.look;
-    const bool is_shown = clip == -1    ? look.request.motion.index == -1
-                          : clip        ? chosen_clip(look, *view.model) == clip
-                                        : !look.request.motion.asks();
+    const bool is_shown = clip == -1 ? look.request.motion.index == -1
+                          : clip     ? chosen_clip(look, *view.model) == clip
+                                     : !look.request.motion.asks();
     ImGui::PushID(clip.value_or(-2));
     if (ImGui::Selectable(clip_title(*view.model, clip).c_str(), is_shown)) choose_clip(look, clip);
     ImGui::PopID();

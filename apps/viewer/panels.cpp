@@ -15,14 +15,10 @@ struct PanelEntry {
     Panel panel;
     void (*draw)(PanelView&);
 };
-constexpr PanelEntry entries[] = {{Panel::view, draw_view_panel},
-                                  {Panel::motion, draw_motion_panel},
-                                  {Panel::shading, draw_shading_panel},
-                                  {Panel::normals, draw_normals_panel},
-                                  {Panel::lights, draw_lights_panel},
-                                  {Panel::materials, draw_materials_panel},
-                                  {Panel::pixel, draw_pixel_panel},
-                                  {Panel::statistics, draw_statistics_panel}};
+constexpr PanelEntry entries[] = {{Panel::view, draw_view_panel},       {Panel::motion, draw_motion_panel},
+                                  {Panel::shading, draw_shading_panel}, {Panel::normals, draw_normals_panel},
+                                  {Panel::lights, draw_lights_panel},   {Panel::materials, draw_materials_panel},
+                                  {Panel::pixel, draw_pixel_panel},     {Panel::statistics, draw_statistics_panel}};
 
 constexpr ImGuiWindowFlags floating = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |

@@ -28,8 +28,8 @@ std::size_t take(std::vector<Key>& keys, double time_s) {
 
 /// A channel of places or directions, or of single numbers where `read` gives those.
 template <class Key, class Read>
-AnimationChannel channel_of(const std::vector<Key>& keys, AnimationPath path, std::uint32_t element, const char* property,
-                            const Read& read) {
+AnimationChannel channel_of(const std::vector<Key>& keys, AnimationPath path, std::uint32_t element,
+                            const char* property, const Read& read) {
     AnimationChannel channel{.element = element, .path = path, .property = property};
     std::vector<float> times, values;
     for (const Key& key : keys) {

@@ -6,6 +6,7 @@
 #include <rakelight/picture_parts.h>
 
 #include "materials.h"
+#include "moment.h"
 
 namespace rakelight::viewer {
 namespace {
@@ -48,11 +49,15 @@ void Studio::take_up(const std::shared_ptr<const Model>& model, const Look& look
         look_.reset();
         scene_ = scene_at(with_edits(model->scene, look.materials, context), surface_clips);
         scene_ = with_asked_surfaces(std::move(scene_), request, context);
+        scene_.animations.clear();
         model_ = model;
         look_ = look;
         surface_clips_ = surface_clips;
     }
-    Scene lit = surface_clips.empty() ? scene_at(scene_, clips) : scene_;
+    const auto& animations = model->scene.animations;
+    Scene lit = scene_at_moment(scene_, animations, surface_clips.empty() ? clips : std::vector<ClipTime>());
+    if (!animations.empty())
+        lit.animations = {Animation{}};  // one for all: by it a scene is known as one that can move
     if (leaves_lights_to_the_session(request, lit))
         lit.lights.clear();
     else

@@ -8,6 +8,8 @@
 #include <rakelight/linear.h>
 #include <rakelight/prepare.h>
 
+#include "moment.h"
+
 namespace rakelight::viewer {
 namespace {
 
@@ -55,9 +57,9 @@ std::vector<Animation> motion_of(const Scene& scene, std::span<const std::uint32
         Animation& kept = motion.emplace_back();
         for (const AnimationChannel& channel : animation.channels) {
             const bool is_placement = channel.is_of_node() && channel.path != AnimationPath::morph_weights;
-            const bool is_kept = is_placement ? channel.element < number.size() && number[channel.element] != no_index
-                                              : channel.path == AnimationPath::camera ||
-                                                    channel.path == AnimationPath::light;
+            const bool is_kept = is_placement
+                                     ? channel.element < number.size() && number[channel.element] != no_index
+                                     : channel.path == AnimationPath::camera || channel.path == AnimationPath::light;
             if (!is_kept) continue;
             kept.channels.push_back(channel);
             if (is_placement) kept.channels.back().element = number[channel.element];
@@ -70,6 +72,7 @@ std::vector<Animation> motion_of(const Scene& scene, std::span<const std::uint32
 Bounds posed_bounds(const Scene& scene) {
     if (!is_posable(scene)) return rakelight::bounds(scene);
     Scene outline = scene;
+    outline.animations.clear();  // they are neither looked at nor checked again for each moment
     for (Mesh& mesh : outline.meshes) mesh.normals = {}, mesh.tangents = {};
     Context quiet({.threads = 1});
     return rakelight::bounds(posed_scene(outline, quiet));
@@ -111,6 +114,7 @@ struct ViewBox::Known {
     double aspect = 0;  ///< 0: nothing is known
     std::vector<ClipTime> clips;
     Camera camera;
+    std::optional<Scene> still;  ///< the scene without its clips: copying them takes as long as posing
     std::vector<ClipTime> box_clips;
     std::optional<ViewBox> box;  ///< of the scene at box_clips
 };
@@ -147,7 +151,8 @@ Camera ViewBox::camera(const Scene& scene, const ViewRequest& view, double aspec
     if (is_placed) {
         if (!known.box || !std::ranges::equal(known.box_clips, clips)) {
             known.box.reset();
-            known.box.emplace(scene_at(scene, clips));
+            if (!known.still) known.still = scene, known.still->animations.clear();
+            known.box.emplace(scene_at_moment(*known.still, scene.animations, {clips.begin(), clips.end()}));
             known.box_clips.assign(clips.begin(), clips.end());
         }
         return choose_camera(known.box->stand_in_, view, aspect, quiet);
@@ -163,8 +168,8 @@ Camera ViewBox::camera(const Scene& scene, const ViewRequest& view, double aspec
 Camera ViewBox::quick_camera(const Scene& scene, const ViewRequest& view, double aspect,
                              std::span<const ClipTime> clips) const {
     const bool is_placed = view.position && view.focal_point;
-    const bool is_of_file = !cameras_.empty() && (!view.camera.empty() || view.side == "file" ||
-                                                  (view.side.empty() && !view.is_placed()));
+    const bool is_of_file =
+        !cameras_.empty() && (!view.camera.empty() || view.side == "file" || (view.side.empty() && !view.is_placed()));
     if (clips.empty() || (!is_placed && !is_of_file)) return camera(scene, view, aspect, clips);
     Context quiet({.threads = 1});
     return choose_camera(stand_in_at(clips), view, aspect, quiet);
