@@ -117,8 +117,7 @@ void App::finish_writing() {
 /// Takes what has happened, and shows it.
 void App::step() {
     note_pause();
-    const bool is_live = frames_to_draw_ > 0 || (ui_.is_walking && is_stepping());
-    window_->wait(is_live ? 0 : is_busy() ? 0.1 : 0.25);
+    window_->wait(wait_s());
     woke_ = Clock::now();
     was_loading_ = loader_.is_running();
     was_gl_drawing_ = std::ranges::any_of(views_, [](const View& v) { return v.is_painting && v.gl; });
@@ -129,9 +128,11 @@ void App::step() {
     poll();
     if (ui_.is_walking) step_walk();
     lay_out();
+    play();
     for (std::size_t i = 0; i < view_count(); ++i) submit(views_[i]);
     look_for_seams();
-    if (is_busy() || window_->needs_drawing()) is_dirty_ = true;
+    const bool has_progress = plays() ? has_background_work() : is_busy();
+    if (has_progress || window_->needs_drawing()) is_dirty_ = true;
     if (!is_dirty_ && frames_to_draw_ == 0) return;
     frames_to_draw_ = std::max(0, frames_to_draw_ - 1);
     is_dirty_ = false;
@@ -151,10 +152,11 @@ void App::log_stats() const {
     std::fprintf(
         stderr,
         "first picture after %.0f ms, longest pause of the window %.0f ms (while loading %.0f ms, while gl "
-        "draws %.0f ms), %zu pictures in motion after %.0f ms (median; at most %.0f ms), %llu pictures by GlView, %s\n",
+        "draws %.0f ms), %zu pictures in motion after %.0f ms (median; at most %.0f ms), %llu moments played, %llu "
+        "pictures by GlView, %s\n",
         first_picture_ms_, longest_block_ms_, longest_load_block_ms_, longest_gl_block_ms_, motion_times_.count(),
-        motion_times_.quantile_ms(0.5), motion_times_.quantile_ms(1), static_cast<unsigned long long>(gl_pictures_),
-        one_line(views_[0].screen->renderer(), 100).c_str());
+        motion_times_.quantile_ms(0.5), motion_times_.quantile_ms(1), static_cast<unsigned long long>(moments_),
+        static_cast<unsigned long long>(gl_pictures_), one_line(views_[0].screen->renderer(), 100).c_str());
 }
 
 void App::poll() {
@@ -186,6 +188,7 @@ void App::poll_view(View& view) {
     if (fault->is_of_gl) return handle_gl_fault(fault->error);
     report(fault->error);
     if (fault->number != view.number) return;
+    ui_.player.is_playing = ui_.player.is_turning = false;
     view.is_painting = false;
     const bool can_go_back = view.good_model == model_ && !(view.good == view.submitted);
     if (can_go_back) view.look = view.good;  // what worked last
@@ -214,7 +217,7 @@ void App::lay_out() {
 /// Where the camera of a view stands; false: nowhere, and the view is what it was before.
 bool App::take_camera(View& view) {
     try {
-        const Camera camera = camera_of(view.look, *model_, view.area.width, view.area.height);
+        const Camera camera = quick_camera_of(view.look, *model_, view.area.width, view.area.height);
         if (view.submitted_model == model_) carry_lights(view.look, view.camera, camera);
         view.camera = camera;
         return true;
@@ -234,9 +237,13 @@ void App::submit(View& view) {
     if (ui_.split == Split::wipe) {  // one view of two looks
         const Look& leader = active().look;
         view.look.eye = leader.eye, view.look.world_up = leader.world_up, view.look.request.view = leader.request.view;
+        view.look.request.motion = leader.request.motion, view.look.time_s = leader.time_s,
+        view.look.keys = leader.keys;
     }
-    const bool is_moving = drag_ == Drag::orbit || drag_ == Drag::pan || drag_ == Drag::zoom || drag_ == Drag::roll ||
-                           drag_ == Drag::light || seconds(Clock::now() - last_motion_) < motion_s;
+    const bool is_playing = plays();
+    const bool is_moving = is_playing || drag_ == Drag::orbit || drag_ == Drag::pan || drag_ == Drag::zoom ||
+                           drag_ == Drag::roll || drag_ == Drag::light ||
+                           seconds(Clock::now() - last_motion_) < motion_s;
     const bool wants_depth = ui_.normals || ui_.tangents || ui_.bitangents || ui_.seams || ui_.grid;
     const Rectangle &a = view.area, &b = view.submitted_area;
     const bool is_by_gl = is_drawn_by_gl(view.look);  // then lines are in the picture
@@ -257,6 +264,7 @@ void App::submit(View& view) {
                          .width = a.width,
                          .height = a.height,
                          .is_moving = is_moving,
+                         .is_playing = is_playing,
                          .wants_depth = wants_depth,
                          .number = ++view.number,
                          .gl = is_by_gl ? gl_of(view) : nullptr,

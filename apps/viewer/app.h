@@ -98,6 +98,13 @@ private:
     void take_files_back();
     void give_picture(const Event& event, const std::string& file);
 
+    // app_motion.cpp: what plays
+    bool plays() const;
+    bool is_view_painting() const;
+    double wait_s() const;
+    void play();
+    void take_motion(bool keeps);
+
     // app_lights.cpp: lights in the picture
     GizmoView gizmo_view(const View& view) const;
     std::optional<Light> selected_light(const View& view) const;
@@ -151,6 +158,7 @@ private:
     std::vector<std::string> warned_;                  ///< of this model
     std::vector<std::shared_ptr<GlPainter>> lost_gl_;  ///< painters may hold them still; they end in this thread
     std::uint64_t gl_pictures_ = 0;                    ///< shown
+    std::uint64_t moments_ = 0;                        ///< that were played
     LightingFile lighting_file_;
     std::shared_ptr<const Model> model_;
     std::size_t file_ = 0;
@@ -171,7 +179,7 @@ private:
     };
     LightDrag light_drag_;
     Handle hovered_ = Handle::none;
-    Clock::time_point last_click_{}, last_motion_{}, last_step_{}, last_watch_{};
+    Clock::time_point last_click_{}, last_motion_{}, last_step_{}, last_watch_{}, last_moment_{};
     std::atomic<bool> has_lost_file_{false};  ///< that was asked for and could not be written
     bool is_quitting_ = false, is_dirty_ = true, is_walk_step_ = false;
     int frames_to_draw_ = 3;  ///< ImGui needs some frames to settle

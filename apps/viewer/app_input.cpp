@@ -197,6 +197,9 @@ void App::command(Command command) {
     }
     View& view = active();
     try {
+        if (model_ && viewer::apply(command, ui_.player, view.look, *model_, view.area.width, view.area.height)) {
+            return ui_.announces ? say(effect_of(command, ui_.player, view.look, *model_)) : void();
+        }
         if (model_ && viewer::apply(command, view.look, *model_, view.area.width, view.area.height)) {
             const std::string effect = ui_.announces ? effect_of(command, view.look, *model_) : std::string();
             return effect.empty() ? void() : say(effect);

@@ -58,6 +58,7 @@ void App::take_model(const std::shared_ptr<const Model>& model, bool keeps_look)
         ui_.light = ui_.material = 0, ui_.object = no_index;
         ui_.explained.clear();
     }
+    take_motion(keeps);
     window_->set_title(one_line(fs::path(model->file).filename().string(), 100) + " - Rakelight (H: keys)");
     std::size_t warnings = 0;
     for (const ReportEntry& entry : model->remarks) warnings += entry.remark != Remark::note;

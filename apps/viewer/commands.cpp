@@ -52,7 +52,8 @@ void show_all(Look& look, const Model& model, int width, int height) {
     if (eye.horizontal_fov_deg) all.horizontal_fov_rad = radians(*eye.horizontal_fov_deg);
     all.orthographic = eye.is_orthographic;
     const double fov_deg = eye.fov_deg;
-    Eye fitted = eye_of(model.box.camera(model.scene, all, double(width) / double(height)), model.box.bounds());
+    const Camera camera = model.box.camera(model.scene, all, double(width) / double(height), clips_of(look, model));
+    const Eye fitted = eye_of(camera, model.box.bounds());
     eye.position = fitted.position, eye.focal = fitted.focal, eye.fov_deg = fov_deg;
 }
 

@@ -15,6 +15,7 @@ PictureRequest request_of(const Look& look, int width, int height) {
     request.settings.height = height;
     request.settings.window = {};
     request.settings.channels = 0;
+    if (request.motion.asks() && look.time_s) request.motion.time_s = look.time_s;
     if (look.eye) place(request.view, *look.eye, look.world_up);
     if (look.lights) {
         request.default_lights = request.studio_lights = false;
@@ -27,12 +28,24 @@ PictureRequest request_of(const Look& look, int width, int height) {
     return request;
 }
 
+std::vector<ClipTime> clips_of(const Look& look, const Model& model) {
+    MotionRequest motion = look.request.motion;
+    if (motion.asks() && look.time_s) motion.time_s = look.time_s;
+    return rakelight::clips_of(model.scene, motion);
+}
+
 Camera camera_of(const Look& look, const Model& model, int width, int height) {
-    return model.box.camera(model.scene, request_of(look, width, height).view, double(width) / double(height));
+    return model.box.camera(model.scene, request_of(look, width, height).view, double(width) / double(height),
+                            clips_of(look, model));
+}
+
+Camera quick_camera_of(const Look& look, const Model& model, int width, int height) {
+    return model.box.quick_camera(model.scene, request_of(look, width, height).view, double(width) / double(height),
+                                  clips_of(look, model));
 }
 
 Eye seen_eye(const Look& look, const Model& model, int width, int height) {
-    return look.eye ? *look.eye : eye_of(camera_of(look, model, width, height), model.box.bounds());
+    return look.eye ? *look.eye : eye_of(quick_camera_of(look, model, width, height), model.box.bounds());
 }
 
 Eye& moving_eye(Look& look, const Model& model, int width, int height) {
@@ -44,7 +57,7 @@ bool set_eye(Look& look, const Eye& eye, const Model& model, int width, int heig
     Look moved = look;
     moved.eye = eye;
     try {
-        camera_of(moved, model, width, height);
+        quick_camera_of(moved, model, width, height);
     } catch (const Error&) {
         return false;
     }
@@ -55,7 +68,8 @@ bool set_eye(Look& look, const Eye& eye, const Model& model, int width, int heig
 std::optional<std::size_t> shown_camera(const Look& look, const Model& model) {
     const ViewRequest& view = look.request.view;
     const std::vector<std::string>& cameras = model.box.cameras();
-    if (look.eye || view.is_placed() || !view.side.empty() || cameras.empty()) return {};
+    if (look.eye || view.is_placed() || cameras.empty()) return {};
+    if (!view.side.empty() && view.side != "file") return {};
     if (view.camera.empty()) return 0;
     for (std::size_t i = 0; i < cameras.size(); ++i)
         if (view.camera == std::to_string(i) || view.camera == cameras[i]) return i;
@@ -65,7 +79,7 @@ std::optional<std::size_t> shown_camera(const Look& look, const Model& model) {
 std::vector<LightItem>& changing_lights(Look& look, const Model& model, int width, int height) {
     if (look.lights) return *look.lights;
     Scene lit;  // what asked_lights() looks at
-    lit.lights = model.lights;
+    lit.lights = model.box.lights(clips_of(look, model));
     lit.environment = model.scene.environment;
     PictureRequest request = request_of(look, width, height);
     request.light_intensity = 1;  // stays a setting of its own
@@ -75,7 +89,7 @@ std::vector<LightItem>& changing_lights(Look& look, const Model& model, int widt
     Context quiet({.threads = 1});
     lit = with_asked_surfaces(std::move(lit), request, quiet);
     look.lights.emplace();
-    for (Light& light : asked_lights(lit, request, camera_of(look, model, width, height)))
+    for (Light& light : asked_lights(lit, request, quick_camera_of(look, model, width, height)))
         look.lights->push_back({.light = std::move(light)});
     return *look.lights;
 }

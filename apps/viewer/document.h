@@ -24,7 +24,6 @@ struct Model {
     WorldFile world;  ///< what the file says, if it is a world
     ViewBox box;
     PictureRequest request;          ///< by the command line, and of a world by its [render]
-    std::vector<Light> lights;       ///< the file's own, placed in the world
     std::vector<std::string> files;  ///< that it is made of, textures too
     std::vector<ReportEntry> remarks;
     std::uint64_t triangles = 0, vertices = 0, objects = 0;
@@ -32,11 +31,19 @@ struct Model {
     double load_ms = 0;
 };
 
+/// Where a light stands at a moment.
+struct LightKey {
+    double time_s = 0;
+    dvec3 position, direction;
+    bool operator==(const LightKey&) const = default;
+};
+
 /// A light of the list.
 struct LightItem {
     Light light;  ///< at its place in the world: on no node
     bool is_on = true;
     bool follows_camera = false;
+    std::vector<LightKey> keys{};  ///< in the order of their times
     bool operator==(const LightItem&) const = default;
 };
 
@@ -47,6 +54,13 @@ struct MaterialEdit {
     bool operator==(const MaterialEdit&) const = default;
 };
 
+/// Where the eye is at a moment.
+struct EyeKey {
+    double time_s = 0;
+    Eye eye;
+    bool operator==(const EyeKey&) const = default;
+};
+
 /// What is drawn of a model.
 struct Look {
     PictureRequest request;  ///< its size, view and lights are those of the members below where they say so
@@ -54,14 +68,20 @@ struct Look {
     std::optional<Eye> eye;                        ///< absent: as `request.view` says
     std::optional<std::vector<LightItem>> lights;  ///< absent: as `request` says
     std::vector<MaterialEdit> materials;
-    std::uint32_t channel = 0;  ///< shown in place of the colors; 0: colors
+    std::optional<double> time_s;  ///< [s] the moment; absent: as `request.motion` says
+    std::vector<EyeKey> keys;      ///< of the camera, in the order of their times
+    std::uint32_t channel = 0;     ///< shown in place of the colors; 0: colors
     bool operator==(const Look&) const = default;
 };
 
 /// The request of a picture of that size: what render_picture() draws to the pixel, but for edited materials.
 PictureRequest request_of(const Look& look, int width, int height);
+/// The clips that it shows, at their moments.
+std::vector<ClipTime> clips_of(const Look& look, const Model& model);
 /// Where its camera stands. @throws Error usage, as choose_camera()
 Camera camera_of(const Look& look, const Model& model, int width, int height);
+/// Likewise for the window's thread: at once while clips play, but then with the depths of the scene at rest.
+Camera quick_camera_of(const Look& look, const Model& model, int width, int height);
 
 /// The eye of the camera that is seen now. @throws Error usage, as choose_camera()
 Eye seen_eye(const Look& look, const Model& model, int width, int height);

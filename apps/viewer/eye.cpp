@@ -127,6 +127,11 @@ void dolly(Eye& eye, double factor) {
     eye.position = eye.focal - forward_of(eye) * std::clamp(distance * factor, smallest, farthest);
 }
 
+void go_around(Eye& eye, double angle_rad, dvec3 world_up) {
+    eye.position = eye.focal + rotated(eye.position - eye.focal, world_up, -angle_rad);
+    eye.up = rotated(eye.up, world_up, -angle_rad);
+}
+
 void roll(Eye& eye, double angle_rad) {
     eye.up = upright(rotated(eye.up, forward_of(eye), angle_rad), forward_of(eye));
 }

@@ -40,6 +40,8 @@ void turn_ball(Eye& eye, dvec2 from, dvec2 to);
 void pan(Eye& eye, double dx_px, double dy_px, double height_px);
 /// Distance to the focal point times `factor` (> 0).
 void dolly(Eye& eye, double factor);
+/// Around the focal point, to the right.
+void go_around(Eye& eye, double angle_rad, dvec3 world_up);
 void roll(Eye& eye, double angle_rad);
 /// Moves the focal point to `target`, the eye with it.
 void center_on(Eye& eye, dvec3 target);

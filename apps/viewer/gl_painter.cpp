@@ -10,6 +10,12 @@ namespace {
 constexpr int warm_side_px = 16;         // of the picture that programs are made by
 constexpr std::size_t most_warmed = 64;  // settings that are remembered
 
+/// As those of two moments of one model do. Where one is wrongly said to, its picture takes a little longer.
+bool need_same_programs(const Scene& a, const Scene& b) {
+    return a.materials == b.materials && a.textures == b.textures && a.meshes.size() == b.meshes.size() &&
+           a.lights.size() == b.lights.size();
+}
+
 }  // namespace
 
 void GlPainter::begin() {
@@ -32,8 +38,8 @@ bool GlPainter::upload(const std::shared_ptr<const PreparedScene>& scene, double
     begin();
     if (scene == scene_) return true;
     if (!view_->upload(scene, milliseconds, context)) return false;
+    if (!scene_ || !need_same_programs(scene_of(*scene_), scene_of(*scene))) warmed_.clear();
     scene_ = scene;
-    warmed_.clear();
     return true;
 }
 

@@ -5,9 +5,10 @@ namespace rakelight::viewer {
 namespace {
 
 // GLFW's numbers of keys that are no characters (glfw3.h, which is the window's alone).
-constexpr Key escape = 256, enter = 257, tab = 258, right = 262, left = 263, up = 265, page_down = 267, home = 268,
-              f1 = 290, keypad_0 = 320, keypad_decimal = 330, keypad_enter = 335;
-constexpr const char *files = "Files", *view = "View", *picture = "Picture", *marks = "Marks", *window = "Window";
+constexpr Key escape = 256, enter = 257, tab = 258, backspace = 259, insert = 260, del = 261, right = 262, left = 263,
+              up = 265, page_down = 267, home = 268, f1 = 290, keypad_0 = 320, keypad_decimal = 330, keypad_enter = 335;
+constexpr const char *files = "Files", *view = "View", *picture = "Picture", *motion = "Motion", *marks = "Marks",
+                     *window = "Window";
 
 constexpr Binding table[] = {
     {Command::next_file, right, 0, "Right", "next file of the list", files},
@@ -60,6 +61,19 @@ constexpr Binding table[] = {
     {Command::darker, 'L', mod_shift, "", "", picture},
     {Command::engine, 'R', 0, "R", "next engine", picture},
 
+    {Command::play, ' ', 0, "Space", "play or pause", motion},
+    {Command::next_clip, 'W', mod_shift, "Shift+W", "next clip", motion},
+    {Command::previous_clip, 'W', mod_alt, "Alt+W", "previous clip", motion},
+    {Command::at_rest, backspace, 0, "Backspace", "no clip: at rest", motion},
+    {Command::frame_back, left, mod_shift, "Shift+Left", "1/30 s back", motion},
+    {Command::frame_on, right, mod_shift, "Shift+Right", "1/30 s on", motion},
+    {Command::slower, '[', 0, "[, ]", "slower, faster", motion},
+    {Command::faster, ']', 0, "", "", motion},
+    {Command::loop, 'L', mod_control, "Ctrl+L", "loop", motion},
+    {Command::turntable, ' ', mod_shift, "Shift+Space", "turntable", motion},
+    {Command::set_key, insert, 0, "Insert", "set a key of camera and lights", motion},
+    {Command::delete_key, del, 0, "Del", "delete the key of this moment", motion},
+
     {Command::grid, 'G', 0, "G", "grid", marks},
     {Command::axes, 'X', 0, "X", "axes", marks},
     {Command::light_glyphs, 'D', 0, "D", "lights; drag their handles", marks},
@@ -77,6 +91,7 @@ constexpr Binding table[] = {
     {Command::panel_pixel, f1 + 6, 0, "", "", window},
     {Command::panel_statistics, f1 + 7, 0, "", "", window},
     {Command::panel_statistics, 'M', 0, "M", "statistics", window},
+    {Command::panel_motion, 'M', mod_shift, "Shift+M", "motion", window},
     {Command::all_panels, tab, 0, "Tab", "hide or show the panels", window},
     {Command::file_name, 'N', 0, "N", "file name", window},
     {Command::frame_time, 'Z', 0, "Z", "frame time", window},

@@ -3,7 +3,6 @@
 
 #include <chrono>
 
-#include <rakelight/linear.h>
 #include <rakelight/picture_parts.h>
 
 namespace rakelight::viewer {
@@ -25,17 +24,17 @@ PictureRequest request_for(const std::string& file, const Start& start) {
     return request;
 }
 
-std::vector<Light> lights_in_world(const Scene& scene) {
-    std::vector<Light> lights = scene.lights;
-    const std::vector<dmat4> world = node_matrices(scene);
-    for (Light& light : lights) {
-        if (light.node >= world.size()) continue;
-        const dmat4& m = world[light.node];
-        light.position = m[3].xyz();
-        light.direction = normalize_or(-m[2].xyz(), dvec3{0, 0, -1});
-        light.node = no_index;
+/// Options are for all files of the list, of which one may have no such clip: it stands as it is then.
+std::vector<ClipTime> wanted_clips(const Scene& scene, PictureRequest& request, Context& context) {
+    try {
+        std::vector<ClipTime> clips = clips_of(scene, request.motion);
+        if (clips.empty()) request.motion = {};
+        return clips;
+    } catch (const Error& error) {
+        context.report().add(Remark::warning, scene.source, "", error.reason() + "; it is shown at rest");
+        request.motion = {};
+        return {};
     }
-    return lights;
 }
 
 /// What was read, and the pictures, which are read when they are drawn.
@@ -63,17 +62,6 @@ void count(Model& model) {
 
 }  // namespace
 
-std::vector<dmat4> node_matrices(const Scene& scene) {
-    std::vector<dmat4> world(scene.nodes.size());
-    for (std::size_t i = 0; i < world.size(); ++i) {
-        const Node& node = scene.nodes[i];
-        const dmat4 local = node.local.matrix ? *node.local.matrix
-                                              : compose(node.local.translation, node.local.rotation, node.local.scale);
-        world[i] = node.parent == no_index ? local : world[node.parent] * local;
-    }
-    return world;
-}
-
 std::shared_ptr<const Model> load_model(const std::string& file, const Start& start, Context& context) {
     const auto begin = std::chrono::steady_clock::now();
     auto model = std::make_shared<Model>();
@@ -82,11 +70,11 @@ std::shared_ptr<const Model> load_model(const std::string& file, const Start& st
     if (is_world_file(file)) model->world = read_world(file, context);
     model->scene = load(file, model->request.load, context);
     context.throw_if_cancelled();
-    take_look(model->scene, model->request, context);
-    take_look_of_picture(with_asked_surfaces(model->scene, model->request, context), model->request, context);
+    const Scene moved = scene_at(model->scene, wanted_clips(model->scene, model->request, context));
+    take_look(moved, model->request, context);
+    take_look_of_picture(with_asked_surfaces(moved, model->request, context), model->request, context);
     model->request.look = rakelight::Look::plain;
     model->box = ViewBox(model->scene);
-    model->lights = lights_in_world(model->scene);
     count(*model);
     model->files = files_of(*model, context);
     model->remarks = context.report().entries();

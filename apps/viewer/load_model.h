@@ -24,7 +24,4 @@ struct Start {
 /// @throws Error not_found, bad_file, usage; failed: cancelled
 std::shared_ptr<const Model> load_model(const std::string& file, const Start& start, Context& context);
 
-/// Matrices node -> world, [nodes], of a scene that passed validate().
-std::vector<dmat4> node_matrices(const Scene& scene);
-
 }  // namespace rakelight::viewer

@@ -27,4 +27,8 @@ double Pace::scale(double whole_pixels, double budget_ms) const {
     return std::clamp(scale, coarsest, 1.0);
 }
 
+bool Pace::allows(double whole_pixels, int samples, double budget_ms) const {
+    return pixel_ms_ > 0 && front_ms_ + samples * pixel_ms_ * whole_pixels <= budget_ms;
+}
+
 }  // namespace rakelight::viewer

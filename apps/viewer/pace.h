@@ -12,6 +12,8 @@ public:
     /// get half as much on top of it.
     /// @param budget_ms  that a picture in motion may take
     double scale(double whole_pixels, double budget_ms) const;
+    /// Whether a picture of all its pixels, with so many samples each, takes no longer.
+    bool allows(double whole_pixels, int samples, double budget_ms) const;
 
 private:
     double front_ms_ = 0, pixel_ms_ = 0;  ///< of a picture, of a pixel; 0: nothing measured yet

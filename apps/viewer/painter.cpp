@@ -26,12 +26,12 @@ constexpr double told_after_ms = 200;                      // shorter uploads ar
 int scaled(int size, double scale) { return std::max(1, int(std::lround(size * scale))); }
 
 /// Engines that do not tell their stages apart are taken to work for pixels alone.
-void note_pace(Pace& pace, const Painting& painting) {
+void note_pace(Pace& pace, const Painting& painting, int samples) {
     const StageTimes& times = painting.stats.times;
     const double pixels_ms = times.tiles > 0          ? 1e3 * times.tiles
                              : painting.pixels_ms > 0 ? painting.pixels_ms
                                                       : painting.ms;
-    pace.measured(1e3 * times.front_end, pixels_ms, double(painting.width) * double(painting.height));
+    pace.measured(1e3 * times.front_end, pixels_ms, double(painting.width) * double(painting.height) * samples);
 }
 
 /// Keeps a picture, and shows each of its passes.
@@ -179,6 +179,11 @@ void Painter::work(const PaintJob& job) {
     const double coarse =
         pace_.scale(double(job.width) * double(job.height), in_passes ? motion_of_paths_ms : motion_ms);
     const int samples = job.look.request.settings.samples;
+    if (job.is_playing) {
+        const bool is_fast = pace_.allows(double(job.width) * double(job.height), samples, motion_ms);
+        paint_pass(job, coarse, is_fast && !in_passes ? samples : 1, false);
+        return;
+    }
     const bool is_coarse_first = job.is_moving || coarse < 0.6;
     if (is_coarse_first && !paint_pass(job, coarse, 1, false)) return;
     if (job.is_moving || is_outdated(job)) return;
@@ -211,7 +216,7 @@ bool Painter::paint_pass(const PaintJob& job, double scale, int samples, bool is
         painting->is_whole = scale == 1, painting->is_final = is_final;
         painting->ms = ms_since(begin);
         painting->warnings = warnings_of(*context);
-        if (samples == 1) note_pace(pace_, *painting);
+        if (samples == 1 || job.is_playing) note_pace(pace_, *painting, samples);
         const std::scoped_lock lock(mutex_);
         painting_ = std::move(painting);
     } catch (...) {
@@ -287,6 +292,10 @@ bool Painter::take_up_by_gl(const PaintJob& job, const std::shared_ptr<const Pre
     const auto begin = std::chrono::steady_clock::now();
     Context not_broken_off({.threads = threads_, .max_memory = max_memory_});  // jobs are, their scenes are not
     while (!gl_->upload(scene, upload_slice_ms, not_broken_off)) {
+        if (job.is_playing && gl_model_ == job.model) {  // the pose is what is to be seen
+            context.throw_if_cancelled();
+            continue;
+        }
         if (is_outdated(job)) return false;
         const bool can_show_motion = job.is_moving && gl_->scene() && gl_model_ == job.model;
         if (can_show_motion) return true;  // the scene before, seen from where the camera is now

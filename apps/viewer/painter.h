@@ -25,6 +25,7 @@ struct PaintJob {
     Look look;
     int width = 0, height = 0;  ///< [px] of the whole picture, at least 1
     bool is_moving = false;     ///< a coarse picture is enough
+    bool is_playing = false;    ///< of a moment: drawn to its end, as fine as there is time for
     bool wants_depth = false;   ///< for lines that surfaces hide
     std::uint64_t number = 0;   ///< grows with every change
     /// By which it is drawn where that can do it, with lines; null: by a session. All jobs of a painter have the same or none.

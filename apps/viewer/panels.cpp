@@ -15,13 +15,10 @@ struct PanelEntry {
     Panel panel;
     void (*draw)(PanelView&);
 };
-constexpr PanelEntry entries[] = {{Panel::view, draw_view_panel},
-                                  {Panel::shading, draw_shading_panel},
-                                  {Panel::normals, draw_normals_panel},
-                                  {Panel::lights, draw_lights_panel},
-                                  {Panel::materials, draw_materials_panel},
-                                  {Panel::pixel, draw_pixel_panel},
-                                  {Panel::statistics, draw_statistics_panel}};
+constexpr PanelEntry entries[] = {{Panel::view, draw_view_panel},       {Panel::motion, draw_motion_panel},
+                                  {Panel::shading, draw_shading_panel}, {Panel::normals, draw_normals_panel},
+                                  {Panel::lights, draw_lights_panel},   {Panel::materials, draw_materials_panel},
+                                  {Panel::pixel, draw_pixel_panel},     {Panel::statistics, draw_statistics_panel}};
 
 constexpr ImGuiWindowFlags floating = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
@@ -210,11 +207,12 @@ void draw_help(PanelView& view) {
                 scale = view.scale * shrink;
     ImGui::SetWindowFontScale(shrink);
     ImGui::BeginGroup();
-    draw_help_group("View", scale), draw_mouse_help(view.ui.has_blender_mouse, scale);
+    draw_help_group("View", scale), draw_help_group("Motion", scale);
     ImGui::EndGroup();
     ImGui::SameLine(0, 24 * scale);
     ImGui::BeginGroup();
     draw_help_group("Picture", scale), draw_help_group("Marks", scale);
+    draw_mouse_help(view.ui.has_blender_mouse, scale);
     ImGui::EndGroup();
     ImGui::SameLine(0, 24 * scale);
     ImGui::BeginGroup();

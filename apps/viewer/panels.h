@@ -37,6 +37,7 @@ void draw_help(PanelView& view);
 
 // One panel each.
 void draw_view_panel(PanelView& view);
+void draw_motion_panel(PanelView& view);
 void draw_shading_panel(PanelView& view);
 void draw_normals_panel(PanelView& view);
 void draw_lights_panel(PanelView& view);

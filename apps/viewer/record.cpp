@@ -26,9 +26,7 @@ void make_folder(const std::string& folder) {
 Look turned(const Look& look, const Model& model, int width, int height, double angle_rad) {
     if (angle_rad == 0) return look;
     Look out = look;
-    Eye& eye = moving_eye(out, model, width, height);
-    eye.position = eye.focal + rotated(eye.position - eye.focal, look.world_up, -angle_rad);
-    eye.up = rotated(eye.up, look.world_up, -angle_rad);
+    go_around(moving_eye(out, model, width, height), angle_rad, look.world_up);
     carry_lights(out, camera_of(look, model, width, height), camera_of(out, model, width, height));
     return out;
 }

@@ -7,6 +7,7 @@
 
 #include "material_sections.h"
 #include "materials.h"
+#include "recorded_keys.h"
 
 namespace rakelight::viewer {
 namespace {
@@ -174,6 +175,8 @@ std::string not_saved(const Look& look) {
     if (following > 0)
         add("that " + std::to_string(following) + (following == 1 ? " light follows" : " lights follow") +
             " the camera");
+    const std::size_t keys = key_times(look).size();
+    if (keys > 0) add(std::to_string(keys) + (keys == 1 ? " key" : " keys"));
     if (look.channel) add("the data channel shown");
     return text;
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio.h"
 
+#include <algorithm>
+
 #include <rakelight/picture_parts.h>
 
 #include "materials.h"
+#include "moment.h"
 
 namespace rakelight::viewer {
 namespace {
@@ -12,6 +15,16 @@ namespace {
 bool leaves_lights_to_the_session(const PictureRequest& r, const Scene& scene) {
     return !r.lights && !r.default_lights && !r.studio_lights && r.light_intensity == 1 && r.light_cutoff == 0 &&
            scene.lights.empty();
+}
+
+/// What the request says of materials stands above what clips say: it has to be said again at each moment.
+bool moves_overridden_materials(const Scene& scene, std::span<const ClipTime> clips, const PictureRequest& request) {
+    if (request.materials == MaterialOverrides{} && !request.coloring.is_on) return false;
+    return std::ranges::any_of(clips, [&](const ClipTime& clip) {
+        return std::ranges::any_of(scene.animations[clip.animation].channels, [](const AnimationChannel& channel) {
+            return channel.path == AnimationPath::material;
+        });
+    });
 }
 
 }  // namespace
@@ -29,23 +42,31 @@ void Studio::take_up(const std::shared_ptr<const Model>& model, const Look& look
         session_.emplace(request.engine);
         engine_ = request.engine;
     }
-    if (model_ != model || !look_ || !have_same_surfaces(*look_, look)) {
+    std::vector<ClipTime> clips = clips_of(model->scene, request.motion), surface_clips;
+    if (moves_overridden_materials(model->scene, clips, request)) surface_clips = clips;
+    if (model_ != model || !look_ || !have_same_surfaces(*look_, look) || surface_clips_ != surface_clips) {
         is_set_ = false;
         look_.reset();
-        scene_ = with_asked_surfaces(with_edits(model->scene, look.materials, context), request, context);
+        scene_ = scene_at(with_edits(model->scene, look.materials, context), surface_clips);
+        scene_ = with_asked_surfaces(std::move(scene_), request, context);
+        scene_.animations.clear();
         model_ = model;
         look_ = look;
+        surface_clips_ = surface_clips;
     }
-    std::vector<Light> lights =
-        leaves_lights_to_the_session(request, scene_) ? std::vector<Light>() : asked_lights(scene_, request, camera);
-    const Fog fog = request.fog.value_or(scene_.fog);
-    if (is_set_ && lights == lights_ && fog == fog_ && prepare_ == request.prepare) return;
-    Scene lit = scene_;
-    lit.lights = lights;
-    lit.fog = fog;
+    const auto& animations = model->scene.animations;
+    Scene lit = scene_at_moment(scene_, animations, surface_clips.empty() ? clips : std::vector<ClipTime>());
+    if (!animations.empty())
+        lit.animations = {Animation{}};  // one for all: by it a scene is known as one that can move
+    if (leaves_lights_to_the_session(request, lit))
+        lit.lights.clear();
+    else
+        lit.lights = asked_lights(lit, request, camera);
+    lit.fog = request.fog.value_or(lit.fog);
+    if (is_set_ && lit.lights == lights_ && lit.fog == fog_ && clips == clips_ && prepare_ == request.prepare) return;
     is_set_ = false;
+    lights_ = lit.lights, fog_ = lit.fog, clips_ = std::move(clips), prepare_ = request.prepare;
     session_->set(std::move(lit), request.prepare);
-    lights_ = std::move(lights), fog_ = fog, prepare_ = request.prepare;
     is_set_ = true;
 }
 

@@ -26,7 +26,7 @@ public:
     const std::shared_ptr<const PreparedScene>& prepared() const { return prepared_; }
 
 private:
-    /// Whether nothing but lights and camera changed.
+    /// Whether nothing but lights, camera and moment changed.
     bool is_taken_up(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request) const;
     void take_up(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
                  const Camera& camera, Context& context);
@@ -35,9 +35,12 @@ private:
     std::string engine_;
     std::shared_ptr<const Model> model_;
     std::optional<Look> look_;  ///< whose surfaces are in scene_
-    Scene scene_;               ///< with edited and asked-for surfaces
+    Scene scene_;               ///< at rest, with edited and asked-for surfaces
+    /// Where clips move materials before the request changes them: the moment that scene_ is at, else empty.
+    std::vector<ClipTime> surface_clips_;
     PrepareOptions prepare_;
     std::vector<Light> lights_;  ///< that the session has
+    std::vector<ClipTime> clips_;
     Fog fog_;
     std::shared_ptr<const PreparedScene> prepared_;
     bool is_set_ = false;  ///< the session has scene_ with these

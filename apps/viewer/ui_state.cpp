@@ -16,7 +16,7 @@ void UiState::toggle(Panel panel) {
 bool apply(Command command, UiState& ui) {
     const auto flip = [](bool& value) { return value = !value, true; };
     const auto split = [&ui](Split to) { return ui.split = ui.split == to ? Split::none : to, true; };
-    if (command >= Command::panel_view && command <= Command::panel_statistics)
+    if (command >= Command::panel_view && command <= Command::panel_motion)
         return ui.toggle(Panel(std::size_t(command) - std::size_t(Command::panel_view))), true;
     switch (command) {
         case Command::grid:

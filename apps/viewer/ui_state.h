@@ -7,13 +7,14 @@
 
 #include "document.h"
 #include "message.h"
+#include "player.h"
 
 namespace rakelight::viewer {
 
-enum class Panel : std::uint8_t { view, shading, normals, lights, materials, pixel, statistics };
-inline constexpr std::size_t panel_count = 7;
-inline constexpr const char* panel_titles[panel_count] = {"View",      "Shading", "Normals",   "Lights",
-                                                          "Materials", "Pixel",   "Statistics"};
+enum class Panel : std::uint8_t { view, shading, normals, lights, materials, pixel, statistics, motion };
+inline constexpr std::size_t panel_count = 8;
+inline constexpr const char* panel_titles[panel_count] = {"View",      "Shading", "Normals",    "Lights",
+                                                          "Materials", "Pixel",   "Statistics", "Motion"};
 
 /// Two pictures: none; B over A right of a line; side by side, each with a camera of its own.
 enum class Split : std::uint8_t { none, wipe, beside };
@@ -38,6 +39,7 @@ struct UiState {
     /// Nodes that have the selected material, of the material of this number; no_index: not known yet.
     std::vector<std::uint32_t> objects_with_material;
     std::uint32_t objects_are_of = no_index;
+    Player player;  ///< of the looks that are seen
     Message message;
     std::string explained;
     int record_frames = 72;

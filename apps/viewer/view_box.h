@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cameras of a scene, kept at hand: choose_camera() goes over all vertices, which takes too long for every picture of a
-// large model.
+// The cameras and lights of a scene, at rest and at a moment, kept at hand: choose_camera() goes over all vertices, which takes
+// too long for every picture of a large model.
 #pragma once
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include <rakelight/motion.h>
 #include <rakelight/picture.h>
 #include <rakelight/scene_queries.h>
 
 namespace rakelight::viewer {
+
+/// Matrices node -> world, [nodes], by the pose of a scene that passed validate().
+std::vector<dmat4> node_matrices(const Scene& scene);
 
 class ViewBox {
 public:
@@ -20,13 +25,23 @@ public:
     const Bounds& bounds() const { return bounds_; }
     const std::vector<std::string>& cameras() const { return cameras_; }  ///< a title each
     std::size_t node_count() const { return stand_in_.nodes.size(); }     ///< that are looked at for a camera
-    /// What choose_camera() gives for the scene, to the bit; a second time at once, and at once where the view names the camera's
-    /// place. @param scene  that the box was made of. @throws Error as choose_camera()
-    Camera camera(const Scene& scene, const ViewRequest& view, double aspect) const;
+    /// What choose_camera() gives for scene_at(scene, clips), to the bit; a second time at once, and at once where the view names
+    /// the camera's place and the moment is known. @param scene  that the box was made of. @throws Error as choose_camera()
+    Camera camera(const Scene& scene, const ViewRequest& view, double aspect,
+                  std::span<const ClipTime> clips = {}) const;
+    /// Likewise, where the view names the camera's place or one of the scene: at once for every moment, but with the depths of
+    /// the scene at rest.
+    Camera quick_camera(const Scene& scene, const ViewRequest& view, double aspect,
+                        std::span<const ClipTime> clips) const;
+    /// The scene's own at a moment, placed in the world.
+    std::vector<Light> lights(std::span<const ClipTime> clips) const;
 
 private:
+    Scene stand_in_at(std::span<const ClipTime> clips) const;
+
     Bounds bounds_;
-    Scene stand_in_;  ///< its cameras, what carries them, and two vertices at the corners of its box
+    Scene stand_in_;  ///< its cameras and lights, what carries them, and two vertices at the corners of its box
+    std::vector<Animation> motion_;  ///< [animations of the scene] what of them moves the stand-in
     std::vector<std::string> cameras_;
     struct Known;
     std::shared_ptr<Known> known_;  ///< the last that took all vertices

@@ -31,7 +31,6 @@ void warn_of_unknown_names(const Scene& scene, const RenderSettings& settings, R
 /// Warns of settings of paths and of ambient occlusion that nothing asks for.
 void warn_of_unused(const PictureRequest& request, Report& report);
 
-
 /// How much there is of what is drawn.
 void count_parts(const Scene& prepared, PictureResult& result);
 

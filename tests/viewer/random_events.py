@@ -21,7 +21,8 @@ import xdnd
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 KEYS = ("1 2 3 4 5 6 7 8 9 f h s y b c shift+c a t q e w o i j l shift+l g x d shift+n shift+t shift+b v backslash shift+backslash p k u n z m Tab "
-        "Escape Home Return period Page_Down F2 F3 F4 F5 F6 F7 F8 F10 F11 F12 ctrl+c ctrl+1 ctrl+3 ctrl+7 grave Right Right Right Left Up r").split()
+        "Escape Home Return period Page_Down F2 F3 F4 F5 F6 F7 F8 F10 F11 F12 ctrl+c ctrl+1 ctrl+3 ctrl+7 grave Right Right Right Left Up r "
+        "space shift+space shift+w alt+w BackSpace shift+Right shift+Left bracketleft bracketright ctrl+l Insert Delete shift+m").split()
 ENDINGS = {".glb", ".gltf", ".obj", ".ply", ".stl", ".toml", ".3ds", ".fbx", ".dae", ".x", ".off", ".ase", ".blend"}
 
 
@@ -85,7 +86,7 @@ def run(options):
     print(f"seed {options.seed}, {len(files)} files, {len(pictures)} pictures", flush=True)
     environment = dict(os.environ, XDG_CONFIG_HOME=str(folder))
     with open(folder / "log", "w+") as log:
-        viewer = subprocess.Popen([options.viewer, "--stats", "builtin:teapot", *files], cwd=folder, env=environment, stdout=log, stderr=log)
+        viewer = subprocess.Popen([options.viewer, "--stats", "builtin:teapot", ROOT / "data" / "motion" / "door.gltf", *files], cwd=folder, env=environment, stdout=log, stderr=log)
         try:
             faults = play(options, rng, viewer, files, pictures)
         finally:

@@ -16,6 +16,7 @@ import support
 
 OUT = support.ROOT / "docs" / "images"
 HELMET, TEAPOT = "helmet", "builtin:teapot"
+KNIGHT = str(support.SHARED / "assets" / "gltf" / "kaykit" / "Knight.glb")
 # name: (model, options, what is done: keys, or words of xdotool)
 PICTURES = {
     "panels": (HELMET, [], ["F3", "F5", "d", ["mousemove", 130, 455, "click", 1], "n"]),
@@ -27,6 +28,8 @@ PICTURES = {
     "marks": (HELMET, ["--lighting", "pbr"], ["n", "g", "x", "shift+n"]),
     "environment": (HELMET, ["--lighting", "pbr"], ["n", "i", "j"]),
     "statistics": (HELMET, ["--lighting", "pbr"], ["F2", "F8", "n", "z"]),
+    "motion": (KNIGHT, ["--animation-index", "0", "--animation-time", "0.3"],
+               ["n", "shift+m", "Insert", *["shift+Right"] * 8, ["mousemove", 700, 300, "mousedown", 1, "mousemove_relative", 40, 0, "mouseup", 1], "Insert"]),
     "keys": (HELMET, [], ["n", "h"]),
 }
 
