@@ -56,15 +56,14 @@ const Eye& eye_before(const std::vector<EyeKey>& keys, double time_s) {
     return next == keys.begin() ? keys.front().eye : std::prev(next)->eye;
 }
 
-/// Level: turned to its target it stands upright.
+}  // namespace
+
 Camera level_camera(dvec3 world_up) {
     const dvec3 other = std::fabs(world_up.y) < 0.9 ? dvec3{0, 1, 0} : dvec3{0, 0, 1};
     Camera camera;
     camera.to_world = look_at({0, 0, 0}, cross(world_up, other), world_up);
     return camera;
 }
-
-}  // namespace
 
 void set_key(Look& look, const Model& model, int width, int height, double time_s) {
     put(look.keys, {time_s, moving_eye(look, model, width, height)});

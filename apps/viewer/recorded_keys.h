@@ -19,6 +19,9 @@ bool delete_key(Look& look, double time_s);
 /// Of the camera and of lights, ascending.
 std::vector<double> key_times(const Look& look);
 
+/// A camera in the world's origin whose up is the world's: recorded eyes keep the horizon level.
+Camera level_camera(dvec3 world_up);
+
 /// The keys as channels: those of the camera move element 0, those of lights the light of that number.
 Animation animation_of_keys(const Look& look);
 /// Puts eye and lights where they are at a moment.

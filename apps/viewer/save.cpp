@@ -61,6 +61,45 @@ void set_lights(WorldFile& world, std::vector<Light> lights) {
     world.lights = std::move(lights);
 }
 
+/// A name that no camera of the world has.
+std::string camera_name(const WorldFile& world) {
+    for (int i = 1;; ++i) {
+        std::string name = i == 1 ? "recorded" : "recorded " + std::to_string(i);
+        if (std::ranges::find(world.cameras, name, &Camera::name) == world.cameras.end()) return name;
+    }
+}
+
+/// The recorded camera, which the picture looks through then. @return its number
+std::uint32_t add_recorded_camera(WorldFile& world, const Look& look, const Camera& now, PictureRequest& request) {
+    Camera camera = level_camera(look.world_up);
+    camera.name = camera_name(world);
+    camera.vertical_fov_rad = now.vertical_fov_rad;
+    camera.z_near = now.z_near / 4, camera.z_far = now.z_far * 4;  // it comes nearer and goes farther than now
+    camera.to_world[3] = now.to_world[3];
+    request.view = {.camera = camera.name, .world_up = request.view.world_up};
+    world.cameras.push_back(std::move(camera));
+    return std::uint32_t(world.cameras.size() - 1);
+}
+
+/// Recorded keys as paths of the world. @param now  the camera that is seen now
+void add_keys(WorldFile& world, const Look& look, const Camera& now, PictureRequest& request) {
+    const Animation keys = animation_of_keys(look);
+    std::uint32_t camera = no_index;
+    for (const AnimationChannel& channel : keys.channels) {
+        const bool is_camera = channel.path == AnimationPath::camera;
+        if (is_camera && camera == no_index) camera = add_recorded_camera(world, look, now, request);
+        // Lights that are off are not saved: what stands behind them moves up.
+        const auto is_on = [&](std::uint32_t i) { return (*look.lights)[i].is_on; };
+        if (!is_camera && !is_on(channel.element)) continue;
+        std::uint32_t element = is_camera ? camera : 0;
+        for (std::uint32_t i = 0; !is_camera && i < channel.element; ++i) element += is_on(i);
+        WorldTrack& track = world.tracks.emplace_back();
+        track.path = channel.path, track.element = element, track.property = channel.property;
+        track.times.assign(channel.times.begin(), channel.times.end());
+        track.values.assign(channel.values.begin(), channel.values.end());
+    }
+}
+
 /// Shading of the whole that goes before what parts and materials say: [render] of a world says it by taking that away.
 void take_own_shading(WorldFile& world, PictureRequest& request) {
     if (request.settings.own_shading) return;
@@ -151,6 +190,7 @@ WorldFile world_of(const Look& look, const Model& model, int width, int height, 
     PictureRequest request = request_of(look, width, height);
     if (request.lights) set_lights(world, std::move(*request.lights));
     request.lights.reset();
+    add_keys(world, look, camera_of(look, model, width, height), request);
     for (const bool is_of_object : {false, true})
         for (const MaterialEdit& edit : look.materials)
             if ((edit.target.node != no_index) == is_of_object)
@@ -175,8 +215,6 @@ std::string not_saved(const Look& look) {
     if (following > 0)
         add("that " + std::to_string(following) + (following == 1 ? " light follows" : " lights follow") +
             " the camera");
-    const std::size_t keys = key_times(look).size();
-    if (keys > 0) add(std::to_string(keys) + (keys == 1 ? " key" : " keys"));
     if (look.channel) add("the data channel shown");
     return text;
 }

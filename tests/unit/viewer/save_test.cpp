@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names of saved files, and what a saved scene does not hold.
 #include "../../../apps/viewer/gather.h"
+#include "../../../apps/viewer/recorded_keys.h"
 #include "looks.h"
 
 namespace rakelight::viewer {
@@ -28,6 +29,32 @@ TEST_F(Looks, WhatIsNotSavedIsSaid) {
     lights[2].follows_camera = true;
     look.channel = channel_depth;
     EXPECT_EQ(not_saved(look), "2 lights that are off, that 1 light follows the camera, the data channel shown");
+}
+
+TEST_F(Looks, RecordedKeysAreSavedAsPaths) {
+    const auto m = model(write_model());
+    Look look = first_look(*m);
+    std::vector<LightItem>& lights = changing_lights(look, *m, width, height);
+    lights.assign(2, {.light = {.type = LightType::point, .position = {0, 3, 0}}});
+    lights[0].is_on = false;
+    Eye& eye = moving_eye(look, *m, width, height);
+    eye.position = {0, 1, 8}, eye.focal = {0, 0, 0};
+    set_key(look, *m, width, height, 0);
+    moving_eye(look, *m, width, height).position = {8, 1, 0};
+    (*look.lights)[1].light.position = {4, 3, 0};
+    set_key(look, *m, width, height, 2);
+    EXPECT_EQ(not_saved(look), "1 light that is off");
+    save_with_files(world_of(look, *m, width, height, file("saved.scene.toml")), file("saved.scene.toml"));
+    const auto saved = model(file("saved.scene.toml"));
+    ASSERT_EQ(saved->scene.cameras.size(), 1u);
+    EXPECT_EQ(saved->request.view.camera, "recorded");
+    const std::vector<ClipTime> clips = clips_of(saved->scene, {.time_s = 1});
+    const Scene half = scene_at(saved->scene, clips);
+    const dvec3 seen_from = half.cameras[0].to_world[3].xyz();
+    EXPECT_LT(length(seen_from - dvec3{4, 1, 4}), 1e-5);
+    EXPECT_LT(length(normalize_or(dvec3{4, 1, 4}, dvec3{}) - half.cameras[0].to_world[2].xyz()), 1e-5);
+    ASSERT_EQ(half.lights.size(), 1u);
+    EXPECT_LT(length(half.lights[0].position - dvec3{2, 3, 0}), 1e-5);
 }
 
 TEST_F(Looks, NamesOfPicturesAreFreeWithTheirChannels) {
