@@ -22,7 +22,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-STAND_INS = {".glb": "data/spot/spot_slab5.glb", ".obj": "tests/golden/models/solids.obj", ".toml": "data/world/room.scene.toml", ".png": "data/maps/brick_height.png"}
+STAND_INS = {".glb": "data/spot/spot_slab5.glb", ".gltf": "data/motion/door.gltf", ".obj": "tests/golden/models/solids.obj", ".toml": "data/world/room.scene.toml", ".png": "data/maps/brick_height.png"}
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```", re.M | re.S)
 INDENTED = re.compile(r"^(?: {4}.*\n?)+", re.M)

@@ -71,6 +71,10 @@ Examples:
       A product on white; --background transparent has alpha.
   rakelight render helmet.glb -o helmet.png --config look.toml
       Settings from a file: [render], then lines such as samples = 8.
+  rakelight render knight.gltf -o walk.mp4 --animation-index 0
+      A clip as a movie; inspect lists the clips. -o 'walk/{frame:4}.png' draws its
+      numbered pictures; --frames 0:23 some of them (on several machines), and
+      --skip-existing goes on. A sequence fits its view to the whole clip.
   rakelight render parts.obj -o parts.png --normals model --crease-angle 60
       Objects that touch look like one surface; edges over 60 degrees stay sharp.
   rakelight render head.obj -o head.png --camera-position 0,1,5 \
@@ -79,7 +83,8 @@ Examples:
   rakelight render a.glb b.obj c.fbx -o 'out/{model}.png' --resolution 640,480
       Each model to its own picture; one that fails does not stop the others.
   rakelight render builtin:teapot -o teapot.apng --turntable 12 --fps 12
-      Once around as a movie; clips: -o walk.mp4 --animation-name NAME.
+      Once around as a movie; with a clip named, it plays meanwhile
+      (docs/sequences.md).
   rakelight render chair.glb -o chair.png --background transparent \
       --channels depth,normal
       With alpha; depth and normals go to chair.depth.exr and chair.normal.exr.

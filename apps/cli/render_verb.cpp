@@ -29,7 +29,8 @@ Command render_command() {
             "Picture to write: .png .jpg .webp .ppm (sRGB) .exr .hdr (linear); a folder, for a "
             "picture of each model; - or ppm:- for standard output. Filled in are {model} {ext} {dir} "
             "(name, ending and folder of the model), {n} (its number; {n:3} has three digits), "
-            "{camera} (of --camera-index or --view) and {frame} (of a sequence, or of --watch). Missing folders "
+            "{camera} (of --camera-index or --view) and {frame} (of a sequence or of --watch; {frame:4} as 0007). "
+            "Missing folders "
             "are made. Or a movie: .mp4 .webm .gif .apng, and .webp of a sequence",
         .is_required = true,
         .letter = 'o'};

@@ -39,6 +39,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double least_fps = 0.01;  ///< of movies
+
 /// What one input becomes.
 struct Job {
     InputRequest input;
@@ -95,6 +97,9 @@ void check_movies(const Job& job) {
         if (!names.insert(fs::path(movie).lexically_normal().string()).second)
             throw Error(ErrorCode::usage, "the movie is asked for twice").with_file(movie);
     }
+    if (const double fps = job.sequence.fps / double(std::max<std::int64_t>(job.sequence.frames.step, 1));
+        !job.movies.empty() && fps < least_fps)
+        throw Error(ErrorCode::usage, "leaves a movie with fewer than 0.01 pictures a second").about("frames", {"fps"});
     if (!job.movies.empty() && !job.sequence.picture.output.ends_with(".png"))
         throw Error(ErrorCode::usage, "movies are made of PNG pictures", {},
                     "let -o end in .png, or name the movie there")
@@ -171,7 +176,8 @@ void make_movies(const Run& run, const Job& job, Made& made, Context& context) {
             // Every second picture stands twice as long.
             write_movie(movie, files, job.sequence.fps / double(job.sequence.frames.step), context);
         } catch (const Error& error) {
-            throw error.advising("the pictures are there: " + files[0]);
+            throw error.advising((error.advice().empty() ? "" : "; ") + std::string("the pictures are there: ") +
+                                 files[0]);
         }
         PictureRow& row = made.movies.emplace_back();
         row.result.file = job.sequence.picture.input, row.result.output = movie;
@@ -203,6 +209,10 @@ bool asks_sequence(const Run& run) {
         throw Error(ErrorCode::usage, "says how a sequence is drawn, but none is asked for", {},
                     "add 'frames', 'turntable' or 'movie'")
             .about(std::string(how), {"frames", "turntable", "movie"});
+    if (has_frame_number(run.picture.output) && !run.given.has("watch"))
+        throw Error(ErrorCode::usage, "{frame} numbers the pictures of a sequence, and none is asked for", {},
+                    "name a clip, or add --turntable, --frames or --watch")
+            .about("output", {"turntable", "frames"});
     return false;
 }
 

@@ -31,7 +31,7 @@ ClipSpan clip_span(const Animation& animation);
 /// @throws Error usage: no such clip, a time that is not finite; bad_file: see validate()
 Scene scene_at(Scene scene, std::span<const ClipTime> clips);
 
-/// The clip of a world's own keys, the last of its scene. It is shown together with every other: clips_of() (request.h).
+/// The clip of a world's own keys, the last of its scene. Animation::goes_with_all marks it.
 inline constexpr std::string_view world_clip_name = "world";
 
 /// What channels of materials, lights and cameras can move.

@@ -100,8 +100,8 @@ struct MotionRequest {
     bool operator==(const MotionRequest&) const = default;
 };
 
-/// The clips of a scene that a request names, at their moments; and `world_clip_name` (motion.h), which is always among them, at
-/// the moment of the others. Empty: it asks for none.
+/// The clips of a scene that a request names, at their moments; and those that go with all
+/// (Animation::goes_with_all), at the moment of the others. Empty: it asks for none.
 /// @throws Error usage: the scene has no clips, or no such one; the message lists them
 std::vector<ClipTime> clips_of(const Scene& scene, const MotionRequest& motion);
 

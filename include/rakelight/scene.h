@@ -340,6 +340,7 @@ struct AnimationChannel {
 struct Animation {
     std::string name{};
     std::vector<AnimationChannel> channels{};
+    bool goes_with_all = false;  ///< is shown whatever clip is: the paths of a world's cameras and lights
     bool operator==(const Animation&) const = default;
 };
 

@@ -40,7 +40,8 @@ const Ending& ending_of(const std::string& path) {
         if (name == ending.name) return ending;
         all += (all.empty() ? "." : ", .") + std::string(ending.name);
     }
-    throw Error(ErrorCode::usage, "a picture file cannot end in '" + one_line(name, 40) + "'", {}, "use one of " + all)
+    throw Error(ErrorCode::usage, "a picture file cannot end in '" + one_line(name, 40) + "'", {},
+                "use one of " + all + "; of movies .mp4, .webm, .gif, .apng, .webp")
         .with_file(path);
 }
 

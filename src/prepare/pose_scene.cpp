@@ -8,7 +8,10 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
+#include <tuple>
 
+#include "base/cancel_check.h"
 #include "geometry/morph.h"
 #include "geometry/skin.h"
 #include "math/linear.h"
@@ -24,17 +27,17 @@ using geometry::JointColumns;
 /// Places farther from the world's origin than this [m] are given from a point nearby, so that floats suffice.
 constexpr double far_away = 4096;
 
-/// What a pose makes of the skinned meshes of one file: an origin for all, so that equal places stay equal.
+/// What a pose makes of the skinned meshes of a scene: an origin for all, so that equal places stay equal. What many
+/// placements share is made once.
 class Skeleton {
 public:
-    explicit Skeleton(const Scene& scene) : scene_(scene), world_(world_matrices(scene)) {
-        for (const Instance& i : moving_placements(scene)) {
-            if (!is_skinned(i)) continue;
-            const dvec3 place = transform_point(first_joint(i), dvec3{0, 0, 0});
-            if (!(std::fmax(std::fmax(std::fabs(place.x), std::fabs(place.y)), std::fabs(place.z)) < far_away))
-                origin_ = {std::round(place.x), std::round(place.y), std::round(place.z)};
-            break;
-        }
+    Skeleton(const Scene& scene, const std::vector<Instance>& moving, Context& context)
+        : scene_(scene), world_(world_matrices(scene)), matrices_(scene.skins.size()), check_(context) {
+        const auto first = std::ranges::find_if(moving, [&](const Instance& i) { return is_skinned(i); });
+        if (first == moving.end()) return;
+        const dvec3 place = transform_point(first_joint(*first), dvec3{0, 0, 0});
+        if (!(std::fmax(std::fmax(std::fabs(place.x), std::fabs(place.y)), std::fabs(place.z)) < far_away))
+            origin_ = {std::round(place.x), std::round(place.y), std::round(place.z)};
     }
 
     bool is_skinned(const Instance& i) const {
@@ -44,55 +47,72 @@ public:
     dvec3 origin() const { return origin_; }
 
     /// Whether every joint that skinned meshes of the node follow turns them inside out.
-    bool mirrors(std::uint32_t node) const {
-        const auto& meshes = scene_.nodes[node].meshes;
-        return std::ranges::all_of(meshes, [&](std::uint32_t m) {
-            const Instance i{node, 0, m};
-            return !is_skinned(i) || mirrors(i);
-        });
+    bool mirrors(std::uint32_t node) {
+        const auto [known, is_new] = node_mirrors_.try_emplace(node, true);
+        if (!is_new) return known->second;
+        for (const std::uint32_t mesh : scene_.nodes[node].meshes) {
+            const Instance i{node, 0, mesh};
+            known->second = known->second && (!is_skinned(i) || mirrors(i));
+        }
+        return known->second;
     }
 
     /// Bind pose -> posed mesh, about origin(); x turned round for mirrored ones.
-    std::vector<JointColumns> columns(const Instance& i, bool is_mirrored) const {
-        std::vector<JointColumns> result;
-        const dmat4 from_world = (is_mirrored ? scaling(dvec3{-1, 1, 1}) : dmat4{}) * translation(origin_ * -1.0);
-        for (const dmat4& joint : joint_matrices(i)) {
-            result.push_back(geometry::columns_of(from_world * joint * translation(scene_.meshes[i.mesh].origin)));
-        }
-        return result;
+    const std::vector<JointColumns>& columns(const Instance& i, bool is_mirrored) {
+        const dvec3 from = scene_.meshes[i.mesh].origin;
+        const auto [known, is_new] = columns_.try_emplace({skin_of(i), is_mirrored, from.x, from.y, from.z});
+        if (!is_new) return known->second;
+        const dmat4 to_mesh = (is_mirrored ? scaling(dvec3{-1, 1, 1}) : dmat4{}) * translation(origin_ * -1.0);
+        for (const dmat4& joint : joint_matrices(skin_of(i)))
+            known->second.push_back(geometry::columns_of(to_mesh * joint * translation(from)));
+        return known->second;
     }
 
 private:
-    bool mirrors(const Instance& i) const {
+    std::uint32_t skin_of(const Instance& i) const { return scene_.nodes[i.node].skin; }
+
+    const std::vector<dmat4>& joint_matrices(std::uint32_t number) {
+        const Skin& skin = scene_.skins[number];
+        std::vector<dmat4>& made = matrices_[number];
+        for (std::size_t j = made.size(); j < skin.joints.size(); ++j, check_())
+            made.push_back(world_[skin.joints[j]] * skin.inverse_bind[j]);
+        return made;
+    }
+    dmat4 first_joint(const Instance& i) {
         const Mesh& mesh = scene_.meshes[i.mesh];
-        const std::vector<dmat4> matrices = joint_matrices(i);
+        const JointInfluence& influence = mesh.influences[0];
+        const std::size_t j = influence.weights[0] != 0 ? influence.joints[0] : 0;
+        return joint_matrices(skin_of(i))[j] * translation(mesh.origin);
+    }
+    /// Vertices without weights follow the first joint.
+    bool mirrors(const Instance& i) {
+        const Mesh& mesh = scene_.meshes[i.mesh];
+        const std::vector<dmat4>& matrices = joint_matrices(skin_of(i));
         std::vector<std::int8_t> side(matrices.size(), 0);
+        const auto is_mirrored = [&](std::size_t joint) {
+            std::int8_t& s = side[joint];
+            if (s == 0) s = determinant(upper_left(matrices[joint])) < 0 ? -1 : 1;
+            return s < 0;
+        };
+        bool follows_some = false;
         for (const Block<JointInfluence>* block : {&mesh.influences, &mesh.more_influences})
             for (const JointInfluence& influence : *block)
                 for (std::size_t k = 0; k < 4; ++k) {
                     if (influence.weights[k] == 0) continue;
-                    std::int8_t& s = side[influence.joints[k]];
-                    if (s == 0) s = determinant(upper_left(matrices[influence.joints[k]])) < 0 ? -1 : 1;
-                    if (s > 0) return false;
+                    if (!is_mirrored(influence.joints[k])) return false;
+                    follows_some = true;
                 }
-        return true;
-    }
-    const Skin& skin(const Instance& i) const { return scene_.skins[scene_.nodes[i.node].skin]; }
-    std::vector<dmat4> joint_matrices(const Instance& i) const {
-        std::vector<dmat4> result;
-        for (std::size_t j = 0; j < skin(i).joints.size(); ++j)
-            result.push_back(world_[skin(i).joints[j]] * skin(i).inverse_bind[j]);
-        return result;
-    }
-    dmat4 first_joint(const Instance& i) const {
-        const Mesh& mesh = scene_.meshes[i.mesh];
-        const std::size_t j = mesh.influences[0].joints[0];
-        return world_[skin(i).joints[j]] * skin(i).inverse_bind[j] * translation(mesh.origin);
+        return follows_some || is_mirrored(0);
     }
 
     const Scene& scene_;
     std::vector<dmat4> world_;
     dvec3 origin_{0, 0, 0};
+    std::vector<std::vector<dmat4>> matrices_;  ///< [skins][joints], made when they are asked for
+    std::map<std::uint32_t, bool> node_mirrors_;
+    /// By skin, mirrored or not, origin of the mesh.
+    std::map<std::tuple<std::uint32_t, bool, double, double, double>, std::vector<JointColumns>> columns_;
+    CancelCheck check_;
 };
 
 /// A block of numbers that somebody will fill.
@@ -146,17 +166,20 @@ void check_memory(const Scene& scene, const std::vector<Instance>& moving, Conte
     std::uint64_t bytes = 0;
     for (const Instance& i : moving) {
         const Mesh& mesh = scene.meshes[i.mesh];
-        bytes += mesh.positions.size() * sizeof(vec3) + mesh.normals.size() * sizeof(vec3) +
-                 mesh.tangents.size() * sizeof(vec4);
+        const std::uint64_t sets = mesh.targets.empty() ? 1 : 2;  // those of the targets, and of the skin
+        bytes += sets * (mesh.positions.size() * sizeof(vec3) + mesh.normals.size() * sizeof(vec3) +
+                         mesh.tangents.size() * sizeof(vec4));
     }
     context.memory().check(bytes, "posed vertices");
 }
 
-/// What a node and all above it say of shading.
-std::optional<Shading> shading_of(const Scene& scene, std::uint32_t node) {
-    for (; node != no_index; node = scene.nodes[node].parent)
-        if (scene.nodes[node].shading) return scene.nodes[node].shading;
-    return {};
+/// [nodes] what each and all above it say of shading.
+std::vector<std::optional<Shading>> resolved_shading(const Scene& scene) {
+    std::vector<std::optional<Shading>> shading;
+    shading.reserve(scene.nodes.size());
+    for (const Node& node : scene.nodes)  // parents come first
+        shading.push_back(node.shading || node.parent == no_index ? node.shading : shading[node.parent]);
+    return shading;
 }
 
 /// Puts nodes that show skinned meshes into the world by themselves; what hangs from them stays in place.
@@ -166,12 +189,15 @@ public:
 
     /// @param placed  [nodes that show skinned meshes] where the posed meshes stand
     void detach(const std::map<std::uint32_t, dmat4>& placed) {
+        if (placed.empty()) return;
+        const std::vector<std::optional<Shading>> shading = resolved_shading(scene_);
         for (std::uint32_t n = 0; n < world_.size(); ++n)
-            if (placed.contains(n) || hangs(n, placed)) scene_.nodes[n].shading = shading_of(scene_, n);
+            if (placed.contains(n) || hangs(n, placed)) scene_.nodes[n].shading = shading[n];
         for (std::uint32_t n = 0; n < world_.size(); ++n)
             if (hangs(n, placed)) place_in_world(scene_.nodes[n], world_[n]);
+        const std::set<std::uint32_t> taken = nodes_of_others();
         for (const auto& [n, matrix] : placed)
-            place_in_world(scene_.nodes[is_needed(n) ? with_meshes_of(n) : n], matrix);
+            place_in_world(scene_.nodes[is_needed(n, taken) ? with_meshes_of(n) : n], matrix);
     }
 
 private:
@@ -184,10 +210,16 @@ private:
         if (!(matrix == dmat4{})) node.local.matrix = matrix;
     }
     bool is_skinned(std::uint32_t mesh) const { return !scene_.meshes[mesh].influences.empty(); }
+    /// Nodes of lights and cameras.
+    std::set<std::uint32_t> nodes_of_others() const {
+        std::set<std::uint32_t> nodes;
+        for (const Light& light : scene_.lights) nodes.insert(light.node);
+        for (const Camera& camera : scene_.cameras) nodes.insert(camera.node);
+        return nodes;
+    }
     /// Something else stands at the node: a light, a camera, a mesh without influences.
-    bool is_needed(std::uint32_t node) const {
-        const auto is_here = [node](const auto& element) { return element.node == node; };
-        return std::ranges::any_of(scene_.lights, is_here) || std::ranges::any_of(scene_.cameras, is_here) ||
+    bool is_needed(std::uint32_t node, const std::set<std::uint32_t>& taken) const {
+        return taken.contains(node) ||
                !std::ranges::all_of(scene_.nodes[node].meshes, [&](std::uint32_t m) { return is_skinned(m); });
     }
     /// A new node takes the skinned meshes over. @return its number
@@ -230,11 +262,11 @@ Scene valid::posed_scene(Scene scene, Context& context) {
     const auto own = unpaid_arrays(scene);
     scene = with_own_meshes(with_posed_nodes(std::move(scene)), context);
     {
-        const Skeleton skeleton(scene);
-        std::map<std::uint32_t, dmat4> placed;
-        std::vector<Mesh> posed;
         const std::vector<Instance> moving = moving_placements(scene);
         check_memory(scene, moving, context);
+        Skeleton skeleton(scene, moving, context);
+        std::map<std::uint32_t, dmat4> placed;
+        std::vector<Mesh> posed;
         for (const Instance& i : moving) {
             context.throw_if_cancelled();
             Mesh mesh = scene.meshes[i.mesh];

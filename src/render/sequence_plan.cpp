@@ -34,9 +34,12 @@ void check_numbers(const SequenceRequest& request) {
         throw Error(ErrorCode::usage, "must be 0.01 to 1000").about("fps");
     if (request.turntable < 0 || request.turntable > most_frames)
         throw Error(ErrorCode::usage, "must be 1 to " + std::to_string(most_frames)).about("turntable");
-    if (range.first < 0 || range.step < 1 || (range.last && *range.last < range.first))
-        throw Error(ErrorCode::usage, "must be FIRST:LAST or FIRST:LAST:STEP, from 0, with a step of 1 or more")
+    if (range.last && *range.last < range.first)
+        throw Error(ErrorCode::usage, "ends before it begins: " + std::to_string(range.first) + " comes after " +
+                                          std::to_string(*range.last))
             .about("frames");
+    if (range.first < 0 || range.step < 1)
+        throw Error(ErrorCode::usage, "must be A:B or A:B:STEP, from 0, with a step of 1 or more").about("frames");
     if (range.first >= most_frames || range.last.value_or(0) >= most_frames)
         throw Error(ErrorCode::usage, "a sequence has at most " + std::to_string(most_frames) + " pictures")
             .about("frames");

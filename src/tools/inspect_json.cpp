@@ -186,7 +186,7 @@ void add(Json& row, const Inspection& i) {
     row["cameras"] = list(i.scene.cameras);
     row["animations"] = i.scene.animations.size();
     row["clips"] = list(i.scene.animations);
-    row["bounds"]["pose"] = i.is_posed ? "posed" : "static";
+    row["posed"] = i.is_posed;
     row["shared_positions"] = i.shared_positions;
     row["seams"] = json_of(i.seams);
     row["borders"] = list(i.borders);

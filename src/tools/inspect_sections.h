@@ -31,12 +31,12 @@ struct Section {
     bool empty() const { return table.empty() && note.empty(); }
 };
 
-/// The table is cut to max_rows; it has no rows when the list is empty.
+/// The table is cut to `most` rows; it has no rows when the list is empty.
 template <class List, class AddRow>
 Section section(const char* title, std::vector<std::string> head, const List& list, const AddRow& add_row,
-                std::size_t left_out = 0) {
+                std::size_t left_out = 0, std::size_t most = max_rows) {
     TextTable table(std::move(head));
-    const std::size_t shown = list.size() < max_rows ? list.size() : max_rows;
+    const std::size_t shown = list.size() < most ? list.size() : most;
     for (std::size_t i = 0; i < shown; ++i) table.add(add_row(list[i], i));
     const std::size_t more = list.size() - shown + left_out;
     return {title, std::move(table), more ? "... " + std::to_string(more) + " more, all of them in the JSON" : ""};

@@ -2,16 +2,18 @@
 // Which clips a picture shows.
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 #include <rakelight/error.h>
 #include <rakelight/request.h>
+#include <rakelight/tools/words.h>
 
 #include "scene/scene_tools.h"
 
 namespace rakelight {
 namespace {
 
-constexpr std::size_t most_listed = 12;
+constexpr std::size_t most_listed = 6, most_alike = 6;
 
 /// "0 'walk', 1 'run'"
 std::string list_of(const Scene& scene) {
@@ -21,14 +23,38 @@ std::string list_of(const Scene& scene) {
     return scene.animations.size() > most_listed ? text + ", ..." : text;
 }
 
+/// Names that begin alike or are spelt alike, else what there is.
+std::string advice_for(const Scene& scene, const std::string& name) {
+    std::vector<std::string_view> names;
+    std::string alike;
+    std::size_t count = 0;
+    for (const Animation& animation : scene.animations) {
+        names.push_back(animation.name);
+        const bool begins =
+            animation.name.size() > name.size() && same_word(animation.name.substr(0, name.size()), name);
+        if (begins && ++count <= most_alike)
+            alike += (alike.empty() ? "'" : ", '") + one_line(animation.name, 40) + "'";
+    }
+    if (!alike.empty()) return "there are " + alike + (count > most_alike ? ", ..." : "");
+    if (const std::string nearest = nearest_word(name, names); !nearest.empty())
+        return "did you mean '" + one_line(nearest, 40) + "'?";
+    return "the scene has " + list_of(scene) + "; inspect lists them all";
+}
+
 std::uint32_t clip_named(const Scene& scene, const std::string& name) {
-    for (std::uint32_t i = 0; i < scene.animations.size(); ++i)
-        if (scene.animations[i].name == name) return i;
-    throw Error(ErrorCode::usage, "there is no animation of that name; the scene has " + list_of(scene))
+    std::vector<std::string_view> names;
+    for (const Animation& animation : scene.animations) names.push_back(animation.name);
+    if (const auto same = std::ranges::find(names, name); same != names.end())
+        return std::uint32_t(same - names.begin());
+    // Case means nothing where only one is meant.
+    const auto is_meant = [&](std::string_view other) { return same_word(other, name); };
+    if (std::ranges::count_if(names, is_meant) == 1)
+        return std::uint32_t(std::ranges::find_if(names, is_meant) - names.begin());
+    throw Error(ErrorCode::usage, "there is no animation '" + one_line(name, 40) + "'", {}, advice_for(scene, name))
         .about("animation-name", {"animation-index"});
 }
 
-bool is_of_world(const Animation& animation) { return animation.name == world_clip_name; }
+bool is_of_world(const Animation& animation) { return animation.goes_with_all; }
 
 /// The clips that are asked for. The first that is not the world's own where nothing says which.
 std::vector<std::uint32_t> chosen(const Scene& scene, const MotionRequest& motion) {
@@ -57,7 +83,11 @@ std::vector<ClipTime> clips_of(const Scene& scene, const MotionRequest& motion) 
     const std::size_t count = scene.animations.size();
     if (count == 0) {
         if (motion.autoplay && !motion.index && motion.name.empty() && !motion.time_s) return {};
-        throw Error(ErrorCode::usage, "the scene has no animations").about("animation-time", {"animation-time"});
+        throw Error(ErrorCode::usage, "the scene has no animations")
+            .about(motion.index           ? "animation-index"
+                   : !motion.name.empty() ? "animation-name"
+                                          : "animation-time",
+                   {"animation-time"});
     }
     std::vector<ClipTime> times;
     for (const std::uint32_t clip : chosen(scene, motion))

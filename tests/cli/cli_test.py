@@ -320,6 +320,7 @@ class Cli(program.Case):
         row = whole["rows"][0]
         self.assertEqual([o["name"] for o in row["objects"]], ["left", "right"])
         self.assertEqual(row["bounds"], {"low": [-1, 0, 0], "high": [1, 1, 0.5]})
+        self.assertFalse(row["posed"])
         self.assertEqual(row["shared_positions"], 2)
         self.assertGreater(row["borders"][0]["largest_deg"], 10)
         over_model = json.loads(self.run_program("inspect", "a.obj", "--json", "--normals", "model", "--crease-angle", "180").out)

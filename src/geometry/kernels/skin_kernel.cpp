@@ -21,7 +21,8 @@ static inline bool has_weight(const KernelInfluence& i) {
 }
 
 static inline const matrix& joint_of(const float* joints, const KernelInfluence& i, int k) {
-    return *reinterpret_cast<const matrix*>(joints + joint_floats * uint64_t(i.joints[k]));
+    // A joint of weight 0 need not be there.
+    return *reinterpret_cast<const matrix*>(joints + joint_floats * uint64_t(i.weights[k] != 0 ? i.joints[k] : 0));
 }
 
 static inline void weigh(const float* joints, const KernelInfluence& i, matrix& sum) {
@@ -34,12 +35,13 @@ static inline void blend(const SkinJob& job, uint32_t first, float* rows) {
     for (uint32_t i = 0; i < block; ++i) {
         const KernelInfluence& influence = job.influences[first + i];
         matrix& sum = *reinterpret_cast<matrix*>(rows + joint_floats * i);
-        if (!has_weight(influence)) {  // the strongest stand first
+        const bool has_more = job.more_influences && has_weight(job.more_influences[first + i]);
+        if (!has_more && !has_weight(influence)) {
             sum = *reinterpret_cast<const matrix*>(job.joints);
             continue;
         }
         weigh(job.joints, influence, sum);
-        if (!job.more_influences || !has_weight(job.more_influences[first + i])) continue;
+        if (!has_more) continue;
         matrix more;
         weigh(job.joints, job.more_influences[first + i], more);
         sum = sum + more;

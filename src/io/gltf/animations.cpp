@@ -25,7 +25,7 @@ public:
                 const Value channel = channels.element(c, source.place() + ", channel " + std::to_string(c));
                 read_channel(source, channel, animation.channels);
             });
-        if (!animation.channels.empty()) scene_.animations.push_back(std::move(animation));
+        scene_.animations.push_back(std::move(animation));  // an empty one, too: others keep their numbers
     }
 
 private:
@@ -123,9 +123,12 @@ private:
 void read_animations(Accessors& accessors, const ChannelTargets& targets, Scene& scene) {
     const Document& document = accessors.document();
     AnimationReader reader(accessors, targets, scene);
-    for (std::uint32_t a = 0; a < document.count(animation_kind); ++a)
+    for (std::uint32_t a = 0; a < document.count(animation_kind); ++a) {
+        const std::size_t before = scene.animations.size();
         read_or_drop(document, "animation " + std::to_string(a),
                      [&] { reader.read(document.element(animation_kind, a, document.root()), a); });
+        if (scene.animations.size() == before) scene.animations.emplace_back();
+    }
 }
 
 }  // namespace rakelight::io::gltf

@@ -46,8 +46,9 @@ Strongest strongest(std::vector<Weighted>& all, Counts& counts) {
     if (std::fabs(sum - 1) > sum_tolerance) ++counts.bad_sums;
     for (std::size_t k = 0; k < count; ++k) {
         JointInfluence& influence = k < 4 ? kept.first : kept.next;
-        influence.weights[k % 4] = all[k].weight / sum;
-        influence.joints[k % 4] = all[k].weight > 0 ? std::uint16_t(all[k].joint) : std::uint16_t(0);
+        const float weight = all[k].weight / sum;  // may vanish
+        influence.weights[k % 4] = weight;
+        influence.joints[k % 4] = weight > 0 ? std::uint16_t(all[k].joint) : std::uint16_t(0);
     }
     return kept;
 }

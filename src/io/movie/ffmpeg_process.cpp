@@ -9,10 +9,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <string>
 #include <utility>
 
 #include "io/descriptor.h"
@@ -51,6 +53,11 @@ std::vector<std::string> environment() {
     return variables;
 }
 
+Error not_installed() {
+    return Error(ErrorCode::failed, "MP4, WebM and GIF are written by the program ffmpeg, which is not there", {},
+                 "install the package ffmpeg, or write .apng or .webp");
+}
+
 /// The child; one that still runs is killed at the end.
 class Child {
 public:
@@ -81,9 +88,7 @@ public:
         posix_spawnattr_destroy(&attributes);
         if (code == 0) return;
         pid_ = -1;
-        if (code == ENOENT)
-            throw Error(ErrorCode::failed, "MP4, WebM and GIF are written by the program ffmpeg, which is not there",
-                        {}, "install the package ffmpeg, or write .apng or .webp");
+        if (code == ENOENT) throw not_installed();
         failed("ffmpeg does not start", code);
     }
     ~Child() {
@@ -150,6 +155,18 @@ std::string said(int words) {
 }
 
 }  // namespace
+
+void check_ffmpeg() {
+    const char* const path = std::getenv("PATH");
+    std::string folders = path ? path : "/bin:/usr/bin";
+    for (std::size_t at = 0; at <= folders.size();) {
+        const std::size_t end = std::min(folders.find(':', at), folders.size());
+        const std::string folder = folders.substr(at, end - at);
+        if (::access(((folder.empty() ? "." : folder) + "/ffmpeg").c_str(), X_OK) == 0) return;
+        at = end + 1;
+    }
+    throw not_installed();
+}
 
 void run_ffmpeg(const FfmpegRun& run, Context& context) {
     const Descriptor words{::memfd_create("ffmpeg's words", MFD_CLOEXEC)};

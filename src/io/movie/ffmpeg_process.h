@@ -22,6 +22,9 @@ struct FfmpegRun {
     double progress_from = 0, progress_to = 1;
 };
 
+/// @throws Error failed: it is not installed
+void check_ffmpeg();
+
 /// Runs it to its end. It is killed where the context is cancelled.
 /// @throws Error failed: it is not installed; its own words, where it fails; cancelled; not_found: a picture
 void run_ffmpeg(const FfmpegRun& run, Context& context);

@@ -9,8 +9,9 @@
 #include <rakelight/movie.h>
 
 #include "io/file.h"
-#include "io/output_place.h"
+#include "io/movie/ffmpeg_process.h"
 #include "io/movie/movie_writers.h"
+#include "io/output_place.h"
 
 namespace rakelight {
 namespace io {
@@ -74,7 +75,10 @@ void check_movie(const std::string& path, const MovieSize& size) {
         throw Error(ErrorCode::usage,
                     "a movie of this kind has at most " + std::to_string(kind->most_side) + " pixels a side")
             .with_file(path);
+    const bool is_by_ffmpeg =
+        kind->kind == io::MovieKind::gif || kind->kind == io::MovieKind::mp4 || kind->kind == io::MovieKind::webm;
     try {
+        if (is_by_ffmpeg) io::check_ffmpeg();
         io::check_output_place(path);
     } catch (const Error& error) {
         throw error.with_file(path);

@@ -205,22 +205,35 @@ TEST(GltfGeometry, QuantizedPositionsTellTheStepBetweenTwoCodes) {
     }
 }
 
-TEST(GltfGeometry, TheFourStrongestJointsAreKept) {
+TEST(GltfGeometry, TheEightStrongestJointsAreKept) {
     GltfFile file;
     auto& attributes = file.triangle()["attributes"];
     attributes["JOINTS_0"] = file.accessor<std::uint8_t>({1, 2, 3, 4, 9, 0, 0, 0, 7, 0, 0, 0}, u8, 4);
     attributes["WEIGHTS_0"] = file.accessor<float>({0.1f, 0.2f, 0.05f, 0.15f, 1, 0, 0, 0, NAN, 0, 0, 0}, f32, 4);
     attributes["JOINTS_1"] = file.accessor<std::uint16_t>({5, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, u16, 4);
     attributes["WEIGHTS_1"] = file.accessor<float>({0.4f, 0.1f, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, f32, 4);
+    attributes["JOINTS_2"] = file.accessor<std::uint8_t>({8, 9, 10, 11, 0, 0, 0, 0, 0, 0, 0, 0}, u8, 4);
+    attributes["WEIGHTS_2"] = file.accessor<float>({0.3f, 0.25f, 0.01f, 0, 0, 0, 0, 0, 0, 0, 0, 0}, f32, 4);
     Context context({.threads = 1});
     const Scene scene = file.load(context);
-    const JointInfluence& first = scene.meshes[0].influences[0];
-    EXPECT_EQ(first.joints, (std::array<std::uint16_t, 4>{5, 2, 4, 1}));
-    EXPECT_NEAR(first.weights[0], 0.4 / 0.85, 1e-6);
+    const JointInfluence &first = scene.meshes[0].influences[0], &next = scene.meshes[0].more_influences[0];
+    EXPECT_EQ(first.joints, (std::array<std::uint16_t, 4>{5, 8, 9, 2}));
+    EXPECT_EQ(next.joints, (std::array<std::uint16_t, 4>{4, 1, 6, 3})) << "of equal ones the lower joint first";
+    EXPECT_NEAR(first.weights[0], 0.4 / 1.55, 1e-6);
     EXPECT_EQ(scene.meshes[0].influences[1].weights[0], 1);
     EXPECT_EQ(scene.meshes[0].influences[2].weights, (std::array<float, 4>{}));
-    EXPECT_TRUE(is_said(context, Remark::dropped, "more than four joints"));
+    EXPECT_TRUE(is_said(context, Remark::dropped, "more than eight joints"));
     EXPECT_TRUE(is_said(context, Remark::changed, "non-finite joint weights"));
+}
+
+TEST(GltfGeometry, JointsWhoseShareVanishesAreNotNamed) {
+    GltfFile file;
+    auto& attributes = file.triangle()["attributes"];
+    attributes["JOINTS_0"] = file.accessor<std::uint16_t>({0, 65535, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, u16, 4);
+    attributes["WEIGHTS_0"] = file.accessor<float>({3, 1.4e-45f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, f32, 4);
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.meshes[0].influences[0].weights[1], 0);
+    EXPECT_EQ(scene.meshes[0].influences[0].joints[1], 0) << "else it would have to be there";
 }
 
 TEST(GltfGeometry, MorphTargetsAndTheirWeightsAreData) {

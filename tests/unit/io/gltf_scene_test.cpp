@@ -264,7 +264,7 @@ TEST(GltfAnimations, BrokenChannelsAreLeftOut) {
     std::memcpy(files.back().data.data() + 36, backwards, 8);
     for (GltfFile& file : files) {
         Context context({.threads = 1});
-        EXPECT_TRUE(file.load(context).animations.empty());
+        EXPECT_TRUE(file.load(context).animations.at(0).channels.empty());
         EXPECT_TRUE(is_said(context, Remark::dropped, "an animation channel is left out"));
     }
 }
