@@ -128,8 +128,9 @@ class CommandLine(program.Case):
 
     def test_templates_are_filled_in(self):
         self.make_models()
-        self.fine("models", "--recursive", "-o", "{dir}/{n:3}-{model}.{ext}-{camera}-{frame:2}{{x}}.png", "--view", "front", *SIZE)
-        self.assertEqual(self.pictures(), ["001-a.obj-front-01{x}.png", "002-b.obj-front-01{x}.png", "sub/003-a.obj-front-01{x}.png"])
+        self.fine("models", "--recursive", "-o", "{dir}/{n:3}-{model}.{ext}-{camera}{{x}}.png", "--view", "front", *SIZE)
+        self.assertEqual(self.pictures(), ["001-a.obj-front{x}.png", "002-b.obj-front{x}.png", "sub/003-a.obj-front{x}.png"])
+        self.check_refused(self.run_program("models/sub/a.obj", "-o", "{frame:2}.png", *SIZE), 2, "{frame}", "--turntable")
         self.fine("models/sub/a.obj", "-o", "{dir}/named.png", *SIZE)
         self.assertIn("models/sub/named.png", self.pictures())
 

@@ -163,7 +163,10 @@ class Case(unittest.TestCase):
         return window
 
     def position(self, window):
-        return [float(n) for n in window.save()[1]["render"]["camera-position"].split(",")]
+        world = window.save()[1]
+        if "camera-position" in world["render"]:
+            return [float(n) for n in world["render"]["camera-position"].split(",")]
+        return next(c["position"] for c in world["camera"] if c["name"] == world["render"]["camera-index"])  # with recorded keys
 
     def render(self, *arguments):
         out = self.folder / "rendered.png"
