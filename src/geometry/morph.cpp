@@ -32,30 +32,27 @@ void sum_up(std::size_t count, std::span<const WeightedTarget> targets, Context&
     });
 }
 
+/// Sums begin with these.
+auto copying(std::span<const vec3> base) {
+    return [base](std::size_t first, std::span<vec3> sums) {
+        std::copy_n(base.begin() + std::ptrdiff_t(first), sums.size(), sums.begin());
+    };
+}
+
 }  // namespace
 
 void morph_positions(std::span<const vec3> base, std::span<const WeightedTarget> targets, std::span<vec3> out,
                      Context& context) {
-    sum_up(
-        base.size(), targets, context,
-        [&](std::size_t first, std::span<vec3> sums) {
-            std::copy_n(base.begin() + std::ptrdiff_t(first), sums.size(), sums.begin());
-        },
-        [&](std::size_t first, std::span<const vec3> sums) {
-            std::ranges::copy(sums, out.begin() + std::ptrdiff_t(first));
-        });
+    sum_up(base.size(), targets, context, copying(base), [&](std::size_t first, std::span<const vec3> sums) {
+        std::ranges::copy(sums, out.begin() + std::ptrdiff_t(first));
+    });
 }
 
 void morph_normals(std::span<const vec3> base, std::span<const WeightedTarget> targets, std::span<vec3> out,
                    Context& context) {
-    sum_up(
-        base.size(), targets, context,
-        [&](std::size_t first, std::span<vec3> sums) {
-            std::copy_n(base.begin() + std::ptrdiff_t(first), sums.size(), sums.begin());
-        },
-        [&](std::size_t first, std::span<const vec3> sums) {
-            for (std::size_t i = 0; i < sums.size(); ++i) out[first + i] = normalize_or(sums[i], base[first + i]);
-        });
+    sum_up(base.size(), targets, context, copying(base), [&](std::size_t first, std::span<const vec3> sums) {
+        for (std::size_t i = 0; i < sums.size(); ++i) out[first + i] = normalize_or(sums[i], base[first + i]);
+    });
 }
 
 void morph_tangents(std::span<const vec4> base, std::span<const WeightedTarget> targets, std::span<vec4> out,
