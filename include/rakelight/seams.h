@@ -37,6 +37,8 @@ struct SeamReport {
 struct MeshSeams {
     std::vector<std::uint32_t> vertices{};  ///< ascending
     std::vector<vec3> normals{};            ///< [vertices] unit, object space
+    /// [vertices], or empty: all turn along with their normals. w = 0: this one does.
+    std::vector<vec4> tangents{};
 };
 
 /// Joins the given normals of meshes along the edges that they share, and only there: a repair, where compute_attributes()
