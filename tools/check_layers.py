@@ -62,7 +62,7 @@ PUBLIC = {
     "error": "base", "current_error": "base", "report": "base", "context": "base", "memory_budget": "base", "rare": "base",
     "vector": "math", "linear": "math", "joint_influence": "math",
     "block": "image", "image": "image", "colormap": "image",
-    "attributes": "geometry", "seams": "geometry",
+    "attributes": "geometry", "seams": "geometry", "matching_borders": "geometry",
     "scene": "scene", "motion": "scene", "scene_queries": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "image_sources": "io", "movie": "io", "unfinished_outputs": "io",
     "prepare": "prepare",
     "engine": "engines", "line": "engines", "values": "world", "request": "world", "settings_file": "world", "material_changes": "world", "load": "world",

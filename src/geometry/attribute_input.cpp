@@ -139,6 +139,15 @@ AttributeInput check_input(std::span<const AttributeMesh> meshes, Context& conte
     return input;
 }
 
+void check_normals(std::span<const AttributeMesh> meshes) {
+    for (std::size_t m = 0; m < meshes.size(); ++m)
+        if (meshes[m].normals.size() != meshes[m].positions.size())
+            throw Error(ErrorCode::bad_file,
+                        std::to_string(meshes[m].normals.size()) + " normals for " +
+                            std::to_string(meshes[m].positions.size()) + " vertices",
+                        "mesh " + std::to_string(m));
+}
+
 void check_options(const AttributeOptions& options) {
     if (!(options.crease_angle_rad >= 0 && options.crease_angle_rad <= pi + angle_slack))
         throw Error(ErrorCode::usage, "the crease angle must be 0 to 180 degrees");

@@ -71,6 +71,8 @@ AttributeInput check_input(std::span<const AttributeMesh> meshes, Context& conte
 AttributeInput number_input(std::span<const AttributeMesh> meshes);
 void check_indices(const AttributeInput& input, Context& context);
 void check_options(const AttributeOptions& options);
+/// For what works on given normals. @throws Error bad_file: not one a vertex
+void check_normals(std::span<const AttributeMesh> meshes);
 
 /// [rad] The crease angle of one mesh.
 inline double crease_angle(const AttributeMesh& mesh, const AttributeOptions& options) {

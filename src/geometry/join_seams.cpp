@@ -7,13 +7,13 @@
 #include <atomic>
 #include <cmath>
 
+#include "geometry/authored_normals.h"
 #include "geometry/corner_bins.h"
 #include "geometry/face_vote.h"
 #include "geometry/finish_vertices.h"
 #include "geometry/perpendicular.h"
 #include "geometry/place_classes.h"
 #include "geometry/seam_fans.h"
-#include "math/functions.h"
 
 namespace rakelight {
 namespace geometry {
@@ -34,8 +34,6 @@ struct Found {
     std::vector<Turn> turns;
     std::uint64_t flat_pairs = 0;
 };
-
-double angle_between(dvec3 a, dvec3 b) { return math::atan2(length(cross(a, b)), dot(a, b)); }
 
 class SeamPass {
 public:
@@ -230,15 +228,6 @@ void check_memory(std::span<const AttributeMesh> meshes, Context& context) {
     std::uint64_t bytes = 0;
     for (const AttributeMesh& m : meshes) bytes += 14 * m.positions.size() + 6 * m.indices.size();
     context.memory().check(bytes, "joining the normals of meshes that meet");
-}
-
-void check_normals(std::span<const AttributeMesh> meshes) {
-    for (std::size_t m = 0; m < meshes.size(); ++m)
-        if (meshes[m].normals.size() != meshes[m].positions.size())
-            throw Error(ErrorCode::bad_file,
-                        std::to_string(meshes[m].normals.size()) + " normals for " +
-                            std::to_string(meshes[m].positions.size()) + " vertices",
-                        "mesh " + std::to_string(m));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "geometry/authored_normals.h"
 #include "geometry/circular_order.h"
 
 namespace rakelight::geometry {
@@ -14,16 +15,10 @@ namespace {
 
 // Up to here different normals of one mesh, and faces at one edge, are compared in pairs.
 constexpr std::size_t few_normals = 64, few_faces = 16;
-constexpr double continuous_rad = radians(0.01);        // a smaller angle is rounding, or the steps of 16 bits
-constexpr double cosine_of_flat = 0.99984769515639124;  // of authored_flat_deg
 
 auto key(dvec3 n) { return std::tuple(n.x, n.y, n.z); }
 
-bool are_equal(dvec3 a, dvec3 b) { return dot(a - b, a - b) <= authored_equality * authored_equality; }
-
 }  // namespace
-
-static_assert(authored_flat_deg == 1);
 
 void SeamFans::find(std::uint32_t place, std::span<const SeamCorner> corners) {
     flat_pairs_ = 0;
@@ -72,7 +67,7 @@ void SeamFans::find_fans_of_mesh(std::span<const SeamCorner> corners, std::uint3
     alike_.reset(count);
     for (std::uint32_t a = 0; a < count && count <= few_normals; ++a)
         for (std::uint32_t b = a + 1; b < count; ++b)
-            if (are_equal(normal_of(a), normal_of(b))) alike_.join(a, b);
+            if (are_one_normal(normal_of(a), normal_of(b))) alike_.join(a, b);
     // A fan for each set, in the order of their least normals; where they are not one normal, the mean by angles.
     fan_of_lead_.assign(count, no_fan);
     sums_.clear();

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// What goes for normals that somebody authored: when two of them are one, when a face is flat, when a turn is none.
+#pragma once
+#include <rakelight/seams.h>
+
+#include "math/functions.h"
+#include "math/linear.h"
+
+namespace rakelight::geometry {
+
+constexpr double continuous_rad = radians(0.01);        // a smaller angle is rounding, or the steps of 16 bits
+constexpr double cosine_of_flat = 0.99984769515639124;  // of authored_flat_deg
+static_assert(authored_flat_deg == 1);
+
+/// Of unit vectors of one mesh.
+inline bool are_one_normal(dvec3 a, dvec3 b) { return dot(a - b, a - b) <= authored_equality * authored_equality; }
+
+/// [rad] 0..pi; right for small angles too.
+inline double angle_between(dvec3 a, dvec3 b) { return math::atan2(length(cross(a, b)), dot(a, b)); }
+
+}  // namespace rakelight::geometry

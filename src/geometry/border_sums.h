@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Votes along the links of matched borders, and the normals and tangents that come of them.
+#pragma once
+#include <span>
+#include <vector>
+
+#include <rakelight/matching_borders.h>
+
+#include "geometry/border_links.h"
+
+namespace rakelight::geometry {
+
+class BorderSums {
+public:
+    /// @param links  by depth
+    /// All outlive it.
+    BorderSums(const AttributeInput& input, std::span<const std::span<const vec4>> tangents, const BorderNodes& nodes,
+               std::span<const BorderLink> links, CornerWeight weight);
+    std::vector<MeshSeams> run(MatchReport& report, Context& context);
+
+private:
+    /// A vertex' tangent in the world. hand 0: it has none.
+    struct Tangent {
+        dvec3 unit, sum;
+        double hand = 0;
+        std::uint32_t lead = 0;  ///< the first member of its node with the same one
+        bool received = false, is_set = false;
+    };
+
+    void weigh_members(Context& context);
+    void read_tangents();
+    void share_out();
+    void share_tangents(const BorderLink& link);
+    bool agrees(const Tangent& own, const BorderLink& link) const;
+    void lead();
+    void follow();
+    void set_tangent(std::uint32_t member, dvec3 sum);
+    void write(std::uint32_t node, std::vector<MeshSeams>& out, MatchReport& report, double& sum) const;
+    vec4 tangent_in_object(std::uint32_t member, std::uint32_t mesh, dvec3 normal) const;
+    std::uint32_t mesh_of(std::uint32_t member) const { return input_.mesh_of_vertex(nodes_.members[member]); }
+
+    const AttributeInput& input_;
+    std::span<const std::span<const vec4>> given_tangents_;
+    const BorderNodes& nodes_;
+    std::span<const BorderLink> links_;
+    CornerWeight weight_;
+    std::vector<std::uint8_t> role_;     ///< [nodes]
+    std::vector<double> member_weight_;  ///< [members]
+    std::vector<dvec3> normals_, sums_;  ///< [nodes] now and as they become; of votes
+    std::vector<double> weights_;        ///< [nodes] of the votes
+    std::vector<Tangent> tangents_;      ///< [members], or empty
+};
+
+}  // namespace rakelight::geometry
