@@ -24,7 +24,7 @@ Scene repaired(const Scene& scene, double distance, MatchReport* borders = nullp
 
 float apart(vec3 a, vec3 b) { return length(a - b); }
 
-bool says(const Context& context, Remark kind, const std::string& words) {
+bool says(Context& context, Remark kind, const std::string& words) {
     for (const ReportEntry& entry : context.report().entries())
         if (entry.remark == kind && entry.message.find(words) != std::string::npos) return true;
     return false;
@@ -71,7 +71,8 @@ TEST(RepairBorders, MorphTargetsTurnAlong) {
     target.normals = std::vector<vec3>(4, vec3{0, 0, 0.5f});
     target.positions = std::vector<vec3>(4, vec3{0, 0.1f, 0});
     scene.meshes[0].targets = {target};
-    const MorphTarget& turned = repaired(scene, 0.02).meshes[0].targets[0];
+    const Scene after = repaired(scene, 0.02);
+    const MorphTarget& turned = after.meshes[0].targets[0];
     EXPECT_EQ(turned.positions, target.positions);
     EXPECT_EQ(turned.normals[0], target.normals[0]) << "away from the border";
     EXPECT_NEAR(turned.normals[2].z, 0.5, 1e-6) << "along the axis of the turn";
@@ -189,7 +190,7 @@ TEST(PrepareBorders, PartsThatAskForOtherScopesStayOut) {
 
 TEST(PrepareBorders, TheSameBitsForAnyNumberOfThreads) {
     const Scene halves = two_halves(40, 0.01);
-    const auto prepared = [&](unsigned threads) {
+    const auto prepared = [&](int threads) {
         Context context({.threads = threads});
         return prepare_scene(halves, {.normals = NormalSource::model, .border_distance = 0.02}, context);
     };
