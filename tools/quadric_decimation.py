@@ -7,7 +7,7 @@ import heapq
 from border_mesh import compacted, cross, cross_of, dot, edges_of, length, mixed, sub, unit
 
 BORDER_WEIGHT = 100.0  # of a constraint plane, against that of a face as large as the edge's square
-LEAST_COSINE = 0.2     # of the angle by which a collapse turns a face
+LEAST_COSINE = 0.85    # of the angle by which a collapse turns a face
 
 
 def plane_quadric(n, p, weight):
