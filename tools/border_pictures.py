@@ -4,8 +4,8 @@
 
   border_pictures.py [--program build/release/rakelight] [--border-distance D] [--only NAME] [--size PX] [--band PX] OUT_FOLDER
 
-D is in mean edge lengths of the uncut model; without it the pictures of `after` are left out. Writes NAME.png for each scene, and
-prints how far the pictures are from what they should be, in codes of 8 bits:
+D is in mean edge lengths of the uncut model; without it the pictures of `after` are left out. Writes NAME.png for each scene (and
+NAME-pair.png: before, after), and prints how far the pictures are from what they should be, in codes of 8 bits:
   band     mean absolute difference from the reference over the pixels within --band pixels of a border (default 6)
   step     mean absolute difference of pixels that face each other across a border; that of the reference is the surface's own
   rest     as band, over all other pixels of the model: what the change did away from the borders
@@ -126,6 +126,9 @@ def show(name, options, folder):
     for way in ("before", "after"):
         if way in pictures:
             shown[f"{way} - reference, x {TIMES}".replace("x", "*")] = difference(pictures[way], pictures["reference"], TIMES)
+    if "after" in pictures:
+        pair = joined([pictures["before"], pictures["after"]])
+        write_rgb(options.folder / f"{name.replace(' ', '-')}-pair.png", 2 * size, len(pair), b"".join(pair))
     sheet = joined([strip(words, size, HEIGHT + 4) for words in shown]) + joined(list(shown.values()))
     write_rgb(options.folder / f"{name.replace(' ', '-')}.png", size * len(shown), len(sheet), b"".join(sheet))
 
