@@ -57,6 +57,16 @@ TEST_F(Looks, RecordedKeysAreSavedAsPaths) {
     EXPECT_LT(length(half.lights[0].position - dvec3{2, 3, 0}), 1e-5);
 }
 
+TEST_F(Looks, TheBorderDistanceIsSavedAndCopied) {
+    const auto m = model(write_model());
+    Look look = first_look(*m);
+    EXPECT_EQ(command_line_of(look, *m, width, height).find("border-distance"), std::string::npos);
+    look.request.prepare.border_distance = 0.0025;
+    EXPECT_NE(command_line_of(look, *m, width, height).find("--border-distance 0.0025"), std::string::npos);
+    save_with_files(world_of(look, *m, width, height, file("saved.scene.toml")), file("saved.scene.toml"));
+    EXPECT_EQ(model(file("saved.scene.toml"))->request.prepare.border_distance, 0.0025);
+}
+
 TEST_F(Looks, NamesOfPicturesAreFreeWithTheirChannels) {
     const std::filesystem::path before = std::filesystem::current_path();
     std::filesystem::current_path(folder_.path());
