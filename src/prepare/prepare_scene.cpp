@@ -45,6 +45,15 @@ SmoothRequest request_for(const PrepareOptions& options) {
     return request;
 }
 
+BorderRequest border_request_for(const PrepareOptions& options) {
+    BorderRequest request{.source = options.normals, .keep_instances = options.keep_instances};
+    request.options.distance = options.border_distance;
+    request.options.crease_angle_rad = options.crease_angle_rad;
+    request.options.weld_distance = options.weld_distance;
+    request.options.weight = options.weight;
+    return request;
+}
+
 bool wants_tangents(const Scene& scene, const Mesh& mesh) {
     return mesh.material != no_index && wants_tangents(scene.materials[mesh.material]);
 }
@@ -269,23 +278,10 @@ private:
 
     /// At once where nothing moves; what does is kept for finish(), and told.
     BoundScene with_borders_joined(BoundScene bound) const {
-        BorderRequest request{.source = options_.normals, .keep_instances = options_.keep_instances};
-        request.options.distance = options_.border_distance;
-        request.options.crease_angle_rad = options_.crease_angle_rad;
-        request.options.weld_distance = options_.weld_distance;
-        request.options.weight = options_.weight;
-        const auto matched = match_borders(bound.scene, request, context_);
-        MatchReport all;
-        for (const MatchedBorders& set : matched.value_or(std::vector<MatchedBorders>{})) {
-            MatchReport one;
-            Scene joined = join_borders(bound.scene, set, options_.keep_instances, one, context_);
-            all = sum(all, one);
-            if (set.moves)
-                bound.borders.push_back(set);
-            else
-                bound.scene = paid(std::move(joined));
-        }
-        report_borders(bound.scene, request, all, matched.has_value(), context_.report());
+        const BorderRequest request = border_request_for(options_);
+        BorderOutcome outcome;
+        bound.scene = paid(join_borders(std::move(bound.scene), request, outcome, context_, &bound.borders));
+        report_borders(bound.scene, request, outcome, context_.report());
         return bound;
     }
 

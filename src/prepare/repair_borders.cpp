@@ -72,10 +72,26 @@ std::vector<Instance> found_again(const Scene& scene, const std::vector<Instance
     return found;
 }
 
+/// Both together.
+MatchReport sum(const MatchReport& a, const MatchReport& b) {
+    MatchReport all;
+    all.leading = a.leading + b.leading, all.following = a.following + b.following;
+    all.turned = a.turned + b.turned;
+    all.max_deg = std::max(a.max_deg, b.max_deg);
+    if (all.turned > 0)
+        all.mean_deg = (a.mean_deg * double(a.turned) + b.mean_deg * double(b.turned)) / double(all.turned);
+    all.edges_not_searched = a.edges_not_searched + b.edges_not_searched;
+    return all;
+}
+
 /// Why no mesh takes part.
 std::string why_none(NormalSource source) {
     if (source == NormalSource::file) return "'normals' file keeps what the file has";
     return "faces are flat here, or have no normals; 'normals' model smooths";
+}
+
+bool is_within_objects(const BorderRequest& request) {
+    return request.source ? request.source == NormalSource::object : request.options.scope == Scope::object;
 }
 
 std::string digits(double number) {
@@ -86,20 +102,29 @@ std::string digits(double number) {
 
 }  // namespace
 
-std::optional<std::vector<MatchedBorders>> match_borders(const Scene& scene, const BorderRequest& request,
-                                                         Context& context) {
-    BorderSets sets(scene, request);
+Scene join_borders(Scene scene, const BorderRequest& request, BorderOutcome& outcome, Context& context,
+                   std::vector<MatchedBorders>* moving) {
     std::vector<MatchedBorders> matched;
-    bool take_part = false;
-    for (BorderSet& set : sets.sets()) {
-        if (set.parts.meshes.empty()) continue;
-        take_part = true;
-        set.parts.check_memory(context);
-        BorderMatch match = match_borders(set.parts.meshes, set.options, context);
-        if (!match.is_empty()) matched.push_back({std::move(match), std::move(set.parts.instances), set.moves});
+    {
+        BorderSets sets(scene, request);
+        for (BorderSet& set : sets.sets()) {
+            if (set.parts.meshes.empty()) continue;
+            outcome.takes_part = true;
+            set.parts.check_memory(context);
+            BorderMatch match = match_borders(set.parts.meshes, set.options, context);
+            if (!match.is_empty()) matched.push_back({std::move(match), std::move(set.parts.instances), set.moves});
+        }
     }
-    if (!take_part) return {};
-    return matched;
+    for (MatchedBorders& set : matched) {
+        MatchReport one;
+        Scene joined = join_borders(scene, set, request.keep_instances, one, context);
+        outcome.report = sum(outcome.report, one);
+        if (moving && set.moves)
+            moving->push_back(std::move(set));
+        else
+            scene = std::move(joined);
+    }
+    return scene;
 }
 
 Scene join_borders(Scene scene, const MatchedBorders& borders, bool keep_instances, MatchReport& report,
@@ -129,32 +154,27 @@ void join_kept_normals(Scene& scene) {
 Scene repair_borders(const Scene& scene, const MatchOptions& options, Context& context, MatchReport* borders,
                      bool keep_instances) {
     validate(scene);
-    const BorderRequest request{.options = options, .keep_instances = keep_instances};
-    MatchReport all;
-    Scene out = scene;
-    for (const MatchedBorders& set : match_borders(scene, request, context).value_or(std::vector<MatchedBorders>{})) {
-        MatchReport one;
-        out = join_borders(std::move(out), set, keep_instances, one, context);
-        all = sum(all, one);
-    }
-    if (borders) *borders = all;
+    BorderOutcome outcome;
+    Scene out = join_borders(scene, {.options = options, .keep_instances = keep_instances}, outcome, context);
+    if (borders) *borders = outcome.report;
     charge_new_arrays(out, unpaid_arrays(scene), context);
     return out;
 }
 
-void report_borders(const Scene& scene, const BorderRequest& request, const MatchReport& borders, bool take_part,
-                    Report& report) {
+void report_borders(const Scene& scene, const BorderRequest& request, const BorderOutcome& outcome, Report& report) {
+    const MatchReport& borders = outcome.report;
     const auto say = [&](Remark kind, std::string text) {
         report.add(kind, scene.source, {}, std::move(text), {"border-distance"});
     };
-    if (!take_part)
+    if (!outcome.takes_part)
         report.add(request.source == NormalSource::file ? Remark::note : Remark::warning, scene.source, {},
                    "'border-distance' turns nothing: " + why_none(request.source.value_or(NormalSource::flat)),
                    {"border-distance", "normals"});
     else if (borders.following == 0)
         say(Remark::warning, "'border-distance' " + digits(request.options.distance) +
-                                 " turns nothing: no borders of different meshes run along each other as near as that; "
-                                 "`rakelight inspect` proposes a distance");
+                                 " turns nothing: no borders of different meshes" +
+                                 (is_within_objects(request) ? " of one object" : "") +
+                                 " run along each other as near as that; `rakelight inspect` proposes a distance");
     else
         report.add(Remark::note, scene.source, {}, describe(borders));
     if (borders.edges_not_searched > 0)
@@ -162,17 +182,6 @@ void report_borders(const Scene& scene, const BorderRequest& request, const Matc
                                  " open edges were not searched for borders that run along them: too many are near one "
                                  "another for 'border-distance' " +
                                  digits(request.options.distance));
-}
-
-MatchReport sum(const MatchReport& a, const MatchReport& b) {
-    MatchReport all;
-    all.leading = a.leading + b.leading, all.following = a.following + b.following;
-    all.turned = a.turned + b.turned;
-    all.max_deg = std::max(a.max_deg, b.max_deg);
-    if (all.turned > 0)
-        all.mean_deg = (a.mean_deg * double(a.turned) + b.mean_deg * double(b.turned)) / double(all.turned);
-    all.edges_not_searched = a.edges_not_searched + b.edges_not_searched;
-    return all;
 }
 
 std::string describe(const MatchReport& borders) {

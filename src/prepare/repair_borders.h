@@ -27,25 +27,27 @@ struct MatchedBorders {
     bool moves = false;               ///< some follow a skin or have morph targets
 };
 
-/// Of the drawn triangle meshes that have normals, skinned ones in bind pose; the scene must be valid. Sets in which
-/// nothing matches are left out.
-/// @return nothing: no mesh takes part
-std::optional<std::vector<MatchedBorders>> match_borders(const Scene& scene, const BorderRequest& request,
-                                                         Context& context);
+/// What became of all borders of a scene.
+struct BorderOutcome {
+    MatchReport report;
+    bool takes_part = false;  ///< some mesh does
+};
 
-/// The normals as they stand in the scene: that which was matched, or what posed_scene() made of it. Tangents and the
+/// Of the drawn triangle meshes that have normals, skinned ones in bind pose; the scene must be valid. Tangents and the
 /// offsets of morph targets turn along.
+/// @param moving  not null: sets that move are put there and not joined, but counted as if they were
+Scene join_borders(Scene scene, const BorderRequest& request, BorderOutcome& outcome, Context& context,
+                   std::vector<MatchedBorders>* moving = nullptr);
+
+/// One set: the normals as they stand in the scene, that which was matched or what posed_scene() made of it.
 Scene join_borders(Scene scene, const MatchedBorders& borders, bool keep_instances, MatchReport& report,
                    Context& context);
 
 /// Meshes whose own normals `automatic` keeps ask for `seams` from now on.
 void join_kept_normals(Scene& scene);
 
-/// What became of all; with notes and warnings of what was asked for and did not happen.
-void report_borders(const Scene& scene, const BorderRequest& request, const MatchReport& borders, bool take_part,
-                    Report& report);
-/// Both together.
-MatchReport sum(const MatchReport& a, const MatchReport& b);
+/// Notes what became of them, and warns of what was asked for and did not happen.
+void report_borders(const Scene& scene, const BorderRequest& request, const BorderOutcome& outcome, Report& report);
 
 /// For people: "31 border vertices follow 12 leading ones; 40 normals turn (at most 8.5 degrees, 2.1 on average)".
 std::string describe(const MatchReport& borders);

@@ -104,14 +104,10 @@ void join_near_borders(SmoothedScene& smoothed, const SmoothFileOptions& options
                        .weld_distance = a.weld_distance,
                        .weight = a.weight,
                        .keep_flat = smoothed.seams.has_value()};
-    MatchReport& all = smoothed.borders.emplace();
-    const auto matched = match_borders(smoothed.scene, request, context);
-    for (const MatchedBorders& set : matched.value_or(std::vector<MatchedBorders>{})) {
-        MatchReport one;
-        smoothed.scene = join_borders(std::move(smoothed.scene), set, options.keep_instances, one, context);
-        all = sum(all, one);
-    }
-    report_borders(smoothed.scene, request, all, matched.has_value(), context.report());
+    BorderOutcome outcome;
+    smoothed.scene = join_borders(std::move(smoothed.scene), request, outcome, context);
+    smoothed.borders = outcome.report;
+    report_borders(smoothed.scene, request, outcome, context.report());
 }
 
 void check(const SmoothFileOptions& options) {
