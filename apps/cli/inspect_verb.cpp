@@ -49,6 +49,9 @@ std::vector<Option> normal_options() {
 
 std::vector<Option> own_options() {
     std::vector<Option> options = {
+        {"border-distance", "Normals", "M",
+         "Also measure the seams along open borders that run along each other at most this far apart, without shared "
+         "vertices: [m] in the world, >= 0, finite; 0: off (default)"},
         {"no-borders", "Normals", "", "Do not look for the borders that objects share", flag},
         {"no-surfaces", "Normals", "", "Do not look at edges, faces and normals of each object", flag},
         {"check", "Check", "", "Only pass or fail: exit code 5 past the limit of --max-seam or one asked for below",
@@ -168,11 +171,20 @@ void check_heat_map(const Run& run) {
         throw values::wrong("resolution", "a heat map has at most 64 million pixels");
 }
 
+double border_distance(const Given& given) {
+    const double meters = values::number("border-distance", given.word("border-distance"));
+    if (!(meters >= 0)) throw values::wrong("border-distance", "must be 0 or more");
+    if (meters > 0 && given.has("no-borders"))
+        throw Error(ErrorCode::usage, "--no-borders and --border-distance exclude each other");
+    return meters;
+}
+
 InspectOptions options_of(const Run& run) {
     const Given& given = run.given;
     InspectOptions options;
     options.borders = !given.has("no-borders");
     options.surfaces = !given.has("no-surfaces");
+    if (given.has("border-distance")) options.border_distance = border_distance(given);
     options.seam_lines = draws_heat_maps(run) && options.borders;
     return options;
 }
