@@ -49,7 +49,7 @@ std::vector<Option> options_of_measurement() {
         {"repetitions", of_smooth, "N", "Counted runs of each row, of pose too (default 10)"},
         {"with", of_smooth, "ROWS",
          "Also measure: crease (60 degrees), tolerance (0.1), order (the other one), plan (group, accumulate, "
-         "regroup); all"},
+         "regroup), borders (matched where neighbors share no vertices); all"},
         {"brute-force", of_smooth, "", "Also every vertex against every face, up to 50k triangles", flag},
         {"joints", of_pose, "N", "Joints of the character that is made (default 64)"},
         {"lights", of_render, "N",
@@ -97,13 +97,15 @@ void read_count(const Given& given, const char* option, T& to, int low, int high
 
 // Words separated by commas.
 void add_rows(const std::string& words, SmoothBenchOptions& o) {
-    constexpr Word<int> rows[] = {{"crease", 1}, {"tolerance", 2}, {"order", 4}, {"plan", 8}, {"all", 15}};
+    constexpr Word<int> rows[] = {{"crease", 1}, {"tolerance", 2}, {"order", 4},
+                                  {"plan", 8},   {"borders", 16},  {"all", 31}};
     for (const std::string_view name : values::split(words, ',')) {
         const int row = values::word("with", name, rows);
         o.crease |= (row & 1) != 0;
         o.tolerance |= (row & 2) != 0;
         o.order |= (row & 4) != 0;
         o.plan |= (row & 8) != 0;
+        o.borders |= (row & 16) != 0;
     }
 }
 

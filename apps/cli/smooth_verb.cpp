@@ -48,6 +48,7 @@ Command smooth_command() {
               {"weld-distance", "Normals", "M",
                "Positions of different objects at most this far apart [m] count as one (default: equal, "
                "but for rounding)"},
+              apps::find(shared, "border-distance"),
               {"tangents", "Normals", "WHICH",
                "auto (default: those of the file turn with their normals; beside normals made anew, where "
                "there is a normal map or tangents were), always (where there are texture coordinates), never"},
@@ -86,6 +87,7 @@ SmoothFileOptions smooth_options(const Run& run, const PictureRequest& picture) 
     AttributeOptions& a = options.attributes;
     a.crease_angle_rad = picture.prepare.crease_angle_rad;
     a.weight = picture.prepare.weight;
+    options.border_distance = picture.prepare.border_distance;
     read_normals(run.given, options);
     if (run.given.has("tangents")) options.tangents = values::word("tangents", run.given.word("tangents"), choices);
     if (run.given.has("weld-distance")) {

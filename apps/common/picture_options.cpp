@@ -128,6 +128,9 @@ constexpr Entry entries[] = {
     {normals, "crease-angle", "DEG", "Edges bent more than this stay sharp, 0 to 180 (default 60)"},
     {normals, "weld-distance", "M",
      "Positions of different objects at most this far apart [m] count as one (default: equal, but for rounding)"},
+    {normals, "border-distance", "M",
+     "Normals agree along borders of different meshes at most this far apart [m] that run along each other without "
+     "shared vertices (default 0: off); inspect proposes a value"},
     {normals, "weight", "HOW", "How a triangle pulls on a normal: angle (default), uniform, area, angle-area"},
     {normals, "tangents", "HOW",
      "auto (default: the file's, else mikktspace with the file's normals, else averaged), averaged, mikktspace, "

@@ -181,6 +181,7 @@ void App::save_seamless() {
     SmoothFileOptions options{.load = active().look.request.load};
     options.attributes.crease_angle_rad = active().look.request.prepare.crease_angle_rad;
     options.attributes.weight = active().look.request.prepare.weight;
+    options.border_distance = active().look.request.prepare.border_distance;
     write_file("save seamless", [file = model_->file, options](Context& context) {
         return with_short_paths(summary(smooth_file(file, free_seamless_name(file), options, context)));
     });

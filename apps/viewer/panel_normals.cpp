@@ -1,9 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // Smoothing: scope, weight, crease angle, and the seams that are left.
+#include <cstdio>
+#include <cstdlib>
+
 #include "panels.h"
 #include "widgets.h"
 
 namespace rakelight::viewer {
+namespace {
+
+/// In per cent of the model's diagonal, since gaps between parts are as large as models are; [m] in two digits, for the
+/// file that it is saved to.
+void slide_border_distance(double& distance, double diagonal) {
+    if (!(diagonal > 0)) return;
+    double percent = distance / diagonal * 100;
+    char format[64] = "off";
+    if (distance > 0) std::snprintf(format, sizeof format, "%%.3f %%%% (%.3g m)", distance);
+    if (!slide("border distance", percent, 0, std::max(3.0, percent), format, true)) return;
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.2g", percent / 100 * diagonal);
+    distance = std::strtod(digits, nullptr);
+}
+
+}  // namespace
 
 void draw_normals_panel(PanelView& view) {
     PrepareOptions& p = view.look.request.prepare;
@@ -18,6 +37,7 @@ void draw_normals_panel(PanelView& view) {
     choose("weight", weights, p.weight);
     double crease_deg = degrees(p.crease_angle_rad);
     if (slide("crease angle", crease_deg, 0, 180, "%.1f deg")) p.crease_angle_rad = radians(crease_deg);
+    slide_border_distance(p.border_distance, view.model ? view.model->box.bounds().diagonal() : 0);
     slide("subdivision", p.subdivision.level, 0, 4);
     ImGui::Checkbox("normals##lines", &view.ui.normals);
     ImGui::SameLine();

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <rakelight/attributes.h>
+#include <rakelight/matching_borders.h>
 #include <rakelight/scene.h>
 #include <rakelight/seams.h>
 
@@ -27,7 +28,11 @@ struct PrepareOptions {
     CornerWeight weight = CornerWeight::angle;
     double crease_angle_rad = radians(60);  ///< for meshes whose own choice has none, or does not count
     double weld_distance = -1;              ///< [m] AttributeOptions::weld_distance
-    UvProjection uv = UvProjection::none;   ///< for meshes without texture coordinates
+    /// [m] in the world, finite: borders of different meshes at most this far apart that run along each other get normals that
+    /// agree (<rakelight/matching_borders.h>); 0: off. Meshes match within the scope over which their normals are smoothed
+    /// (`face`: none); the file's normals that `automatic` keeps are joined as `seams` then, those of `file` stay.
+    double border_distance = 0;
+    UvProjection uv = UvProjection::none;  ///< for meshes without texture coordinates
     /// How tangents are made, in place of the file's too. Unset: the file's; else as MikkTSpace where the file's normals are kept
     /// (that is what its maps were baked for); else averaged.
     std::optional<TangentMode> tangents{};
@@ -71,5 +76,13 @@ bool is_posable(const Scene& scene);
 /// @param seams  not null: what was done
 Scene repair_seams(const Scene& scene, const SeamOptions& options, Context& context, SeamReport* seams = nullptr,
                    bool keep_instances = false);
+
+/// The rule of <rakelight/matching_borders.h> over the same meshes: normals made to agree along borders that run along each
+/// other without sharing vertices. Tangents and the offsets of morph targets turn with their normals; every other number keeps
+/// its bits. Shared arrays and instances as above. Of a scene at rest: prepare_scene() does it for poses.
+/// @param keep_instances  as above
+/// @param borders  not null: what was done
+Scene repair_borders(const Scene& scene, const MatchOptions& options, Context& context, MatchReport* borders = nullptr,
+                     bool keep_instances = false);
 
 }  // namespace rakelight

@@ -15,6 +15,7 @@
 #include <rakelight/light_limits.h>
 #include <rakelight/linear.h>
 #include <rakelight/load.h>
+#include <rakelight/matching_borders.h>
 #include <rakelight/movie.h>
 #include <rakelight/picture.h>
 #include <rakelight/prepare.h>

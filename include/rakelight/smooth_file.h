@@ -9,6 +9,7 @@
 
 #include <rakelight/attributes.h>
 #include <rakelight/inspect.h>
+#include <rakelight/matching_borders.h>
 #include <rakelight/render.h>
 #include <rakelight/scene.h>
 #include <rakelight/seams.h>
@@ -29,6 +30,9 @@ struct SmoothFileOptions {
     /// for `seams` too; meshes without normals get them by all.
     AttributeOptions attributes{};
     AuthoredNormals authored = AuthoredNormals::seams;
+    /// [m] in the world, finite, >= 0: normals agree along borders at most this far apart, too
+    /// (<rakelight/matching_borders.h>), within attributes.scope (face: none do); 0: off.
+    double border_distance = 0;
     TangentChoice tangents = TangentChoice::automatic;
     bool keep_unused = false;     ///< glTF: bytes of buffer views that nothing uses any more stay in the file
     bool keep_instances = false;  ///< glTF: placements of one mesh go on sharing it, with the first one's attributes
@@ -57,7 +61,8 @@ struct SmoothedFile {
     bool changed = false;  ///< false: the normals and tangents were these already; the file was copied byte by byte
     std::uint32_t meshes_added = 0;  ///< glTF: copies for placements that need normals of their own
     std::vector<SmoothedMesh> meshes{};
-    std::optional<SeamReport> seams{};  ///< where authored normals were kept
+    std::optional<SeamReport> seams{};     ///< where authored normals were kept
+    std::optional<MatchReport> borders{};  ///< where there was a border distance
 };
 
 /// Reads `input` (a model or a world), repairs or makes its normals and tangents over all its objects (skinned models in bind

@@ -14,7 +14,7 @@ namespace rakelight::geometry {
 namespace {
 
 constexpr std::size_t leaf_edges = 4;
-constexpr std::uint32_t most_visits = 2048;  // boxes and edges, for one question
+constexpr std::uint32_t most_visits = 512;   // boxes and edges, for one question
 constexpr double cosine_of_opposite = -0.5;  // edges run in opposite directions within 60 degrees
 constexpr double overlap_share = 0.5;        // of the distance, by which faces may lie over one another
 constexpr double normal_share = 0.25;        // of the distance: how far off a wrong normal counts as
@@ -44,6 +44,8 @@ BorderSearch::BorderSearch(std::span<const BorderEdge> edges, const AttributeInp
     boxes_.resize(2 * first_leaf_ + 1);
     CancelCheck check(context);
     for (std::size_t node = 0; node < boxes_.size(); ++node, check()) build(node);
+    sorted_.reserve(edges.size());
+    for (const std::uint32_t e : order_) sorted_.push_back(edges[e]);
 }
 
 void BorderSearch::build(std::size_t node) {
@@ -87,8 +89,9 @@ bool BorderSearch::runs_along(const Question& q, const BorderEdge& other) const 
     return dot(q.own.along, other.along) <= cosine_of_opposite;
 }
 
-void BorderSearch::test(const Question& q, std::uint32_t number, BorderHits& out) const {
-    const BorderEdge& other = edges_[number];
+void BorderSearch::test(const Question& q, std::size_t place, BorderHits& out) const {
+    const BorderEdge& other = sorted_[place];
+    const std::uint32_t number = order_[place];
     if (!runs_along(q, other)) return;
     const double along = dot(q.point - other.a, other.along);
     const double t = std::fmin(1.0, std::fmax(0.0, along / other.length));
@@ -154,7 +157,7 @@ void BorderSearch::find(const BorderEdge& own, dvec3 point, dvec3 normal, double
         }
         if (at.node >= first_leaf_) {
             const std::size_t leaf = at.node - first_leaf_;
-            for (std::size_t i = begin_of_leaf(leaf); i < begin_of_leaf(leaf + 1); ++i) test(q, order_[i], out);
+            for (std::size_t i = begin_of_leaf(leaf); i < begin_of_leaf(leaf + 1); ++i, ++visits) test(q, i, out);
             continue;
         }
         const std::size_t near = top;

@@ -53,7 +53,7 @@ private:
     struct Question;
 
     void build(std::size_t node);
-    void test(const Question& q, std::uint32_t edge, BorderHits& out) const;
+    void test(const Question& q, std::size_t place, BorderHits& out) const;
     bool runs_along(const Question& q, const BorderEdge& other) const;
     bool may_match(std::uint32_t mesh, std::uint32_t other) const;
     double limit(const Question& q, const Box& box, const BorderHits& hits) const;
@@ -64,6 +64,7 @@ private:
     const MatchOptions& options_;
     std::vector<double> cosines_;  ///< [meshes] of crease angles
     std::vector<std::uint32_t> order_;
+    std::vector<BorderEdge> sorted_;  ///< by `order_`: neighbors lie together in memory
     std::size_t levels_ = 0, first_leaf_ = 0;
     std::vector<Box> boxes_;
 };

@@ -14,6 +14,7 @@
 #include "prepare/pose_scene.h"
 #include "prepare/prepare.h"
 #include "prepare/repair.h"
+#include "prepare/repair_borders.h"
 #include "prepare/repair_seams.h"
 #include "prepare/smooth_request.h"
 #include "prepare/subdivide_scene.h"
@@ -202,6 +203,7 @@ public:
         for (Mesh& mesh : scene.meshes)
             if (options_.tangents && (options_.all_tangents || wants_tangents(scene, mesh)))
                 mesh.tangents = {};  // the file's do not count
+        if (joins_borders() && options_.normals == NormalSource::automatic) join_kept_normals(scene);
         context_.throw_if_cancelled();
         if (options_.measure_orthogonality) report_kept_tangents(scene, report);
         scene = with_seams_joined(with_normals(std::move(scene), is_posable(scene) ? &bound.made : nullptr));
@@ -209,6 +211,7 @@ public:
         const bool moves = is_posable(scene);
         bound.scene =
             waits && !moves ? std::move(scene) : paid(add_missing_tangents(std::move(scene), request_, context_));
+        if (joins_borders() && !waits) bound = with_borders_joined(std::move(bound));
         if (moves) bound.scene.normal_sides = bound_sides(bound.scene, context_);
         return bound;
     }
@@ -220,11 +223,15 @@ public:
             scene.pose = pose;
             scene = valid::posed_scene(std::move(scene), context_);
             for (const MadeAttributes& made : bound.made) make_again(made, scene, context_);
+            MatchReport unread;
+            for (const MatchedBorders& set : bound.borders)
+                scene = join_borders(std::move(scene), set, options_.keep_instances, unread, context_);
             scene = paid(std::move(scene));
         }
         if (!wants_displacement(scene, options_.displacement)) return scene;
         scene.normal_sides = nullptr;  // of other triangles
-        return paid(add_missing_tangents(displaced(std::move(scene)), request_, context_));
+        BoundScene rough{.scene = paid(add_missing_tangents(displaced(std::move(scene)), request_, context_))};
+        return joins_borders() ? with_borders_joined(std::move(rough)).scene : std::move(rough.scene);
     }
 
     Scene paid(Scene scene) const {
@@ -252,10 +259,34 @@ private:
         if (std::none_of(scene.meshes.begin(), scene.meshes.end(), asks)) return scene;
         SeamReport seams;
         const SeamRequest request{
-            {.crease_angle_rad = options_.crease_angle_rad}, options_.normals, options_.keep_instances};
+            {options_.crease_angle_rad, options_.weld_distance}, options_.normals, options_.keep_instances};
         scene = paid(join_seams(std::move(scene), request, seams, context_));
         if (seams.turned + seams.flat_pairs > 0) context_.report().add(Remark::note, scene.source, {}, describe(seams));
         return scene;
+    }
+
+    bool joins_borders() const { return options_.border_distance > 0; }
+
+    /// At once where nothing moves; what does is kept for finish(), and told.
+    BoundScene with_borders_joined(BoundScene bound) const {
+        BorderRequest request{.source = options_.normals, .keep_instances = options_.keep_instances};
+        request.options.distance = options_.border_distance;
+        request.options.crease_angle_rad = options_.crease_angle_rad;
+        request.options.weld_distance = options_.weld_distance;
+        request.options.weight = options_.weight;
+        const auto matched = match_borders(bound.scene, request, context_);
+        MatchReport all;
+        for (const MatchedBorders& set : matched.value_or(std::vector<MatchedBorders>{})) {
+            MatchReport one;
+            Scene joined = join_borders(bound.scene, set, options_.keep_instances, one, context_);
+            all = sum(all, one);
+            if (set.moves)
+                bound.borders.push_back(set);
+            else
+                bound.scene = paid(std::move(joined));
+        }
+        report_borders(bound.scene, request, all, matched.has_value(), context_.report());
+        return bound;
     }
 
     Scene displaced(Scene scene) const {
@@ -290,6 +321,7 @@ void check_options(const PrepareOptions& o) {
         if (!is_fine) throw Error(ErrorCode::usage, fault);
     };
     require(o.crease_angle_rad >= 0 && o.crease_angle_rad <= pi, "the crease angle must be 0 to 180 degrees");
+    require(o.border_distance >= 0 && std::isfinite(o.border_distance), "the border distance must be 0 or more");
     require(exists(o.normals, NormalSource::seams), no_such("source of normals", o.normals));
     require(exists(o.weight, CornerWeight::angle_area), no_such("weight", o.weight));
     require(exists(o.uv, UvProjection::cylinder), no_such("projection of texture coordinates", o.uv));

@@ -128,4 +128,32 @@ BenchModel make_bench_sphere(std::uint64_t triangles, std::uint32_t parts, bool 
     return model;
 }
 
+BenchModel make_uneven_sphere(std::uint64_t triangles, std::uint32_t parts) {
+    // A band of all rows' share has rows * columns * 2 triangles, with twice the base's columns on average.
+    const std::uint32_t rows = std::max(2 * parts, std::uint32_t(std::sqrt(double(triangles) / 4))),
+                        columns = std::max<std::uint32_t>(3, std::uint32_t(double(triangles) / (4.0 * rows)));
+    BenchModel model;
+    model.grid_step = 2 * pi / columns;
+    const auto ripple = [](double a, double b) { return 1 + 0.02 * math::sin(5 * a) * math::sin(7 * b); };
+    for (std::uint32_t band = 0; band < parts; ++band) {
+        const std::uint32_t own = columns * (1 + band % 3), high = std::max(1u, rows / parts);
+        const double from = pi * (0.02 + 0.96 * band / parts) + model.grid_step / 8,
+                     to = pi * (0.02 + 0.96 * (band + 1) / parts);
+        BenchPart& part = model.parts.emplace_back();
+        for (std::uint32_t r = 0; r <= high; ++r)
+            for (std::uint32_t c = 0; c <= own; ++c) {
+                const double a = 2 * pi * (c % own) / own, b = from + (to - from) * r / high, size = ripple(a, b);
+                part.positions.push_back({float(size * math::sin(b) * math::cos(a)), float(-size * math::cos(b)),
+                                          float(-size * math::sin(b) * math::sin(a))});
+                part.texcoords.push_back({float(c) / float(own), float(b / pi)});
+            }
+        for (std::uint32_t r = 0; r < high; ++r)
+            for (std::uint32_t c = 0; c < own; ++c) {
+                const std::uint32_t v = r * (own + 1) + c, d = v + own + 1;
+                for (const std::uint32_t i : {v, v + 1, d + 1, v, d + 1, d}) part.indices.push_back(i);
+            }
+    }
+    return model;
+}
+
 }  // namespace rakelight

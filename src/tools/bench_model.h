@@ -29,4 +29,8 @@ struct BenchModel {
 /// @param shuffled  the triangles of each part, and its vertices, in random order (fixed seed)
 BenchModel make_bench_sphere(std::uint64_t triangles, std::uint32_t parts, bool shuffled);
 
+/// A smooth sphere of bands, an object each, of which neighbors have their columns in the ratio 1 : 2 : 3 and lie an eighth of the
+/// coarsest edge apart: no vertices are shared.
+BenchModel make_uneven_sphere(std::uint64_t triangles, std::uint32_t parts);
+
 }  // namespace rakelight

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Attributes against the plain loop. What one repetition measures is interleaved over all rows, so that a neighbor's
 // load falls on all of them.
+#include <rakelight/matching_borders.h>
 #include <rakelight/tools/bench.h>
 
 #include <algorithm>
@@ -93,6 +94,7 @@ public:
             add_smooth("tolerance 0.1 edges, ", model_, within);
         }
         if (options_.plan) add_plan(creased);
+        if (options_.borders) add_borders(creased);
         if (options_.order) {
             other_ = make_bench_sphere(options_.triangles, options_.objects, !options_.shuffled);
             add_pair(options_.shuffled ? "coherent, " : "shuffled, ", other_, plain);
@@ -169,6 +171,29 @@ private:
         });
     }
 
+    // Whole attributes of a model whose neighbors share no vertices: as they are, and joined along their borders.
+    void add_borders(AttributeOptions attributes) {
+        uneven_ = make_uneven_sphere(options_.triangles, options_.objects);
+        attributes.tangents = false;
+        auto out = std::make_shared<Outputs>(uneven_, false);
+        auto workspace = std::make_shared<AttributeWorkspace>();
+        const auto plain = uneven_.meshes(false);
+        const auto smooth = [=, this] { compute_attributes_into(plain, attributes, out->spans, *workspace, context_); };
+        const MatchOptions match{.distance = uneven_.grid_step / 4,
+                                 .crease_angle_rad = attributes.crease_angle_rad,
+                                 .weld_distance = attributes.weld_distance,
+                                 .weight = attributes.weight};
+        add("uneven, normals", context_.threads(), smooth);
+        add("uneven, normals + borders", context_.threads(), [=, this] {
+            smooth();
+            std::vector<AttributeMesh> meshes = plain;
+            for (std::size_t m = 0; m < meshes.size(); ++m) meshes[m].normals = out->spans[m].normals;
+            MatchReport report;
+            join_borders(match_borders(meshes, match, context_), meshes, {}, report, context_);
+            if (report.following == 0) throw Error(ErrorCode::failed, "no borders of the model match");
+        });
+    }
+
     // What one repetition measures is interleaved over all rows.
     void repeat() {
         for (std::uint32_t r = 0; r < options_.repetitions; ++r) {
@@ -212,7 +237,7 @@ private:
 
     SmoothBenchOptions options_;
     Context& context_;
-    BenchModel model_, other_;  ///< other_: in the other order
+    BenchModel model_, other_, uneven_;  ///< other_: in the other order
     double triangles_;
     std::vector<Measured> measured_;
 };
@@ -222,7 +247,8 @@ private:
 SmoothBenchReport bench_smooth(const SmoothBenchOptions& options, Context& context) {
     check(options);
     // 36 bytes a triangle of input, 14 of output, twice the normals, and the scratch of the stages.
-    context.memory().check(options.triangles * (options.order ? 160 : 100), "the model to measure");
+    context.memory().check(options.triangles * (100 + (options.order ? 60 : 0) + (options.borders ? 60 : 0)),
+                           "the model to measure");
     return SmoothBench(options, context).run();
 }
 

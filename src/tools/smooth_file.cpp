@@ -149,8 +149,8 @@ SmoothedFile smooth_file(const std::string& input, const std::string& wanted, co
         if (options.attributes.weld_distance < 0) smoothing.attributes.weld_distance = world_rounding(before);
     }
     context.progress("smooth", 0);
-    const auto [after, seams] = smooth_for_file(before, smoothing, context);
-    result.seams = seams;
+    const auto [after, seams, borders] = smooth_for_file(before, smoothing, context);
+    result.seams = seams, result.borders = borders;
     context.throw_if_cancelled();
     context.progress("write", 0);
     switch (way) {

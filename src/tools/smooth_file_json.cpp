@@ -2,6 +2,7 @@
 #include <rakelight/smooth_file.h>
 #include <rakelight/tools/rows.h>
 
+#include "prepare/repair_borders.h"
 #include "prepare/repair_seams.h"
 #include "tools/report_json.h"
 
@@ -43,6 +44,11 @@ Json json_of(const SeamReport& s) {
             {"mean_deg", s.mean_deg}, {"flat_pairs", s.flat_pairs}, {"unusable", s.unusable}};
 }
 
+Json json_of(const MatchReport& b) {
+    return {{"leading", b.leading}, {"following", b.following}, {"turned", b.turned},
+            {"max_deg", b.max_deg}, {"mean_deg", b.mean_deg},   {"edges_not_searched", b.edges_not_searched}};
+}
+
 std::uint64_t split_of(const SmoothedFile& result) {
     std::uint64_t split = 0;
     for (const SmoothedMesh& m : result.meshes) split += m.vertices_split;
@@ -65,6 +71,7 @@ std::string to_json(std::span<const SmoothedFileRow> rows) {
             for (const SmoothedMesh& m : r.result->meshes) meshes.push_back(json_of(m));
             row["meshes"] = std::move(meshes);
             if (r.result->seams) row["seams"] = json_of(*r.result->seams);
+            if (r.result->borders) row["borders"] = json_of(*r.result->borders);
         }
         row["remarks"] = remarks_json(r.remarks);
         row["remarks_left_out"] = r.remarks_left_out;
@@ -76,9 +83,10 @@ std::string to_json(std::span<const SmoothedFileRow> rows) {
 std::string summary(const SmoothedFile& result) {
     using Change = SmoothedMesh::Change;
     const std::string seams = result.seams ? describe(*result.seams) : "";
+    const std::string borders = result.borders ? ", " + describe(*result.borders) : "";
     if (!result.changed)
         return result.output + ": nothing to change, " +
-               (result.seams ? seams : "the normals and tangents are these already");
+               (result.seams ? seams + borders : "the normals and tangents are these already");
     std::uint64_t normals = 0, tangents = 0;
     for (const SmoothedMesh& m : result.meshes) {
         normals += m.normals == Change::made || m.normals == Change::replaced;
@@ -89,7 +97,7 @@ std::string summary(const SmoothedFile& result) {
                                 " vertices split";
     std::string text = result.output + ": " + (result.seams ? seams : written);
     if (result.seams && normals + tangents > 0) text += ", " + written;
-    return text + ", " + std::to_string(result.meshes_added) + " meshes added";
+    return text + borders + ", " + std::to_string(result.meshes_added) + " meshes added";
 }
 
 }  // namespace rakelight

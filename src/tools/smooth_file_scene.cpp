@@ -2,7 +2,9 @@
 #include "tools/smooth_file_scene.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "prepare/repair_borders.h"
 #include "prepare/repair_seams.h"
 #include "prepare/smooth_request.h"
 #include "prepare/variants.h"
@@ -92,13 +94,40 @@ SmoothedScene repaired(const Scene& scene, const SmoothFileOptions& options, Con
     return out;
 }
 
+/// Along borders that share no vertices.
+void join_near_borders(SmoothedScene& smoothed, const SmoothFileOptions& options, Context& context) {
+    const AttributeOptions& a = options.attributes;
+    BorderRequest request{.keep_instances = options.keep_instances};
+    request.options = {.distance = options.border_distance,
+                       .scope = smoothed.seams ? Scope::model : a.scope,
+                       .crease_angle_rad = a.crease_angle_rad,
+                       .weld_distance = a.weld_distance,
+                       .weight = a.weight,
+                       .keep_flat = smoothed.seams.has_value()};
+    MatchReport& all = smoothed.borders.emplace();
+    const auto matched = match_borders(smoothed.scene, request, context);
+    for (const MatchedBorders& set : matched.value_or(std::vector<MatchedBorders>{})) {
+        MatchReport one;
+        smoothed.scene = join_borders(std::move(smoothed.scene), set, options.keep_instances, one, context);
+        all = sum(all, one);
+    }
+    report_borders(smoothed.scene, request, all, matched.has_value(), context.report());
+}
+
+void check(const SmoothFileOptions& options) {
+    if (!(options.border_distance >= 0) || !std::isfinite(options.border_distance))
+        throw Error(ErrorCode::usage, "the border distance must be 0 or more");
+}
+
 }  // namespace
 
 SmoothedScene smooth_for_file(const Scene& scene, const SmoothFileOptions& options, Context& context) {
+    check(options);
     SharedCharge charge = share(MemoryCharge(context.memory(), table_bytes(scene), "the smoothed scene"));
     const bool keeps = options.authored == AuthoredNormals::seams && has_normals(scene);
     SmoothedScene out =
-        keeps ? repaired(scene, options, context) : SmoothedScene{with_new_normals(scene, options, false, context), {}};
+        keeps ? repaired(scene, options, context) : SmoothedScene{with_new_normals(scene, options, false, context)};
+    if (options.border_distance > 0) join_near_borders(out, options, context);
     charge_new_arrays(out.scene, unpaid_arrays(scene), context);
     out.scene.charges.push_back(std::move(charge));
     return out;

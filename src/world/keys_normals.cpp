@@ -51,9 +51,9 @@ void read_crease(PictureRequest& r, Words w) {
     r.prepare.crease_angle_rad = angle == 180 ? pi : radians(angle);
 }
 
-double weld_distance(const std::string& text) {
-    const double meters = values::number("weld-distance", text);
-    if (!(meters >= 0)) throw values::wrong("weld-distance", "must be 0 or more");
+double distance(const char* name, const std::string& text) {
+    const double meters = values::number(name, text);
+    if (!(meters >= 0)) throw values::wrong(name, "must be 0 or more");
     return meters;
 }
 
@@ -73,7 +73,10 @@ constexpr RenderKey table[] = {
     {"crease-angle", Kind::value, read_crease,
      RL_WRITE(r.prepare.crease_angle_rad, {degrees_of(r.prepare.crease_angle_rad)})},
     RL_WORD_KEY("weight", r.prepare.weight, weight_words),
-    RL_KEY("weld-distance", value, r.prepare.weld_distance, weld_distance(w[0]), {text_of(r.prepare.weld_distance)}),
+    RL_KEY("weld-distance", value, r.prepare.weld_distance, distance("weld-distance", w[0]),
+           {text_of(r.prepare.weld_distance)}),
+    RL_KEY("border-distance", value, r.prepare.border_distance, distance("border-distance", w[0]),
+           {text_of(r.prepare.border_distance)}),
     RL_WORD_KEY("tangents", r.prepare.tangents, tangent_words),
     {"orthogonalize", Kind::value, read_orthogonalize, write_orthogonalize},
     RL_KEY("tessellate", flag, r.prepare.tessellate, w[0] == "on", {"on"}),

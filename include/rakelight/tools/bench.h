@@ -24,6 +24,9 @@ struct SmoothBenchOptions {
     bool tolerance = false;    ///< also a weld within tolerance_row edge lengths
     bool order = false;  ///< also plain loop, normals, and normals and tangents of the other order (a second model)
     bool plan = false;   ///< also the steps apart, at crease_row_rad: group, accumulate, regroup
+    bool borders =
+        false;  ///< also a sphere whose neighbors do not share vertices (a third model), crease_row_rad: welded
+                ///< exactly, and then matched and joined within a quarter of an edge
     static constexpr double crease_row_rad = radians(60);
     static constexpr double tolerance_row = 0.1;
 };

@@ -93,6 +93,7 @@ const std::map<std::string, std::vector<std::string>> examples = {
     {"crease-angle", {"33.3"}},
     {"weight", {"angle-area"}},
     {"weld-distance", {"0.001"}},
+    {"border-distance", {"0.002"}},
     {"tangents", {"mikktspace"}},
     {"orthogonalize", {"shader"}},
     {"keep-instances", {"on"}},

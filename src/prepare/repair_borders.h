@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rule of <rakelight/matching_borders.h> over a scene: which placements match, once; where they turn, in any pose.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <rakelight/matching_borders.h>
+#include <rakelight/scene.h>
+
+#include "prepare/variants.h"
+
+namespace rakelight {
+
+struct BorderRequest {
+    MatchOptions options{};
+    /// Set: meshes take part by their normal_rule(), in sets by the scope over which they are smoothed, by their own crease
+    /// angles, and `keep_flat` is for the sets in which some mesh joins seams. Unset: all, by `options`.
+    std::optional<NormalSource> source{};
+    bool keep_instances = false;  ///< instances share the first one's mesh even where they touch different things; said
+};
+
+/// Placements of one scope, and which of their borders match.
+struct MatchedBorders {
+    BorderMatch match;
+    std::vector<Instance> instances;  ///< as match_borders() was given them
+    bool moves = false;               ///< some follow a skin or have morph targets
+};
+
+/// Of the drawn triangle meshes that have normals, skinned ones in bind pose; the scene must be valid. Sets in which
+/// nothing matches are left out.
+/// @return nothing: no mesh takes part
+std::optional<std::vector<MatchedBorders>> match_borders(const Scene& scene, const BorderRequest& request,
+                                                         Context& context);
+
+/// The normals as they stand in the scene: that which was matched, or what posed_scene() made of it. Tangents and the
+/// offsets of morph targets turn along.
+Scene join_borders(Scene scene, const MatchedBorders& borders, bool keep_instances, MatchReport& report,
+                   Context& context);
+
+/// Meshes whose own normals `automatic` keeps ask for `seams` from now on.
+void join_kept_normals(Scene& scene);
+
+/// What became of all; with notes and warnings of what was asked for and did not happen.
+void report_borders(const Scene& scene, const BorderRequest& request, const MatchReport& borders, bool take_part,
+                    Report& report);
+/// Both together.
+MatchReport sum(const MatchReport& a, const MatchReport& b);
+
+/// For people: "31 border vertices follow 12 leading ones; 40 normals turn (at most 8.5 degrees, 2.1 on average)".
+std::string describe(const MatchReport& borders);
+
+}  // namespace rakelight
