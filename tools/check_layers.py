@@ -53,7 +53,7 @@ ROOMS = {
 DOORS = {
     "engines/raster": re.compile(r"engines/raster/(raster_engine|geometry/clip|kernels/clip_planes|visibility/depth_formats|"
                                  r"lights/lit_corner|inspect/(inspection|explanation|traced_pixel|inspect_pixels|inspect_samples|inspect_shading|nearest_shown))\.h"),
-    "engines/raytrace": re.compile(r"engines/raytrace/raytrace_engine\.h"),
+    "engines/raytrace": re.compile(r"engines/raytrace/(raytrace_engine|surface_rays)\.h"),
     "engines/opengl": re.compile(r"engines/opengl/(opengl_engine|window_view)\.h"),
 }
 

@@ -41,8 +41,12 @@ std::vector<Option> normal_options() {
     apps::find(all, "normals").help =
         "Whose normals are looked at: auto (default: the file's, smoothed per object where it has none), file (else "
         "flat), flat, object, model, seams (the file's, joined where parts meet, as smooth does)";
-    for (const char* name :
-         {"normals", "crease-angle", "weld-distance", "weight", "tangents", "orthogonalize", "keep-instances"})
+    apps::find(all, "border-distance").help =
+        "Also measure the seams along open borders of different meshes that run along each other at most this far "
+        "apart "
+        "[m], without shared vertices (default 0: off)";
+    for (const char* name : {"normals", "crease-angle", "weld-distance", "border-distance", "weight", "tangents",
+                             "orthogonalize", "keep-instances"})
         options.push_back(apps::find(all, name));
     return options;
 }
@@ -173,6 +177,8 @@ InspectOptions options_of(const Run& run) {
     InspectOptions options;
     options.borders = !given.has("no-borders");
     options.surfaces = !given.has("no-surfaces");
+    if (!options.borders && given.has("border-distance"))
+        throw Error(ErrorCode::usage, "--no-borders and --border-distance exclude each other");
     options.seam_lines = draws_heat_maps(run) && options.borders;
     return options;
 }
@@ -212,6 +218,7 @@ void inspect_file(const PictureRequest& picture, Task task, InspectionRow& row, 
     const Scene scene = scene_at(std::move(loaded), clips);
     task.options.prepare = picture.prepare;
     task.options.weld_distance = picture.prepare.weld_distance;
+    task.options.border_distance = picture.prepare.border_distance;
     row.inspection = inspect(scene, task.options, context);
     if (task.limits) row.check = check_limits(*row.inspection, *task.limits);
     if (task.options.seam_lines) {

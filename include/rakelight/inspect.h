@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/matching_borders.h>
 #include <rakelight/picture.h>
 #include <rakelight/prepare.h>
 #include <rakelight/scene.h>
@@ -95,6 +96,36 @@ struct SeamTotals {
     double crease_angle_deg = 0, crease_angle_most_deg = 0;
 };
 
+/// Two objects whose open borders run along each other. Angles and gaps are weighted by length.
+struct MatchedPair {
+    /// Into Inspection::objects, a <= b; a == b: two meshes of one object.
+    std::uint32_t object_a = 0, object_b = 0;
+    double length = 0;                 ///< [m] of what is matched, of both sides
+    double gap_max = 0, gap_mean = 0;  ///< [m]
+    CurveAngles before{}, after{};
+    dvec3 seam_position{};  ///< [m] world: where the angle before is largest
+};
+
+/// Open borders of different meshes that run along each other by the rule of match_borders(). `before`: between the
+/// normals as they are (as BorderSummary::before) of both sides, along the curve: a *seam* that no shared position shows.
+/// `after`: smoothed over the whole model, then joined by join_borders().
+struct MatchedBorders {
+    double distance = 0;  ///< [m] InspectOptions::border_distance; 0: nobody asked
+    double open_length = 0, matched_length = 0;
+    double gap_max = 0, gap_mean = 0;
+    CurveAngles before{}, after{};
+    std::vector<MatchedPair> pairs{};  ///< the largest angle before first; at most 10,000
+    std::uint64_t pairs_left_out = 0;
+    std::uint64_t edges_not_searched = 0;  ///< MatchReport::edges_not_searched
+};
+
+/// A distance at which open borders run along each other where nobody asked for one: proposed_border_distance().
+struct BorderProposal {
+    double distance = 0;                         ///< [m] 0: no borders do
+    double open_length = 0, matched_length = 0;  ///< [m] at that distance
+    double gap_max = 0;                          ///< [m]
+};
+
 /// A piece of a border with a seam; a == b where objects share a position but no edge.
 struct SeamLine {
     dvec3 a{}, b{};  ///< [m] world
@@ -137,6 +168,8 @@ struct Inspection {
     std::vector<BorderSummary> borders{};  ///< the largest seam first, then the largest angle; at most 10,000
     std::uint64_t borders_left_out = 0;
     std::vector<InconsistentPair> inconsistent_pairs{};  ///< the most edges first; at most 10,000
+    MatchedBorders matched{};                            ///< with InspectOptions::border_distance
+    BorderProposal proposal{};                           ///< without it, of surfaces and borders that were looked at
     std::vector<SeamLine> seam_lines{};                  ///< when asked for
     Scene scene{};  ///< as loaded, but without its nodes and meshes: materials, textures, lights, cameras, animations
 };
@@ -146,6 +179,9 @@ struct InspectOptions {
     bool surfaces = true;       ///< look at edges, faces and normals of each object
     bool seam_lines = false;    ///< keep where the seams are, for draw_seams()
     double weld_distance = -1;  ///< [m] which positions are one, as AttributeOptions::weld_distance
+    /// [m] in the world, >= 0, finite: also measure the seams along open borders that run along each other no farther
+    /// apart, with `borders`. 0: off.
+    double border_distance = 0;
     /// `normals`: whose the angles `before` are. Automatic: the file's, smoothed per object where it has none. Crease
     /// angle and weight hold for these and for `after`. measure_orthogonality: the report says how far from
     /// perpendicular to their normals the tangents are that these options make.
@@ -157,7 +193,8 @@ struct InspectOptions {
 /// @throws Error bad_file: too large for the memory that files may ask for, or more than 2^32 vertices and corners
 Inspection inspect(const Scene& scene, const InspectOptions& options, Context& context);
 
-/// What a model must keep to. The seam limit needs InspectOptions::borders, the others InspectOptions::surfaces.
+/// What a model must keep to. The seam limit needs InspectOptions::borders, the others InspectOptions::surfaces. Seams along
+/// matched borders count like those at shared positions.
 struct CheckLimits {
     std::optional<double> max_seam_deg = 1;  ///< [degrees] 8-bit normals are off by up to half a degree each
     bool no_degenerate = false, no_t_junctions = false, no_non_manifold = false, consistent_winding = false,

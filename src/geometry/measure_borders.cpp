@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "geometry/authored_normals.h"
+#include "geometry/border_measure.h"
 #include "geometry/border_search.h"
 #include "geometry/border_surface.h"
 
@@ -81,7 +82,18 @@ double weighted_quantile(std::vector<Weighted> values, double share) {
     return values.empty() ? 0 : values.back().value;
 }
 
-void sum_up(BorderMeasure& measure) {
+/// Up to two digits.
+double rounded_up(double value) {
+    if (!(value > 0)) return 0;
+    double unit = 1;
+    while (value >= 100 * unit) unit *= 10;
+    while (value < 10 * unit) unit /= 10;
+    return std::ceil(value / unit) * unit;
+}
+
+}  // namespace
+
+void geometry::sum_up(BorderMeasure& measure) {
     std::vector<Weighted> angles;
     for (const BorderSample& s : measure.samples) {
         const double piece = length(s.b - s.a);
@@ -98,17 +110,6 @@ void sum_up(BorderMeasure& measure) {
     measure.seam.p95_deg = weighted_quantile(std::move(angles), 0.95);
 }
 
-/// Up to two digits.
-double rounded_up(double value) {
-    if (!(value > 0)) return 0;
-    double unit = 1;
-    while (value >= 100 * unit) unit *= 10;
-    while (value < 10 * unit) unit /= 10;
-    return std::ceil(value / unit) * unit;
-}
-
-}  // namespace
-
 BorderMeasure measure_borders(std::span<const AttributeMesh> meshes, const MatchOptions& options, Context& context) {
     geometry::check_matching(meshes, options);
     BorderMeasure measure;
@@ -123,7 +124,7 @@ BorderMeasure measure_borders(std::span<const AttributeMesh> meshes, const Match
             out.push_back({edge.point(double(k) / samples_per_edge), edge.point(double(k + 1) / samples_per_edge), deg,
                            hit.distance, edge.mesh, hit.mesh});
         });
-    sum_up(measure);
+    geometry::sum_up(measure);
     return measure;
 }
 

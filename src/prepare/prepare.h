@@ -22,7 +22,7 @@ Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context
 struct BoundScene {
     Scene scene;                            ///< Scene::pose is left out
     std::vector<MadeAttributes> made{};     ///< that have to be made again of what moves
-    std::vector<MatchedBorders> borders{};  ///< that have to be joined again after that: `scene` has the normals before
+    std::vector<BoundBorders> borders{};  ///< that have to be joined again after that: `scene` has the normals before
 };
 /// Whether a scene is better prepared in two halves: it can move, and the first half does not depend on the pose. (It
 /// does where control nets move, and where triangles turn clockwise.)

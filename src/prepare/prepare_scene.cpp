@@ -233,7 +233,7 @@ public:
             scene = valid::posed_scene(std::move(scene), context_);
             for (const MadeAttributes& made : bound.made) make_again(made, scene, context_);
             MatchReport unread;
-            for (const MatchedBorders& set : bound.borders)
+            for (const BoundBorders& set : bound.borders)
                 scene = join_borders(std::move(scene), set, options_.keep_instances, unread, context_);
             scene = paid(std::move(scene));
         }

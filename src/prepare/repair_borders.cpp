@@ -103,8 +103,8 @@ std::string digits(double number) {
 }  // namespace
 
 Scene join_borders(Scene scene, const BorderRequest& request, BorderOutcome& outcome, Context& context,
-                   std::vector<MatchedBorders>* moving) {
-    std::vector<MatchedBorders> matched;
+                   std::vector<BoundBorders>* moving) {
+    std::vector<BoundBorders> matched;
     {
         BorderSets sets(scene, request);
         for (BorderSet& set : sets.sets()) {
@@ -115,7 +115,7 @@ Scene join_borders(Scene scene, const BorderRequest& request, BorderOutcome& out
             if (!match.is_empty()) matched.push_back({std::move(match), std::move(set.parts.instances), set.moves});
         }
     }
-    for (MatchedBorders& set : matched) {
+    for (BoundBorders& set : matched) {
         MatchReport one;
         Scene joined = join_borders(scene, set, request.keep_instances, one, context);
         outcome.report = sum(outcome.report, one);
@@ -127,7 +127,7 @@ Scene join_borders(Scene scene, const BorderRequest& request, BorderOutcome& out
     return scene;
 }
 
-Scene join_borders(Scene scene, const MatchedBorders& borders, bool keep_instances, MatchReport& report,
+Scene join_borders(Scene scene, const BoundBorders& borders, bool keep_instances, MatchReport& report,
                    Context& context) {
     const std::vector<dmat4> world = bind_pose_matrices(scene);
     PlacedParts parts;

@@ -21,7 +21,7 @@ struct BorderRequest {
 };
 
 /// Placements of one scope, and which of their borders match.
-struct MatchedBorders {
+struct BoundBorders {
     BorderMatch match;
     std::vector<Instance> instances;  ///< as match_borders() was given them
     bool moves = false;               ///< some follow a skin or have morph targets
@@ -37,10 +37,10 @@ struct BorderOutcome {
 /// offsets of morph targets turn along.
 /// @param moving  not null: sets that move are put there and not joined, but counted as if they were
 Scene join_borders(Scene scene, const BorderRequest& request, BorderOutcome& outcome, Context& context,
-                   std::vector<MatchedBorders>* moving = nullptr);
+                   std::vector<BoundBorders>* moving = nullptr);
 
 /// One set: the normals as they stand in the scene, that which was matched or what posed_scene() made of it.
-Scene join_borders(Scene scene, const MatchedBorders& borders, bool keep_instances, MatchReport& report,
+Scene join_borders(Scene scene, const BoundBorders& borders, bool keep_instances, MatchReport& report,
                    Context& context);
 
 /// Meshes whose own normals `automatic` keeps ask for `seams` from now on.

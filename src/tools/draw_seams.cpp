@@ -12,6 +12,7 @@
 #include "prepare/prepare.h"
 #include "render/view.h"
 #include "scene/scene_tools.h"
+#include "tools/largest_seam.h"
 #include "tools/seam_legend.h"
 #include "tools/seam_normals.h"
 #include "tools/surfaces.h"
@@ -217,9 +218,8 @@ Frame draw_seams(const Scene& scene, const Inspection& inspection, const Inspect
     SeamPainter painter(frame, camera);
     painter.paint(inspection.seam_lines);
     if (marks == SeamMarks::legend) {
-        const bool has_seam = !inspection.borders.empty();
-        draw_seam_legend(frame, inspection,
-                         has_seam ? painter.place_of(inspection.borders[0].seam_position) : std::nullopt);
+        const std::optional<LargestSeam> largest = largest_seam(inspection);
+        draw_seam_legend(frame, inspection, largest ? painter.place_of(largest->position) : std::nullopt);
     }
     return frame;
 }

@@ -19,6 +19,7 @@
 #include "prepare/prepare.h"
 #include "scene/scene_tools.h"
 #include "tools/borders.h"
+#include "tools/matched_borders.h"
 #include "tools/object_title.h"
 #include "tools/surfaces.h"
 
@@ -185,15 +186,20 @@ std::vector<SeamLine> find_seam_lines(const geometry::PlacedMeshes& placed, cons
 
 void look_at_borders(Inspection& result, const Surfaces& surfaces, const geometry::PlacedMeshes& placed,
                      const geometry::EdgeCensus& census, const InspectOptions& options, Context& context) {
-    if (result.objects.size() > 1) {
-        const SeamNormals normals{normals_before(surfaces, options, context),
-                                  normals_after(surfaces, options, context)};
+    const bool shares = result.objects.size() > 1, measures = options.border_distance > 0,
+               proposes = !measures && options.surfaces && have_open_borders(placed, census);
+    SeamNormals normals;
+    if (shares || measures || proposes) normals.before = normals_before(surfaces, options, context);
+    if (shares || measures) normals.after = normals_after(surfaces, options, context);
+    if (shares) {
         BorderReport report = find_borders(placed, normals, context);
         if (options.seam_lines) result.seam_lines = find_seam_lines(placed, census, report);
         result.seams = report.totals;
         result.borders = std::move(report.borders);
         result.borders_left_out = report.borders_left_out;
     }
+    if (measures) look_at_matched_borders(result, surfaces, normals, options, context);
+    if (proposes) propose_border_distance(result, surfaces, normals.before, options, context);
     result.shared_positions = result.seams.positions;
     result.seams.normals_before = name_of_source(surfaces);
     const geometry::CreaseRange creases =
@@ -249,6 +255,8 @@ static Scene without_objects(const Scene& scene) {
 
 Inspection inspect(const Scene& scene, const InspectOptions& options, Context& context) {
     if (!std::isfinite(options.weld_distance)) throw Error(ErrorCode::usage, "the weld distance must be finite");
+    if (!(options.border_distance >= 0) || !std::isfinite(options.border_distance))
+        throw Error(ErrorCode::usage, "the border distance must be 0 or more and finite");
     check_options(options.prepare);
     validate(scene);
     Inspection result;

@@ -3,8 +3,10 @@
 #include <rakelight/inspect.h>
 
 #include <cstdio>
+#include <set>
 
 #include "tools/inspect_sections.h"
+#include "tools/largest_seam.h"
 #include "tools/object_name.h"
 #include "tools/whole_inspection.h"
 
@@ -28,13 +30,16 @@ std::string more(std::uint64_t count, const char* thing) {
 }
 
 std::string seam_failure(const Inspection& i, double limit_deg) {
-    if (!(i.seams.seam_deg > limit_deg)) return {};
-    const BorderSummary& worst = i.borders.front();
-    std::uint64_t others = 0;
-    for (const BorderSummary& b : i.borders) others += b.seam_deg > limit_deg;
-    return "seam of " + text_of(worst.seam_deg) + " degrees between " + quoted_name(i, worst.object_a) + " and " +
-           quoted_name(i, worst.object_b) + " at " + text_of(worst.seam_position) + ", more than " +
-           text_of(limit_deg) + more(others - 1, "pair");
+    const std::optional<LargestSeam> worst = largest_seam(i, limit_deg);
+    if (!worst) return {};
+    std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (const BorderSummary& b : i.borders)
+        if (b.seam_deg > limit_deg) pairs.insert({b.object_a, b.object_b});
+    for (const MatchedPair& p : i.matched.pairs)
+        if (p.before.max_deg > limit_deg) pairs.insert({p.object_a, p.object_b});
+    return "seam of " + text_of(worst->deg) + " degrees " + between_text(i, worst->object_a, worst->object_b) + " at " +
+           text_of(worst->position) + (worst->is_along_borders ? ", along borders that share no vertex there" : "") +
+           ", more than " + text_of(limit_deg) + more(pairs.size() - 1, "pair");
 }
 
 /// The object that has most of something, how much, and how many others have any.

@@ -110,6 +110,24 @@ Json json_of(const BorderSummary& b) {
             {"inconsistent_edges", b.inconsistent_edges}};
 }
 
+Json json_of(const CurveAngles& a) {
+    return {{"max_deg", a.max_deg}, {"mean_deg", a.mean_deg}, {"p95_deg", a.p95_deg}};
+}
+
+Json json_of(const MatchedPair& p) {
+    return {{"object_a", p.object_a},    {"object_b", p.object_b},
+            {"length", p.length},        {"gap_max", p.gap_max},
+            {"gap_mean", p.gap_mean},    {"before", json_of(p.before)},
+            {"after", json_of(p.after)}, {"seam_position", json_of(p.seam_position)}};
+}
+
+Json json_of(const BorderProposal& p) {
+    return {{"distance", p.distance},
+            {"open_length", p.open_length},
+            {"matched_length", p.matched_length},
+            {"gap_max", p.gap_max}};
+}
+
 Json json_of(const InconsistentPair& p) {
     return {{"object_a", p.object_a}, {"object_b", p.object_b}, {"edges", p.edges}};
 }
@@ -171,6 +189,20 @@ Json list(const List& values) {
     return array;
 }
 
+Json json_of(const MatchedBorders& m) {
+    return {{"distance", m.distance},
+            {"open_length", m.open_length},
+            {"matched_length", m.matched_length},
+            {"unmatched_length", m.open_length - m.matched_length},
+            {"gap_max", m.gap_max},
+            {"gap_mean", m.gap_mean},
+            {"before", json_of(m.before)},
+            {"after", json_of(m.after)},
+            {"pairs", list(m.pairs)},
+            {"pairs_left_out", m.pairs_left_out},
+            {"edges_not_searched", m.edges_not_searched}};
+}
+
 void add(Json& row, const Inspection& i) {
     check_whole(i);
     row["triangles"] = i.triangles;
@@ -192,6 +224,8 @@ void add(Json& row, const Inspection& i) {
     row["borders"] = list(i.borders);
     row["borders_left_out"] = i.borders_left_out;
     row["inconsistent_pairs"] = list(i.inconsistent_pairs);
+    if (i.matched.distance > 0) row["matched_borders"] = json_of(i.matched);
+    if (i.proposal.distance > 0) row["border_proposal"] = json_of(i.proposal);
     if (i.surfaces.empty()) return;
     row["inside_out"] = list(i.inside_out);
     row["t_junctions"] = {

@@ -9,7 +9,7 @@
 #include "render/rows.h"
 #include "tools/html.h"
 #include "tools/inspect_sections.h"
-#include "tools/object_name.h"
+#include "tools/largest_seam.h"
 
 namespace rakelight {
 namespace {
@@ -51,12 +51,17 @@ std::string section_html(const Section& s) {
 
 /// Where pairs have seams, what there is to see of the worst.
 std::string worst_seam_html(const Inspection& i) {
-    if (i.borders.empty() || !(i.seams.seam_deg > continuous_deg)) return {};
-    const BorderSummary& worst = i.borders.front();
-    const dvec3 p = worst.seam_position;
-    return "<p>The largest seam, " + number(worst.seam_deg, "%.2f") + " degrees, is between " +
-           html_text(quoted_name(i, worst.object_a)) + " and " + html_text(quoted_name(i, worst.object_b)) + ", at " +
-           number(p.x) + " " + number(p.y) + " " + number(p.z) + " " + i.unit + ".</p>\n";
+    const std::optional<LargestSeam> worst = largest_seam(i);
+    if (!worst) return {};
+    return "<p>The largest seam, " + number(worst->deg, "%.2f") + " degrees, is " +
+           html_text(between_text(i, worst->object_a, worst->object_b)) + ", at " + position_text(worst->position) +
+           " " + i.unit + ".</p>\n";
+}
+
+/// The largest seam, or that nothing could have one.
+std::string seam_cell(const Inspection& i) {
+    if (i.shared_positions == 0 && i.matched.pairs.empty()) return "-";
+    return number(std::max(i.seams.seam_deg, i.matched.before.max_deg), "%.2f");
 }
 
 std::string check_html(const InspectionRow& row) {
@@ -81,7 +86,7 @@ std::string pictures_html(std::span<const ReportPicture> pictures) {
 /// Borders and faults before what the model holds.
 std::string tables_html(const Inspection& i) {
     std::vector<Section> sections = sections_of(i);
-    constexpr std::string_view first[] = {"borders (degrees)", "T-junctions", "inside out", "surfaces"};
+    constexpr std::string_view first[] = {"borders (degrees)", matched_title, "T-junctions", "inside out", "surfaces"};
     const auto place = [&](const Section& s) { return std::ranges::find(first, s.title) - std::begin(first); };
     std::ranges::stable_sort(sections, {}, place);
     std::string out;
@@ -110,8 +115,7 @@ ReportPicture report_picture(std::string caption, const Frame& frame) {
 void InspectionPage::add(const InspectionRow& row, std::span<const ReportPicture> pictures) {
     const std::string id = "model-" + std::to_string(++models_),
                       name = std::filesystem::path(row.file).filename().string();  // folders are nobody else's business
-    const std::string seam =
-        row.inspection && row.inspection->shared_positions > 0 ? number(row.inspection->seams.seam_deg, "%.2f") : "-";
+    const std::string seam = row.inspection ? seam_cell(*row.inspection) : "-";
     contents_ += "<tr><td><a href=\"#" + id + "\">" + html_text(name) + "</a></td><td class=\"r\">" +
                  (row.inspection ? std::to_string(row.inspection->objects.size()) : "-") + "</td><td class=\"r\">" +
                  seam + "</td><td>" + verdict_html(row) + "</td></tr>\n";
@@ -128,14 +132,16 @@ void InspectionPage::add(const InspectionRow& row, std::span<const ReportPicture
 
 void InspectionPage::save(const std::string& path) const {
     const std::string title = counted(models_, "model") + " inspected";
-    save_text(path,
-              "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-              "content=\"width=device-width, initial-scale=1\">\n<title>" +
-                  title + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + title +
-                  "</h1>\n<p>A seam is the angle between the normals of two objects at a position that both share, "
-                  "where smoothing over the whole model would leave none.</p>\n<nav><table>\n<tr><th>model</th><th "
-                  "class=\"r\">objects</th><th class=\"r\">largest seam [degrees]</th><th>limits</th></tr>\n" +
-                  contents_ + "</table></nav>\n<main>\n" + sections_ + "</main>\n</body>\n</html>\n");
+    save_text(
+        path,
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+        "content=\"width=device-width, initial-scale=1\">\n<title>" +
+            title + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + title +
+            "</h1>\n<p>A seam is the angle between the normals of two objects at a position that both share, "
+            "where smoothing over the whole model would leave none; or along open borders that run along each other, "
+            "where these were asked for.</p>\n<nav><table>\n<tr><th>model</th><th "
+            "class=\"r\">objects</th><th class=\"r\">largest seam [degrees]</th><th>limits</th></tr>\n" +
+            contents_ + "</table></nav>\n<main>\n" + sections_ + "</main>\n</body>\n</html>\n");
 }
 
 }  // namespace rakelight

@@ -12,7 +12,6 @@ namespace {
 
 std::string degrees_text(double deg) { return number(deg, "%.2f"); }
 std::string count_or_dash(std::uint64_t count) { return count ? std::to_string(count) : "-"; }
-std::string position_text(dvec3 p) { return number(p.x) + " " + number(p.y) + " " + number(p.z); }
 
 std::uint64_t bad_normals(const SurfaceSummary& s) {
     return s.zero_normals + s.non_finite_normals + s.non_unit_normals;

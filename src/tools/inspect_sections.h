@@ -23,6 +23,8 @@ inline std::string counted(std::uint64_t count, const char* thing) {
     return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
+inline std::string position_text(dvec3 p) { return number(p.x) + " " + number(p.y) + " " + number(p.z); }
+
 /// A table under its title, and what has to be said below it.
 struct Section {
     std::string title;
@@ -55,5 +57,9 @@ Section t_junctions_section(const Inspection& inspection);
 Section inside_out_section(const Inspection& inspection);
 /// Pairs of objects, worst first.
 Section borders_section(const Inspection& inspection);
+/// Borders that run along each other: what is matched and its seams; or, where nobody asked, that there are some.
+std::vector<std::string> matched_lines(const Inspection& inspection);
+inline constexpr const char* matched_title = "borders that run along each other (degrees)";
+Section matched_section(const Inspection& inspection);
 
 }  // namespace rakelight

@@ -139,6 +139,7 @@ std::vector<std::string> summary_lines(const Inspection& i) {
         "bounds " + text(i.low, " ") + " to " + text(i.high, " ") + ", size " + text(size, " x ") + " " + i.unit +
             (i.is_posed ? " as posed; seams in the bind pose" : "")};
     for (std::string& line : seams_lines(i)) lines.push_back(std::move(line));
+    for (std::string& line : matched_lines(i)) lines.push_back(std::move(line));
     return lines;
 }
 
@@ -146,7 +147,7 @@ std::vector<Section> sections_of(const Inspection& i) {
     std::vector<Section> all = {objects_section(i),        arrays_section(i),       materials_section(i),
                                 textures_section(i.scene), lights_section(i.scene), cameras_section(i.scene),
                                 clips_section(i.scene),    surfaces_section(i),     t_junctions_section(i),
-                                inside_out_section(i),     borders_section(i)};
+                                inside_out_section(i),     borders_section(i),      matched_section(i)};
     std::erase_if(all, [](const Section& section) { return section.empty(); });
     return all;
 }

@@ -8,7 +8,7 @@
 
 #include "image/draw_text.h"
 #include "tools/inspect_sections.h"
-#include "tools/object_name.h"
+#include "tools/largest_seam.h"
 
 namespace rakelight {
 namespace {
@@ -91,14 +91,15 @@ private:
     }
 
     static std::string largest_text(const Inspection& i, const std::optional<SeamPlace>& place) {
-        if (i.borders.empty() || !(i.seams.seam_deg > continuous_deg)) return "no seam above 0.01 degrees";
+        const std::optional<LargestSeam> seam = largest_seam(i);
+        if (!seam) return "no seam above 0.01 degrees";
         const char* const where = !place ? " (not in this picture)" : place->is_hidden ? " (behind a surface)" : "";
-        return "largest seam " + number(i.seams.seam_deg, "%.2f") + " degrees" + where;
+        return "largest seam " + number(seam->deg, "%.2f") + " degrees" + where;
     }
 
     static std::string objects_text(const Inspection& i) {
-        if (i.borders.empty() || !(i.seams.seam_deg > continuous_deg)) return {};
-        return "between " + quoted_name(i, i.borders[0].object_a) + " and " + quoted_name(i, i.borders[0].object_b);
+        const std::optional<LargestSeam> seam = largest_seam(i);
+        return seam ? between_text(i, seam->object_a, seam->object_b) : "";
     }
 
     Pixels& picture_;
@@ -111,9 +112,9 @@ void draw_seam_legend(Frame& frame, const Inspection& inspection, const std::opt
     if (frame.window.width < least_legend_width || frame.window.height < least_legend_height) return;
     Pixels picture = pixels_of(frame);
     Legend legend(picture, text_scale_for(frame.window.height));
-    const bool has_seam = !inspection.borders.empty() && inspection.seams.seam_deg > continuous_deg;
-    if (has_seam && place) legend.ring(*place, number(inspection.seams.seam_deg, "%.1f"));
-    legend.draw(inspection, has_seam ? place : std::nullopt);
+    const std::optional<LargestSeam> seam = largest_seam(inspection);
+    if (seam && place) legend.ring(*place, number(seam->deg, "%.1f"));
+    legend.draw(inspection, seam ? place : std::nullopt);
     std::memcpy(frame.color.data(), picture.bytes.data(), picture.bytes.size());
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/seam_normals.h"
 
-#include <rakelight/seams.h>
-
 #include <algorithm>
 #include <set>
 
@@ -45,33 +43,13 @@ std::vector<vec3> split_positions(const AttributeMesh& mesh, const PartNormals& 
 void join_parts(std::vector<PartNormals>& normals, const Surfaces& surfaces, const InspectOptions& options,
                 Context& context) {
     std::vector<std::uint32_t> parts;
-    std::vector<AttributeMesh> meshes;
-    std::vector<std::vector<vec3>> positions;  // of the split ones
-    for (std::uint32_t i = 0; i < normals.size(); ++i) {
-        if (!surfaces.rules[i].joins_seams) continue;
-        const PartNormals& part = normals[i];
-        AttributeMesh& m = meshes.emplace_back(surfaces.meshes[i]);
-        parts.push_back(i);
-        if (!part.given.empty()) continue;
-        if (part.made.size() > m.positions.size()) {
-            context.memory().check(part.made.size() * sizeof(vec3), "normals of all objects, to find their seams");
-            m.positions = positions.emplace_back(split_positions(m, part));
-        }
-        if (!part.indices.empty()) m.indices = part.indices;
-        m.normals = part.made;
-    }
+    for (std::uint32_t i = 0; i < normals.size(); ++i)
+        if (surfaces.rules[i].joins_seams) parts.push_back(i);
     if (parts.empty()) return;
+    const MeshesWithNormals with = meshes_with_normals(surfaces, normals, parts, context);
     SeamReport report;
-    const std::vector<MeshSeams> turned =
-        join_seams(meshes, {options.prepare.crease_angle_rad, options.weld_distance}, report, context);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (turned[i].vertices.empty()) continue;
-        PartNormals& part = normals[parts[i]];
-        if (!part.given.empty()) part.made.assign(part.given.begin(), part.given.end());
-        part.given = {};
-        for (std::size_t k = 0; k < turned[i].vertices.size(); ++k)
-            part.made[turned[i].vertices[k]] = turned[i].normals[k];
-    }
+    apply(join_seams(with.meshes, {options.prepare.crease_angle_rad, options.weld_distance}, report, context), parts,
+          normals);
 }
 
 }  // namespace
@@ -99,6 +77,37 @@ std::vector<PartNormals> normals_before(const Surfaces& surfaces, const InspectO
     }
     join_parts(normals, surfaces, options, context);
     return normals;
+}
+
+MeshesWithNormals meshes_with_normals(const Surfaces& surfaces, std::span<const PartNormals> normals,
+                                      std::span<const std::uint32_t> parts, Context& context) {
+    MeshesWithNormals out;
+    out.meshes.reserve(parts.size());
+    for (const std::uint32_t i : parts) {
+        const PartNormals& part = normals[i];
+        AttributeMesh& m = out.meshes.emplace_back(surfaces.meshes[i]);
+        if (!part.given.empty()) continue;
+        if (part.made.size() > m.positions.size()) {
+            context.memory().check(part.made.size() * sizeof(vec3), "normals of all objects, to find their seams");
+            m.positions = out.positions.emplace_back(split_positions(m, part));
+            m.texcoords = {};
+        }
+        if (!part.indices.empty()) m.indices = part.indices;
+        m.normals = part.made;
+    }
+    return out;
+}
+
+void apply(const std::vector<MeshSeams>& turned, std::span<const std::uint32_t> parts,
+           std::vector<PartNormals>& normals) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (turned[i].vertices.empty()) continue;
+        PartNormals& part = normals[parts[i]];
+        if (!part.given.empty()) part.made.assign(part.given.begin(), part.given.end());
+        part.given = {};
+        for (std::size_t k = 0; k < turned[i].vertices.size(); ++k)
+            part.made[turned[i].vertices[k]] = turned[i].normals[k];
+    }
 }
 
 std::vector<PartNormals> normals_after(const Surfaces& surfaces, const InspectOptions& options, Context& context) {

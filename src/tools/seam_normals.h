@@ -7,6 +7,7 @@
 
 #include <rakelight/attributes.h>
 #include <rakelight/inspect.h>
+#include <rakelight/seams.h>
 
 #include "tools/surfaces.h"
 
@@ -36,6 +37,19 @@ std::vector<PartNormals> normals_before(const Surfaces& surfaces, const InspectO
 
 /// As `rakelight smooth --normals model` writes them with the same crease angle and weight.
 std::vector<PartNormals> normals_after(const Surfaces& surfaces, const InspectOptions& options, Context& context);
+
+/// Some parts as meshes that have their normals; what these split is a vertex of its own. Views into both.
+struct MeshesWithNormals {
+    std::vector<AttributeMesh> meshes;
+    std::vector<std::vector<vec3>> positions;  ///< of those that were split
+};
+MeshesWithNormals meshes_with_normals(const Surfaces& surfaces, std::span<const PartNormals> normals,
+                                      std::span<const std::uint32_t> parts, Context& context);
+
+/// Turns the normals of some parts.
+/// @param turned  [parts] of the meshes that meshes_with_normals() made of them
+void apply(const std::vector<MeshSeams>& turned, std::span<const std::uint32_t> parts,
+           std::vector<PartNormals>& normals);
 
 /// Whose normals normals_before() gives, for people: "the file's, smoothed per object where it has none (2 of 5
 /// meshes)".

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the samples of matched borders come to: of all of them, or of those of one pair of objects.
+#pragma once
+#include <rakelight/matching_borders.h>
+
+namespace rakelight::geometry {
+
+/// Sums up `samples`; what was there before is added to. Open length and edges that were not searched stay.
+void sum_up(BorderMeasure& measure);
+
+}  // namespace rakelight::geometry

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The largest seam of an inspection: at a position that objects share, or along borders that match.
+#pragma once
+#include <optional>
+#include <string>
+
+#include <rakelight/inspect.h>
+
+namespace rakelight {
+
+struct LargestSeam {
+    double deg = 0;
+    std::uint32_t object_a = 0, object_b = 0;  ///< into Inspection::objects
+    dvec3 position{};                          ///< [m] world
+    bool is_along_borders = false;             ///< of Inspection::matched
+};
+
+/// Nothing where none is larger.
+std::optional<LargestSeam> largest_seam(const Inspection& inspection, double than_deg = continuous_deg);
+
+/// "between 'left' and 'right'", "between two meshes of 'car'"
+std::string between_text(const Inspection& inspection, std::uint32_t object_a, std::uint32_t object_b);
+
+}  // namespace rakelight

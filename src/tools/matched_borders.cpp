@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/matched_borders.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "geometry/border_measure.h"
+#include "tools/borders.h"
+
+namespace rakelight {
+namespace {
+
+MatchOptions match_options(const InspectOptions& options, double distance) {
+    return {.distance = distance,
+            .crease_angle_rad = options.prepare.crease_angle_rad,
+            .weld_distance = options.weld_distance,
+            .weight = options.prepare.weight};
+}
+
+std::vector<std::uint32_t> all_parts(const Surfaces& surfaces) {
+    std::vector<std::uint32_t> parts(surfaces.meshes.size());
+    std::iota(parts.begin(), parts.end(), 0u);
+    return parts;
+}
+
+using ObjectPair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// What is measured along the borders of each two objects.
+std::map<ObjectPair, BorderMeasure> measures_of_pairs(std::span<const BorderSample> samples, const Surfaces& surfaces) {
+    std::map<ObjectPair, BorderMeasure> pairs;
+    for (const BorderSample& s : samples)
+        pairs[std::minmax(surfaces.meshes[s.mesh].object, surfaces.meshes[s.other_mesh].object)].samples.push_back(s);
+    for (auto& [pair, measure] : pairs) geometry::sum_up(measure);
+    return pairs;
+}
+
+MatchedPair summarize(ObjectPair objects, const BorderMeasure& before) {
+    const auto largest = std::ranges::max_element(before.samples, {}, &BorderSample::deg);
+    return {.object_a = objects.first,
+            .object_b = objects.second,
+            .length = before.matched_length,
+            .gap_max = before.gap_max,
+            .gap_mean = before.gap_mean,
+            .before = before.seam,
+            .seam_position = (largest->a + largest->b) * 0.5};
+}
+
+void list_pairs(MatchedBorders& matched, const BorderMeasure& before, const BorderMeasure& after,
+                const Surfaces& surfaces) {
+    const std::map<ObjectPair, BorderMeasure> pairs_after = measures_of_pairs(after.samples, surfaces);
+    for (const auto& [objects, measure] : measures_of_pairs(before.samples, surfaces)) {
+        MatchedPair& pair = matched.pairs.emplace_back(summarize(objects, measure));
+        if (const auto found = pairs_after.find(objects); found != pairs_after.end()) pair.after = found->second.seam;
+    }
+    std::ranges::stable_sort(matched.pairs, std::greater(), [](const MatchedPair& p) { return p.before.max_deg; });
+    if (matched.pairs.size() <= most_borders) return;
+    matched.pairs_left_out = matched.pairs.size() - most_borders;
+    matched.pairs.resize(most_borders);
+}
+
+void add_seam_lines(std::vector<SeamLine>& lines, std::span<const BorderSample> samples, Context& context) {
+    context.memory().check(samples.size() * sizeof(SeamLine), "lines along borders that match");
+    for (const BorderSample& s : samples)
+        if (s.deg > continuous_deg) lines.push_back({s.a, s.b, float(s.deg), float(s.deg)});
+}
+
+}  // namespace
+
+bool have_open_borders(const geometry::PlacedMeshes& placed, const geometry::EdgeCensus& census) {
+    if (census.open_corners.empty()) return false;
+    const std::uint32_t first = placed.input.mesh_of_triangle(census.open_corners.front() / 3);
+    return std::ranges::any_of(
+        census.open_corners, [&](std::uint32_t corner) { return placed.input.mesh_of_triangle(corner / 3) != first; });
+}
+
+void look_at_matched_borders(Inspection& result, const Surfaces& surfaces, SeamNormals& normals,
+                             const InspectOptions& options, Context& context) {
+    const std::vector<std::uint32_t> parts = all_parts(surfaces);
+    const MatchOptions matching = match_options(options, options.border_distance);
+    const MeshesWithNormals meshes = meshes_with_normals(surfaces, normals.before, parts, context);
+    const BorderMeasure before = measure_borders(meshes.meshes, matching, context);
+    const MeshesWithNormals smoothed = meshes_with_normals(surfaces, normals.after, parts, context);
+    MatchReport report;
+    apply(join_borders(match_borders(smoothed.meshes, matching, context), smoothed.meshes, {}, report, context), parts,
+          normals.after);  // `smoothed` looks at these
+    const BorderMeasure after = measure_borders(smoothed.meshes, matching, context);
+    MatchedBorders& matched = result.matched;
+    matched.distance = options.border_distance;
+    matched.open_length = before.open_length, matched.matched_length = before.matched_length;
+    matched.gap_max = before.gap_max, matched.gap_mean = before.gap_mean;
+    matched.before = before.seam, matched.after = after.seam;
+    matched.edges_not_searched = before.edges_not_searched;
+    context.memory().check(2 * (before.samples.size() + after.samples.size()) * sizeof(BorderSample),
+                           "seams along borders that match");
+    list_pairs(matched, before, after, surfaces);
+    if (options.seam_lines) add_seam_lines(result.seam_lines, before.samples, context);
+}
+
+void propose_border_distance(Inspection& result, const Surfaces& surfaces, std::span<const PartNormals> before,
+                             const InspectOptions& options, Context& context) {
+    const MeshesWithNormals meshes = meshes_with_normals(surfaces, before, all_parts(surfaces), context);
+    const double distance = proposed_border_distance(meshes.meshes, match_options(options, 0), context);
+    if (!(distance > 0)) return;
+    const BorderMeasure measure = measure_borders(meshes.meshes, match_options(options, distance), context);
+    result.proposal = {distance, measure.open_length, measure.matched_length, measure.gap_max};
+}
+
+}  // namespace rakelight

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Open borders of an inspected model that run along each other: their seams, or the distance that would find these.
+#pragma once
+#include <rakelight/inspect.h>
+
+#include "geometry/edge_census.h"
+#include "geometry/place_classes.h"
+#include "tools/seam_normals.h"
+#include "tools/surfaces.h"
+
+namespace rakelight {
+
+/// Whether meshes could match at all: two of them have open edges.
+bool have_open_borders(const geometry::PlacedMeshes& placed, const geometry::EdgeCensus& census);
+
+/// Fills Inspection::matched, and appends the pieces with a seam to Inspection::seam_lines when these are asked for.
+/// `normals.after` are joined along the borders.
+void look_at_matched_borders(Inspection& result, const Surfaces& surfaces, SeamNormals& normals,
+                             const InspectOptions& options, Context& context);
+
+/// Fills Inspection::proposal.
+void propose_border_distance(Inspection& result, const Surfaces& surfaces, std::span<const PartNormals> before,
+                             const InspectOptions& options, Context& context);
+
+}  // namespace rakelight

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Borders that run along each other, for people.
+#include "tools/inspect_sections.h"
+#include "tools/largest_seam.h"
+#include "tools/object_name.h"
+
+namespace rakelight {
+namespace {
+
+std::string degrees_text(double deg) { return number(deg, "%.2f"); }
+
+std::string angles_text(const CurveAngles& a) {
+    return "max " + degrees_text(a.max_deg) + ", mean " + degrees_text(a.mean_deg) + ", 95% " + degrees_text(a.p95_deg);
+}
+
+std::string proposal_line(const Inspection& i) {
+    const BorderProposal& p = i.proposal;
+    return "open borders of different meshes run along each other (" + number(p.matched_length, "%.4g") + " of " +
+           number(p.open_length, "%.4g") + " " + i.unit + ", gaps up to " + number(p.gap_max, "%.3g") +
+           "): --border-distance " + number(p.distance) + " measures and joins them";
+}
+
+}  // namespace
+
+std::optional<LargestSeam> largest_seam(const Inspection& i, double than_deg) {
+    std::optional<LargestSeam> largest;
+    if (!i.borders.empty() && i.seams.seam_deg > than_deg) {
+        const BorderSummary& b = i.borders.front();
+        largest = {i.seams.seam_deg, b.object_a, b.object_b, b.seam_position, false};
+    }
+    if (i.matched.pairs.empty() || !(i.matched.before.max_deg > than_deg)) return largest;
+    if (largest && largest->deg >= i.matched.before.max_deg) return largest;
+    const MatchedPair& p = i.matched.pairs.front();
+    return LargestSeam{i.matched.before.max_deg, p.object_a, p.object_b, p.seam_position, true};
+}
+
+std::string between_text(const Inspection& i, std::uint32_t object_a, std::uint32_t object_b) {
+    return object_a == object_b ? "between two meshes of " + quoted_name(i, object_a)
+                                : "between " + quoted_name(i, object_a) + " and " + quoted_name(i, object_b);
+}
+
+std::vector<std::string> matched_lines(const Inspection& i) {
+    const MatchedBorders& m = i.matched;
+    if (i.proposal.distance > 0) return {proposal_line(i)};
+    if (!(m.distance > 0)) return {};
+    std::vector<std::string> lines = {"open borders " + number(m.open_length, "%.4g") + " " + i.unit + ": " +
+                                      number(m.matched_length, "%.4g") + " run along another within " +
+                                      number(m.distance) + ", " + number(m.open_length - m.matched_length, "%.4g") +
+                                      " do not"};
+    if (!m.pairs.empty()) {
+        const MatchedPair& worst = m.pairs.front();
+        lines[0] += "; gap max " + number(m.gap_max, "%.3g") + ", mean " + number(m.gap_mean, "%.3g");
+        lines.push_back("seam along them " + angles_text(m.before) + " degrees; smoothed and joined " +
+                        angles_text(m.after) + "; largest " + between_text(i, worst.object_a, worst.object_b) + " at " +
+                        position_text(worst.seam_position));
+    }
+    if (m.edges_not_searched > 0)
+        lines.push_back(counted(m.edges_not_searched, "place") +
+                        " of open edges not searched to the end: too many borders lie too close");
+    return lines;
+}
+
+Section matched_section(const Inspection& i) {
+    return section(
+        matched_title,
+        {"object", "object", ">length", ">gap max", ">mean", ">seam max", ">mean", ">95%", ">joined max", ">mean",
+         ">95%", "largest at"},
+        i.matched.pairs,
+        [&](const MatchedPair& p, std::size_t) {
+            return std::vector<std::string>{
+                name_or_number(i, p.object_a),   name_or_number(i, p.object_b),  number(p.length, "%.4g"),
+                number(p.gap_max, "%.3g"),       number(p.gap_mean, "%.3g"),     degrees_text(p.before.max_deg),
+                degrees_text(p.before.mean_deg), degrees_text(p.before.p95_deg), degrees_text(p.after.max_deg),
+                degrees_text(p.after.mean_deg),  degrees_text(p.after.p95_deg),  position_text(p.seam_position)};
+        },
+        i.matched.pairs_left_out);
+}
+
+}  // namespace rakelight
