@@ -104,11 +104,23 @@ std::string borders_html(const Inspection& before, const Inspection& after) {
            rows + "</table></div>\n";
 }
 
+/// Seams along open borders without shared vertices, before and after; nothing where nobody asked for them.
+std::string matched_html(const MatchedBorders& before, const MatchedBorders& after) {
+    if (!(before.distance > 0)) return "";
+    const auto row = [](const char* name, const CurveAngles& seam) {
+        return row_html("td", {name, number(seam.max_deg), number(seam.mean_deg), number(seam.p95_deg)});
+    };
+    return "<h2>Borders that run along each other without shared vertices</h2>\n<div class=\"scroll\"><table>\n" +
+           row_html("th", {"normals", "largest angle [deg]", "mean [deg]", "95 % at most [deg]"}) +
+           row("before", before.before) + row("after", after.before) + "</table></div>\n";
+}
+
 InspectOptions inspect_options(const SmoothFileOptions& options) {
     InspectOptions out;
     out.surfaces = false;
     out.seam_lines = true;
     out.weld_distance = options.attributes.weld_distance;
+    out.border_distance = options.border_distance;
     out.prepare.crease_angle_rad = options.attributes.crease_angle_rad;
     out.prepare.weight = options.attributes.weight;
     return out;
@@ -149,7 +161,8 @@ SmoothedFile preview_smooth(const std::string& input, const PreviewPlace& place,
                                    "<div class=\"pair\">\n" + figure_html("before", seams_before) +
                                        figure_html("after", seams_after) +
                                        "</div>\n<h2>Angle between the normals of two objects</h2>\n" + legend_html() +
-                                       totals_html(a.seams, b.seams) + "<h2>Borders</h2>\n" + borders_html(a, b)));
+                                       totals_html(a.seams, b.seams) + matched_html(a.matched, b.matched) +
+                                       "<h2>Borders</h2>\n" + borders_html(a, b)));
     return result;
 }
 

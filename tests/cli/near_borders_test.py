@@ -132,7 +132,12 @@ class NearBorders(program.Case):
         self.assertIn("inspect` proposes a distance", done.err)
         self.assertIn("turns nothing: faces are flat", self.fine("smooth", "model.obj", "-o", "out.obj", "--border-distance", 1, "--normals", "face").err)
         self.fine("smooth", "model.obj", "--preview", "page.html", "--border-distance", 2 * GAP)
-        self.assertIn("28 normals turn", (self.folder / "page.html").read_text())
+        page = (self.folder / "page.html").read_text()
+        self.assertIn("28 normals turn", page)
+        seams = page.split("run along each other without shared vertices")[1].split("</table>")[0]
+        before, after = (float(seams.split(f">{name}</td><td>")[1].split("<")[0]) for name in ("before", "after"))
+        self.assertGreater(before, 20)
+        self.assertLess(after, 0.05)
 
     def test_wrong_values_and_other_names_are_answered(self):
         for verb, more in (("smooth", ("-o", "x.obj")), ("render", ("-o", "x.png"))):
