@@ -9,6 +9,7 @@
 #include <rakelight/scene.h>
 
 #include "prepare/made_attributes.h"
+#include "prepare/pose_scene.h"
 
 namespace rakelight {
 
@@ -30,6 +31,9 @@ BoundScene bind_scene(Scene scene, const PrepareOptions& options, Context& conte
 /// The second, for any pose: vertices, displacement, tangents that are still missing.
 /// @param pose  of the nodes; absent: as they are
 Scene finish_scene(BoundScene bound, const Rare<ScenePose>& pose, const PrepareOptions& options, Context& context);
+/// The same, but that meshes whose vertices nothing in prepare asks for are left in bind pose.
+UnposedScene finish_unposed(BoundScene bound, const Rare<ScenePose>& pose, const PrepareOptions& options,
+                            Context& context);
 
 /// @throws Error usage: a number out of its range, an enumerator that there is not
 void check_options(const PrepareOptions& options);

@@ -32,7 +32,7 @@ bool GlView::upload(std::shared_ptr<const PreparedScene> scene, double milliseco
         s.incoming = std::move(scene);
         ++s.number;
     }
-    if (!s.view.upload(s.incoming->scene, s.number, milliseconds, context)) return false;
+    if (!s.view.upload(s.incoming->scene, s.incoming->poses, s.number, milliseconds, context)) return false;
     s.whole = std::move(s.incoming);
     return true;
 }

@@ -9,6 +9,7 @@
 #include "engines/channel_arrays.h"
 #include "engines/empty_pixel.h"
 #include "engines/opengl/blended.h"
+#include "engines/posing_engine.h"
 #include "lighting/albedo_tables.h"
 #include "scene/material_table.h"
 #include "scene/scene_tools.h"
@@ -39,12 +40,14 @@ void Renderer::make_albedos() {
     check_gl("the tables of albedos");
 }
 
-void Renderer::prepare(Scene scene, Context& context) {
-    validate_changes(scene, list_.scene);
+void Renderer::prepare(GivenScene given, Context& context) {
+    validate_changes(given.scene, list_.scene);
     list_ = {};  // its textures may go: what fails from here on leaves an empty scene
+    unposed_.clear();
     forget_picture();
-    TakenScene taken = take_scene(std::move(scene), std::move(cache_), std::move(environments_), context);
-    meshes_.keep_only(taken.list.scene);
+    TakenScene taken =
+        take_scene(std::move(given), !driver_.poses_meshes, std::move(cache_), std::move(environments_), context);
+    keep_meshes(taken.list.scene, taken.poses);
     upload(taken, Clock::time_point::max(), context);
     take(std::move(taken), context);
 }
@@ -53,16 +56,22 @@ void Renderer::take(TakenScene scene, Context& context) {
     const std::optional<Environment>& environment = scene.list.scene.environment;
     const std::string file = environment && environment->image ? environment->image->file : std::string();
     environment_.update(scene.environment, driver_, file, context.report());
-    meshes_.keep_only(scene.list.scene);
+    keep_meshes(scene.list.scene, scene.poses);
     textures_.keep_only(wishes_of(scene.list, scene.cache));
     list_ = std::move(scene.list);
+    unposed_ = std::move(scene.poses);
     cache_ = std::move(scene.cache);
     environments_ = std::move(scene.environments);
     forget_picture();
 }
 
+void Renderer::keep_meshes(const Scene& scene, const geometry::MeshPoses& poses) {
+    meshes_.keep_only(scene, poses);
+    poses_.keep_only(poses);
+}
+
 void Renderer::forget_uploads() {
-    meshes_.keep_only(list_.scene);
+    keep_meshes(list_.scene, unposed_);
     textures_.keep_only(wishes_of(list_, cache_));
 }
 
@@ -94,6 +103,44 @@ PictureState Renderer::picture_state() {
             .behind = has_behind_ ? &behind_factors_ : nullptr};
 }
 
+/// Lines and points, edges, vertices and channels that ask for triangles are drawn from tables of triangles, and so are flat
+/// shading and what else DrawStateMaker::set_vertices() names; blended triangles are put in order by the processor.
+std::set<std::uint32_t> Renderer::meshes_read_by_processor() {
+    bool reads_all = settings_.edges || settings_.points != PointShape::none;
+    for_each_group(settings_.channels, [&](Output, bool wants_triangles) { reads_all = reads_all || wants_triangles; });
+    std::set<std::uint32_t> meshes;
+    for (const shading::Draw& draw : list_.line_draws) meshes.insert(draw.mesh);
+    const PictureState state = picture_state();
+    for (std::uint32_t d = 0; d < list_.draws.size(); ++d) {
+        const std::uint32_t mesh = list_.draws[d].mesh;
+        if (!unposed_.contains(mesh)) continue;
+        if (reads_all || list_.material(list_.draws[d]).factors.blend ||
+            draw_state(state, d, Output::color, false).features.from_triangles)
+            meshes.insert(mesh);
+    }
+    return meshes;
+}
+
+/// Here it is decided who poses a mesh for this moment: the processor, where it reads the vertices or the driver's textures
+/// are too small, else the driver. (OpenGL 3.3 and ES 3.0 have transform feedback. Whose vertices prepare needed, come
+/// posed: Preparing::finish_unposed() of prepare_scene.cpp.)
+void Renderer::pose_meshes(Context& context) {
+    if (unposed_.empty()) return;
+    const std::set<std::uint32_t> read = meshes_read_by_processor();
+    for (auto pose = unposed_.begin(); pose != unposed_.end();) {
+        const auto& [number, of] = *pose;
+        if (!read.contains(number) && poses_.fits(of)) {
+            ++pose;
+            continue;
+        }
+        context.throw_if_cancelled();
+        take_posed_arrays(list_.scene.meshes[number], of, context);
+        poses_.drop(number);
+        pose = unposed_.erase(pose);
+    }
+    poses_.pose(list_.scene, unposed_, meshes_);
+}
+
 void Renderer::begin_picture(const Camera& camera, const RenderSettings& settings, RenderStats& stats,
                              Context& context) {
     settings_ = settings;
@@ -104,6 +151,7 @@ void Renderer::begin_picture(const Camera& camera, const RenderSettings& setting
     programs_.set_user({settings.lighting_name, settings.lighting_text});
     view_ = shading::view_of(list_, camera, settings);
     shading_ = shading::choose_shading(list_, settings, nullptr, context);
+    pose_meshes(context);
     const dvec3 eye = view_.camera_to_world[3].xyz();
     light_parameters_ = shading::make_lights(list_.scene, list_.node_to_world, eye);
     update_shadows(settings, eye, light_parameters_, stats, context);
