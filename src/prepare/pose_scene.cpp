@@ -239,8 +239,7 @@ UnposedScene valid::unposed_scene(Scene scene, Context& context) {
                 pose.influences = mesh.influences, pose.more_influences = mesh.more_influences;
                 pose.joints = skeleton.columns(i, is_mirrored);
                 skinned.push_back(i.mesh);
-                placed[i.node] =
-                    translation(skeleton.origin()) * (is_mirrored ? scaling(dvec3{-1, 1, 1}) : dmat4{});
+                placed[i.node] = translation(skeleton.origin()) * (is_mirrored ? scaling(dvec3{-1, 1, 1}) : dmat4{});
             }
             if (pose.moves()) poses.emplace(i.mesh, std::move(pose));
         }

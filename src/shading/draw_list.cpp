@@ -40,7 +40,8 @@ public:
         is_known_.resize(meshes.size());
     }
     geometry::Box of(std::uint32_t mesh) {
-        if (const auto pose = poses_.find(mesh); pose != poses_.end()) return geometry::posed_box(pose->second, context_);
+        if (const auto pose = poses_.find(mesh); pose != poses_.end())
+            return geometry::posed_box(pose->second, context_);
         const std::uint32_t first = first_[mesh];
         if (!is_known_[first]) {
             boxes_[first] = geometry::empty_box();

@@ -80,6 +80,12 @@ void MeshStore::keep_only(const Scene& scene, const geometry::MeshPoses& poses) 
     std::erase_if(buffers_, [&](const auto& entry) { return !blocks.contains(entry.first); });
 }
 
+std::uint64_t MeshStore::bytes() const {
+    std::uint64_t bytes = 0;
+    for (const auto& [identity, buffer] : buffers_) bytes += buffer.there;
+    return bytes;
+}
+
 std::vector<MeshStore::Part> MeshStore::parts_of(const Mesh& mesh, const geometry::MeshPose* pose) {
     std::vector<Part> parts;
     const auto add = [&parts](const auto& block) {

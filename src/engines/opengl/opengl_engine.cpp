@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engines/posing_engine.h"
 #include "engines/opengl/opengl_engine.h"
+#include "engines/posing_engine.h"
 
 #include <algorithm>
 #include <chrono>

@@ -49,7 +49,8 @@ std::vector<vec4> target_texels(const MeshPose& pose) {
     });
     std::vector<vec4> texels;
     for (std::size_t t = 0; t < blocks.size(); ++t)
-        if (pose.targets[t].weight != 0) texels.push_back({pose.targets[t].weight, blocks[t][0], blocks[t][1], blocks[t][2]});
+        if (pose.targets[t].weight != 0)
+            texels.push_back({pose.targets[t].weight, blocks[t][0], blocks[t][1], blocks[t][2]});
     return texels;
 }
 
@@ -130,8 +131,7 @@ void PoseStore::upload_offsets(Posed& posed) const {
     posed.offset_bytes = texels.size() * sizeof(vec3);
 }
 
-PoseStore::Posed& PoseStore::posed_of(std::uint32_t number, const MeshPose& pose, const Mesh& mesh,
-                                      MeshStore& meshes) {
+PoseStore::Posed& PoseStore::posed_of(std::uint32_t number, const MeshPose& pose, const Mesh& mesh, MeshStore& meshes) {
     const auto [known, is_new] = posed_.try_emplace(number);
     Posed& posed = known->second;
     if (!is_new) return posed;
@@ -204,6 +204,16 @@ const PoseStore::Program& PoseStore::program_of(const PoseFeatures& features) {
     return program;
 }
 
+/// Without a window no framebuffer is whole, and none is drawn with then, not even with nothing.
+void PoseStore::bind_frame() {
+    const bool is_new = !frame_;
+    glBindFramebuffer(GL_FRAMEBUFFER, frame_.get());
+    if (!is_new) return;
+    glBindRenderbuffer(GL_RENDERBUFFER, pixel_.get());
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 1, 1);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixel_.name());
+}
+
 void PoseStore::run(const Posed& posed, const Place& place) {
     const MeshPose& pose = posed.of;
     const Program& program = program_of(features_of(pose));
@@ -234,6 +244,7 @@ void PoseStore::pose(const Scene& scene, const MeshPoses& poses, MeshStore& mesh
         const vec3 none{0, 0, 0};
         set_texels(no_offsets_, GL_RGB32F, GL_RGB, GL_FLOAT, 1, 1, &none);
     }
+    bind_frame();
     glEnable(GL_RASTERIZER_DISCARD);
     for (const std::uint32_t number : numbers) run(posed_.at(number), places.at(number));
     glDisable(GL_RASTERIZER_DISCARD);

@@ -56,12 +56,15 @@ private:
     std::map<std::uint32_t, Place> upload_numbers(const geometry::MeshPoses& poses,
                                                   const std::vector<std::uint32_t>& numbers);
     const Program& program_of(const PoseFeatures& features);
+    void bind_frame();
     void run(const Posed& posed, const Place& place);
 
     const Driver& driver_;
     std::map<std::uint32_t, Posed> posed_;  ///< by mesh
     std::map<PoseFeatures, Program> programs_;
     GlTexture numbers_, no_offsets_;
+    GlRenderbuffer pixel_;
+    GlFramebuffer frame_;  ///< of one pixel that nothing is drawn into
     std::uint64_t numbers_bytes_ = 0;
 };
 

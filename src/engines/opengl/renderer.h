@@ -42,7 +42,8 @@ public:
     /// Meshes that are posed on the GPU are in bind pose.
     const Scene& scene() const { return list_.scene; }
     PoseStore& poses() { return poses_; }
-    std::uint32_t channels() const { return settings_.channels; }  ///< of the picture that is drawn
+    std::uint64_t mesh_bytes() const { return meshes_.bytes() + poses_.bytes(); }  ///< of buffers on the GPU
+    std::uint32_t channels() const { return settings_.channels; }                  ///< of the picture that is drawn
     void set_lights(std::vector<Light> lights);
 
     /// What stays the same for all parts of a picture. After prepare() and set_lights().

@@ -9,9 +9,10 @@
 
 namespace rakelight::opengl {
 
-TakenScene take_scene(GivenScene given, bool poses_here, shading::TextureCache cache, shading::EnvironmentCache environments,
-                      Context& context) {
-    TakenScene out{.list = {}, .cache = std::move(cache), .environments = std::move(environments), .environment = {}, .poses = {}};
+TakenScene take_scene(GivenScene given, bool poses_here, shading::TextureCache cache,
+                      shading::EnvironmentCache environments, Context& context) {
+    TakenScene out{
+        .list = {}, .cache = std::move(cache), .environments = std::move(environments), .environment = {}, .poses = {}};
     if (given.poses && poses_here)
         given.scene = with_posed_arrays(std::move(given.scene), *given.poses, context);
     else if (given.poses)

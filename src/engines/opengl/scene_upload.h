@@ -31,8 +31,8 @@ struct GivenScene {
 
 /// From any thread. @param poses_here  the poses are taken by the processor, for a driver that would be slower. @param before  what was decoded for the scene before: what is used again is not decoded again
 /// @throws Error failed: cancelled
-TakenScene take_scene(GivenScene given, bool poses_here, shading::TextureCache cache, shading::EnvironmentCache environments,
-                      Context& context);
+TakenScene take_scene(GivenScene given, bool poses_here, shading::TextureCache cache,
+                      shading::EnvironmentCache environments, Context& context);
 
 /// What a scene's materials read.
 std::vector<TextureStore::Wish> wishes_of(const shading::DrawList& list, const shading::TextureCache& cache);
