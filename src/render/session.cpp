@@ -294,4 +294,6 @@ const Scene& scene_of(const PreparedScene& prepared) {
     return prepared.posed(context);
 }
 
+const Scene& unposed_scene_of(const PreparedScene& prepared) { return prepared.scene; }
+
 }  // namespace rakelight

@@ -21,6 +21,7 @@
 #include "engines/opengl/opengl_engine.h"
 #include "engines/opengl/renderer.h"
 #include "engines/raster/raster_engine.h"
+#include "render/auto_engine.h"
 #include "render/prepared_scene.h"
 #include "scene/scene_tools.h"
 #include "support/environment_variable.h"
@@ -425,6 +426,14 @@ TEST_F(PosedPictures, NormalsThatAreMadeAreMadeAgain) {
     EXPECT_FALSE(prepared->poses) << "prepare needs the vertices";
     const Frame gpu = by("gpu", three_moments(), small(), made), cpu = by("cpu", three_moments(), small(), made);
     EXPECT_EQ(gpu.color, cpu.color);
+}
+
+TEST_F(PosedPictures, WhatTheGpuCannotDoTheSoftEngineDrawsOfThePose) {
+    const EnvironmentVariable poses("RAKELIGHT_GL_POSES", "gpu");
+    RenderSettings settings = small();
+    settings.visibility = Visibility::z24;
+    const Frame got = drawn(make_auto_engine(opengl::make_engine(), ""), three_moments(), settings, {}, context);
+    EXPECT_EQ(got.color, drawn(raster::make_engine(), three_moments(), settings, {}, context).color);
 }
 
 TEST_F(PosedPictures, AFileIsDrawnInTheMiddleOfItsClip) {
