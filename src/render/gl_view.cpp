@@ -28,7 +28,7 @@ bool GlView::upload(std::shared_ptr<const PreparedScene> scene, double milliseco
     State& s = *state_;
     if (scene == s.whole) return true;
     if (scene != s.incoming) {
-        validate(scene->scene);
+        validate_changes(scene->scene, s.whole ? s.whole->scene : Scene());
         s.incoming = std::move(scene);
         ++s.number;
     }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include <rakelight/session.h>
 
@@ -13,20 +14,25 @@ namespace rakelight {
 
 class PreparedScene;
 
-/// The scene with vertices of all meshes as they stand, made when it is first asked for. Copies begin without.
+/// The scene with vertices of all meshes as they stand, made when it is first asked for. Copies share the vertices: what they
+/// differ in is lights, cameras and the like.
 class PosedOnce {
 public:
     PosedOnce() = default;
-    PosedOnce(const PosedOnce&) {}
+    PosedOnce(const PosedOnce& other) : shared_(other.shared_) {}
     PosedOnce& operator=(const PosedOnce&) = delete;
     /// From any thread.
     const Scene& of(const PreparedScene& prepared, Context& context) const;
-    // By who alone has it.
-    void forget() { scene_.reset(); }
+    // By who alone has the prepared scene.
+    void forget() { scene_.reset(); }  ///< all but the vertices
     Scene take(PreparedScene&& prepared, Context& context);
 
 private:
-    mutable std::mutex mutex_;
+    struct Shared {
+        std::mutex mutex;
+        std::optional<std::vector<Mesh>> meshes;
+    };
+    std::shared_ptr<Shared> shared_ = std::make_shared<Shared>();
     mutable std::optional<Scene> scene_;
 };
 

@@ -71,15 +71,21 @@ bool are_prepared_alike(const Scene& a, const Scene& b) {
 }
 
 const Scene& PosedOnce::of(const PreparedScene& prepared, Context& context) const {
-    const std::scoped_lock lock(mutex_);
-    if (!scene_) scene_ = with_posed_arrays(prepared.scene, *prepared.poses, context);
+    const std::scoped_lock lock(shared_->mutex);
+    if (!shared_->meshes) shared_->meshes = with_posed_arrays(prepared.scene, *prepared.poses, context).meshes;
+    if (!scene_) {
+        scene_ = prepared.scene;
+        scene_->meshes = *shared_->meshes;
+    }
     return *scene_;
 }
 
 Scene PosedOnce::take(PreparedScene&& prepared, Context& context) {
     if (!prepared.poses) return std::move(prepared.scene);
-    if (!scene_) return with_posed_arrays(std::move(prepared.scene), *prepared.poses, context);
-    return std::move(*std::exchange(scene_, {}));
+    const std::scoped_lock lock(shared_->mutex);
+    if (!shared_->meshes) return with_posed_arrays(std::move(prepared.scene), *prepared.poses, context);
+    prepared.scene.meshes = *shared_->meshes;
+    return std::move(prepared.scene);
 }
 
 void take_surroundings(PreparedScene& prepared, const Scene& scene) {

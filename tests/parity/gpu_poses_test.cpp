@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes that the engine gl poses by transform feedback beside those that the processor poses: vertices that are read back, and
-// pictures. On llvmpipe where there is no GPU; skipped where there is no OpenGL.
+// Meshes that the engine gl poses by transform feedback beside those that the processor poses: vertices that are read back. On
+// llvmpipe where there is no GPU; skipped where there is no OpenGL.
 #include <gtest/gtest.h>
 #include <rakelight/load.h>
 #include <rakelight/motion.h>
-#include <rakelight/session.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,85 +17,18 @@
 #include <nlohmann/json.hpp>
 
 #include "engines/opengl/headless.h"
-#include "engines/opengl/opengl_engine.h"
 #include "engines/opengl/renderer.h"
-#include "engines/raster/raster_engine.h"
-#include "render/auto_engine.h"
+#include "parity/arm.h"
 #include "render/prepared_scene.h"
 #include "scene/scene_tools.h"
 #include "support/environment_variable.h"
-#include "support/scene_builder.h"
 #include "support/shared.h"
 
 namespace rakelight {
 namespace {
 
 namespace fs = std::filesystem;
-using geometry::MeshPose, geometry::MeshPoses, test::EnvironmentVariable;
-
-/// An arm of two bones along y, closed about, with a target that swells it. Normals and tangents of its own.
-Scene arm() {
-    constexpr std::size_t rings = 33, around = 24;
-    std::vector<vec3> positions, normals, swelling, swelling_normals;
-    std::vector<vec4> tangents;
-    std::vector<JointInfluence> influences;
-    std::vector<std::uint32_t> indices;
-    for (std::size_t r = 0; r < rings; ++r)
-        for (std::size_t a = 0; a <= around; ++a) {
-            const double turn = 2 * pi * double(a) / double(around), y = 2.0 * double(r) / double(rings - 1);
-            const auto c = float(std::cos(turn)), s = float(std::sin(turn));
-            const auto bent = float(std::clamp(2 * y - 1.5, 0.0, 1.0));
-            positions.push_back({0.3f * c, float(y), 0.3f * s}), normals.push_back({c, 0, s});
-            tangents.push_back({-s, 0, c, a % 2 ? 1.0f : -1.0f});
-            influences.push_back({{0, 1, 0, 0}, {1 - bent, bent, 0, 0}});
-            const auto bulge = float(0.2 * std::exp(-8 * (y - 1) * (y - 1)));
-            swelling.push_back({bulge * c, 0, bulge * s});
-            swelling_normals.push_back({0, float(1.5 * (y - 1)) * bulge, 0});
-            const auto at = std::uint32_t(r * (around + 1) + a), up = at + std::uint32_t(around + 1);
-            if (r + 1 < rings && a < around) indices.insert(indices.end(), {at, up, at + 1, at + 1, up, up + 1});
-        }
-    Scene scene;
-    Mesh mesh;
-    mesh.targets.push_back({"swell", std::move(swelling), std::move(swelling_normals), {}});
-    mesh.positions = std::move(positions), mesh.normals = std::move(normals), mesh.tangents = std::move(tangents);
-    mesh.influences = std::move(influences), mesh.indices = std::move(indices);
-    scene.materials = {test::matte({0.7f, 0.5f, 0.3f})};
-    mesh.material = 0;
-    const std::uint32_t node = test::add_object(scene, std::move(mesh), translation(dvec3{9, 9, 9}));  // does not count
-    scene.nodes[node].skin = 0, scene.nodes[node].morph_weights = {0};
-    Node joint;
-    scene.nodes.push_back(joint);
-    joint.parent = 1, joint.local.translation = {0, 1, 0};
-    scene.nodes.push_back(joint);
-    scene.skins.push_back({"bones", {1, 2}, {dmat4{}, translation(dvec3{0, -1, 0})}});
-    test::add_object(scene, test::square_mesh(0), translation(dvec3{0, 1, -1}));
-    scene.lights = {test::directional({-1, -1, -2}), test::directional({1, 0.2, -0.5}, {0.3f, 0.3f, 0.5f})};
-    return scene;
-}
-
-/// @param bend  [rad] of the upper bone
-Scene bent(Scene scene, double bend, float swollen = 0) {
-    ScenePose pose;
-    for (const Node& node : scene.nodes)
-        pose.local.push_back(node.local), pose.morph_weights.push_back(node.morph_weights);
-    pose.local[2].rotation = {0, 0, std::sin(bend / 2), std::cos(bend / 2)};
-    pose.morph_weights[0] = {swollen};
-    scene.pose = pose;
-    return scene;
-}
-
-Camera oblique() {
-    Camera camera;
-    camera.vertical_fov_rad = 0.8;
-    camera.to_world = look_at({1.2, 1.9, 3.2}, {-0.2, 1, 0}, {0, 1, 0});
-    return camera;
-}
-
-RenderSettings small() {
-    RenderSettings s;
-    s.width = 120, s.height = 90;
-    return s;
-}
+using geometry::MeshPose, test::arm, test::bent, test::oblique, test::small, test::EnvironmentVariable;
 
 /// Largest differences of vertices that were read back: positions in sizes of the model, directions in lengths.
 struct Differences {
@@ -333,130 +265,6 @@ TEST_P(GpuPoses, WhatReadsVerticesOnTheProcessorHasThemPosedThere) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OpenGl, GpuPoses, testing::Values("core", "es"), [](const auto& of) { return of.param; });
-
-/// The picture of a session whose scenes come one after another; the last one.
-Frame drawn(std::unique_ptr<Engine> engine, const std::vector<Scene>& moments, const RenderSettings& settings,
-            const PrepareOptions& options, Context& context) {
-    Session session(std::move(engine));
-    Frame frame;
-    for (const Scene& moment : moments) {
-        session.set(moment, options);
-        session.render(oblique(), settings, frame, context);
-    }
-    return frame;
-}
-
-/// [1/255] of linear colors, root of the mean square.
-double rmse(const Frame& a, const Frame& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.color.size(); ++i) {
-        const vec3 d = a.color[i].xyz() - b.color[i].xyz();
-        sum += double(dot(d, d)) / 3;
-    }
-    return 255 * std::sqrt(sum / double(a.color.size()));
-}
-
-class PosedPictures : public testing::Test {
-protected:
-    void SetUp() override {
-        try {
-            opengl::make_engine();
-        } catch (const Error& error) {
-            GTEST_SKIP() << error.what();
-        }
-    }
-    Frame by(const char* who, const std::vector<Scene>& moments, const RenderSettings& settings,
-             const PrepareOptions& options = {}) {
-        const EnvironmentVariable poses("RAKELIGHT_GL_POSES", who);
-        return drawn(opengl::make_engine(), moments, settings, options, context);
-    }
-    /// Of a driver that poses, beside one that gets posed arrays, and beside the soft engine.
-    void expect_alike(const std::vector<Scene>& moments, const RenderSettings& settings, double most_beside_arrays,
-                      double most_beside_soft, const PrepareOptions& options = {}) {
-        const Frame gpu = by("gpu", moments, settings, options), cpu = by("cpu", moments, settings, options),
-                    soft = drawn(raster::make_engine(), moments, settings, options, context);
-        EXPECT_LE(rmse(gpu, cpu), most_beside_arrays);
-        EXPECT_LE(rmse(gpu, soft), most_beside_soft);
-        EXPECT_GT(rmse(gpu, by("gpu", {moments[0]}, settings, options)), 5) << "it moves";
-    }
-    EnvironmentVariable no_cache{"RAKELIGHT_GL_CACHE", "off"};
-    Context context{{.threads = 1}};
-};
-
-std::vector<Scene> three_moments() { return {bent(arm(), 0), bent(arm(), 0.5, 0.5f), bent(arm(), 1.1, 1)}; }
-
-TEST_F(PosedPictures, AMomentIsDrawnAsWithArraysAndAsTheSoftEngineDrawsIt) {
-    expect_alike(three_moments(), small(), 0.2, 1.5);
-}
-
-TEST_F(PosedPictures, ShadowsAreThoseOfThePose) {
-    std::vector<Scene> moments = three_moments();
-    for (Scene& moment : moments) moment.lights[0].casts_shadow = true;
-    RenderSettings settings = small();
-    settings.shadows = true;
-    expect_alike(moments, settings, 0.2, 3);
-}
-
-TEST_F(PosedPictures, FlatShadingEdgesPointsAndTrianglesAreDrawnOfPosedArrays) {
-    RenderSettings flat = small(), edges = small(), points = small(), triangles = small();
-    flat.shading = Shading::flat;
-    edges.edges = true;
-    points.points = PointShape::disc;
-    triangles.channels = channel_triangle | channel_object | channel_barycentric;
-    for (const RenderSettings& settings : {flat, edges, points, triangles}) {
-        const Frame gpu = by("gpu", three_moments(), settings), cpu = by("cpu", three_moments(), settings);
-        EXPECT_EQ(gpu.color, cpu.color);
-        EXPECT_EQ(gpu.triangle, cpu.triangle);
-        EXPECT_EQ(gpu.object, cpu.object);
-    }
-}
-
-TEST_F(PosedPictures, BlendedSurfacesAreSortedAsTheyStand) {
-    std::vector<Scene> moments = three_moments();
-    for (Scene& moment : moments)
-        moment.materials[0].base_color.w = 0.5f, moment.materials[0].alpha_mode = AlphaMode::blend;
-    const Frame gpu = by("gpu", moments, small()), cpu = by("cpu", moments, small());
-    EXPECT_EQ(gpu.color, cpu.color);
-    EXPECT_GT(rmse(gpu, by("gpu", {moments[0]}, small())), 5);
-}
-
-TEST_F(PosedPictures, NormalsThatAreMadeAreMadeAgain) {
-    const PrepareOptions made{.normals = NormalSource::model};
-    const auto prepared = make_prepared(bent(arm(), 1), made, small(), context);
-    EXPECT_FALSE(prepared->poses) << "prepare needs the vertices";
-    const Frame gpu = by("gpu", three_moments(), small(), made), cpu = by("cpu", three_moments(), small(), made);
-    EXPECT_EQ(gpu.color, cpu.color);
-}
-
-TEST_F(PosedPictures, WhatTheGpuCannotDoTheSoftEngineDrawsOfThePose) {
-    const EnvironmentVariable poses("RAKELIGHT_GL_POSES", "gpu");
-    RenderSettings settings = small();
-    settings.visibility = Visibility::z24;
-    const Frame got = drawn(make_auto_engine(opengl::make_engine(), ""), three_moments(), settings, {}, context);
-    EXPECT_EQ(got.color, drawn(raster::make_engine(), three_moments(), settings, {}, context).color);
-}
-
-TEST_F(PosedPictures, AFileIsDrawnInTheMiddleOfItsClip) {
-    RL_NEEDS_SHARED("assets/gltf/RiggedFigure/RiggedFigure.glb");
-    const Scene scene = load((test::shared_dir() / "assets/gltf/RiggedFigure/RiggedFigure.glb").string(), {}, context);
-    std::vector<Scene> moments;
-    for (const double time : {0.0, 0.3, 0.6}) {
-        const ClipTime clip{0, time};
-        moments.push_back(scene_at(scene, std::span(&clip, 1)));
-        moments.back().lights = {test::directional({-1, -1, -2})};
-    }
-    ASSERT_TRUE(make_prepared(moments[1], {}, small(), context)->poses);
-    expect_alike(moments, small(), 0.2, 1.5);
-}
-
-TEST_F(PosedPictures, TheSceneOfASessionHasItsVerticesPosed) {
-    Session session;
-    session.set(bent(arm(), 0.7));
-    const auto prepared = session.prepared(small(), context);
-    const Scene wanted = posed_scene(bent(arm(), 0.7), context);
-    EXPECT_TRUE(std::ranges::equal(scene_of(*prepared).meshes[0].positions.span(), wanted.meshes[0].positions.span()));
-    EXPECT_EQ(&scene_of(*prepared), &scene_of(*prepared)) << "once";
-}
 
 }  // namespace
 }  // namespace rakelight
