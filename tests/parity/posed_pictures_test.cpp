@@ -139,11 +139,12 @@ TEST_F(PosedPictures, AFileIsDrawnInTheMiddleOfItsClip) {
 
 TEST_F(PosedPictures, TheSceneOfASessionHasItsVerticesPosed) {
     Session session;
-    session.set(bent(arm(), 0.7));
+    const Scene scene = bent(arm(), 0.7);
+    session.set(scene);
     const auto prepared = session.prepared(small(), context);
-    const Scene wanted = posed_scene(bent(arm(), 0.7), context);
+    const Scene wanted = posed_scene(scene, context);
     EXPECT_TRUE(std::ranges::equal(scene_of(*prepared).meshes[0].positions.span(), wanted.meshes[0].positions.span()));
-    Scene lit = bent(arm(), 0.7);
+    Scene lit = scene;
     lit.lights.pop_back();
     session.set(lit);
     const auto other = session.prepared(small(), context);
