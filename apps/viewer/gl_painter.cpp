@@ -38,7 +38,7 @@ bool GlPainter::upload(const std::shared_ptr<const PreparedScene>& scene, double
     begin();
     if (scene == scene_) return true;
     if (!view_->upload(scene, milliseconds, context)) return false;
-    if (!scene_ || !need_same_programs(scene_of(*scene_), scene_of(*scene))) warmed_.clear();
+    if (!scene_ || !need_same_programs(unposed_scene_of(*scene_), unposed_scene_of(*scene))) warmed_.clear();
     scene_ = scene;
     return true;
 }

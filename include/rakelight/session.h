@@ -58,7 +58,10 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// The scene that was made ready; it lives as long as the prepared one.
+/// The scene that was made ready; it lives as long as the prepared one. Vertices that move are posed when this is first
+/// asked. @throws Error bad_file: over the memory budget
 const Scene& scene_of(const PreparedScene& prepared);
+/// The same, but that vertices which move may be in bind pose: for questions about all else, at no cost.
+const Scene& unposed_scene_of(const PreparedScene& prepared);
 
 }  // namespace rakelight

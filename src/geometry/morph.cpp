@@ -11,23 +11,27 @@ namespace {
 
 constexpr std::size_t chunk = 1024;  // vertices at a time: their sums stay in the cache from target to target
 
-/// Calls finish(first, sums) for chunks of vertices. Sums go number by number, a target after the other: loops that the
-/// compiler makes vector instructions of.
-/// @param start  (first vertex, count, floats) writes what the sums begin with
+/// Sums go number by number, a target after the other: loops that the compiler makes vector instructions of.
+void add_offsets(std::span<const WeightedTarget> targets, std::size_t first, std::span<vec3> sums) {
+    static_assert(sizeof(vec3) == 3 * sizeof(float));
+    for (const WeightedTarget& t : targets) {
+        const float weight = t.weight;
+        float* const to = &sums[0].x;
+        const float* const from = &t.offsets[first].x;
+        for (std::size_t i = 0; i < 3 * sums.size(); ++i) to[i] += from[i] * weight;
+    }
+}
+
+/// Calls finish(first, sums) for chunks of vertices.
+/// @param start  (first vertex, floats) writes what the sums begin with
 template <class Start, class Finish>
 void sum_up(std::size_t count, std::span<const WeightedTarget> targets, Context& context, const Start& start,
             const Finish& finish) {
-    static_assert(sizeof(vec3) == 3 * sizeof(float));
     context.parallel_for((count + chunk - 1) / chunk, [&](std::size_t c) {
         const std::size_t first = c * chunk, vertices = std::min(chunk, count - first);
         std::array<vec3, chunk> sums;
         start(first, std::span(sums).first(vertices));
-        for (const WeightedTarget& t : targets) {
-            const float weight = t.weight;
-            float* const to = &sums[0].x;
-            const float* const from = &t.offsets[first].x;
-            for (std::size_t i = 0; i < 3 * vertices; ++i) to[i] += from[i] * weight;
-        }
+        add_offsets(targets, first, std::span(sums).first(vertices));
         finish(first, std::span<const vec3>(sums).first(vertices));
     });
 }
@@ -46,6 +50,12 @@ void morph_positions(std::span<const vec3> base, std::span<const WeightedTarget>
     sum_up(base.size(), targets, context, copying(base), [&](std::size_t first, std::span<const vec3> sums) {
         std::ranges::copy(sums, out.begin() + std::ptrdiff_t(first));
     });
+}
+
+void morph_some_positions(std::span<const vec3> base, std::span<const WeightedTarget> targets, std::size_t first,
+                          std::span<vec3> out) {
+    std::copy_n(base.begin() + std::ptrdiff_t(first), out.size(), out.begin());
+    add_offsets(targets, first, out);
 }
 
 void morph_normals(std::span<const vec3> base, std::span<const WeightedTarget> targets, std::span<vec3> out,

@@ -18,7 +18,10 @@ struct WeightedTarget {
 /// number of threads.
 void morph_positions(std::span<const vec3> base, std::span<const WeightedTarget> targets, std::span<vec3> out,
                      Context& context);
-/// The same, of length 1 after; where the sum vanishes, as `base`.
+/// The same bits for `out.size()` vertices from `first` on, by the calling thread.
+void morph_some_positions(std::span<const vec3> base, std::span<const WeightedTarget> targets, std::size_t first,
+                          std::span<vec3> out);
+/// As morph_positions(), of length 1 after; where the sum vanishes, as `base`.
 void morph_normals(std::span<const vec3> base, std::span<const WeightedTarget> targets, std::span<vec3> out,
                    Context& context);
 /// xyz as morph_normals(), w as `base`.

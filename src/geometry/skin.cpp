@@ -68,6 +68,24 @@ To* from(std::span<T> array, std::size_t first) {
     return array.empty() ? nullptr : reinterpret_cast<To*>(array.data() + first);
 }
 
+void skin_chunk(const SkinKernels& kernels, const SkinInput& in, const SkinOutput& out, std::size_t first) {
+    std::uint32_t odd[chunk];
+    SkinJob job;
+    job.joints = in.joints[0].columns[0].data();
+    job.influences = from<const KernelInfluence>(in.influences, first);
+    job.more_influences = from<const KernelInfluence>(in.more_influences, first);
+    job.positions = from<const float>(in.positions, first);
+    job.normals = from<const float>(in.normals, first);
+    job.tangents = from<const float>(in.tangents, first);
+    job.out_positions = from<float>(out.positions, first);
+    job.out_normals = from<float>(out.normals, first);
+    job.out_tangents = from<float>(out.tangents, first);
+    job.count = std::uint32_t(std::min(in.positions.size() - first, chunk));
+    job.odd = odd;
+    kernels.skin(job);
+    for (std::uint32_t k = 0; k < job.odd_count; ++k) turn_odd(in, out, first + odd[k]);
+}
+
 }  // namespace
 
 JointColumns columns_of(const dmat4& m) {
@@ -76,27 +94,15 @@ JointColumns columns_of(const dmat4& m) {
     return c;
 }
 
+void skin_some_vertices(const SkinInput& in, const SkinOutput& out) {
+    const SkinKernels& kernels = *kernels_for(isa_from_environment());
+    for (std::size_t first = 0; first < in.positions.size(); first += chunk) skin_chunk(kernels, in, out, first);
+}
+
 void skin_vertices(const SkinInput& in, const SkinOutput& out, Context& context) {
     const SkinKernels& kernels = *kernels_for(isa_from_environment());
-    const std::size_t count = in.positions.size();
-    context.parallel_for((count + chunk - 1) / chunk, [&](std::size_t c) {
-        const std::size_t first = c * chunk;
-        std::uint32_t odd[chunk];
-        SkinJob job;
-        job.joints = in.joints[0].columns[0].data();
-        job.influences = from<const KernelInfluence>(in.influences, first);
-        job.more_influences = from<const KernelInfluence>(in.more_influences, first);
-        job.positions = from<const float>(in.positions, first);
-        job.normals = from<const float>(in.normals, first);
-        job.tangents = from<const float>(in.tangents, first);
-        job.out_positions = from<float>(out.positions, first);
-        job.out_normals = from<float>(out.normals, first);
-        job.out_tangents = from<float>(out.tangents, first);
-        job.count = std::uint32_t(std::min(count - first, chunk));
-        job.odd = odd;
-        kernels.skin(job);
-        for (std::uint32_t k = 0; k < job.odd_count; ++k) turn_odd(in, out, first + odd[k]);
-    });
+    context.parallel_for((in.positions.size() + chunk - 1) / chunk,
+                         [&](std::size_t c) { skin_chunk(kernels, in, out, c * chunk); });
 }
 
 }  // namespace rakelight::geometry

@@ -38,5 +38,7 @@ struct SkinOutput {
 /// by the first joint alone. Normals by the cofactor of the blended matrix, tangents by the matrix; both unit, w changes its sign where
 /// the blended matrix mirrors. A direction that vanishes stays as it is. The same bits for any number of threads and instruction set.
 void skin_vertices(const SkinInput& in, const SkinOutput& out, Context& context);
+/// The same bits by the calling thread.
+void skin_some_vertices(const SkinInput& in, const SkinOutput& out);
 
 }  // namespace rakelight::geometry

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way: nodes to their places, matrices of the joints, vertices of each placement that moves, nodes of skinned ones
-// into the world.
+// The way: nodes to their places, matrices of the joints, what poses each placement that moves, nodes of skinned ones
+// into the world; then vertices (geometry/mesh_pose.h), here or by who draws them.
 #include "prepare/pose_scene.h"
 
 #include <algorithm>
@@ -12,8 +12,6 @@
 #include <tuple>
 
 #include "base/cancel_check.h"
-#include "geometry/morph.h"
-#include "geometry/skin.h"
 #include "math/linear.h"
 #include "prepare/moving_placements.h"
 #include "scene/charge_arrays.h"
@@ -22,7 +20,8 @@
 namespace rakelight {
 namespace {
 
-using geometry::JointColumns;
+using geometry::JointColumns, geometry::MeshPose, geometry::MeshPoses;
+using SharedColumns = std::shared_ptr<const std::vector<JointColumns>>;
 
 /// Places farther from the world's origin than this [m] are given from a point nearby, so that floats suffice.
 constexpr double far_away = 4096;
@@ -58,14 +57,15 @@ public:
     }
 
     /// Bind pose -> posed mesh, about origin(); x turned round for mirrored ones.
-    const std::vector<JointColumns>& columns(const Instance& i, bool is_mirrored) {
+    const SharedColumns& columns(const Instance& i, bool is_mirrored) {
         const dvec3 from = scene_.meshes[i.mesh].origin;
         const auto [known, is_new] = columns_.try_emplace({skin_of(i), is_mirrored, from.x, from.y, from.z});
         if (!is_new) return known->second;
         const dmat4 to_mesh = (is_mirrored ? scaling(dvec3{-1, 1, 1}) : dmat4{}) * translation(origin_ * -1.0);
+        std::vector<JointColumns> columns;
         for (const dmat4& joint : joint_matrices(skin_of(i)))
-            known->second.push_back(geometry::columns_of(to_mesh * joint * translation(from)));
-        return known->second;
+            columns.push_back(geometry::columns_of(to_mesh * joint * translation(from)));
+        return known->second = std::make_shared<const std::vector<JointColumns>>(std::move(columns));
     }
 
 private:
@@ -111,55 +111,18 @@ private:
     std::vector<std::vector<dmat4>> matrices_;  ///< [skins][joints], made when they are asked for
     std::map<std::uint32_t, bool> node_mirrors_;
     /// By skin, mirrored or not, origin of the mesh.
-    std::map<std::tuple<std::uint32_t, bool, double, double, double>, std::vector<JointColumns>> columns_;
+    std::map<std::tuple<std::uint32_t, bool, double, double, double>, SharedColumns> columns_;
     CancelCheck check_;
 };
 
-/// A block of numbers that somebody will fill.
-template <class T>
-std::vector<T> room_for(const Block<T>& block) {
-    return std::vector<T>(block.size());
-}
-
-std::vector<geometry::WeightedTarget> counting(const Mesh& mesh, const std::vector<float>& weights,
-                                               Block<vec3> MorphTarget::*offsets) {
-    std::vector<geometry::WeightedTarget> result;
-    for (std::size_t t = 0; t < std::min(mesh.targets.size(), weights.size()); ++t)
-        if (weights[t] != 0 && !(mesh.targets[t].*offsets).empty())
-            result.push_back({weights[t], (mesh.targets[t].*offsets).span()});
-    return result;
-}
-
-/// The mesh with its targets' offsets; arrays that nothing moves stay shared.
-void morph(Mesh& mesh, const std::vector<float>& weights, Context& context) {
-    const auto positions = counting(mesh, weights, &MorphTarget::positions);
-    const auto normals = counting(mesh, weights, &MorphTarget::normals);
-    const auto tangents = counting(mesh, weights, &MorphTarget::tangents);
-    if (!positions.empty()) {
-        auto out = room_for(mesh.positions);
-        geometry::morph_positions(mesh.positions, positions, out, context);
-        mesh.positions = std::move(out);
+MeshPose pose_of(const Mesh& mesh, const std::vector<float>& weights) {
+    MeshPose pose{.positions = mesh.positions, .normals = mesh.normals, .tangents = mesh.tangents, .joints = nullptr};
+    for (std::size_t t = 0; t < mesh.targets.size(); ++t) {
+        const MorphTarget& target = mesh.targets[t];
+        pose.targets.push_back(
+            {t < weights.size() ? weights[t] : 0, target.positions, target.normals, target.tangents});
     }
-    if (!normals.empty() && !mesh.normals.empty()) {
-        auto out = room_for(mesh.normals);
-        geometry::morph_normals(mesh.normals, normals, out, context);
-        mesh.normals = std::move(out);
-    }
-    if (!tangents.empty() && !mesh.tangents.empty()) {
-        auto out = room_for(mesh.tangents);
-        geometry::morph_tangents(mesh.tangents, tangents, out, context);
-        mesh.tangents = std::move(out);
-    }
-}
-
-void skin(Mesh& mesh, const std::vector<JointColumns>& joints, Context& context) {
-    auto positions = room_for(mesh.positions);
-    auto normals = room_for(mesh.normals);
-    auto tangents = room_for(mesh.tangents);
-    geometry::skin_vertices(
-        {mesh.positions, mesh.normals, mesh.tangents, mesh.influences, mesh.more_influences, joints},
-        {positions, normals, tangents}, context);
-    mesh.positions = std::move(positions), mesh.normals = std::move(normals), mesh.tangents = std::move(tangents);
+    return pose;
 }
 
 void check_memory(const Scene& scene, const std::vector<Instance>& moving, Context& context) {
@@ -257,35 +220,58 @@ Scene with_posed_nodes(Scene scene) {
     return scene;
 }
 
-Scene valid::posed_scene(Scene scene, Context& context) {
-    if (!is_posable(scene)) return scene;
-    const auto own = unpaid_arrays(scene);
+UnposedScene valid::unposed_scene(Scene scene, Context& context) {
+    if (!is_posable(scene)) return {std::move(scene), {}};
     scene = with_own_meshes(with_posed_nodes(std::move(scene)), context);
+    MeshPoses poses;
     {
         const std::vector<Instance> moving = moving_placements(scene);
         check_memory(scene, moving, context);
         Skeleton skeleton(scene, moving, context);
         std::map<std::uint32_t, dmat4> placed;
-        std::vector<Mesh> posed;
+        std::vector<std::uint32_t> skinned;
         for (const Instance& i : moving) {
             context.throw_if_cancelled();
-            Mesh mesh = scene.meshes[i.mesh];
-            morph(mesh, scene.nodes[i.node].morph_weights, context);
+            const Mesh& mesh = scene.meshes[i.mesh];
+            MeshPose pose = pose_of(mesh, scene.nodes[i.node].morph_weights);
             if (skeleton.is_skinned(i)) {
                 const bool is_mirrored = skeleton.mirrors(i.node);
-                skin(mesh, skeleton.columns(i, is_mirrored), context);
-                mesh.origin = {};
-                const dmat4 place = translation(skeleton.origin()) * (is_mirrored ? scaling(dvec3{-1, 1, 1}) : dmat4{});
-                placed[i.node] = place;
+                pose.influences = mesh.influences, pose.more_influences = mesh.more_influences;
+                pose.joints = skeleton.columns(i, is_mirrored);
+                skinned.push_back(i.mesh);
+                placed[i.node] = translation(skeleton.origin()) * (is_mirrored ? scaling(dvec3{-1, 1, 1}) : dmat4{});
             }
-            posed.push_back(std::move(mesh));
+            if (pose.moves()) poses.emplace(i.mesh, std::move(pose));
         }
         Detacher(scene, skeleton.world()).detach(placed);
-        for (std::size_t k = 0; k < moving.size(); ++k) scene.meshes[moving[k].mesh] = std::move(posed[k]);
+        for (const std::uint32_t mesh : skinned) scene.meshes[mesh].origin = {};
     }
     end_motion(scene);
-    charge_new_arrays(scene, own, context);
-    return scene;
+    return {std::move(scene), std::move(poses)};
+}
+
+void take_pose(UnposedScene& unposed, std::uint32_t number, Context& context) {
+    const auto pose = unposed.poses.find(number);
+    if (pose == unposed.poses.end()) return;
+    context.throw_if_cancelled();
+    geometry::PosedArrays arrays = geometry::posed_arrays(pose->second, context);
+    Mesh& mesh = unposed.scene.meshes[number];
+    mesh.positions = std::move(arrays.positions), mesh.normals = std::move(arrays.normals);
+    mesh.tangents = std::move(arrays.tangents);
+    unposed.poses.erase(pose);
+}
+
+void take_all_poses(UnposedScene& unposed, Context& context) {
+    while (!unposed.poses.empty()) take_pose(unposed, unposed.poses.begin()->first, context);
+}
+
+Scene valid::posed_scene(Scene scene, Context& context) {
+    if (!is_posable(scene)) return scene;
+    const auto own = unpaid_arrays(scene);
+    UnposedScene unposed = valid::unposed_scene(std::move(scene), context);
+    take_all_poses(unposed, context);
+    charge_new_arrays(unposed.scene, own, context);
+    return std::move(unposed.scene);
 }
 
 std::optional<Scene> posed_outline(const Scene& scene, Context& context) {

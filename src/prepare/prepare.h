@@ -9,6 +9,7 @@
 #include <rakelight/scene.h>
 
 #include "prepare/made_attributes.h"
+#include "prepare/pose_scene.h"
 #include "prepare/repair_borders.h"
 
 namespace rakelight {
@@ -20,8 +21,8 @@ Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context
 
 /// A scene on the way: it has the normals and tangents that its rest asks for, and nothing of it has moved yet.
 struct BoundScene {
-    Scene scene;                            ///< Scene::pose is left out
-    std::vector<MadeAttributes> made{};     ///< that have to be made again of what moves
+    Scene scene;                          ///< Scene::pose is left out
+    std::vector<MadeAttributes> made{};   ///< that have to be made again of what moves
     std::vector<BoundBorders> borders{};  ///< that have to be joined again after that: `scene` has the normals before
 };
 /// Whether a scene is better prepared in two halves: it can move, and the first half does not depend on the pose. (It
@@ -32,6 +33,9 @@ BoundScene bind_scene(Scene scene, const PrepareOptions& options, Context& conte
 /// The second, for any pose: vertices, displacement, tangents that are still missing.
 /// @param pose  of the nodes; absent: as they are
 Scene finish_scene(BoundScene bound, const Rare<ScenePose>& pose, const PrepareOptions& options, Context& context);
+/// The same, but that meshes whose vertices nothing in prepare asks for are left in bind pose.
+UnposedScene finish_unposed(BoundScene bound, const Rare<ScenePose>& pose, const PrepareOptions& options,
+                            Context& context);
 
 /// @throws Error usage: a number out of its range, an enumerator that there is not
 void check_options(const PrepareOptions& options);

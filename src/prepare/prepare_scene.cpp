@@ -227,20 +227,34 @@ public:
 
     /// The pose and what comes after it.
     Scene finish(BoundScene bound, const Rare<ScenePose>& pose) const {
-        Scene scene = std::move(bound.scene);
-        if (is_posable(scene)) {
-            scene.pose = pose;
-            scene = valid::posed_scene(std::move(scene), context_);
-            for (const MadeAttributes& made : bound.made) make_again(made, scene, context_);
+        UnposedScene unposed = finish_unposed(std::move(bound), pose);
+        take_all_poses(unposed, context_);
+        return paid(std::move(unposed.scene));
+    }
+
+    /// Here it is decided whose vertices prepare needs: normals are made again of those of all meshes that were grouped, borders
+    /// are joined again of those that were matched, and displacement is made of all. The others are left to who draws them (in engine gl see Renderer::pose_meshes()).
+    UnposedScene finish_unposed(BoundScene bound, const Rare<ScenePose>& pose) const {
+        UnposedScene unposed{std::move(bound.scene)};
+        if (is_posable(unposed.scene)) {
+            unposed.scene.pose = pose;
+            unposed = valid::unposed_scene(std::move(unposed.scene), context_);
+            for (const MadeAttributes& made : bound.made)
+                for (const std::uint32_t mesh : made.numbers) take_pose(unposed, mesh, context_);
+            for (const BoundBorders& set : bound.borders)
+                for (const Instance& instance : set.instances) take_pose(unposed, instance.mesh, context_);
+            for (const MadeAttributes& made : bound.made) make_again(made, unposed.scene, context_);
             MatchReport unread;
             for (const BoundBorders& set : bound.borders)
-                scene = join_borders(std::move(scene), set, options_.keep_instances, unread, context_);
-            scene = paid(std::move(scene));
+                unposed.scene = join_borders(std::move(unposed.scene), set, options_.keep_instances, unread, context_);
+            unposed.scene = paid(std::move(unposed.scene));
         }
-        if (!wants_displacement(scene, options_.displacement)) return scene;
-        scene.normal_sides = nullptr;  // of other triangles
-        BoundScene rough{.scene = paid(add_missing_tangents(displaced(std::move(scene)), request_, context_))};
-        return joins_borders() ? with_borders_joined(std::move(rough)).scene : std::move(rough.scene);
+        if (!wants_displacement(unposed.scene, options_.displacement)) return unposed;
+        take_all_poses(unposed, context_);
+        unposed.scene.normal_sides = nullptr;  // of other triangles
+        BoundScene rough{paid(add_missing_tangents(displaced(paid(std::move(unposed.scene))), request_, context_))};
+        unposed.scene = joins_borders() ? with_borders_joined(std::move(rough)).scene : std::move(rough.scene);
+        return unposed;
     }
 
     Scene paid(Scene scene) const {
@@ -362,6 +376,12 @@ BoundScene bind_scene(Scene scene, const PrepareOptions& options, Context& conte
 Scene finish_scene(BoundScene bound, const Rare<ScenePose>& pose, const PrepareOptions& options, Context& context) {
     const Preparing preparing(bound.scene, options, context);
     return preparing.finish(std::move(bound), pose);
+}
+
+UnposedScene finish_unposed(BoundScene bound, const Rare<ScenePose>& pose, const PrepareOptions& options,
+                            Context& context) {
+    const Preparing preparing(bound.scene, options, context);
+    return preparing.finish_unposed(std::move(bound), pose);
 }
 
 }  // namespace rakelight

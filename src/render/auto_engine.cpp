@@ -5,6 +5,7 @@
 
 #include <rakelight/tools/strip_sink.h>
 
+#include "engines/posing_engine.h"
 #include "engines/raster/raster_engine.h"
 #include "render/engines.h"
 #ifdef RL_HAVE_OPENGL
@@ -37,7 +38,7 @@ private:
     bool has_begun_ = false;
 };
 
-class AutoEngine final : public Engine {
+class AutoEngine final : public Engine, public PosingEngine {
 public:
     /// @param gpu  null: there is none, for a reason
     AutoEngine(std::unique_ptr<Engine> gpu, std::string why)
@@ -50,18 +51,20 @@ public:
         return can;
     }
 
-    void prepare(Scene scene, Context& context) override {
+    void prepare(Scene scene, Context& context) override { prepare_unposed(std::move(scene), nullptr, context); }
+    void prepare_unposed(Scene scene, std::shared_ptr<const geometry::MeshPoses> poses, Context& context) override {
         draws_on_gpu_ = gpu_ != nullptr;
+        poses_ = std::move(poses);
         if (!draws_on_gpu_ && !is_said_) say("it takes engine soft: " + why_, Remark::note, scene.source, context);
         is_said_ = true;
         if (draws_on_gpu_) {
             try {
-                return gpu_->prepare(scene, context);
+                return prepare_on_gpu(scene, context);
             } catch (const Error& error) {
                 give_up(error, scene.source, context);
             }
         }
-        soft_->prepare(std::move(scene), context);
+        soft_->prepare(posed(std::move(scene), context), context);
     }
 
     const Scene& scene() const override { return draws_on_gpu_ ? gpu_->scene() : soft_->scene(); }
@@ -80,18 +83,27 @@ public:
                 const Scene scene = gpu_->scene();
                 give_up(error, scene.source, context);
                 check_abilities(name(), soft_->abilities(), settings);
-                soft_->prepare(scene, context);
+                soft_->prepare(posed(scene, context), context);
             }
         } else if (draws_on_gpu_) {
             check_abilities(name(), soft_->abilities(), settings);
             say("it takes engine soft for what engine gl cannot do", Remark::note, scene().source, context);
-            soft_->prepare(gpu_->scene(), context);
+            soft_->prepare(posed(gpu_->scene(), context), context);
             draws_on_gpu_ = false;
         }
         return soft_->render(camera, settings, sink, context);
     }
 
 private:
+    void prepare_on_gpu(const Scene& scene, Context& context) {
+        auto* const posing = dynamic_cast<PosingEngine*>(gpu_.get());
+        if (posing && poses_) return posing->prepare_unposed(scene, poses_, context);
+        gpu_->prepare(posed(scene, context), context);
+    }
+    /// As soft takes it: whatever the GPU has posed, the processor does from the bind pose.
+    Scene posed(Scene scene, Context& context) const {
+        return poses_ ? with_posed_arrays(std::move(scene), *poses_, context) : scene;
+    }
     static void say(const std::string& what, Remark remark, const std::string& source, Context& context) {
         context.report().add(remark, source, "", "engine auto: " + what);
     }
@@ -105,7 +117,8 @@ private:
     }
 
     std::unique_ptr<Engine> gpu_, soft_;
-    std::string why_;  ///< there is no `gpu_`
+    std::shared_ptr<const geometry::MeshPoses> poses_;  ///< of the scene that was prepared last
+    std::string why_;                                   ///< there is no `gpu_`
     bool draws_on_gpu_ = false, is_said_ = false;
 };
 

@@ -28,11 +28,11 @@ bool GlView::upload(std::shared_ptr<const PreparedScene> scene, double milliseco
     State& s = *state_;
     if (scene == s.whole) return true;
     if (scene != s.incoming) {
-        validate(scene->scene);
+        validate_changes(scene->scene, s.whole ? s.whole->scene : Scene());
         s.incoming = std::move(scene);
         ++s.number;
     }
-    if (!s.view.upload(s.incoming->scene, s.number, milliseconds, context)) return false;
+    if (!s.view.upload(s.incoming->scene, s.incoming->poses, s.number, milliseconds, context)) return false;
     s.whole = std::move(s.incoming);
     return true;
 }

@@ -93,7 +93,7 @@ std::optional<Overlay> overlay_of(const PictureRequest& request, const ViewRange
     const std::shared_ptr<const PreparedScene> prepared = session.prepared(request.settings, context);
     const double aspect = double(settings.width) / double(settings.height);
     const Bounds shown = range.low == range.high ? Bounds{} : Bounds{range.low, range.high};
-    Overlay overlay(request, prepared->scene, camera_in_world(prepared->scene, camera, aspect), shown);
+    Overlay overlay(request, prepared->posed(context), camera_in_world(prepared->scene, camera, aspect), shown);
     if (overlay.needs_depth()) settings.channels |= channel_depth;
     return overlay;
 }
@@ -202,7 +202,7 @@ PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session
     Stopwatch watch;
     context.progress("prepare", 0);
     auto [ready, camera] = ready_scene(std::move(loaded), request, context);
-    result.view_range = view_range(ready->scene, camera);
+    result.view_range = view_range(ready->posed(context), camera);
     count_parts(ready->scene, result);
     give(session, std::move(ready));
     result.prepare_ms = watch.lap_ms();

@@ -42,7 +42,7 @@ Scene with_splats(Scene scene, const PictureRequest& request, Context& context) 
 void size_points(PictureRequest& request, Session& session, const Camera& camera, Context& context) {
     if (!is_by_spacing(request) || request.settings.points != PointShape::none) return;
     const std::shared_ptr<const PreparedScene> prepared = session.prepared(request.settings, context);
-    const Scene& scene = prepared->scene;
+    const Scene& scene = scene_of(*prepared);
     const std::optional<double> diameter = point_diameter(scene, context);
     if (!diameter) return;
     const Bounds bounds = world_bounds(scene);

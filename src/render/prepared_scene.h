@@ -2,6 +2,9 @@
 // What every picture is drawn of.
 #pragma once
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
 
 #include <rakelight/session.h>
 
@@ -9,22 +12,52 @@
 
 namespace rakelight {
 
+class PreparedScene;
+
+/// The scene with vertices of all meshes as they stand, made when it is first asked for. Copies share the vertices: what they
+/// differ in is lights, cameras and the like.
+class PosedOnce {
+public:
+    PosedOnce() = default;
+    PosedOnce(const PosedOnce& other) : shared_(other.shared_) {}
+    PosedOnce& operator=(const PosedOnce&) = delete;
+    /// From any thread.
+    const Scene& of(const PreparedScene& prepared, Context& context) const;
+    // By who alone has the prepared scene.
+    void forget() { scene_.reset(); }  ///< all but the vertices
+    Scene take(PreparedScene&& prepared, Context& context);
+
+private:
+    struct Shared {
+        std::mutex mutex;
+        std::optional<std::vector<Mesh>> meshes;
+    };
+    std::shared_ptr<Shared> shared_ = std::make_shared<Shared>();
+    mutable std::optional<Scene> scene_;
+};
+
 class PreparedScene {
 public:
+    /// Nodes, materials and all else as they are drawn; of meshes see posed().
     Scene scene;
-    PrepareOptions options;  ///< that it was made with
+    /// Of meshes that `scene` has in bind pose, for engines that pose them themselves; null: there are none.
+    std::shared_ptr<const geometry::MeshPoses> poses{};
+    /// The scene with all vertices: `scene` itself where nothing is left to pose.
+    const Scene& posed(Context& context) const { return poses ? posed_.of(*this, context) : scene; }
+    PrepareOptions options{};  ///< that it was made with
     /// What it was made of, where other poses can be made of that too: see has_bind_pose().
-    std::shared_ptr<const BoundScene> bound;
-    Rare<ScenePose> pose;  ///< that it stands in
+    std::shared_ptr<const BoundScene> bound{};
+    Rare<ScenePose> pose{};  ///< that it stands in
     /// The lights are those of the picture, none where it has none: the default rig does not come in.
     bool has_chosen_lights = false;
+    PosedOnce posed_{};
 };
 
 /// Whether two scenes differ in nothing that prepare looks at.
 bool are_prepared_alike(const Scene& a, const Scene& b);
 
-/// Takes over what prepare does not look at: lights, cameras, fog, environment.
-void take_surroundings(Scene& prepared, const Scene& scene);
+/// Takes over what prepare does not look at: lights, cameras, fog, environment. Of a scene that nobody else uses now.
+void take_surroundings(PreparedScene& prepared, const Scene& scene);
 
 /// `options`, with what the settings of a picture of the scene ask for.
 PrepareOptions options_for(PrepareOptions options, const RenderSettings& settings, const Scene& scene);
@@ -36,7 +69,8 @@ std::shared_ptr<PreparedScene> make_prepared(Scene scene, const PrepareOptions& 
 /// Another pose of the same scene. @param prepared  has `bound`
 std::shared_ptr<PreparedScene> make_posed(const PreparedScene& prepared, const Rare<ScenePose>& pose, Context& context);
 
-/// Draws this scene from now on; its owner is the session, which hands it to the engine uncopied.
+/// Draws this scene from now on; its owner is the session, which hands it to the engine uncopied, with all vertices: for one
+/// picture there is nothing to be kept in bind pose.
 void give(Session& session, std::shared_ptr<PreparedScene> scene);
 
 /// A camera of the scene, by its node or placed, as engines take it in a picture of that aspect.

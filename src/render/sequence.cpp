@@ -154,7 +154,7 @@ void Sequence::draw_picture(SequenceFrame frame, const PictureRequest& request, 
     else
         draw_to_files(session_, camera, request, result, context);
     shows_model_ |= result.stats.pixels_shaded + result.stats.pixels_marked > 0;
-    if (drawn_ == 0) remark_extremes(session_.engine().scene(), request, result, context.report());
+    if (drawn_ == 0) remark_extremes(scenes_.posed(context), request, result, context.report());
     ++drawn_;
     if (is_color_alone)
         writer.write(std::move(frame), std::move(color), comment_of(request.settings));

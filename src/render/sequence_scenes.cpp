@@ -10,10 +10,10 @@ void SequenceScenes::show(Scene scene, const PrepareOptions& options, const Rend
     const bool is_alike = ready_ && are_prepared_alike(scene, known_);
     const bool is_still = is_alike && scene.pose == known_.pose;
     if (is_still) {  // lights and cameras alone: the session sees by itself what became of them
-        take_surroundings(ready_->scene, scene);
+        take_surroundings(*ready_, scene);
     } else if (is_alike && ready_->bound) {
         ready_ = make_posed(*ready_, scene.pose, context);
-        take_surroundings(ready_->scene, scene);
+        take_surroundings(*ready_, scene);
     } else {
         ready_ = make_prepared(scene, options, settings, context);
     }

@@ -16,8 +16,9 @@ public:
 
     /// The session draws this scene from now on. @param scene  passed validate(), with the lights of the picture
     void show(Scene scene, const PrepareOptions& options, const RenderSettings& settings, Context& context);
-    /// As it is drawn. There is one.
+    /// As it is drawn, but for vertices, which may be in bind pose. There is one.
     const Scene& shown() const { return ready_->scene; }
+    const Scene& posed(Context& context) const { return ready_->posed(context); }
 
 private:
     Session& session_;

@@ -5,6 +5,7 @@
 #include <rakelight/session.h>
 
 #include "engines/check_settings.h"
+#include "engines/posing_engine.h"
 #include "prepare/prepare.h"
 #include "render/drawable.h"
 #include "render/engines.h"
@@ -69,12 +70,40 @@ bool are_prepared_alike(const Scene& a, const Scene& b) {
            a.missing_normals_are_flat == b.missing_normals_are_flat && a.source == b.source;
 }
 
-void take_surroundings(Scene& prepared, const Scene& scene) {
-    prepared.lights = scene.lights;
-    prepared.cameras = scene.cameras;
-    prepared.fog = scene.fog;
-    prepared.environment = scene.environment;
+const Scene& PosedOnce::of(const PreparedScene& prepared, Context& context) const {
+    const std::scoped_lock lock(shared_->mutex);
+    if (!shared_->meshes) shared_->meshes = with_posed_arrays(prepared.scene, *prepared.poses, context).meshes;
+    if (!scene_) {
+        scene_ = prepared.scene;
+        scene_->meshes = *shared_->meshes;
+    }
+    return *scene_;
 }
+
+Scene PosedOnce::take(PreparedScene&& prepared, Context& context) {
+    if (!prepared.poses) return std::move(prepared.scene);
+    const std::scoped_lock lock(shared_->mutex);
+    if (!shared_->meshes) return with_posed_arrays(std::move(prepared.scene), *prepared.poses, context);
+    prepared.scene.meshes = *shared_->meshes;
+    return std::move(prepared.scene);
+}
+
+void take_surroundings(PreparedScene& prepared, const Scene& scene) {
+    prepared.posed_.forget();
+    prepared.scene.lights = scene.lights;
+    prepared.scene.cameras = scene.cameras;
+    prepared.scene.fog = scene.fog;
+    prepared.scene.environment = scene.environment;
+}
+
+namespace {
+
+void take(UnposedScene unposed, PreparedScene& to) {
+    to.scene = std::move(unposed.scene);
+    if (!unposed.poses.empty()) to.poses = std::make_shared<const geometry::MeshPoses>(std::move(unposed.poses));
+}
+
+}  // namespace
 
 PrepareOptions options_for(PrepareOptions options, const RenderSettings& settings, const Scene& scene) {
     options.all_tangents |= (settings.channels & channel_tangent) != 0;
@@ -99,7 +128,7 @@ std::shared_ptr<PreparedScene> make_prepared(Scene scene, const PrepareOptions& 
     }
     out->pose = scene.pose;
     out->bound = std::make_shared<const BoundScene>(bind_scene(std::move(scene), out->options, context));
-    out->scene = finish_scene(*out->bound, out->pose, out->options, context);
+    take(finish_unposed(*out->bound, out->pose, out->options, context), *out);
     return out;
 }
 
@@ -108,7 +137,7 @@ std::shared_ptr<PreparedScene> make_posed(const PreparedScene& prepared, const R
     auto out = std::make_shared<PreparedScene>();
     out->options = prepared.options, out->bound = prepared.bound, out->pose = pose;
     out->has_chosen_lights = prepared.has_chosen_lights;
-    out->scene = finish_scene(*prepared.bound, pose, prepared.options, context);
+    take(finish_unposed(*prepared.bound, pose, prepared.options, context), *out);
     return out;
 }
 
@@ -161,7 +190,7 @@ void Session::set(Scene scene, const PrepareOptions& options) {
     std::shared_ptr<PreparedScene> next;
     if (is_alike) {
         next = std::make_shared<PreparedScene>(*s.prepared);
-        take_surroundings(next->scene, scene);
+        take_surroundings(*next, scene);
     }
     s.begin(State::Source::scene);
     s.scene = std::move(scene);
@@ -208,7 +237,7 @@ std::shared_ptr<const PreparedScene> Session::prepared(const RenderSettings& set
     if (!is_ready) s.prepared = make_prepared(s.scene, s.options, settings, context);
     if (s.source == State::Source::scene && s.prepared->bound && !(s.prepared->pose == s.scene.pose)) {
         std::shared_ptr<PreparedScene> posed = make_posed(*s.prepared, s.scene.pose, context);
-        take_surroundings(posed->scene, s.scene);
+        take_surroundings(*posed, s.scene);
         s.prepared = std::move(posed);
     }
     return s.prepared;
@@ -219,7 +248,7 @@ void Session::State::hand_over(Context& context) {
     const std::shared_ptr<PreparedScene> scene_to_give = std::move(owned);
     begin(Source::none);
     taken.reset();
-    engine->prepare(std::move(scene_to_give->scene), context);
+    engine->prepare(scene_to_give->posed_.take(std::move(*scene_to_give), context), context);
     source = Source::given;
     remark_missing_rays(engine->scene(), *engine, context.report());
 }
@@ -239,9 +268,13 @@ void Session::State::take_up(const RenderSettings& settings, const Camera& camer
         return;
     }
     taken.reset();  // what fails leaves the engine with another scene, or none
-    Scene drawn = ready->scene;
+    auto* const posing = ready->poses ? dynamic_cast<PosingEngine*>(engine.get()) : nullptr;
+    Scene drawn = posing ? ready->scene : ready->posed(context);
     drawn.lights = std::move(lights);
-    engine->prepare(std::move(drawn), context);
+    if (posing)
+        posing->prepare_unposed(std::move(drawn), ready->poses, context);
+    else
+        engine->prepare(std::move(drawn), context);
     taken = ready;
     remark_missing_rays(engine->scene(), *engine, context.report());
 }
@@ -262,6 +295,11 @@ RenderStats Session::render(const Camera& camera, const RenderSettings& settings
     return s.engine->render(camera_in_world(scene, camera, aspect), settings, sink, context);
 }
 
-const Scene& scene_of(const PreparedScene& prepared) { return prepared.scene; }
+const Scene& scene_of(const PreparedScene& prepared) {
+    Context context;
+    return prepared.posed(context);
+}
+
+const Scene& unposed_scene_of(const PreparedScene& prepared) { return prepared.scene; }
 
 }  // namespace rakelight

@@ -3,28 +3,16 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <map>
 #include <numeric>
-#include <tuple>
 
 #include "math/linear.h"
 #include "shading/choices.h"
 #include "shading/normal_map_remarks.h"
+#include "shading/posed_draw_list.h"
 
 namespace rakelight::shading {
 namespace {
-
-void measure(const Mesh& mesh, vec3& low, vec3& high) {
-    const float big = std::numeric_limits<float>::max();
-    low = {big, big, big};
-    high = {-big, -big, -big};
-    for (const vec3& p : mesh.positions) {
-        if (!is_finite(p)) continue;
-        low = min(low, p);
-        high = max(high, p);
-    }
-}
 
 void extend(Bounds& bounds, const Draw& draw) {
     const Bounds own{cast<double>(draw.low), cast<double>(draw.high)};
@@ -35,10 +23,11 @@ void extend(Bounds& bounds, const Draw& draw) {
     }
 }
 
-/// The box of each mesh; meshes that share their positions are measured once.
+/// The box of each mesh; meshes that share their positions are measured once, those that have a pose each.
 class BoxTable {
 public:
-    explicit BoxTable(const std::vector<Mesh>& meshes) : meshes_(meshes), first_(meshes.size()) {
+    BoxTable(const std::vector<Mesh>& meshes, const geometry::MeshPoses& poses, Context& context)
+        : meshes_(meshes), poses_(poses), context_(context), first_(meshes.size()) {
         std::vector<std::uint32_t> order(meshes.size());
         std::iota(order.begin(), order.end(), 0u);
         const auto block = [&](std::uint32_t m) { return meshes[m].positions.identity(); };
@@ -50,23 +39,30 @@ public:
         boxes_.resize(meshes.size());
         is_known_.resize(meshes.size());
     }
-    const std::pair<vec3, vec3>& of(std::uint32_t mesh) {
+    geometry::Box of(std::uint32_t mesh) {
+        if (const auto pose = poses_.find(mesh); pose != poses_.end())
+            return geometry::posed_box(pose->second, context_);
         const std::uint32_t first = first_[mesh];
-        if (!is_known_[first]) measure(meshes_[first], boxes_[first].first, boxes_[first].second);
+        if (!is_known_[first]) {
+            boxes_[first] = geometry::empty_box();
+            geometry::extend_box(meshes_[first].positions, boxes_[first].low, boxes_[first].high);
+        }
         is_known_[first] = true;
         return boxes_[first];
     }
 
 private:
     const std::vector<Mesh>& meshes_;
+    const geometry::MeshPoses& poses_;
+    Context& context_;
     std::vector<std::uint32_t> first_;  ///< [meshes] the first one of the same positions
-    std::vector<std::pair<vec3, vec3>> boxes_;
+    std::vector<geometry::Box> boxes_;
     std::vector<bool> is_known_;
 };
 
-void add_draws(DrawList& list, std::uint64_t placements) {
+void add_draws(DrawList& list, const geometry::MeshPoses& poses, std::uint64_t placements, Context& context) {
     const Scene& scene = list.scene;
-    BoxTable boxes(scene.meshes);
+    BoxTable boxes(scene.meshes, poses, context);
     list.draws.reserve(placements);
     for (std::uint32_t n = 0; n < scene.nodes.size(); ++n)
         for (const std::uint32_t m : scene.nodes[n].meshes) {
@@ -78,7 +74,8 @@ void add_draws(DrawList& list, std::uint64_t placements) {
             draw.material = mesh.material == no_index ? std::uint32_t(scene.materials.size()) : mesh.material;
             draw.to_world = list.node_to_world[n] * translation(mesh.origin);
             draw.mirrored = determinant(upper_left(draw.to_world)) < 0;
-            std::tie(draw.low, draw.high) = boxes.of(m);
+            const geometry::Box box = boxes.of(m);
+            draw.low = box.low, draw.high = box.high;
             if (!(draw.low.x <= draw.high.x)) continue;
             extend(list.bounds, draw);
             (mesh.topology == Topology::triangles ? list.draws : list.line_draws).push_back(draw);
@@ -224,7 +221,12 @@ const Material& DrawList::scene_material(const DrawMaterial& material) const {
     return material.scene_material == no_index ? otherwise : scene.materials[material.scene_material];
 }
 
-DrawList make_draw_list(Scene given, TextureCache& textures, const TexturePacker& packer, Context& context) {
+DrawList make_draw_list(Scene scene, TextureCache& textures, const TexturePacker& packer, Context& context) {
+    return make_draw_list(std::move(scene), {}, textures, packer, context);
+}
+
+DrawList make_draw_list(Scene given, const geometry::MeshPoses& poses, TextureCache& textures,
+                        const TexturePacker& packer, Context& context) {
     DrawList list;
     list.scene = std::move(given);
     const Scene& scene = list.scene;
@@ -233,7 +235,7 @@ DrawList make_draw_list(Scene given, TextureCache& textures, const TexturePacker
     list.charge =
         MemoryCharge(context.memory(), scene.nodes.size() * sizeof(dmat4) + placements * sizeof(Draw), "what is drawn");
     list.node_to_world = world_matrices(scene);
-    add_draws(list, placements);
+    add_draws(list, poses, placements, context);
     add_materials(list);
     textures.update(wishes_of(list), packer, context);
     TextureSearch(list, textures, context.report()).run();

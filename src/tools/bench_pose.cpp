@@ -140,7 +140,7 @@ public:
     }
 
     PoseBenchReport run() {
-        PlainCopy copy(bound_->bound ? bound_->bound->scene : bound_->scene, context_);
+        PlainCopy copy(bound_->bound ? bound_->bound->scene : scene_of(*bound_), context_);
         add("plain copy", [&](std::uint32_t) { copy.run(); });
         SkinAlone skin(bound_->bound ? bound_->bound->scene : scene_, context_);
         if (bound_->bound && skin.is_needed())

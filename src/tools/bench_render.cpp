@@ -135,7 +135,7 @@ private:
 
     void take(Scene scene, const PictureRequest& request) {
         const ReadyScene ready = ready_scene(std::move(scene), request, context_);
-        scene_ = ready.prepared->scene;
+        scene_ = ready.prepared->posed(context_);
         camera_ = ready.camera;
     }
 

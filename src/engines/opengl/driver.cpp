@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 
 #include <rakelight/error.h>
 
@@ -47,6 +48,13 @@ int texture_units() {
     return forced ? std::clamp(std::atoi(forced), 8, units) : units;
 }
 
+/// The processor's own kernels are faster than a driver that draws by it (docs/motion.md). RAKELIGHT_GL_POSES=gpu or cpu, for
+/// tests and measurements.
+bool poses_meshes(bool is_software) {
+    const char* const forced = std::getenv("RAKELIGHT_GL_POSES");
+    return forced ? std::strcmp(forced, "gpu") == 0 : !is_software;
+}
+
 }  // namespace
 
 Driver ask_driver() {
@@ -61,6 +69,7 @@ Driver ask_driver() {
     d.renderer = text(GL_RENDERER);
     d.identity = text(GL_VENDOR) + "\n" + d.renderer + "\n" + text(GL_VERSION);
     d.is_software = is_software(d.renderer);
+    d.poses_meshes = poses_meshes(d.is_software);
     if (d.is_es && !has("GL_EXT_color_buffer_float"))
         throw Error(ErrorCode::failed, "this OpenGL ES driver draws no floats (EXT_color_buffer_float)", {},
                     "render with engine soft");

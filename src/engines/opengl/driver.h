@@ -12,6 +12,7 @@ struct Driver {
     std::string renderer;             ///< GL_RENDERER
     std::string identity;             ///< vendor, renderer and version: what binary programs depend on
     bool is_software = false;         ///< llvmpipe and the like: no GPU
+    bool poses_meshes = true;         ///< skins and morph targets by the driver (poses.h), not by the processor
     bool has_reversed_depth = false;  ///< glClipControl: depth 0..1, so that reversed floats keep their precision
     bool has_sample_mask = false;     ///< fragments know which of their samples are covered
     bool has_timer = false;

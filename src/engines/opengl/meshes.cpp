@@ -65,7 +65,7 @@ MeshStore::Key MeshStore::key_of(const Mesh& mesh) {
             mesh.colors.identity()};
 }
 
-void MeshStore::keep_only(const Scene& scene) {
+void MeshStore::keep_only(const Scene& scene, const geometry::MeshPoses& poses) {
     std::set<Key> keys;
     std::set<const void*> blocks;
     for (const Mesh& mesh : scene.meshes) {
@@ -73,12 +73,20 @@ void MeshStore::keep_only(const Scene& scene) {
         blocks.insert(key.begin(), key.end());
         keys.insert(key);
     }
+    for (const auto& [number, pose] : poses)
+        blocks.insert({pose.influences.identity(), pose.more_influences.identity()});
     std::erase_if(arrays_, [&](const auto& entry) { return !keys.contains(entry.first); });
     std::erase_if(tables_, [&](const auto& entry) { return !keys.contains(entry.first); });
     std::erase_if(buffers_, [&](const auto& entry) { return !blocks.contains(entry.first); });
 }
 
-std::vector<MeshStore::Part> MeshStore::parts_of(const Mesh& mesh) {
+std::uint64_t MeshStore::bytes() const {
+    std::uint64_t bytes = 0;
+    for (const auto& [identity, buffer] : buffers_) bytes += buffer.there;
+    return bytes;
+}
+
+std::vector<MeshStore::Part> MeshStore::parts_of(const Mesh& mesh, const geometry::MeshPose* pose) {
     std::vector<Part> parts;
     const auto add = [&parts](const auto& block) {
         if (block.empty()) return;
@@ -87,11 +95,12 @@ std::vector<MeshStore::Part> MeshStore::parts_of(const Mesh& mesh) {
     };
     add(mesh.positions), add(mesh.indices), add(mesh.normals), add(mesh.tangents), add(mesh.colors);
     add(texcoords_of(mesh, 0)), add(texcoords_of(mesh, 1));
+    if (pose) add(pose->influences), add(pose->more_influences);
     return parts;
 }
 
-bool MeshStore::is_there(const Mesh& mesh) const {
-    for (const Part& part : parts_of(mesh)) {
+bool MeshStore::is_there(const Mesh& mesh, const geometry::MeshPose* pose) const {
+    for (const Part& part : parts_of(mesh, pose)) {
         const auto at = buffers_.find(part.identity);
         if (at == buffers_.end() || at->second.there < part.bytes) return false;
     }
@@ -117,26 +126,25 @@ void MeshStore::upload_piece(const Part& part) {
     }
 }
 
-void MeshStore::upload_piece(const Mesh& mesh) {
-    for (const Part& part : parts_of(mesh))
+void MeshStore::upload_piece(const Mesh& mesh, const geometry::MeshPose* pose) {
+    for (const Part& part : parts_of(mesh, pose))
         if (const auto at = buffers_.find(part.identity); at == buffers_.end() || at->second.there < part.bytes)
             return upload_piece(part);
 }
 
-template <class T>
-GLuint MeshStore::buffer_of(const Block<T>& block) {
-    return block.empty() ? 0 : buffers_.at(block.identity()).name.name();
+void MeshStore::set_vertices(const Mesh& mesh, const PosedBuffers* posed) {
+    set_attribute(0, 3, posed ? posed->positions.name() : buffer_of(mesh.positions), {0, 0, 0, 1});
+    set_attribute(1, 3, posed ? posed->normals.name() : buffer_of(mesh.normals), {0, 0, 1, 0});
+    set_attribute(2, 4, posed ? posed->tangents.name() : buffer_of(mesh.tangents), {0, 0, 0, 1});
 }
 
-GLuint MeshStore::vertex_array(const Mesh& mesh) {
-    GlVertexArray& array = arrays_[key_of(mesh)];
+GLuint MeshStore::vertex_array(const Mesh& mesh, PosedBuffers* posed) {
+    GlVertexArray& array = posed ? posed->draw : arrays_[key_of(mesh)];
     const bool is_new = !array;
     while (is_new && !is_there(mesh)) upload_piece(mesh);
     glBindVertexArray(array.get());
     if (is_new) {
-        set_attribute(0, 3, buffer_of(mesh.positions), {0, 0, 0, 1});
-        set_attribute(1, 3, buffer_of(mesh.normals), {0, 0, 1, 0});
-        set_attribute(2, 4, buffer_of(mesh.tangents), {0, 0, 0, 1});
+        set_vertices(mesh, posed);
         set_attribute(3, 2, buffer_of(texcoords_of(mesh, 0)), {0, 0, 0, 1});
         set_attribute(4, 2, buffer_of(texcoords_of(mesh, 1)), {0, 0, 0, 1});
         set_attribute(5, 4, buffer_of(mesh.colors), {1, 1, 1, 1});

@@ -11,6 +11,7 @@
 
 #include "engines/opengl/driver.h"
 #include "engines/opengl/gl_objects.h"
+#include "geometry/mesh_pose.h"
 
 namespace rakelight::opengl {
 
@@ -20,19 +21,32 @@ struct TriangleTable {
     std::int32_t against = -1;  ///< [texels] where its bits begin; -1: none
 };
 
+/// Where vertices of a mesh stand that were posed on the GPU (poses.h).
+struct PosedBuffers {
+    GlBuffer positions, normals, tangents;  ///< the last two where the mesh has them
+    GlVertexArray draw;
+};
+
 class MeshStore {
 public:
     explicit MeshStore(const Driver& driver) : driver_(driver) {}
 
     /// Drops what the scene has no more. @throws Error failed: no memory on the GPU
-    void keep_only(const Scene& scene);
-    /// Bound with its buffers and indices. Uploads what is not there yet.
-    GLuint vertex_array(const Mesh& mesh);
-    /// Whether all its buffers hold their arrays.
-    bool is_there(const Mesh& mesh) const;
+    void keep_only(const Scene& scene, const geometry::MeshPoses& poses);
+    /// Bound with its buffers and indices. Uploads what is not there yet. @param posed  null: as its arrays are
+    GLuint vertex_array(const Mesh& mesh, PosedBuffers* posed);
+    /// Whether all its buffers hold their arrays. @param pose  its influences go with them; null: none
+    bool is_there(const Mesh& mesh, const geometry::MeshPose* pose = nullptr) const;
     /// A part of an array that is not there yet, at most so many bytes.
-    void upload_piece(const Mesh& mesh);
+    void upload_piece(const Mesh& mesh, const geometry::MeshPose* pose = nullptr);
+    /// The places 0 to 2 of the vertex array that is bound. What they read is there.
+    void set_vertices(const Mesh& mesh, const PosedBuffers* posed = nullptr);
+    template <class T>
+    GLuint buffer_of(const Block<T>& block) const {
+        return block.empty() ? 0 : buffers_.at(block.identity()).name.name();
+    }
     static constexpr std::size_t piece_bytes = 8 << 20;
+    std::uint64_t bytes() const;                     ///< of all buffers that it holds
     GLuint no_arrays() { return no_arrays_.get(); }  ///< a vertex array without any
     /// @param against  [triangles] LitSide::against(), the same for all draws of a mesh; null: none is asked for
     const TriangleTable& table(const Mesh& mesh, const std::int32_t* against);
@@ -44,10 +58,8 @@ private:
         std::size_t bytes;
         std::function<std::shared_ptr<const void>()> owner;
     };
-    static std::vector<Part> parts_of(const Mesh& mesh);
+    static std::vector<Part> parts_of(const Mesh& mesh, const geometry::MeshPose* pose);
     void upload_piece(const Part& part);
-    template <class T>
-    GLuint buffer_of(const Block<T>& block);
 
     using Key = std::vector<const void*>;  ///< identities of its blocks
     static Key key_of(const Mesh& mesh);

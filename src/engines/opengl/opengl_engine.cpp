@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/opengl/opengl_engine.h"
+#include "engines/posing_engine.h"
 
 #include <algorithm>
 #include <chrono>
@@ -22,7 +23,7 @@ constexpr int fewest_rows = 64;          ///< any strip of a StripSink has room 
 
 Window whole(const RenderSettings& s) { return s.window == Window{} ? Window{0, 0, s.width, s.height} : s.window; }
 
-class OpenGlEngine final : public Engine {
+class OpenGlEngine final : public Engine, public PosingEngine {
 public:
     OpenGlEngine() {
         thread_.call([this] {
@@ -46,8 +47,9 @@ public:
 
     std::string name() const override { return "gl"; }
     EngineAbilities abilities() const override { return abilities_of(driver()); }
-    void prepare(Scene scene, Context& context) override {
-        thread_.call([&] { renderer_->prepare(std::move(scene), context); });
+    void prepare(Scene scene, Context& context) override { prepare_unposed(std::move(scene), nullptr, context); }
+    void prepare_unposed(Scene scene, std::shared_ptr<const geometry::MeshPoses> poses, Context& context) override {
+        thread_.call([&] { renderer_->prepare({std::move(scene), std::move(poses)}, context); });
     }
     const Scene& scene() const override { return renderer_->scene(); }
     void set_lights(std::vector<Light> lights) override {

@@ -198,7 +198,7 @@ const Program& PictureDrawer::use(std::uint32_t number, const DrawState& state) 
     }
     const Mesh& mesh = state_.list.scene.meshes[state_.list.draws[number].mesh];
     if (!state.features.from_triangles) {
-        tools_.meshes.vertex_array(mesh);
+        tools_.meshes.vertex_array(mesh, tools_.poses.of(state_.list.draws[number].mesh));
     } else {
         bind_table(program, mesh, state.against);
     }

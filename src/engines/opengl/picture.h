@@ -6,6 +6,7 @@
 
 #include "engines/opengl/draw_state.h"
 #include "engines/opengl/meshes.h"
+#include "engines/opengl/poses.h"
 #include "engines/opengl/programs.h"
 #include "engines/opengl/shadow_atlas.h"
 
@@ -42,6 +43,7 @@ struct PictureTools {
     const ShadowAtlas& shadows;
     GLuint albedos = 0;  ///< texture of the tables
     GLuint behind = 0;   ///< texture of what is behind transmissive surfaces; 0: none
+    PoseStore& poses;
 };
 
 class PictureDrawer {

@@ -225,6 +225,21 @@ ProgramText line_text(const Driver& driver) {
     return out;
 }
 
+ProgramText pose_text(const PoseFeatures& f, const Driver& driver) {
+    ProgramText out;
+    StageText vertices(out.files), pixels(out.files);
+    const auto define = [](const char* word, int value) {
+        return std::string("#define ") + word + " " + std::to_string(value) + "\n";
+    };
+    vertices.add(version_of(driver) + define("RL_HAS_NORMALS", f.has_normals) +
+                 define("RL_HAS_TANGENTS", f.has_tangents) + define("RL_IS_SKINNED", f.is_skinned) +
+                 define("RL_HAS_MORE", f.has_more) + define("RL_FETCH_WIDTH", fetch_width));
+    vertices.add_file("engines/opengl/glsl/pose_main.glsl");
+    pixels.add(version_of(driver) + "void main() {}\n");  // ES has no programs of one stage
+    out.vertices = vertices.take(), out.pixels = pixels.take();
+    return out;
+}
+
 std::string with_file_names(const std::string& log, const std::vector<std::string>& files) {
     // "12:34(5): error: ..." (Mesa) and "12(34) : error ..." (NVIDIA): file, line
     static const std::regex place(R"((^|\n)(ERROR: |WARNING: )?(\d+)[:(](\d+))");

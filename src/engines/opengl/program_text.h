@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The text of a program: version, choices, the lighting text as it stands in src/lighting, the engine's own stages.
 #pragma once
+#include <compare>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,14 @@ ProgramText display_text(const Driver& driver, int tone);
 /// Lines and points of pictures: the output, from_triangles, is_parallel and what a mesh has count of the features.
 ProgramText mark_text(const Features& features, const Driver& driver);
 ProgramText line_text(const Driver& driver);
+
+/// What a program that poses vertices reads and writes.
+struct PoseFeatures {
+    bool has_normals = false, has_tangents = false, is_skinned = false;
+    bool has_more = false;  ///< MeshPose::more_influences
+    auto operator<=>(const PoseFeatures&) const = default;
+};
+ProgramText pose_text(const PoseFeatures& features, const Driver& driver);
 
 /// A compiler's words with the files' names in place of their numbers.
 std::string with_file_names(const std::string& log, const std::vector<std::string>& files);

@@ -53,12 +53,15 @@ bool is_linked(GLuint program) {
     return good != 0;
 }
 
-void compile(GLuint program, const ProgramText& text, const UserLighting& user) {
+void compile(GLuint program, const ProgramText& text, const UserLighting& user,
+             std::span<const char* const> caught = {}) {
     const Shader vertices(GL_VERTEX_SHADER, text.vertices), pixels(GL_FRAGMENT_SHADER, text.pixels);
     for (const Shader* const shader : {&vertices, &pixels})
         if (!shader->is_good()) fail(with_file_names(shader->log(), text.files), user);
     glAttachShader(program, vertices.name());
     glAttachShader(program, pixels.name());
+    if (!caught.empty())
+        glTransformFeedbackVaryings(program, GLsizei(caught.size()), caught.data(), GL_SEPARATE_ATTRIBS);
     glLinkProgram(program);
     glDetachShader(program, vertices.name());
     glDetachShader(program, pixels.name());
@@ -119,9 +122,9 @@ void find_places(Program& program, const Driver& driver, const Features& feature
 
 }  // namespace
 
-GlProgram link_program(const ProgramText& text, const UserLighting& user) {
+GlProgram link_program(const ProgramText& text, const UserLighting& user, std::span<const char* const> caught) {
     GlProgram program;
-    compile(program.get(), text, user);
+    compile(program.get(), text, user, caught);
     return program;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "engines/opengl/gl_objects.h"
@@ -27,8 +28,10 @@ struct Program {
     std::vector<GLint> map_unit;        ///< [texture_role_count] -1: it has none
 };
 
-/// A program of two texts. @throws Error failed: it does not compile
-GlProgram link_program(const ProgramText& text, const UserLighting& user = {});
+/// A program of two texts. @param caught  what transform feedback catches of the vertices, a buffer each
+/// @throws Error failed: it does not compile
+GlProgram link_program(const ProgramText& text, const UserLighting& user = {},
+                       std::span<const char* const> caught = {});
 
 class Programs {
 public:

@@ -39,12 +39,14 @@ void Renderer::make_albedos() {
     check_gl("the tables of albedos");
 }
 
-void Renderer::prepare(Scene scene, Context& context) {
-    validate_changes(scene, list_.scene);
+void Renderer::prepare(GivenScene given, Context& context) {
+    validate_changes(given.scene, list_.scene);
     list_ = {};  // its textures may go: what fails from here on leaves an empty scene
+    unposed_.clear();
     forget_picture();
-    TakenScene taken = take_scene(std::move(scene), std::move(cache_), std::move(environments_), context);
-    meshes_.keep_only(taken.list.scene);
+    TakenScene taken =
+        take_scene(std::move(given), !driver_.poses_meshes, std::move(cache_), std::move(environments_), context);
+    keep_meshes(taken.list.scene, taken.poses);
     upload(taken, Clock::time_point::max(), context);
     take(std::move(taken), context);
 }
@@ -53,16 +55,22 @@ void Renderer::take(TakenScene scene, Context& context) {
     const std::optional<Environment>& environment = scene.list.scene.environment;
     const std::string file = environment && environment->image ? environment->image->file : std::string();
     environment_.update(scene.environment, driver_, file, context.report());
-    meshes_.keep_only(scene.list.scene);
+    keep_meshes(scene.list.scene, scene.poses);
     textures_.keep_only(wishes_of(scene.list, scene.cache));
     list_ = std::move(scene.list);
+    unposed_ = std::move(scene.poses);
     cache_ = std::move(scene.cache);
     environments_ = std::move(scene.environments);
     forget_picture();
 }
 
+void Renderer::keep_meshes(const Scene& scene, const geometry::MeshPoses& poses) {
+    meshes_.keep_only(scene, poses);
+    poses_.keep_only(poses);
+}
+
 void Renderer::forget_uploads() {
-    meshes_.keep_only(list_.scene);
+    keep_meshes(list_.scene, unposed_);
     textures_.keep_only(wishes_of(list_, cache_));
 }
 
@@ -104,6 +112,7 @@ void Renderer::begin_picture(const Camera& camera, const RenderSettings& setting
     programs_.set_user({settings.lighting_name, settings.lighting_text});
     view_ = shading::view_of(list_, camera, settings);
     shading_ = shading::choose_shading(list_, settings, nullptr, context);
+    pose_meshes(context);
     const dvec3 eye = view_.camera_to_world[3].xyz();
     light_parameters_ = shading::make_lights(list_.scene, list_.node_to_world, eye);
     update_shadows(settings, eye, light_parameters_, stats, context);

@@ -4,6 +4,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ public:
 
     const Driver& driver() const { return driver_; }
     /// As Engine::prepare().
-    void prepare(Scene scene, Context& context);
+    void prepare(GivenScene given, Context& context);
     /// The same in steps: take_scene() with what decoded() gives, on any thread; upload() as often as it takes, while the scene
     /// before is drawn; then take().
     shading::TextureCache decoded() const { return cache_; }
@@ -38,8 +39,11 @@ public:
     }
     void take(TakenScene scene, Context& context);
     void forget_uploads();  ///< of a scene that is not taken
+    /// Meshes that are posed on the GPU are in bind pose.
     const Scene& scene() const { return list_.scene; }
-    std::uint32_t channels() const { return settings_.channels; }  ///< of the picture that is drawn
+    PoseStore& poses() { return poses_; }
+    std::uint64_t mesh_bytes() const { return meshes_.bytes() + poses_.bytes(); }  ///< of buffers on the GPU
+    std::uint32_t channels() const { return settings_.channels; }                  ///< of the picture that is drawn
     void set_lights(std::vector<Light> lights);
 
     /// What stays the same for all parts of a picture. After prepare() and set_lights().
@@ -71,6 +75,9 @@ private:
     };
     PictureState picture_state();
     void forget_picture();
+    void keep_meshes(const Scene& scene, const geometry::MeshPoses& poses);
+    void pose_meshes(Context& context);
+    std::set<std::uint32_t> meshes_read_by_processor();
     void update_shadows(const RenderSettings& settings, dvec3 eye, std::vector<lighting::LightParameters>& lights,
                         RenderStats& stats, Context& context);
     std::vector<KeptMaps> draw_shadow_maps(const RenderSettings& settings, Context& context);
@@ -89,18 +96,20 @@ private:
                       Context& context);
     void draw_colors(const PictureDrawer& drawer, const PictureState& state, Context& context);
     PictureTools tools() {
-        return {driver_, programs_, meshes_, environment_, shadows_, albedos_.name(), behind_.texture()};
+        return {driver_, programs_, meshes_, environment_, shadows_, albedos_.name(), behind_.texture(), poses_};
     }
 
     Driver driver_;
     Programs programs_{driver_};
     MeshStore meshes_{driver_};
+    PoseStore poses_{driver_};
     TextureStore textures_{driver_};
     ShadowAtlas shadows_{driver_};
     EnvironmentStore environment_;
     shading::TextureCache cache_;
     shading::EnvironmentCache environments_;
     shading::DrawList list_;
+    geometry::MeshPoses unposed_;  ///< of meshes of the list that are in bind pose
     GlTexture albedos_;
     Target target_;
     BehindPicture behind_;

@@ -3,14 +3,21 @@
 
 #include <utility>
 
+#include "engines/posing_engine.h"
 #include "scene/material_table.h"
+#include "shading/posed_draw_list.h"
 
 namespace rakelight::opengl {
 
-TakenScene take_scene(Scene scene, shading::TextureCache cache, shading::EnvironmentCache environments,
-                      Context& context) {
-    TakenScene out{.list = {}, .cache = std::move(cache), .environments = std::move(environments), .environment = {}};
-    out.list = shading::make_draw_list(std::move(scene), out.cache, LevelPacker(), context);
+TakenScene take_scene(GivenScene given, bool poses_here, shading::TextureCache cache,
+                      shading::EnvironmentCache environments, Context& context) {
+    TakenScene out{
+        .list = {}, .cache = std::move(cache), .environments = std::move(environments), .environment = {}, .poses = {}};
+    if (given.poses && poses_here)
+        given.scene = with_posed_arrays(std::move(given.scene), *given.poses, context);
+    else if (given.poses)
+        out.poses = *given.poses;
+    out.list = shading::make_draw_list(std::move(given.scene), out.poses, out.cache, LevelPacker(), context);
     out.environment = out.environments.update(out.list.scene, EnvironmentLevelPacker(), true, context);
     return out;
 }
@@ -38,12 +45,16 @@ bool upload_some(const TakenScene& taken, TextureStore& textures, MeshStore& mes
         context.throw_if_cancelled();
         textures.add(wish, context);
     }
-    for (const Mesh& mesh : taken.list.scene.meshes)
-        while (!meshes.is_there(mesh)) {
+    for (std::uint32_t m = 0; m < taken.list.scene.meshes.size(); ++m) {
+        const Mesh& mesh = taken.list.scene.meshes[m];
+        const auto known = taken.poses.find(m);
+        const geometry::MeshPose* const pose = known != taken.poses.end() ? &known->second : nullptr;
+        while (!meshes.is_there(mesh, pose)) {
             if (!has_time()) return false;
             context.throw_if_cancelled();
-            meshes.upload_piece(mesh);
+            meshes.upload_piece(mesh, pose);
         }
+    }
     return true;
 }
 

@@ -2,12 +2,14 @@
 // The way of a scene to the GPU, in two steps: what the processor does, on any thread, and the uploads, piece by piece.
 #pragma once
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "engines/opengl/environment.h"
 #include "engines/opengl/meshes.h"
 #include "engines/opengl/textures.h"
+#include "geometry/mesh_pose.h"
 #include "shading/draw_list.h"
 
 namespace rakelight::opengl {
@@ -18,12 +20,19 @@ struct TakenScene {
     shading::TextureCache cache;
     shading::EnvironmentCache environments;
     std::optional<shading::UsedEnvironment> environment;
+    geometry::MeshPoses poses;  ///< of meshes that are in bind pose yet
 };
 
-/// From any thread. @param before  what was decoded for the scene before: what is used again is not decoded again
+/// A scene as it comes to be drawn.
+struct GivenScene {
+    Scene scene;
+    std::shared_ptr<const geometry::MeshPoses> poses{};  ///< as PosingEngine has them
+};
+
+/// From any thread. @param poses_here  the poses are taken by the processor, for a driver that would be slower. @param before  what was decoded for the scene before: what is used again is not decoded again
 /// @throws Error failed: cancelled
-TakenScene take_scene(Scene scene, shading::TextureCache cache, shading::EnvironmentCache environments,
-                      Context& context);
+TakenScene take_scene(GivenScene given, bool poses_here, shading::TextureCache cache,
+                      shading::EnvironmentCache environments, Context& context);
 
 /// What a scene's materials read.
 std::vector<TextureStore::Wish> wishes_of(const shading::DrawList& list, const shading::TextureCache& cache);

@@ -49,12 +49,13 @@ bool WindowView::has_gpu() const { return !state_->driver().is_software; }
 
 /// A scene on its way: first on a thread, then to the GPU.
 struct WindowView::State::Incoming {
-    Incoming(const Scene& scene, std::uint64_t its_number, const Renderer& renderer, const Context& context)
+    Incoming(GivenScene given, std::uint64_t its_number, const Renderer& renderer, const Context& context)
         : number(its_number),
           own({.threads = context.threads()}),
-          taken(std::async(std::launch::async, [this, scene = Scene(scene), cache = renderer.decoded(),
+          taken(std::async(std::launch::async, [this, given = std::move(given), cache = renderer.decoded(),
+                                                poses_here = !renderer.driver().poses_meshes,
                                                 environments = renderer.decoded_environment()]() mutable {
-              return take_scene(std::move(scene), std::move(cache), std::move(environments), own);
+              return take_scene(std::move(given), poses_here, std::move(cache), std::move(environments), own);
           })) {}
     ~Incoming() { own.cancel(); }
 
@@ -67,13 +68,14 @@ struct WindowView::State::Incoming {
 WindowView::WindowView() : state_(std::make_unique<State>()) {}
 WindowView::~WindowView() = default;
 
-bool WindowView::upload(const Scene& scene, std::uint64_t number, double milliseconds, Context& context) {
+bool WindowView::upload(const Scene& scene, const std::shared_ptr<const geometry::MeshPoses>& poses,
+                        std::uint64_t number, double milliseconds, Context& context) {
     State& s = *state_;
     const Clock::time_point end =
         Clock::now() + std::chrono::microseconds(std::int64_t(1e3 * std::max(milliseconds, 0.0)));
     if (!s.incoming || s.incoming->number != number) {
         s.give_up_incoming();
-        s.incoming = std::make_unique<State::Incoming>(scene, number, s.renderer, context);
+        s.incoming = std::make_unique<State::Incoming>(GivenScene{scene, poses}, number, s.renderer, context);
     }
     State::Incoming& incoming = *s.incoming;
     if (!incoming.ready) {

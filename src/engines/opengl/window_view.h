@@ -9,6 +9,8 @@
 #include <rakelight/engine.h>
 #include <rakelight/line.h>
 
+#include "geometry/mesh_pose.h"
+
 namespace rakelight::opengl {
 
 class WindowView {
@@ -22,7 +24,9 @@ public:
     bool has_gpu() const;
     /// Takes a scene up for so long; until it is whole the one before is drawn. Another number: another scene.
     /// @return true: it is whole
-    bool upload(const Scene& scene, std::uint64_t number, double milliseconds, Context& context);
+    /// @param poses  as PosingEngine has them
+    bool upload(const Scene& scene, const std::shared_ptr<const geometry::MeshPoses>& poses, std::uint64_t number,
+                double milliseconds, Context& context);
     void set_lights(std::vector<Light> lights);
 
     /// As GlView has them. @param camera  of the world

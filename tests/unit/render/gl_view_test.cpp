@@ -105,6 +105,40 @@ TEST_F(GlViews, ThePictureThatWasShownIsShownAgain) {
     EXPECT_EQ(at(screen(), width / 2, height / 2), 0xFFFFFFu) << "nothing hides lines over a picture";
 }
 
+/// A square that follows a joint, which stands at x.
+Scene square_on_joint(double x) {
+    Scene scene = red_square();
+    scene.meshes[0].influences = std::vector<JointInfluence>(4, {{0, 0, 0, 0}, {1, 0, 0, 0}});
+    scene.nodes[0].skin = 0;
+    scene.nodes.emplace_back();
+    scene.skins.push_back({"bone", {1}, {dmat4{}}});
+    ScenePose pose;
+    for (const Node& node : scene.nodes) pose.local.push_back(node.local), pose.morph_weights.emplace_back();
+    pose.local[1].translation = {x, 0, 0};
+    scene.pose = pose;
+    return scene;
+}
+
+TEST_F(GlViews, MeshesThatMoveAreDrawnWhereTheyStand) {
+    for (const char* const who : {"gpu", "cpu"}) {
+        ::setenv("RAKELIGHT_GL_POSES", who, 1);
+        GlView view;
+        Session session;
+        for (const double x : {0.0, 0.75, -0.75}) {
+            session.set(square_on_joint(x));
+            const auto ready = session.prepared(settings, context);
+            while (!view.upload(ready, 5, context)) {
+            }
+            view.draw(camera, settings, {}, context);
+            const auto is_red = [&](int column) { return (at(screen(), column, height / 2) & 0xFFu) > 200; };
+            EXPECT_EQ(is_red(width / 2), x == 0) << who << x;
+            EXPECT_EQ(is_red(width / 2 + 15), x > 0) << who << x;
+            EXPECT_EQ(is_red(width / 2 - 15), x < 0) << who << x;
+        }
+    }
+    ::unsetenv("RAKELIGHT_GL_POSES");
+}
+
 TEST_F(GlViews, TheBoundFramebufferAndItsViewportStay) {
     GlView view;
     upload(view, red_square());

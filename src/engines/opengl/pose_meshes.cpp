@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Renderer: who poses the meshes of a moment.
+#include "engines/opengl/renderer.h"
+#include "engines/posing_engine.h"
+
+namespace rakelight::opengl {
+
+/// Lines and points, edges, vertices and channels that ask for triangles are drawn from tables of triangles, and so are flat
+/// shading and what else DrawStateMaker::set_vertices() names; blended triangles are put in order by the processor.
+std::set<std::uint32_t> Renderer::meshes_read_by_processor() {
+    bool reads_all = settings_.edges || settings_.points != PointShape::none;
+    for_each_group(settings_.channels, [&](Output, bool wants_triangles) { reads_all = reads_all || wants_triangles; });
+    std::set<std::uint32_t> meshes;
+    for (const shading::Draw& draw : list_.line_draws) meshes.insert(draw.mesh);
+    const PictureState state = picture_state();
+    for (std::uint32_t d = 0; d < list_.draws.size(); ++d) {
+        const std::uint32_t mesh = list_.draws[d].mesh;
+        if (!unposed_.contains(mesh)) continue;
+        if (reads_all || list_.material(list_.draws[d]).factors.blend ||
+            draw_state(state, d, Output::color, false).features.from_triangles)
+            meshes.insert(mesh);
+    }
+    return meshes;
+}
+
+/// Here it is decided who poses a mesh for this moment: the processor, where it reads the vertices or the driver's textures
+/// are too small, else the driver. (OpenGL 3.3 and ES 3.0 have transform feedback. Whose vertices prepare needed, come
+/// posed: Preparing::finish_unposed() of prepare_scene.cpp.)
+void Renderer::pose_meshes(Context& context) {
+    if (unposed_.empty()) return;
+    const std::set<std::uint32_t> read = meshes_read_by_processor();
+    for (auto pose = unposed_.begin(); pose != unposed_.end();) {
+        const auto& [number, of] = *pose;
+        if (!read.contains(number) && poses_.fits(of)) {
+            ++pose;
+            continue;
+        }
+        context.throw_if_cancelled();
+        take_posed_arrays(list_.scene.meshes[number], of, context);
+        poses_.drop(number);
+        pose = unposed_.erase(pose);
+    }
+    poses_.pose(list_.scene, unposed_, meshes_);
+}
+
+}  // namespace rakelight::opengl

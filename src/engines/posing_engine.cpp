@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/posing_engine.h"
+
+#include <utility>
+
+#include "scene/charge_arrays.h"
+
+namespace rakelight {
+
+void take_posed_arrays(Mesh& mesh, const geometry::MeshPose& pose, Context& context) {
+    const Mesh unposed = mesh;
+    geometry::PosedArrays arrays = geometry::posed_arrays(pose, context);
+    mesh.positions = std::move(arrays.positions), mesh.normals = std::move(arrays.normals);
+    mesh.tangents = std::move(arrays.tangents);
+    charge_new_arrays(mesh, unposed, context);
+}
+
+Scene with_posed_arrays(Scene scene, const geometry::MeshPoses& poses, Context& context) {
+    for (const auto& [number, pose] : poses) {
+        context.throw_if_cancelled();
+        take_posed_arrays(scene.meshes[number], pose, context);
+    }
+    return scene;
+}
+
+}  // namespace rakelight

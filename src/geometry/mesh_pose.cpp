@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/mesh_pose.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "geometry/morph.h"
+#include "math/linear.h"
+
+namespace rakelight::geometry {
+namespace {
+
+constexpr std::size_t chunk = 1024;  // vertices at a time, as morph.cpp has them
+
+std::vector<WeightedTarget> counting(const MeshPose& pose, Block<vec3> PosedTarget::*offsets) {
+    std::vector<WeightedTarget> result;
+    for (const PosedTarget& target : pose.targets)
+        if (target.weight != 0 && !(target.*offsets).empty())
+            result.push_back({target.weight, (target.*offsets).span()});
+    return result;
+}
+
+/// A block of numbers that somebody will fill.
+template <class T>
+std::vector<T> room_for(const Block<T>& block) {
+    return std::vector<T>(block.size());
+}
+
+void morph(const MeshPose& pose, PosedArrays& arrays, Context& context) {
+    const auto positions = counting(pose, &PosedTarget::positions);
+    const auto normals = counting(pose, &PosedTarget::normals);
+    const auto tangents = counting(pose, &PosedTarget::tangents);
+    if (!positions.empty()) {
+        auto out = room_for(arrays.positions);
+        morph_positions(arrays.positions, positions, out, context);
+        arrays.positions = std::move(out);
+    }
+    if (!normals.empty() && !arrays.normals.empty()) {
+        auto out = room_for(arrays.normals);
+        morph_normals(arrays.normals, normals, out, context);
+        arrays.normals = std::move(out);
+    }
+    if (!tangents.empty() && !arrays.tangents.empty()) {
+        auto out = room_for(arrays.tangents);
+        morph_tangents(arrays.tangents, tangents, out, context);
+        arrays.tangents = std::move(out);
+    }
+}
+
+void skin(const MeshPose& pose, PosedArrays& arrays, Context& context) {
+    auto positions = room_for(arrays.positions);
+    auto normals = room_for(arrays.normals);
+    auto tangents = room_for(arrays.tangents);
+    skin_vertices(
+        {arrays.positions, arrays.normals, arrays.tangents, pose.influences, pose.more_influences, *pose.joints},
+        {positions, normals, tangents}, context);
+    arrays = {std::move(positions), std::move(normals), std::move(tangents)};
+}
+
+/// Some positions from `first` on, as they stand.
+std::span<const vec3> posed_positions(const MeshPose& pose, std::span<const WeightedTarget> targets, std::size_t first,
+                                      std::span<vec3> morphed, std::span<vec3> skinned) {
+    std::span<const vec3> at = pose.positions.span().subspan(first, morphed.size());
+    if (!targets.empty()) {
+        morph_some_positions(pose.positions, targets, first, morphed);
+        at = morphed;
+    }
+    if (!pose.joints) return at;
+    const auto influences = pose.influences.span().subspan(first, morphed.size());
+    const auto more = pose.more_influences.empty() ? std::span<const JointInfluence>()
+                                                   : pose.more_influences.span().subspan(first, morphed.size());
+    skin_some_vertices({at, {}, {}, influences, more, *pose.joints}, {skinned, {}, {}});
+    return skinned;
+}
+
+}  // namespace
+
+bool MeshPose::moves() const {
+    return joints != nullptr || std::ranges::any_of(targets, [this](const PosedTarget& t) {
+               return t.weight != 0 && (!t.positions.empty() || (!t.normals.empty() && !normals.empty()) ||
+                                        (!t.tangents.empty() && !tangents.empty()));
+           });
+}
+
+PosedArrays posed_arrays(const MeshPose& pose, Context& context) {
+    PosedArrays arrays{pose.positions, pose.normals, pose.tangents};
+    morph(pose, arrays, context);
+    if (pose.joints) skin(pose, arrays, context);
+    return arrays;
+}
+
+void extend_box(std::span<const vec3> positions, vec3& low, vec3& high) {
+    for (const vec3& p : positions) {
+        if (!is_finite(p)) continue;
+        low = min(low, p);
+        high = max(high, p);
+    }
+}
+
+Box empty_box() {
+    const float big = std::numeric_limits<float>::max();
+    return {{big, big, big}, {-big, -big, -big}};
+}
+
+Box posed_box(const MeshPose& pose, Context& context) {
+    const std::size_t count = pose.positions.size();
+    const std::vector<WeightedTarget> targets = counting(pose, &PosedTarget::positions);
+    std::vector<Box> boxes((count + chunk - 1) / chunk, empty_box());
+    context.parallel_for(boxes.size(), [&](std::size_t c) {
+        const std::size_t first = c * chunk, vertices = std::min(chunk, count - first);
+        std::array<vec3, chunk> morphed, skinned;
+        extend_box(posed_positions(pose, targets, first, std::span(morphed).first(vertices),
+                                   std::span(skinned).first(vertices)),
+                   boxes[c].low, boxes[c].high);
+    });
+    Box whole = empty_box();
+    for (const Box& box : boxes) whole = {min(whole.low, box.low), max(whole.high, box.high)};
+    return whole;
+}
+
+}  // namespace rakelight::geometry
