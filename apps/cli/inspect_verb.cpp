@@ -41,17 +41,17 @@ std::vector<Option> normal_options() {
     apps::find(all, "normals").help =
         "Whose normals are looked at: auto (default: the file's, smoothed per object where it has none), file (else "
         "flat), flat, object, model, seams (the file's, joined where parts meet, as smooth does)";
-    for (const char* name :
-         {"normals", "crease-angle", "weld-distance", "weight", "tangents", "orthogonalize", "keep-instances"})
+    apps::find(all, "border-distance").help =
+        "Also measure the seams along borders of different meshes at most this far apart [m] that run along each other "
+        "without shared vertices (default 0: off, and a value is proposed where there are some)";
+    for (const char* name : {"normals", "crease-angle", "weld-distance", "border-distance", "weight", "tangents",
+                             "orthogonalize", "keep-instances"})
         options.push_back(apps::find(all, name));
     return options;
 }
 
 std::vector<Option> own_options() {
     std::vector<Option> options = {
-        {"border-distance", "Normals", "M",
-         "Also measure the seams along open borders that run along each other at most this far apart, without shared "
-         "vertices: [m] in the world, >= 0, finite; 0: off (default)"},
         {"no-borders", "Normals", "", "Do not look for the borders that objects share", flag},
         {"no-surfaces", "Normals", "", "Do not look at edges, faces and normals of each object", flag},
         {"check", "Check", "", "Only pass or fail: exit code 5 past the limit of --max-seam or one asked for below",
@@ -171,20 +171,13 @@ void check_heat_map(const Run& run) {
         throw values::wrong("resolution", "a heat map has at most 64 million pixels");
 }
 
-double border_distance(const Given& given) {
-    const double meters = values::number("border-distance", given.word("border-distance"));
-    if (!(meters >= 0)) throw values::wrong("border-distance", "must be 0 or more");
-    if (meters > 0 && given.has("no-borders"))
-        throw Error(ErrorCode::usage, "--no-borders and --border-distance exclude each other");
-    return meters;
-}
-
 InspectOptions options_of(const Run& run) {
     const Given& given = run.given;
     InspectOptions options;
     options.borders = !given.has("no-borders");
+    if (!options.borders && given.has("border-distance"))
+        throw Error(ErrorCode::usage, "--no-borders and --border-distance exclude each other");
     options.surfaces = !given.has("no-surfaces");
-    if (given.has("border-distance")) options.border_distance = border_distance(given);
     options.seam_lines = draws_heat_maps(run) && options.borders;
     return options;
 }
@@ -224,6 +217,7 @@ void inspect_file(const PictureRequest& picture, Task task, InspectionRow& row, 
     const Scene scene = scene_at(std::move(loaded), clips);
     task.options.prepare = picture.prepare;
     task.options.weld_distance = picture.prepare.weld_distance;
+    task.options.border_distance = picture.prepare.border_distance;
     row.inspection = inspect(scene, task.options, context);
     if (task.limits) row.check = check_limits(*row.inspection, *task.limits);
     if (task.options.seam_lines) {

@@ -121,9 +121,11 @@ struct MatchedBorders {
 
 /// A distance at which open borders run along each other where nobody asked for one: proposed_border_distance().
 struct BorderProposal {
-    double distance = 0;                         ///< [m] 0: no borders do
-    double open_length = 0, matched_length = 0;  ///< [m] at that distance
-    double gap_max = 0;                          ///< [m]
+    double distance = 0;        ///< [m] 0: no borders do, or their normals are continuous
+    double open_length = 0;     ///< [m]
+    double matched_length = 0;  ///< [m] of it, about, at that distance
+    double gap_max = 0;         ///< [m]
+    double seam_deg = 0;        ///< the largest angle between the normals of both sides
 };
 
 /// A piece of a border with a seam; a == b where objects share a position but no edge.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/border_measure.h"
+#include "geometry/border_proposal.h"
 #include "tools/borders.h"
 
 namespace rakelight {
@@ -101,10 +102,9 @@ void look_at_matched_borders(Inspection& result, const Surfaces& surfaces, SeamN
 void propose_border_distance(Inspection& result, const Surfaces& surfaces, std::span<const PartNormals> before,
                              const InspectOptions& options, Context& context) {
     const MeshesWithNormals meshes = meshes_with_normals(surfaces, before, all_parts(surfaces), context);
-    const double distance = proposed_border_distance(meshes.meshes, match_options(options, 0), context);
-    if (!(distance > 0)) return;
-    const BorderMeasure measure = measure_borders(meshes.meshes, match_options(options, distance), context);
-    result.proposal = {distance, measure.open_length, measure.matched_length, measure.gap_max};
+    const geometry::ProposedDistance p = propose_distance(meshes.meshes, match_options(options, 0), context);
+    if (p.distance > 0 && p.seam_deg > continuous_deg)
+        result.proposal = {p.distance, p.open_length, p.matched_length, p.gap_max, p.seam_deg};
 }
 
 }  // namespace rakelight

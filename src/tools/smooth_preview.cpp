@@ -109,6 +109,7 @@ InspectOptions inspect_options(const SmoothFileOptions& options) {
     out.surfaces = false;
     out.seam_lines = true;
     out.weld_distance = options.attributes.weld_distance;
+    out.border_distance = options.border_distance;
     out.prepare.crease_angle_rad = options.attributes.crease_angle_rad;
     out.prepare.weight = options.attributes.weight;
     return out;
