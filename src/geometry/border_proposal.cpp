@@ -36,14 +36,15 @@ const BorderHit* nearest_of(const BorderHits& hits) {
 }
 
 /// Nothing where the edge does not run along one other mesh from end to end.
-std::optional<Neighbor> neighbor_of(const BorderSearch& search, const BorderEdge& edge, BorderHits& hits) {
+std::optional<Neighbor> neighbor_of(const BorderSearch& search, const BorderEdge& edge, double radius,
+                                    BorderHits& hits) {
     Neighbor out{.length = edge.length};
     std::uint32_t mesh = 0;
     double least = 0;
     for (int k = 0; k < samples_per_edge; ++k) {
         const double t = (k + 0.5) / samples_per_edge;
         const dvec3 normal = edge.normal(t);
-        search.find(edge, edge.point(t), normal, widest_gap * edge.length, hits);
+        search.find(edge, edge.point(t), normal, radius, hits);
         const BorderHit* const hit = hits.gave_up ? nullptr : nearest_of(hits);
         if (!hit || (k > 0 && hit->mesh != mesh)) return {};
         mesh = hit->mesh;
@@ -73,25 +74,43 @@ double rounded_up(double value) {
     return std::ceil(value / unit) * unit;
 }
 
-ProposedDistance summarize(std::span<const BorderEdge> edges, std::size_t asked,
-                           std::span<const std::optional<Neighbor>> neighbors) {
+using Neighbors = std::vector<std::optional<Neighbor>>;  ///< [asked]
+
+/// @param radius_of  (edge) -> how far to look [m]
+template <class Radius>
+Neighbors ask(const BorderSearch& search, std::size_t asked, Context& context, const Radius& radius_of) {
+    Neighbors out(asked);
+    context.parallel_for((asked + edges_per_chunk - 1) / edges_per_chunk, [&](std::size_t c) {
+        BorderHits hits;
+        for (std::size_t k = c * edges_per_chunk; k < std::min(asked, (c + 1) * edges_per_chunk); ++k) {
+            const BorderEdge& edge = search.edges()[edge_to_ask(k, asked, search.edges().size())];
+            out[k] = neighbor_of(search, edge, radius_of(edge), hits);
+        }
+    });
+    return out;
+}
+
+double distance_of(const Neighbors& neighbors) {
     std::vector<Weighted> gaps;
-    ProposedDistance out;
+    for (const std::optional<Neighbor>& n : neighbors)
+        if (n) gaps.push_back({std::fmax(n->gap, least_share * n->length), n->length});
+    return rounded_up(1.25 * weighted_quantile(std::move(gaps), proposed_share));
+}
+
+ProposedDistance summarize(std::span<const BorderEdge> edges, double distance, const Neighbors& neighbors) {
+    ProposedDistance out{.distance = distance};
     double asked_length = 0;
     for (const BorderEdge& edge : edges) out.open_length += edge.length;
-    for (std::size_t k = 0; k < asked; ++k) {
-        asked_length += edges[edge_to_ask(k, asked, edges.size())].length;
-        if (const std::optional<Neighbor>& n = neighbors[k])
-            gaps.push_back({std::fmax(n->gap, least_share * n->length), n->length});
+    for (std::size_t k = 0; k < neighbors.size(); ++k)
+        asked_length += edges[edge_to_ask(k, neighbors.size(), edges.size())].length;
+    for (const std::optional<Neighbor>& n : neighbors) {
+        if (!n) continue;
+        out.matched_length += n->length;
+        out.gap_max = std::fmax(out.gap_max, n->gap);
+        out.seam_deg = std::fmax(out.seam_deg, n->seam_deg);
     }
-    out.distance = rounded_up(1.25 * weighted_quantile(gaps, proposed_share));
-    for (const std::optional<Neighbor>& n : neighbors)
-        if (n && n->gap <= out.distance) {
-            out.matched_length += n->length;
-            out.gap_max = std::fmax(out.gap_max, n->gap);
-            out.seam_deg = std::fmax(out.seam_deg, n->seam_deg);
-        }
-    if (asked < edges.size()) out.matched_length *= out.open_length / asked_length;
+    if (!(out.matched_length > 0)) return {};
+    if (neighbors.size() < edges.size()) out.matched_length *= out.open_length / asked_length;
     return out;
 }
 
@@ -107,13 +126,11 @@ ProposedDistance propose_distance(std::span<const AttributeMesh> meshes, const M
     if (edges.empty() || any.scope == Scope::face) return {};
     const BorderSearch search(edges, surface.placed.input, any, context);
     const std::size_t asked = std::min(edges.size(), most_asked);
-    std::vector<std::optional<Neighbor>> neighbors(asked);
-    context.parallel_for((asked + edges_per_chunk - 1) / edges_per_chunk, [&](std::size_t c) {
-        BorderHits hits;
-        for (std::size_t k = c * edges_per_chunk; k < std::min(asked, (c + 1) * edges_per_chunk); ++k)
-            neighbors[k] = neighbor_of(search, edges[edge_to_ask(k, asked, edges.size())], hits);
-    });
-    return summarize(edges, asked, neighbors);
+    const double distance =
+        distance_of(ask(search, asked, context, [](const BorderEdge& edge) { return widest_gap * edge.length; }));
+    if (!(distance > 0)) return {};
+    // The nearer one looks, the less may faces lie over one another: some match no longer.
+    return summarize(edges, distance, ask(search, asked, context, [&](const BorderEdge&) { return distance; }));
 }
 
 }  // namespace geometry

@@ -9,7 +9,7 @@ struct ProposedDistance {
     double distance = 0;        ///< [m] 0: no borders run along each other
     double open_length = 0;     ///< [m] of all open edges
     double matched_length = 0;  ///< [m] of these, about, at that distance
-    double gap_max = 0;         ///< [m] of what was asked and is no farther away
+    double gap_max = 0;         ///< [m] of what was asked and matches
     double seam_deg = 0;        ///< the largest angle there
 };
 

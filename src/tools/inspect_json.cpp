@@ -190,7 +190,7 @@ Json list(const List& values) {
     return array;
 }
 
-Json json_of(const MatchedBorders& m) {
+Json json_of(const MatchedSeams& m) {
     return {{"distance", m.distance},
             {"open_length", m.open_length},
             {"matched_length", m.matched_length},

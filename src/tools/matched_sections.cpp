@@ -40,7 +40,7 @@ std::string between_text(const Inspection& i, std::uint32_t object_a, std::uint3
 }
 
 std::vector<std::string> matched_lines(const Inspection& i) {
-    const MatchedBorders& m = i.matched;
+    const MatchedSeams& m = i.matched;
     if (i.proposal.distance > 0) return {proposal_line(i)};
     if (!(m.distance > 0)) return {};
     std::vector<std::string> lines = {"open borders " + number(m.open_length, "%.4g") + " " + i.unit + ": " +

@@ -6,11 +6,16 @@
 import base64
 import json
 import math
+import pathlib
 import struct
+import sys
 import xml.etree.ElementTree
 
 import program
 from program import png
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests/support"))
+import border_scenes  # noqa: E402
 
 # A sheet bent along x = 0, cut there into two objects; no normals.
 TWO_PARTS = "o left\nv -1 0 0\nv 0 0 0.3\nv 0 1 0.3\nv -1 1 0\nf 1 2 3 4\no right\nv 0 0 0.3\nv 1 0 0\nv 1 1 0\nv 0 1 0.3\nf 5 6 7 8\n"
@@ -264,6 +269,14 @@ class Inspect(program.Case):
         for name in ("parts.obj", "cube.obj"):
             self.assertNotIn("border_proposal", self.row(name))
             self.assertNotIn("open borders", self.run_program("inspect", name).out)
+
+    def test_parts_that_only_lie_near_each_other_are_neither_measured_nor_proposed(self):
+        for path, scene in border_scenes.write(self.folder):
+            with self.subTest(scene.name):
+                matched = self.row(path, "--border-distance", str(scene.distance))["matched_borders"]
+                self.assertEqual(matched["matched_length"] > 0, scene.joins, matched)
+                self.assertEqual(bool(matched["pairs"]), scene.joins)
+                self.assertEqual("border_proposal" in self.row(path), scene.joins)
 
     def test_the_heat_map_shows_borders_that_do_not_match(self):
         self.write("vase.obj", vase_in_two(0.01))

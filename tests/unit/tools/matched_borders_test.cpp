@@ -64,7 +64,7 @@ TEST(MatchedBorders, AFinerHalfHasASeamThatNoSharedPositionShowsAndJoiningTakesA
     const test::CutSurface cut = finer(test::bumpy_sphere());
     const Inspection i = inspected(scene_of(cut), within(0.2 * cut.edge));
     EXPECT_EQ(i.shared_positions, 0u);
-    const MatchedBorders& m = i.matched;
+    const MatchedSeams& m = i.matched;
     ASSERT_EQ(m.pairs.size(), 1u);
     const MatchedPair& pair = m.pairs[0];
     EXPECT_EQ(std::pair(pair.object_a, pair.object_b), std::pair(0u, 1u));
@@ -286,7 +286,7 @@ TEST(MatchedBorders, NormalsThatAreSplitAtCreasesAreMeasuredToo) {
         InspectOptions options = within(0.2 * cut.edge);
         options.prepare.normals = source;
         options.prepare.crease_angle_rad = radians(10);
-        const MatchedBorders m = inspected(scene, options).matched;
+        const MatchedSeams m = inspected(scene, options).matched;
         EXPECT_GT(m.matched_length, 0);
         if (source == NormalSource::flat) {
             EXPECT_NEAR(m.before.max_deg, 10, 2.6) << "facets of 15 and 5 degrees";
