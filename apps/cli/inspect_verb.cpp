@@ -42,9 +42,8 @@ std::vector<Option> normal_options() {
         "Whose normals are looked at: auto (default: the file's, smoothed per object where it has none), file (else "
         "flat), flat, object, model, seams (the file's, joined where parts meet, as smooth does)";
     apps::find(all, "border-distance").help =
-        "Also measure the seams along open borders of different meshes that run along each other at most this far "
-        "apart "
-        "[m], without shared vertices (default 0: off)";
+        "Also measure the seams along borders of different meshes at most this far apart [m] that run along each other "
+        "without shared vertices (default 0: off, and a value is proposed where there are some)";
     for (const char* name : {"normals", "crease-angle", "weld-distance", "border-distance", "weight", "tangents",
                              "orthogonalize", "keep-instances"})
         options.push_back(apps::find(all, name));
@@ -176,9 +175,9 @@ InspectOptions options_of(const Run& run) {
     const Given& given = run.given;
     InspectOptions options;
     options.borders = !given.has("no-borders");
-    options.surfaces = !given.has("no-surfaces");
     if (!options.borders && given.has("border-distance"))
         throw Error(ErrorCode::usage, "--no-borders and --border-distance exclude each other");
+    options.surfaces = !given.has("no-surfaces");
     options.seam_lines = draws_heat_maps(run) && options.borders;
     return options;
 }

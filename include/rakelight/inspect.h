@@ -109,7 +109,7 @@ struct MatchedPair {
 /// Open borders of different meshes that run along each other by the rule of match_borders(). `before`: between the
 /// normals as they are (as BorderSummary::before) of both sides, along the curve: a *seam* that no shared position shows.
 /// `after`: smoothed over the whole model, then joined by join_borders().
-struct MatchedBorders {
+struct MatchedSeams {
     double distance = 0;  ///< [m] InspectOptions::border_distance; 0: nobody asked
     double open_length = 0, matched_length = 0;
     double gap_max = 0, gap_mean = 0;
@@ -121,9 +121,11 @@ struct MatchedBorders {
 
 /// A distance at which open borders run along each other where nobody asked for one: proposed_border_distance().
 struct BorderProposal {
-    double distance = 0;                         ///< [m] 0: no borders do
-    double open_length = 0, matched_length = 0;  ///< [m] at that distance
-    double gap_max = 0;                          ///< [m]
+    double distance = 0;        ///< [m] 0: no borders do, or their normals are continuous
+    double open_length = 0;     ///< [m]
+    double matched_length = 0;  ///< [m] of it, about, at that distance
+    double gap_max = 0;         ///< [m]
+    double seam_deg = 0;        ///< the largest angle between the normals of both sides
 };
 
 /// A piece of a border with a seam; a == b where objects share a position but no edge.
@@ -168,7 +170,7 @@ struct Inspection {
     std::vector<BorderSummary> borders{};  ///< the largest seam first, then the largest angle; at most 10,000
     std::uint64_t borders_left_out = 0;
     std::vector<InconsistentPair> inconsistent_pairs{};  ///< the most edges first; at most 10,000
-    MatchedBorders matched{};                            ///< with InspectOptions::border_distance
+    MatchedSeams matched{};                            ///< with InspectOptions::border_distance
     BorderProposal proposal{};                           ///< without it, of surfaces and borders that were looked at
     std::vector<SeamLine> seam_lines{};                  ///< when asked for
     Scene scene{};  ///< as loaded, but without its nodes and meshes: materials, textures, lights, cameras, animations

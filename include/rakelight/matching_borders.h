@@ -107,9 +107,10 @@ struct BorderMeasure {
 /// of match_borders() for points of edges in place of vertices.
 BorderMeasure measure_borders(std::span<const AttributeMesh> meshes, const MatchOptions& options, Context& context);
 
-/// A distance for MatchOptions from the gaps that there are: open edges of different meshes that run along each other by the
-/// rule of match_borders() no farther apart than half of the longer edge. A little more than the gap that 98 % of
-/// their length keep to, in two digits. 0: no borders do.
+/// A distance for MatchOptions from the gaps that there are: open edges of different meshes that run along one other mesh from
+/// end to end by the rule of match_borders(), no farther away than half of the edge, with gaps that differ by at most a
+/// quarter of it. A little more than the gap that 98 % of their length keep to, in two digits. 0: no borders do. Of
+/// more than 4096 open edges as many are asked, spread over all.
 /// @param options  `distance` is not read
 double proposed_border_distance(std::span<const AttributeMesh> meshes, const MatchOptions& options, Context& context);
 

@@ -125,7 +125,8 @@ Json json_of(const BorderProposal& p) {
     return {{"distance", p.distance},
             {"open_length", p.open_length},
             {"matched_length", p.matched_length},
-            {"gap_max", p.gap_max}};
+            {"gap_max", p.gap_max},
+            {"seam_deg", p.seam_deg}};
 }
 
 Json json_of(const InconsistentPair& p) {
@@ -189,7 +190,7 @@ Json list(const List& values) {
     return array;
 }
 
-Json json_of(const MatchedBorders& m) {
+Json json_of(const MatchedSeams& m) {
     return {{"distance", m.distance},
             {"open_length", m.open_length},
             {"matched_length", m.matched_length},

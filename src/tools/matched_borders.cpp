@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/border_measure.h"
+#include "geometry/border_proposal.h"
 #include "tools/borders.h"
 
 namespace rakelight {
@@ -47,7 +48,7 @@ MatchedPair summarize(ObjectPair objects, const BorderMeasure& before) {
             .seam_position = (largest->a + largest->b) * 0.5};
 }
 
-void list_pairs(MatchedBorders& matched, const BorderMeasure& before, const BorderMeasure& after,
+void list_pairs(MatchedSeams& matched, const BorderMeasure& before, const BorderMeasure& after,
                 const Surfaces& surfaces) {
     const std::map<ObjectPair, BorderMeasure> pairs_after = measures_of_pairs(after.samples, surfaces);
     for (const auto& [objects, measure] : measures_of_pairs(before.samples, surfaces)) {
@@ -86,7 +87,7 @@ void look_at_matched_borders(Inspection& result, const Surfaces& surfaces, SeamN
     apply(join_borders(match_borders(smoothed.meshes, matching, context), smoothed.meshes, {}, report, context), parts,
           normals.after);  // `smoothed` looks at these
     const BorderMeasure after = measure_borders(smoothed.meshes, matching, context);
-    MatchedBorders& matched = result.matched;
+    MatchedSeams& matched = result.matched;
     matched.distance = options.border_distance;
     matched.open_length = before.open_length, matched.matched_length = before.matched_length;
     matched.gap_max = before.gap_max, matched.gap_mean = before.gap_mean;
@@ -101,10 +102,9 @@ void look_at_matched_borders(Inspection& result, const Surfaces& surfaces, SeamN
 void propose_border_distance(Inspection& result, const Surfaces& surfaces, std::span<const PartNormals> before,
                              const InspectOptions& options, Context& context) {
     const MeshesWithNormals meshes = meshes_with_normals(surfaces, before, all_parts(surfaces), context);
-    const double distance = proposed_border_distance(meshes.meshes, match_options(options, 0), context);
-    if (!(distance > 0)) return;
-    const BorderMeasure measure = measure_borders(meshes.meshes, match_options(options, distance), context);
-    result.proposal = {distance, measure.open_length, measure.matched_length, measure.gap_max};
+    const geometry::ProposedDistance p = geometry::propose_distance(meshes.meshes, match_options(options, 0), context);
+    if (p.distance > 0 && p.seam_deg > continuous_deg)
+        result.proposal = {p.distance, p.open_length, p.matched_length, p.gap_max, p.seam_deg};
 }
 
 }  // namespace rakelight

@@ -15,9 +15,9 @@ std::string angles_text(const CurveAngles& a) {
 
 std::string proposal_line(const Inspection& i) {
     const BorderProposal& p = i.proposal;
-    return "open borders of different meshes run along each other (" + number(p.matched_length, "%.4g") + " of " +
-           number(p.open_length, "%.4g") + " " + i.unit + ", gaps up to " + number(p.gap_max, "%.3g") +
-           "): --border-distance " + number(p.distance) + " measures and joins them";
+    return "open borders of different meshes run along each other (" + number(p.matched_length, "%.3g") + " of " +
+           number(p.open_length, "%.3g") + " " + i.unit + ", gaps up to " + number(p.gap_max, "%.3g") + ", seams to " +
+           degrees_text(p.seam_deg) + " degrees): --border-distance " + number(p.distance) + " measures and joins them";
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ std::string between_text(const Inspection& i, std::uint32_t object_a, std::uint3
 }
 
 std::vector<std::string> matched_lines(const Inspection& i) {
-    const MatchedBorders& m = i.matched;
+    const MatchedSeams& m = i.matched;
     if (i.proposal.distance > 0) return {proposal_line(i)};
     if (!(m.distance > 0)) return {};
     std::vector<std::string> lines = {"open borders " + number(m.open_length, "%.4g") + " " + i.unit + ": " +

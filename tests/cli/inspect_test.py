@@ -5,17 +5,48 @@
   inspect_test.py PROGRAM [unittest arguments]"""
 import base64
 import json
+import math
+import pathlib
 import struct
+import sys
 import xml.etree.ElementTree
 
 import program
 from program import png
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests/support"))
+import border_scenes  # noqa: E402
 
 # A sheet bent along x = 0, cut there into two objects; no normals.
 TWO_PARTS = "o left\nv -1 0 0\nv 0 0 0.3\nv 0 1 0.3\nv -1 1 0\nf 1 2 3 4\no right\nv 0 0 0.3\nv 1 0 0\nv 1 1 0\nv 0 1 0.3\nf 5 6 7 8\n"
 CUBE = ("o cube\n" + "".join(f"v {i & 1} {i >> 1 & 1} {i >> 2 & 1}\n" for i in range(8)) +
         "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n")
 LIMITS = ("--no-degenerate", "--no-t-junctions", "--no-non-manifold", "--consistent-winding", "--no-inside-out", "--closed", "--unit-normals")
+
+
+def vase(columns, rows, low, high, first, name, normals=False):
+    """A part of a body of revolution as OBJ, from height `low` to `high`, its own normals with it or none."""
+    radius, slope = (lambda y: 1 + 0.4 * math.sin(2 * y)), (lambda y: 0.8 * math.cos(2 * y))
+    lines = [f"o {name}"]
+    for r in range(rows + 1):
+        for c in range(columns):
+            y, a = low + (high - low) * r / rows, 2 * math.pi * c / columns
+            lines.append(f"v {radius(y) * math.cos(a):.9g} {y:.9g} {-radius(y) * math.sin(a):.9g}")
+            if normals:
+                size = math.hypot(1, slope(y))
+                lines.append(f"vn {math.cos(a) / size:.9g} {-slope(y) / size:.9g} {-math.sin(a) / size:.9g}")
+    corner = (lambda v: f"{v}//{v}") if normals else str
+    for r in range(rows):
+        for c in range(columns):
+            below, above = first + r * columns, first + (r + 1) * columns
+            quad = (below + c, below + (c + 1) % columns, above + (c + 1) % columns, above + c)
+            lines.append("f " + " ".join(corner(v) for v in quad))
+    return "\n".join(lines) + "\n"
+
+
+def vase_in_two(gap, normals=False):
+    """Halves with a gap between them [m]; the upper one has three times as many columns."""
+    return vase(16, 4, 0, 1, 1, "lower", normals) + vase(48, 8, 1 + gap, 2, 1 + 16 * 5, "upper", normals)
 
 
 class Inspect(program.Case):
@@ -195,6 +226,73 @@ class Inspect(program.Case):
         self.run_program("inspect", "t.stl", "--report", "t.html", "--resolution", "64,48")
         self.assertIn("size 25 x 25 x 0 units", (self.folder / "t.html").read_text())
 
+    def test_borders_that_do_not_match_are_seen_measured_checked_and_joined(self):
+        self.write("vase.obj", vase_in_two(0.01))
+        proposal = self.row("vase.obj")["border_proposal"]
+        distance = str(proposal["distance"])
+        self.assertTrue(0.01 < float(distance) < 0.05, proposal)
+        self.assertGreater(proposal["seam_deg"], 5)
+        self.assertRegex(self.run_program("inspect", "vase.obj").out,
+                         r"  open borders of different meshes run along each other \(\S+ of \S+ units, gaps up to \S+, seams to \S+ degrees\): --border-distance "
+                         + distance + " measures and joins them\n")
+        row = self.row("vase.obj", "--border-distance", distance)
+        self.assertNotIn("border_proposal", row)
+        matched = row["matched_borders"]
+        self.assertEqual(sorted(matched), ["after", "before", "distance", "edges_not_searched", "gap_max", "gap_mean", "matched_length", "open_length", "pairs",
+                                           "pairs_left_out", "unmatched_length"])
+        self.assertEqual((matched["distance"], matched["edges_not_searched"], matched["pairs_left_out"]), (float(distance), 0, 0))
+        self.assertAlmostEqual(matched["matched_length"] + matched["unmatched_length"], matched["open_length"])
+        around = 2 * math.pi * (1 + 0.4 * math.sin(2))
+        self.assertAlmostEqual(matched["matched_length"], 2 * around, delta=0.02 * around)
+        self.assertTrue(0.01 <= matched["gap_mean"] <= matched["gap_max"] <= float(distance), matched)
+        before, after = matched["before"], matched["after"]
+        self.assertTrue(after["max_deg"] < 0.2 * before["max_deg"] and before["mean_deg"] <= before["p95_deg"] <= before["max_deg"], matched)
+        pair, = matched["pairs"]
+        self.assertEqual([row["objects"][pair[key]]["name"] for key in ("object_a", "object_b")], ["lower", "upper"])
+        self.assertAlmostEqual(pair["seam_position"][1], 1.005, delta=0.006)
+        self.assertIn("borders that run along each other (degrees)", self.run_program("inspect", "vase.obj", "--border-distance", distance).out)
+
+        check = ("--check", "--max-seam", "2")
+        self.assertEqual(self.run_program("inspect", "vase.obj", *check).code, 0)  # nobody asked for such borders
+        failed = self.run_program("inspect", "vase.obj", *check, "--border-distance", distance, "--report", "vase.xml")
+        self.assertEqual(failed.code, 5)
+        self.assertRegex(failed.err, r"max-seam: seam of \S+ degrees between 'lower' and 'upper' at \S+ 1\S* \S+, along borders that share no vertex there, more than 2\n")
+        self.assertIn("along borders that share no vertex there", xml.etree.ElementTree.parse(self.folder / "vase.xml").find(".//failure").get("message"))
+        self.smooth("vase.obj", "joined.obj", "--border-distance", distance)
+        passed = self.run_program("inspect", "joined.obj", *check, "--border-distance", distance)
+        self.assertEqual((passed.code, passed.err), (0, ""))
+
+    def test_borders_whose_normals_agree_pass_and_are_not_proposed(self):
+        self.write("agree.obj", vase_in_two(0.001, normals=True))
+        self.assertEqual(self.run_program("inspect", "agree.obj", "--check", "--border-distance", "0.03", "--max-seam", "0.5").code, 0)
+        self.assertLess(self.row("agree.obj", "--border-distance", "0.03")["matched_borders"]["before"]["max_deg"], 0.5)
+        for name in ("parts.obj", "cube.obj"):
+            self.assertNotIn("border_proposal", self.row(name))
+            self.assertNotIn("open borders", self.run_program("inspect", name).out)
+
+    def test_parts_that_only_lie_near_each_other_are_neither_measured_nor_proposed(self):
+        for path, scene in border_scenes.write(self.folder):
+            with self.subTest(scene.name):
+                matched = self.row(path, "--border-distance", str(scene.distance))["matched_borders"]
+                self.assertEqual(matched["matched_length"] > 0, scene.joins, matched)
+                self.assertEqual(bool(matched["pairs"]), scene.joins)
+                self.assertEqual("border_proposal" in self.row(path), scene.joins)
+
+    def test_the_heat_map_shows_borders_that_do_not_match(self):
+        self.write("vase.obj", vase_in_two(0.01))
+        view = ("--camera-position", "0,1,6", "--camera-focal-point", "0,1,0", "--camera-orthographic", "--resolution", "120,80")
+        for name, options in (("off", ()), ("on", ("--border-distance", "0.03"))):
+            with self.subTest(name=name):
+                done = self.run_program("inspect", "vase.obj", "--heatmap", name + ".png", *view, *options)
+                self.assertEqual((done.code, done.err), (0, ""))
+                rows = png(self.folder / (name + ".png"))[3]
+                colored = [y for y in range(80) for x in range(120) if max(rows[y][3 * x:3 * x + 3]) - min(rows[y][3 * x:3 * x + 3]) > 20]
+                if name == "off":
+                    self.assertEqual(colored, [])
+                else:
+                    self.assertGreater(len(colored), 50)
+                    self.assertTrue(all(34 <= y <= 46 for y in colored), (min(colored), max(colored)))  # the cut is at half of the height
+
     def test_a_report_is_a_page_that_holds_everything(self):
         done = self.run_program("inspect", "parts.obj", "cube.obj", "none.obj", "--report", "r.html", "--check", "--max-seam", "2", "--resolution", "320,240")
         self.assertEqual(done.code, 5, done.err)
@@ -229,7 +327,8 @@ class Inspect(program.Case):
 
     def test_wrong_usage_is_one_line_and_exit_code_2(self):
         for options in (["--closed"], ["--max-seam", "2"], ["--check", "--max-seam", "-1"], ["--check", "--max-seam", "x"],
-                        ["--check", "--max-seam", "181"], ["--weld-distance", "-1"], ["--weld-distance", "inf"], ["--check", "--no-borders", "--max-seam", "1"],
+                        ["--check", "--max-seam", "181"], ["--weld-distance", "-1"], ["--weld-distance", "inf"], ["--border-distance", "-1"], ["--border-distance", "inf"], ["--border-distance", "x"],
+                        ["--no-borders", "--border-distance", "1"], ["--check", "--no-borders", "--max-seam", "1"],
                         ["--check", "--no-surfaces", "--closed"], ["--view", "front"], ["--resolution", "10,10"],
                         ["--no-borders", "--heatmap", "a.png"], ["--heatmap", "a.txt"], ["--heatmap", "cube.obj/folder.png"],
                         ["cube.obj", "--heatmap", "a.png"], ["--heatmap", "a.png", "--view", "inside"],

@@ -112,6 +112,8 @@ TEST(MisusedInspection, OneThatDoesNotHoldTogetherIsRefused) {
         [](Inspection& i) { i.surfaces[0].t_junctions = 5; },
         [](Inspection& i) { i.material_objects.clear(); },
         [](Inspection& i) { i.seams.seam_deg = 50; },
+        [](Inspection& i) { i.matched.pairs.push_back({.object_a = 0, .object_b = 9}); },
+        [](Inspection& i) { i.matched.before.max_deg = 50; },
     };
     Context context;
     const Inspection good = inspect(triangle_scene(), {}, context);
