@@ -52,6 +52,7 @@ BorderSums::BorderSums(const AttributeInput& input, std::span<const std::span<co
       nodes_(nodes),
       links_(links),
       weight_(weight),
+      is_open_(nodes.count(), 0),
       role_(nodes.count(), no_part),
       member_weight_(nodes.members.size(), 0),
       normals_(nodes.count()),
@@ -138,8 +139,23 @@ void BorderSums::read_tangents() {
     }
 }
 
-/// Votes go to what is followed, those of the deepest links first.
+/// What a node that follows is to have.
+dvec3 BorderSums::between(const BorderLink& link) const {
+    return normalize_or(normals_[link.node_a] * (1 - link.t) + normals_[link.node_b] * link.t, normals_[link.node]);
+}
+dvec3 BorderSums::tangent_between(const BorderLink& link) const {
+    const dvec3 sum = tangents_[link.member_a].unit * (1 - link.t) + tangents_[link.member_b].unit * link.t;
+    return sum - normals_[link.node] * dot(normals_[link.node], sum);
+}
+
+/// Votes go to what is followed, those of the deepest links first. Nodes all of whose followers agree with them already
+/// turn no more: what was joined once stays.
 void BorderSums::share_out() {
+    for (const BorderLink& link : links_) {
+        if (!(angle_between(normals_[link.node], between(link)) > continuous_rad)) continue;
+        if (link.counts_a()) is_open_[link.node_a] = 1;
+        if (link.counts_b()) is_open_[link.node_b] = 1;
+    }
     for (std::size_t l = links_.size(); l-- > 0;) {
         const BorderLink& link = links_[l];
         sums_[link.node_a] += sums_[link.node] * (1 - link.t);
@@ -162,10 +178,11 @@ bool BorderSums::agrees(const Tangent& own, const BorderLink& link) const {
 void BorderSums::share_tangents(const BorderLink& link) {
     for (std::uint32_t i = nodes_.member_begin[link.node]; i < nodes_.member_begin[link.node + 1]; ++i) {
         if (tangents_[i].lead != i || !agrees(tangents_[i], link)) continue;
+        const bool is_open = angle_between(tangents_[i].unit, tangent_between(link)) > continuous_rad;
         const auto give = [&](std::uint32_t member, double share) {
             Tangent& to = tangents_[tangents_[member].lead];
             to.sum += tangents_[i].sum * share;
-            to.received = true;
+            to.received = to.received || is_open;
         };
         if (link.counts_a()) give(link.member_a, 1 - link.t);
         if (link.counts_b()) give(link.member_b, link.t);
@@ -185,7 +202,7 @@ void BorderSums::set_tangent(std::uint32_t member, dvec3 sum) {
 void BorderSums::lead() {
     for (std::uint32_t node = 0; node < nodes_.count(); ++node) {
         if (role_[node] != leads) continue;
-        if (length(sums_[node]) > cancelled_share * weights_[node])
+        if (is_open_[node] != 0 && length(sums_[node]) > cancelled_share * weights_[node])
             normals_[node] = normalize_or(sums_[node], normals_[node]);
         for (std::uint32_t i = nodes_.member_begin[node]; !tangents_.empty() && i < nodes_.member_begin[node + 1]; ++i)
             if (const Tangent& lead = tangents_[tangents_[i].lead]; lead.received) set_tangent(i, lead.sum);
@@ -194,12 +211,10 @@ void BorderSums::lead() {
 
 void BorderSums::follow() {
     for (const BorderLink& link : links_) {
-        const dvec3 between = normals_[link.node_a] * (1 - link.t) + normals_[link.node_b] * link.t;
-        normals_[link.node] = normalize_or(between, normals_[link.node]);
+        normals_[link.node] = between(link);
         if (tangents_.empty()) continue;
         for (std::uint32_t i = nodes_.member_begin[link.node]; i < nodes_.member_begin[link.node + 1]; ++i)
-            if (agrees(tangents_[i], link))
-                set_tangent(i, tangents_[link.member_a].unit * (1 - link.t) + tangents_[link.member_b].unit * link.t);
+            if (agrees(tangents_[i], link)) set_tangent(i, tangent_between(link));
     }
 }
 

@@ -32,6 +32,8 @@ private:
     void share_out();
     void share_tangents(const BorderLink& link);
     bool agrees(const Tangent& own, const BorderLink& link) const;
+    dvec3 between(const BorderLink& link) const;
+    dvec3 tangent_between(const BorderLink& link) const;
     void lead();
     void follow();
     void set_tangent(std::uint32_t member, dvec3 sum);
@@ -44,6 +46,7 @@ private:
     const BorderNodes& nodes_;
     std::span<const BorderLink> links_;
     CornerWeight weight_;
+    std::vector<std::uint8_t> is_open_;  ///< [nodes] something that follows it does not yet agree
     std::vector<std::uint8_t> role_;     ///< [nodes]
     std::vector<double> member_weight_;  ///< [members]
     std::vector<dvec3> normals_, sums_;  ///< [nodes] now and as they become; of votes

@@ -105,7 +105,7 @@ std::string borders_html(const Inspection& before, const Inspection& after) {
 }
 
 /// Seams along open borders without shared vertices, before and after; nothing where nobody asked for them.
-std::string matched_html(const MatchedBorders& before, const MatchedBorders& after) {
+std::string matched_html(const MatchedSeams& before, const MatchedSeams& after) {
     if (!(before.distance > 0)) return "";
     const auto row = [](const char* name, const CurveAngles& seam) {
         return row_html("td", {name, number(seam.max_deg), number(seam.mean_deg), number(seam.p95_deg)});

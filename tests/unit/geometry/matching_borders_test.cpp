@@ -275,7 +275,17 @@ TEST(MatchingBorders, TangentsFollowWhereChartsAgree) {
             EXPECT_NEAR(dot(t.xyz(), mesh.normals[i]), 0, 1e-6);
         }
     }
-    for (vec4& t : tangents[1]) t.w = -1;  // another handedness: each turns along with its normal
+    std::vector<Shape> joined = applied(shapes, turned);
+    for (std::size_t m = 0; m < 2; ++m)
+        for (std::size_t i = 0; i < turned[m].vertices.size(); ++i)
+            tangents[m][turned[m].vertices[i]] = turned[m].tangents[i];
+    Context context;
+    MatchReport report;
+    const std::vector<std::span<const vec4>> spans{tangents[0], tangents[1]};
+    for (const MeshSeams& mesh :
+         join_borders(match_borders(views(joined), {.distance = 0.05}, context), views(joined), spans, report, context))
+        EXPECT_TRUE(mesh.vertices.empty());  // what agrees stays
+    for (vec4& t : tangents[1]) t.w = -1;    // another handedness: each turns along with its normal
     for (const MeshSeams& mesh : run(tangents))
         for (const vec4 t : mesh.tangents) EXPECT_EQ(t.w, 0);
 }
@@ -302,6 +312,16 @@ TEST(MatchingBorders, AMatchServesOtherPoses) {
     EXPECT_THROW(join_borders(match, views(posed), {}, report, context), Error);
     posed.pop_back();
     EXPECT_THROW(join_borders(match, views(posed), {}, report, context), Error);
+}
+
+TEST(MatchingBorders, WhatWasJoinedStays) {
+    for (const Cut cut : {Cut{.times = 3, .phase = 0.3}, Cut{.times = 2, .gap = 0.2, .noise = 0.05}}) {
+        const CutSurface model = cut_surface(bumpy_sphere(), cut);
+        const MatchOptions options{.distance = 0.4 * model.edge};
+        const Joined once = join(smoothed(model.halves), options), twice = join(once.shapes, options);
+        EXPECT_GT(once.report.turned, 20u);
+        EXPECT_EQ(twice.report.turned, 0u) << twice.report.max_deg;
+    }
 }
 
 TEST(MatchingBorders, OptionsAreChecked) {
