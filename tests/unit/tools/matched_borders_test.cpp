@@ -131,7 +131,7 @@ TEST(MatchedBorders, TwoMeshesOfOneObjectAreAPairOfIt) {
     EXPECT_NE(to_text(i).find("between two meshes of 'lower'"), std::string::npos) << to_text(i);
 }
 
-TEST(MatchedBorders, SkinnedAndPlacedPartsAreMeasuredInTheWorld) {
+TEST(MatchedBorders, PlacedPartsAreMeasuredInTheWorld) {
     const test::CutSurface cut = finer(test::cylinder());
     Scene scene = scene_of(cut);
     const Inspection plain = inspected(scene, within(0.2 * cut.edge));
