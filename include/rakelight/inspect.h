@@ -121,7 +121,7 @@ struct MatchedSeams {
 
 /// A distance at which open borders run along each other where nobody asked for one: proposed_border_distance().
 struct BorderProposal {
-    double distance = 0;        ///< [m] 0: no borders do, or their normals are continuous
+    double distance = 0;        ///< [m] 0: no borders do, or their normals agree to 1 degree
     double open_length = 0;     ///< [m]
     double matched_length = 0;  ///< [m] of it, about, at that distance
     double gap_max = 0;         ///< [m]
@@ -170,7 +170,7 @@ struct Inspection {
     std::vector<BorderSummary> borders{};  ///< the largest seam first, then the largest angle; at most 10,000
     std::uint64_t borders_left_out = 0;
     std::vector<InconsistentPair> inconsistent_pairs{};  ///< the most edges first; at most 10,000
-    MatchedSeams matched{};                            ///< with InspectOptions::border_distance
+    MatchedSeams matched{};                              ///< with InspectOptions::border_distance
     BorderProposal proposal{};                           ///< without it, of surfaces and borders that were looked at
     std::vector<SeamLine> seam_lines{};                  ///< when asked for
     Scene scene{};  ///< as loaded, but without its nodes and meshes: materials, textures, lights, cameras, animations

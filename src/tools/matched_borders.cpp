@@ -103,7 +103,7 @@ void propose_border_distance(Inspection& result, const Surfaces& surfaces, std::
                              const InspectOptions& options, Context& context) {
     const MeshesWithNormals meshes = meshes_with_normals(surfaces, before, all_parts(surfaces), context);
     const geometry::ProposedDistance p = geometry::propose_distance(meshes.meshes, match_options(options, 0), context);
-    if (p.distance > 0 && p.seam_deg > continuous_deg)
+    if (p.distance > 0 && p.seam_deg > *CheckLimits().max_seam_deg)
         result.proposal = {p.distance, p.open_length, p.matched_length, p.gap_max, p.seam_deg};
 }
 

@@ -266,7 +266,7 @@ class Inspect(program.Case):
         self.write("agree.obj", vase_in_two(0.001, normals=True))
         self.assertEqual(self.run_program("inspect", "agree.obj", "--check", "--border-distance", "0.03", "--max-seam", "0.5").code, 0)
         self.assertLess(self.row("agree.obj", "--border-distance", "0.03")["matched_borders"]["before"]["max_deg"], 0.5)
-        for name in ("parts.obj", "cube.obj"):
+        for name in ("agree.obj", "parts.obj", "cube.obj"):
             self.assertNotIn("border_proposal", self.row(name))
             self.assertNotIn("open borders", self.run_program("inspect", name).out)
 
