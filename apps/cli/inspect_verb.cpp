@@ -220,6 +220,8 @@ void inspect_file(const PictureRequest& picture, Task task, InspectionRow& row, 
     task.options.border_distance = picture.prepare.border_distance;
     row.inspection = inspect(scene, task.options, context);
     if (task.limits) row.check = check_limits(*row.inspection, *task.limits);
+    if (const std::string seams = proposal_text(*row.inspection); task.limits && !seams.empty())
+        context.report().add(Remark::warning, picture.input, {}, "not checked: " + seams);
     if (task.options.seam_lines) {
         const Frame map =
             draw_seams(scene, *row.inspection, task.options, seam_view(picture), picture.settings, context, task.marks);

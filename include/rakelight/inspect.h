@@ -103,20 +103,24 @@ struct MatchedPair {
     double length = 0;                 ///< [m] of what is matched, of both sides
     double gap_max = 0, gap_mean = 0;  ///< [m]
     CurveAngles before{}, after{};
-    dvec3 seam_position{};  ///< [m] world: where the angle before is largest
+    double seam_deg = 0;    ///< the largest angle before of which joining takes a tenth away, or more
+    dvec3 seam_position{};  ///< [m] world: where that is; where none is, where the angle before is largest
 };
 
 /// Open borders of different meshes that run along each other by the rule of match_borders(). `before`: between the
 /// normals as they are (as BorderSummary::before) of both sides, along the curve: a *seam* that no shared position shows.
-/// `after`: smoothed over the whole model, then joined by join_borders().
+/// `after`: smoothed over the whole model, then joined by join_borders(). A seam counts where joining the normals as they are
+/// would take it away: along edges that bend strongly something is left that no join can.
 struct MatchedSeams {
     double distance = 0;  ///< [m] InspectOptions::border_distance; 0: nobody asked
     double open_length = 0, matched_length = 0;
+    double unmatched_length() const;
+    double seam_deg = 0;  ///< the largest of the pairs'
     double gap_max = 0, gap_mean = 0;
     CurveAngles before{}, after{};
-    std::vector<MatchedPair> pairs{};  ///< the largest angle before first; at most 10,000
+    std::vector<MatchedPair> pairs{};  ///< the largest seam first, then the largest angle before; at most 10,000
     std::uint64_t pairs_left_out = 0;
-    std::uint64_t edges_not_searched = 0;  ///< MatchReport::edges_not_searched
+    std::uint64_t edges_not_searched = 0;  ///< BorderMeasure::edges_not_searched
 };
 
 /// A distance at which open borders run along each other where nobody asked for one: proposed_border_distance().
@@ -125,7 +129,7 @@ struct BorderProposal {
     double open_length = 0;     ///< [m]
     double matched_length = 0;  ///< [m] of it, about, at that distance
     double gap_max = 0;         ///< [m]
-    double seam_deg = 0;        ///< the largest angle between the normals of both sides
+    double seam_deg = 0;        ///< MatchedSeams::seam_deg at that distance
 };
 
 /// A piece of a border with a seam; a == b where objects share a position but no edge.
@@ -194,6 +198,9 @@ struct InspectOptions {
 /// elsewhere.
 /// @throws Error bad_file: too large for the memory that files may ask for, or more than 2^32 vertices and corners
 Inspection inspect(const Scene& scene, const InspectOptions& options, Context& context);
+
+/// The line that proposes a border distance, for people; empty: none is proposed.
+std::string proposal_text(const Inspection& inspection);
 
 /// What a model must keep to. The seam limit needs InspectOptions::borders, the others InspectOptions::surfaces. Seams along
 /// matched borders count like those at shared positions.

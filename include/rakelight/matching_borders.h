@@ -31,7 +31,7 @@ struct MatchReport {
     std::uint64_t leading = 0, following = 0;  ///< border vertices; those at one place with one normal count once
     std::uint64_t turned = 0;                  ///< vertices of the meshes
     double max_deg = 0, mean_deg = 0;          ///< by which they turned, in the world
-    std::uint64_t edges_not_searched = 0;      ///< beyond the bounded work: no model has these, an attack may
+    std::uint64_t vertices_not_searched = 0;   ///< border vertices, to the end: no model has these, an attack may
     bool operator==(const MatchReport&) const = default;
 };
 
@@ -95,12 +95,12 @@ struct BorderSample {
 };
 
 struct BorderMeasure {
-    double open_length = 0;               ///< [m] of all open edges
-    double matched_length = 0;            ///< of these
-    CurveAngles seam{};                   ///< along what is matched
-    double gap_max = 0, gap_mean = 0;     ///< [m] along what is matched
-    std::vector<BorderSample> samples{};  ///< of what is matched; in the order of meshes and triangles
-    std::uint64_t edges_not_searched = 0;
+    double open_length = 0;                ///< [m] of all open edges
+    double matched_length = 0;             ///< of these
+    CurveAngles seam{};                    ///< along what is matched
+    double gap_max = 0, gap_mean = 0;      ///< [m] along what is matched
+    std::vector<BorderSample> samples{};   ///< of what is matched; in the order of meshes and triangles
+    std::uint64_t edges_not_searched = 0;  ///< open edges, to the end
 };
 
 /// Measures along the curve how far the normals of both sides are apart, at four places of every open edge, by the rule

@@ -96,22 +96,22 @@ private:
         context_.parallel_for(chunks, [&](std::size_t c) {
             const std::size_t last = std::min(sides_.size(), (c + 1) * sides_per_chunk);
             for (std::size_t s = c * sides_per_chunk; s < last; ++s)
-                given_up.fetch_add(match_side(std::uint32_t(s), found[c]), std::memory_order_relaxed);
+                given_up.fetch_add(match_side(std::uint32_t(s), found[c]) ? 1 : 0, std::memory_order_relaxed);
         });
         for (const std::vector<Match>& f : found) matches_.insert(matches_.end(), f.begin(), f.end());
-        result_.edges_not_searched = given_up;
+        result_.vertices_not_searched = given_up;
     }
 
-    /// Appends in the order of the other meshes. @return questions that were given up
-    std::uint64_t match_side(std::uint32_t number, std::vector<Match>& out) const {
+    /// Appends in the order of the other meshes. @return some question was given up
+    bool match_side(std::uint32_t number, std::vector<Match>& out) const {
         const Side& side = sides_[number];
         const std::size_t first = out.size();
-        std::uint64_t given_up = 0;
+        bool given_up = false;
         BorderHits hits;
         for (std::uint32_t i = side.first_use; i < side.last_use; ++i) {
             const BorderEdge& edge = edges_[ends_[i].edge];
             search_.find(edge, ends_[i].is_a ? edge.a : edge.b, nodes_.normals[side.node], distance_, hits);
-            given_up += hits.gave_up;
+            given_up = given_up || hits.gave_up;
             for (const BorderHit& hit : hits.all()) keep_best({number, side.mesh, hit.mesh, hit}, first, out);
         }
         std::sort(out.begin() + std::ptrdiff_t(first), out.end(),

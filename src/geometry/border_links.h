@@ -24,7 +24,7 @@ constexpr std::uint32_t most_depth = 4;
 
 struct BorderLinks {
     std::vector<BorderLink> links;  ///< by depth, then by node; each node once
-    std::uint64_t edges_not_searched = 0;
+    std::uint64_t vertices_not_searched = 0;
 };
 
 /// @param edges  of border_edges(), whose ends are members of `nodes`

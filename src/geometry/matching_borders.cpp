@@ -46,7 +46,7 @@ std::vector<MeshSeams> join_borders(const BorderMatch& match, std::span<const At
                                     Context& context) {
     const BorderMatch::Impl& impl = match.impl();
     report = {};
-    report.edges_not_searched = impl.links.edges_not_searched;
+    report.vertices_not_searched = impl.links.vertices_not_searched;
     if (match.is_empty()) return std::vector<MeshSeams>(meshes.size());
     geometry::check_normals(meshes);
     const auto refuse = [](std::size_t m) {

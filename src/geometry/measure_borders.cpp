@@ -37,17 +37,19 @@ struct Found {
 
 void measure_edge(const geometry::BorderSearch& search, const BorderEdge& edge, double radius, BorderHits& hits,
                   Found& found) {
+    bool given_up = false;
     for (int k = 0; k < samples_per_edge; ++k) {
         const double at = (k + 0.5) / samples_per_edge;
         const dvec3 normal = edge.normal(at);
         search.find(edge, edge.point(at), normal, radius, hits);
-        found.given_up += hits.gave_up;
+        given_up = given_up || hits.gave_up;
         const BorderHit* const hit = best_of(hits);
         if (!hit) continue;
         const double deg = degrees(geometry::angle_between(normal, search.edges()[hit->edge].normal(hit->t)));
         found.samples.push_back({edge.point(double(k) / samples_per_edge), edge.point(double(k + 1) / samples_per_edge),
                                  deg, hit->distance, edge.mesh, hit->mesh});
     }
+    found.given_up += given_up ? 1 : 0;
 }
 
 /// At the sample places of every edge.

@@ -80,7 +80,7 @@ MatchReport sum(const MatchReport& a, const MatchReport& b) {
     all.max_deg = std::max(a.max_deg, b.max_deg);
     if (all.turned > 0)
         all.mean_deg = (a.mean_deg * double(a.turned) + b.mean_deg * double(b.turned)) / double(all.turned);
-    all.edges_not_searched = a.edges_not_searched + b.edges_not_searched;
+    all.vertices_not_searched = a.vertices_not_searched + b.vertices_not_searched;
     return all;
 }
 
@@ -167,21 +167,22 @@ void report_borders(const Scene& scene, const BorderRequest& request, const Bord
         report.add(kind, scene.source, {}, std::move(text), {"border-distance"});
     };
     if (!outcome.takes_part)
-        report.add(request.source == NormalSource::file ? Remark::note : Remark::warning, scene.source, {},
+        report.add(Remark::warning, scene.source, {},
                    "'border-distance' turns nothing: " + why_none(request.source.value_or(NormalSource::flat)),
                    {"border-distance", "normals"});
     else if (borders.following == 0)
-        say(Remark::warning, "'border-distance' " + digits(request.options.distance) +
-                                 " turns nothing: no borders of different meshes" +
-                                 (is_within_objects(request) ? " of one object" : "") +
-                                 " run along each other as near as that; `rakelight inspect` proposes a distance");
+        say(Remark::warning,
+            "'border-distance' " + digits(request.options.distance) + " turns nothing: no borders of different meshes" +
+                (is_within_objects(request) ? " of one object" : "") +
+                " run along each other as near as that; where some do, `rakelight inspect` proposes a distance");
     else
         report.add(Remark::note, scene.source, {}, describe(borders));
-    if (borders.edges_not_searched > 0)
-        say(Remark::warning, std::to_string(borders.edges_not_searched) +
-                                 " open edges were not searched for borders that run along them: too many are near one "
-                                 "another for 'border-distance' " +
-                                 digits(request.options.distance));
+    if (borders.vertices_not_searched > 0)
+        say(Remark::warning,
+            std::to_string(borders.vertices_not_searched) +
+                " border vertices were not searched for borders beside them: too many edges are near one "
+                "another for 'border-distance' " +
+                digits(request.options.distance));
 }
 
 std::string describe(const MatchReport& borders) {

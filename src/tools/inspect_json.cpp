@@ -115,10 +115,9 @@ Json json_of(const CurveAngles& a) {
 }
 
 Json json_of(const MatchedPair& p) {
-    return {{"object_a", p.object_a},    {"object_b", p.object_b},
-            {"length", p.length},        {"gap_max", p.gap_max},
-            {"gap_mean", p.gap_mean},    {"before", json_of(p.before)},
-            {"after", json_of(p.after)}, {"seam_position", json_of(p.seam_position)}};
+    return {{"object_a", p.object_a},    {"object_b", p.object_b}, {"length", p.length},
+            {"gap_max", p.gap_max},      {"gap_mean", p.gap_mean}, {"before", json_of(p.before)},
+            {"after", json_of(p.after)}, {"seam_deg", p.seam_deg}, {"seam_position", json_of(p.seam_position)}};
 }
 
 Json json_of(const BorderProposal& p) {
@@ -194,11 +193,12 @@ Json json_of(const MatchedSeams& m) {
     return {{"distance", m.distance},
             {"open_length", m.open_length},
             {"matched_length", m.matched_length},
-            {"unmatched_length", m.open_length - m.matched_length},
+            {"unmatched_length", m.unmatched_length()},
             {"gap_max", m.gap_max},
             {"gap_mean", m.gap_mean},
             {"before", json_of(m.before)},
             {"after", json_of(m.after)},
+            {"seam_deg", m.seam_deg},
             {"pairs", list(m.pairs)},
             {"pairs_left_out", m.pairs_left_out},
             {"edges_not_searched", m.edges_not_searched}};

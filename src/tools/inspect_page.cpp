@@ -61,7 +61,7 @@ std::string worst_seam_html(const Inspection& i) {
 /// The largest seam, or that nothing could have one.
 std::string seam_cell(const Inspection& i) {
     if (i.shared_positions == 0 && i.matched.pairs.empty()) return "-";
-    return number(std::max(i.seams.seam_deg, i.matched.before.max_deg), "%.2f");
+    return number(std::max(i.seams.seam_deg, i.matched.seam_deg), "%.2f");
 }
 
 std::string check_html(const InspectionRow& row) {

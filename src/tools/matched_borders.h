@@ -19,7 +19,7 @@ void look_at_matched_borders(Inspection& result, const Surfaces& surfaces, SeamN
                              const InspectOptions& options, Context& context);
 
 /// Fills Inspection::proposal.
-void propose_border_distance(Inspection& result, const Surfaces& surfaces, std::span<const PartNormals> before,
+void propose_border_distance(Inspection& result, const Surfaces& surfaces, const std::vector<PartNormals>& before,
                              const InspectOptions& options, Context& context);
 
 }  // namespace rakelight

@@ -13,14 +13,15 @@ std::string angles_text(const CurveAngles& a) {
     return "max " + degrees_text(a.max_deg) + ", mean " + degrees_text(a.mean_deg) + ", 95% " + degrees_text(a.p95_deg);
 }
 
-std::string proposal_line(const Inspection& i) {
+}  // namespace
+
+std::string proposal_text(const Inspection& i) {
     const BorderProposal& p = i.proposal;
+    if (!(p.distance > 0)) return {};
     return "open borders of different meshes run along each other (" + number(p.matched_length, "%.3g") + " of " +
            number(p.open_length, "%.3g") + " " + i.unit + ", gaps up to " + number(p.gap_max, "%.3g") + ", seams to " +
            degrees_text(p.seam_deg) + " degrees): --border-distance " + number(p.distance) + " measures and joins them";
 }
-
-}  // namespace
 
 std::optional<LargestSeam> largest_seam(const Inspection& i, double than_deg) {
     std::optional<LargestSeam> largest;
@@ -28,10 +29,10 @@ std::optional<LargestSeam> largest_seam(const Inspection& i, double than_deg) {
         const BorderSummary& b = i.borders.front();
         largest = {i.seams.seam_deg, b.object_a, b.object_b, b.seam_position, false};
     }
-    if (i.matched.pairs.empty() || !(i.matched.before.max_deg > than_deg)) return largest;
-    if (largest && largest->deg >= i.matched.before.max_deg) return largest;
+    if (i.matched.pairs.empty() || !(i.matched.seam_deg > than_deg)) return largest;
+    if (largest && largest->deg >= i.matched.seam_deg) return largest;
     const MatchedPair& p = i.matched.pairs.front();
-    return LargestSeam{i.matched.before.max_deg, p.object_a, p.object_b, p.seam_position, true};
+    return LargestSeam{i.matched.seam_deg, p.object_a, p.object_b, p.seam_position, true};
 }
 
 std::string between_text(const Inspection& i, std::uint32_t object_a, std::uint32_t object_b) {
@@ -41,22 +42,23 @@ std::string between_text(const Inspection& i, std::uint32_t object_a, std::uint3
 
 std::vector<std::string> matched_lines(const Inspection& i) {
     const MatchedSeams& m = i.matched;
-    if (i.proposal.distance > 0) return {proposal_line(i)};
+    if (const std::string text = proposal_text(i); !text.empty()) return {text};
     if (!(m.distance > 0)) return {};
     std::vector<std::string> lines = {"open borders " + number(m.open_length, "%.4g") + " " + i.unit + ": " +
                                       number(m.matched_length, "%.4g") + " run along another within " +
-                                      number(m.distance) + ", " + number(m.open_length - m.matched_length, "%.4g") +
-                                      " do not"};
+                                      number(m.distance) + ", " + number(m.unmatched_length(), "%.4g") + " do not"};
     if (!m.pairs.empty()) {
         const MatchedPair& worst = m.pairs.front();
         lines[0] += "; gap max " + number(m.gap_max, "%.3g") + ", mean " + number(m.gap_mean, "%.3g");
         lines.push_back("seam along them " + angles_text(m.before) + " degrees; smoothed and joined " +
                         angles_text(m.after) + "; largest " + between_text(i, worst.object_a, worst.object_b) + " at " +
                         position_text(worst.seam_position));
+        if (!(m.seam_deg > continuous_deg) && m.before.max_deg > continuous_deg)
+            lines.push_back("these borders are joined: what is left lies between the vertices of strongly bent edges");
     }
     if (m.edges_not_searched > 0)
-        lines.push_back(counted(m.edges_not_searched, "place") +
-                        " of open edges not searched to the end: too many borders lie too close");
+        lines.push_back(counted(m.edges_not_searched, "open edge") +
+                        " not searched to the end: too many borders lie too close");
     return lines;
 }
 

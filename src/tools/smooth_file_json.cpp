@@ -46,7 +46,7 @@ Json json_of(const SeamReport& s) {
 
 Json json_of(const MatchReport& b) {
     return {{"leading", b.leading}, {"following", b.following}, {"turned", b.turned},
-            {"max_deg", b.max_deg}, {"mean_deg", b.mean_deg},   {"edges_not_searched", b.edges_not_searched}};
+            {"max_deg", b.max_deg}, {"mean_deg", b.mean_deg},   {"vertices_not_searched", b.vertices_not_searched}};
 }
 
 std::uint64_t split_of(const SmoothedFile& result) {

@@ -98,7 +98,7 @@ std::string borders_html(const Inspection& before, const Inspection& after) {
                                 is_there ? number(found->second->seam_deg) : "?", number(b.largest_deg),
                                 is_there ? number(found->second->largest_deg) : "?"});
     }
-    if (rows.empty()) return "<p>No border of two objects has a seam.</p>\n";
+    if (rows.empty()) return "<p>No positions that two objects share have a seam.</p>\n";
     return "<div class=\"scroll\"><table>\n" +
            row_html("th", {"object", "object", "shared", "seam before", "after", "largest angle before", "after"}) +
            rows + "</table></div>\n";

@@ -239,7 +239,7 @@ class Inspect(program.Case):
         self.assertNotIn("border_proposal", row)
         matched = row["matched_borders"]
         self.assertEqual(sorted(matched), ["after", "before", "distance", "edges_not_searched", "gap_max", "gap_mean", "matched_length", "open_length", "pairs",
-                                           "pairs_left_out", "unmatched_length"])
+                                           "pairs_left_out", "seam_deg", "unmatched_length"])
         self.assertEqual((matched["distance"], matched["edges_not_searched"], matched["pairs_left_out"]), (float(distance), 0, 0))
         self.assertAlmostEqual(matched["matched_length"] + matched["unmatched_length"], matched["open_length"])
         around = 2 * math.pi * (1 + 0.4 * math.sin(2))
@@ -253,12 +253,16 @@ class Inspect(program.Case):
         self.assertIn("borders that run along each other (degrees)", self.run_program("inspect", "vase.obj", "--border-distance", distance).out)
 
         check = ("--check", "--max-seam", "2")
-        self.assertEqual(self.run_program("inspect", "vase.obj", *check).code, 0)  # nobody asked for such borders
+        unasked = self.run_program("inspect", "vase.obj", *check)
+        self.assertEqual(unasked.code, 0)  # nobody asked for such borders, and it is said
+        self.assertIn("not checked: open borders of different meshes run along each other", unasked.err)
         failed = self.run_program("inspect", "vase.obj", *check, "--border-distance", distance, "--report", "vase.xml")
         self.assertEqual(failed.code, 5)
         self.assertRegex(failed.err, r"max-seam: seam of \S+ degrees between 'lower' and 'upper' at \S+ 1\S* \S+, along borders that share no vertex there, more than 2\n")
         self.assertIn("along borders that share no vertex there", xml.etree.ElementTree.parse(self.folder / "vase.xml").find(".//failure").get("message"))
         self.smooth("vase.obj", "joined.obj", "--border-distance", distance)
+        self.assertNotIn("border_proposal", self.row("joined.obj"))
+        self.assertEqual(self.row("joined.obj", "--border-distance", distance)["matched_borders"]["seam_deg"], 0)
         passed = self.run_program("inspect", "joined.obj", *check, "--border-distance", distance)
         self.assertEqual((passed.code, passed.err), (0, ""))
 

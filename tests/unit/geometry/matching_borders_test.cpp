@@ -463,7 +463,7 @@ TEST(MatchingBorders, ACrowdOfEdgesInOneCellIsGivenUpNotSearchedForEver) {
     const BorderMatch match = match_borders(views(shapes), {.distance = 1, .crease_angle_rad = radians(5)}, context);
     MatchReport report;
     join_borders(match, views(shapes), {}, report, context);
-    EXPECT_GT(report.edges_not_searched, 1000u);
+    EXPECT_GT(report.vertices_not_searched, 1000u);
 }
 
 }  // namespace
