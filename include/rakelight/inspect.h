@@ -103,14 +103,14 @@ struct MatchedPair {
     double length = 0;                 ///< [m] of what is matched, of both sides
     double gap_max = 0, gap_mean = 0;  ///< [m]
     CurveAngles before{}, after{};
-    double seam_deg = 0;    ///< the largest angle before of which joining takes a tenth away, or more
+    double seam_deg = 0;    ///< the largest angle before that is a seam, see MatchedSeams
     dvec3 seam_position{};  ///< [m] world: where that is; where none is, where the angle before is largest
 };
 
 /// Open borders of different meshes that run along each other by the rule of match_borders(). `before`: between the
 /// normals as they are (as BorderSummary::before) of both sides, along the curve: a *seam* that no shared position shows.
-/// `after`: smoothed over the whole model, then joined by join_borders(). A seam counts where joining the normals as they are
-/// would take it away: along edges that bend strongly something is left that no join can.
+/// `after`: smoothed over the whole model, then joined by join_borders(). A *seam* is an angle before of more than a quarter of
+/// the turn of the normals along one edge there: so far straight interpolation may be off where normals are joined.
 struct MatchedSeams {
     double distance = 0;  ///< [m] InspectOptions::border_distance; 0: nobody asked
     double open_length = 0, matched_length = 0;

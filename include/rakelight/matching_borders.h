@@ -55,6 +55,8 @@ private:
 ///    faces' normals differ by at most the crease angle; both edges, each as its own face goes round, run in opposite
 ///    directions within 60 degrees; and the two faces do not lie over one another by more than half of `distance`. So
 ///    plates that lie on each other, shells back to back and overlapping scales stay apart.
+///    A stretch of matches that is shorter than ten times the distance is none: cards and leaves of that size meet
+///    anywhere.
 /// 2. *Leading.* Along each connected stretch on which two meshes match, the side with fewer border vertices leads (tie:
 ///    lower object, then lower mesh). Where several meshes could lead a vertex, the one with the fewest does. Links are
 ///    at most four long, so that no chain of near matches runs away.
@@ -69,7 +71,8 @@ BorderMatch match_borders(std::span<const AttributeMesh> meshes, const MatchOpti
 /// those of the vertices that follow its edges, shared out by hat weights along the edge; a following vertex gets the
 /// normalized linear interpolation of the unit normals at the ends of the edge that it follows. Vertices that turn by no more
 /// than 0.01 degrees keep their bits.
-/// Tangents likewise where charts agree: of one handedness and within 45 degrees; else they turn along with their normals.
+/// Tangents of vertices that turn go likewise where charts agree: of one handedness and within 45 degrees; else they turn
+/// along with their normals.
 ///
 /// Between the vertices of the leading side the following normals bend away from the leading straight interpolation by
 /// at most h^2/8 times the second derivative of the field of normals along the border (h: the leading edge's length).
@@ -88,9 +91,10 @@ struct CurveAngles {
 
 /// A piece of an open edge that runs along another mesh's.
 struct BorderSample {
-    dvec3 a{}, b{};  ///< [m] world: its ends
-    double deg = 0;  ///< between the interpolated normals of both sides in its middle
-    double gap = 0;  ///< [m]
+    dvec3 a{}, b{};       ///< [m] world: its ends
+    double turn_deg = 0;  ///< by which normals turn along the edge, the other one and their neighbors, at most
+    double deg = 0;       ///< between the interpolated normals of both sides in its middle
+    double gap = 0;       ///< [m]
     std::uint32_t mesh = 0, other_mesh = 0;
 };
 

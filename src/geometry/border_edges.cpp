@@ -38,7 +38,7 @@ bool edge_at(const PlacedMeshes& placed, std::uint32_t corner, BorderEdge& edge)
 
 std::vector<BorderEdge> border_edges(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
                                      Context& context) {
-    context.memory().check(open_corners.size() * (2 * sizeof(BorderEdge) + 128), "matching open borders");
+    context.memory().check(open_corners.size() * (2 * sizeof(BorderEdge) + 512), "matching open borders");
     std::vector<BorderEdge> edges;
     edges.reserve(open_corners.size());
     CancelCheck check(context);

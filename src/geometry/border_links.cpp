@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
 #include <tuple>
 
 #include "geometry/authored_normals.h"
@@ -32,9 +33,10 @@ struct Match {
     BorderHit hit;
 };
 
-/// How many matches each of the two meshes has along one stretch.
+/// How many matches each of the two meshes has along one stretch, and how long are edges whose ends both match.
 struct Stretch {
     std::uint32_t low_mesh = 0, high_mesh = 0, low = 0, high = 0;
+    double low_length = 0, high_length = 0;  ///< [m]
     std::uint32_t of(std::uint32_t mesh) const { return mesh == low_mesh ? low : high; }
 };
 
@@ -98,6 +100,9 @@ private:
             for (std::size_t s = c * sides_per_chunk; s < last; ++s)
                 given_up.fetch_add(match_side(std::uint32_t(s), found[c]) ? 1 : 0, std::memory_order_relaxed);
         });
+        std::uint64_t count = 0;
+        for (const std::vector<Match>& f : found) count += f.size();
+        context_.memory().check(count * (2 * sizeof(Match) + sizeof(Stretch) + 12), "matching open borders");
         for (const std::vector<Match>& f : found) matches_.insert(matches_.end(), f.begin(), f.end());
         result_.vertices_not_searched = given_up;
     }
@@ -149,13 +154,36 @@ private:
             for (std::uint32_t u = sides_[m.side].first_use; u < sides_[m.side].last_use; ++u)
                 join(i, match_of(side_at_[2 * ends_[u].edge + (ends_[u].is_a ? 1 : 0)], m.other));
         }
+        join_over_hard_edges();
         stretches_.resize(matches_.size());
         for (std::uint32_t i = 0; i < matches_.size(); ++i) {
             const Match& m = matches_[i];
             Stretch& s = stretches_[sets_.root(i)];
             std::tie(s.low_mesh, s.high_mesh) = std::minmax(m.mesh, m.other);
             ++(m.mesh == s.low_mesh ? s.low : s.high);
+            (m.mesh == s.low_mesh ? s.low_length : s.high_length) += matched_edges_from(m);
         }
+    }
+
+    /// Sides of one mesh at one place, whose normals differ.
+    void join_over_hard_edges() {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> last;  // mesh, other mesh -> match
+        for (std::uint32_t i = 0; i < matches_.size(); ++i) {
+            const auto place = [&](std::uint32_t match) { return nodes_.place[sides_[matches_[match].side].node]; };
+            if (i > 0 && place(i) != place(i - 1)) last.clear();
+            const auto [known, is_new] = last.try_emplace({matches_[i].mesh, matches_[i].other}, i);
+            if (!is_new) sets_.join(i, known->second);
+        }
+    }
+
+    /// [m] Of edges that begin at the match's side and match the same mesh at their ends.
+    double matched_edges_from(const Match& m) const {
+        double sum = 0;
+        for (std::uint32_t u = sides_[m.side].first_use; u < sides_[m.side].last_use; ++u) {
+            const EdgeEnd& end = ends_[u];
+            if (end.is_a && match_of(side_at_[2 * end.edge + 1], m.other) != nothing) sum += edges_[end.edge].length;
+        }
+        return sum;
     }
 
     /// A mesh by which of two meshes leads where both have equally many vertices.
@@ -172,7 +200,9 @@ private:
 
     bool follows(std::uint32_t i) const {
         const Match& m = matches_[i];
-        const std::uint32_t own = stretch_of(i).of(m.mesh), other = stretch_of(i).of(m.other);
+        const Stretch& stretch = stretch_of(i);
+        if (std::max(stretch.low_length, stretch.high_length) < least_run * distance_) return false;
+        const std::uint32_t own = stretch.of(m.mesh), other = stretch.of(m.other);
         return std::tuple(other, standing(m.other)) < std::tuple(own, standing(m.mesh));
     }
 

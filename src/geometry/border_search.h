@@ -12,6 +12,9 @@
 
 namespace rakelight::geometry {
 
+/// How long borders have to run along each other to match [distances]: cards and scraps that are shorter meet anywhere.
+constexpr double least_run = 10;
+
 /// A point on an edge of another mesh.
 struct BorderHit {
     std::uint32_t edge = 0, mesh = 0;

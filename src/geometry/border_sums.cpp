@@ -235,20 +235,12 @@ void BorderSums::write(std::uint32_t node, std::vector<MeshSeams>& out, MatchRep
         const Placement& placement = input_.placements[m];
         const dvec3 old = given_normal(placement, input_.meshes[m].normals[v]);
         const double turn = angle_between(old, normals_[node]);
-        const bool has_tangent = !tangents_.empty() && tangents_[i].is_set;
-        const dvec3 object = turn > continuous_rad ? to_object(placement, normals_[node])
-                                                   : normalize_or(cast<double>(input_.meshes[m].normals[v]), dvec3{});
-        vec4 tangent{0, 0, 0, 0};
-        if (has_tangent) tangent = tangent_in_object(i, m, object);
-        bool turns = turn > continuous_rad;
-        if (!turns && tangent.w != 0) {
-            const vec4 given = given_tangents_[m][v];
-            turns = angle_between(cast<double>(given.xyz()), cast<double>(tangent.xyz())) > continuous_rad;
-        }
-        if (!turns) continue;
+        if (!(turn > continuous_rad)) continue;
+        const dvec3 object = to_object(placement, normals_[node]);
         out[m].vertices.push_back(v);
-        out[m].normals.push_back(turn > continuous_rad ? cast<float>(object) : input_.meshes[m].normals[v]);
-        if (!tangents_.empty()) out[m].tangents.push_back(tangent);
+        out[m].normals.push_back(cast<float>(object));
+        if (!tangents_.empty())
+            out[m].tangents.push_back(tangents_[i].is_set ? tangent_in_object(i, m, object) : vec4{0, 0, 0, 0});
         ++report.turned;
         report.max_deg = std::max(report.max_deg, degrees(turn));
         sum += degrees(turn);

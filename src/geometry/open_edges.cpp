@@ -30,6 +30,9 @@ public:
         context_.parallel_for(chunks.size(), [&](std::size_t c) {
             for_each_face(chunks[c], Listing{*this, found[c]});
         });
+        std::uint64_t count = 0;
+        for (const std::vector<Use>& f : found) count += f.size();
+        context_.memory().check(2 * count * sizeof(Use), "finding open edges");
         std::vector<Use> uses;
         for (std::vector<Use>& f : found) {
             uses.insert(uses.end(), f.begin(), f.end());
@@ -39,14 +42,13 @@ public:
     }
 
 private:
-    static std::uint64_t hash(std::uint32_t place) {
-        return folded_product(place + 0x9e3779b97f4a7c15u, 0xd6e8feb86659fd93u);
-    }
+    std::uint64_t hash(std::uint32_t place) const { return folded_product(place + key_.a, key_.b | 1); }
 
     struct Summing {
         OpenEdges& edges;
         void operator()(std::uint32_t, const FacePlaces& face, double flip) const {
-            const std::uint64_t h[] = {hash(face.corner[0]), hash(face.corner[1]), hash(face.corner[2])};
+            const std::uint64_t h[] = {edges.hash(face.corner[0]), edges.hash(face.corner[1]),
+                                       edges.hash(face.corner[2])};
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint64_t next = h[(k + 1) % 3], previous = h[(k + 2) % 3];
                 std::atomic_ref(edges.left_over_[face.corner[k]])
@@ -93,6 +95,7 @@ private:
 
     const PlacedMeshes& placed_;
     Context& context_;
+    const HashKey key_ = hash_key_of_this_run();
     std::vector<std::uint64_t> left_over_;  ///< [places]
 };
 

@@ -31,6 +31,9 @@ std::string more(std::uint64_t count, const char* thing) {
 
 std::string seam_failure(const Inspection& i, double limit_deg) {
     const std::optional<LargestSeam> worst = largest_seam(i, limit_deg);
+    if (!worst && i.matched.edges_not_searched > 0 && limit_deg < 180)
+        return std::to_string(i.matched.edges_not_searched) +
+               " open edges were not searched for borders beside them: too many lie too close together";
     if (!worst) return {};
     std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const BorderSummary& b : i.borders)

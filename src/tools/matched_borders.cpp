@@ -13,11 +13,16 @@
 namespace rakelight {
 namespace {
 
-MatchOptions match_options(const InspectOptions& options, double distance) {
+/// As smooth and pictures join the same model: flat faces that somebody authored stay apart.
+MatchOptions match_options(const Surfaces& surfaces, const InspectOptions& options, double distance) {
+    bool keeps_some = false;
+    for (std::size_t i = 0; i < surfaces.meshes.size(); ++i)
+        keeps_some = keeps_some || (surfaces.rules[i].keeps_given && !surfaces.meshes[i].normals.empty());
     return {.distance = distance,
             .crease_angle_rad = options.prepare.crease_angle_rad,
             .weld_distance = options.weld_distance,
-            .weight = options.prepare.weight};
+            .weight = options.prepare.weight,
+            .keep_flat = keeps_some};
 }
 
 std::vector<std::uint32_t> all_parts(const Surfaces& surfaces) {
@@ -28,24 +33,17 @@ std::vector<std::uint32_t> all_parts(const Surfaces& surfaces) {
 
 using ObjectPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// What a border is measured by, and how much of each sample's angle [degrees] counts as a seam.
-struct Seams {
-    BorderMeasure measure;
-    std::vector<double> seam_deg;  ///< [samples]
-};
+/// Straight interpolation along an edge is off the other border's normals by up to an eighth of their turn (h^2/8 times the second
+/// derivative of the field of normals), and by twice that where an edge of one side spans a vertex of the other.
+constexpr double interpolation_share = 1.0 / 4;
 
-constexpr double least_share_taken = 0.1;
-
-/// @param joined  of the same borders with joined normals: the same places match
-Seams seams_of(BorderMeasure measure, const BorderMeasure& joined) {
-    Seams out{std::move(measure), {}};
-    for (std::size_t i = 0; i < out.measure.samples.size(); ++i) {
-        const double before = out.measure.samples[i].deg,
-                     after = i < joined.samples.size() ? joined.samples[i].deg : before;
-        out.seam_deg.push_back(after < (1 - least_share_taken) * before && before > continuous_deg ? before : 0);
-    }
-    return out;
+/// [degrees] What of a sample's angle is a seam: all of it, or nothing.
+double seam_of(const BorderSample& s) {
+    return s.deg > continuous_deg && s.deg > interpolation_share * s.turn_deg ? s.deg : 0;
 }
+
+/// Of all open borders; less is a chance meeting of parts that lie in one place.
+constexpr double least_share_proposed = 0.1;
 
 /// What is measured along the borders of each two objects.
 std::map<ObjectPair, BorderMeasure> measures_of_pairs(std::span<const BorderSample> samples, const Surfaces& surfaces) {
@@ -67,23 +65,24 @@ MatchedPair summarize(ObjectPair objects, const BorderMeasure& before) {
             .seam_position = (largest->a + largest->b) * 0.5};
 }
 
-void add_seams(std::map<ObjectPair, MatchedPair>& pairs, const Seams& seams, const Surfaces& surfaces) {
-    for (std::size_t i = 0; i < seams.seam_deg.size(); ++i) {
-        const BorderSample& s = seams.measure.samples[i];
+void add_seams(std::map<ObjectPair, MatchedPair>& pairs, std::span<const BorderSample> samples,
+               const Surfaces& surfaces) {
+    for (const BorderSample& s : samples) {
         MatchedPair& pair = pairs.at(std::minmax(surfaces.meshes[s.mesh].object, surfaces.meshes[s.other_mesh].object));
-        if (!(seams.seam_deg[i] > pair.seam_deg)) continue;
-        pair.seam_deg = seams.seam_deg[i];
+        if (!(seam_of(s) > pair.seam_deg)) continue;
+        pair.seam_deg = seam_of(s);
         pair.seam_position = (s.a + s.b) * 0.5;
     }
 }
 
-void list_pairs(MatchedSeams& matched, const Seams& before, const BorderMeasure& after, const Surfaces& surfaces) {
+void list_pairs(MatchedSeams& matched, const BorderMeasure& before, const BorderMeasure& after,
+                const Surfaces& surfaces) {
     std::map<ObjectPair, MatchedPair> pairs;
-    for (const auto& [objects, measure] : measures_of_pairs(before.measure.samples, surfaces))
+    for (const auto& [objects, measure] : measures_of_pairs(before.samples, surfaces))
         pairs.emplace(objects, summarize(objects, measure));
     for (const auto& [objects, measure] : measures_of_pairs(after.samples, surfaces))
         if (const auto found = pairs.find(objects); found != pairs.end()) found->second.after = measure.seam;
-    add_seams(pairs, before, surfaces);
+    add_seams(pairs, before.samples, surfaces);
     for (auto& [objects, pair] : pairs) matched.pairs.push_back(pair);
     std::ranges::stable_sort(matched.pairs, std::greater(),
                              [](const MatchedPair& p) { return std::pair(p.seam_deg, p.before.max_deg); });
@@ -93,31 +92,10 @@ void list_pairs(MatchedSeams& matched, const Seams& before, const BorderMeasure&
     matched.pairs.resize(most_borders);
 }
 
-void add_seam_lines(std::vector<SeamLine>& lines, const Seams& seams, Context& context) {
-    context.memory().check(seams.seam_deg.size() * sizeof(SeamLine), "lines along borders that match");
-    for (std::size_t i = 0; i < seams.seam_deg.size(); ++i) {
-        const BorderSample& s = seams.measure.samples[i];
-        if (seams.seam_deg[i] > 0) lines.push_back({s.a, s.b, float(s.deg), float(s.deg)});
-    }
-}
-
-/// The normals as they are, and joined along the borders that match.
-Seams measure_seams(const Surfaces& surfaces, const std::vector<PartNormals>& normals, const MatchOptions& matching,
-                    Context& context) {
-    const std::vector<std::uint32_t> parts = all_parts(surfaces);
-    const MeshesWithNormals meshes = meshes_with_normals(surfaces, normals, parts, context);
-    BorderMeasure before = measure_borders(meshes.meshes, matching, context);
-    MatchReport report;
-    const auto turned =
-        join_borders(match_borders(meshes.meshes, matching, context), meshes.meshes, {}, report, context);
-    if (report.turned == 0) {
-        const BorderMeasure same = before;
-        return seams_of(std::move(before), same);
-    }
-    std::vector<PartNormals> joined = normals;
-    apply(turned, parts, joined);
-    const MeshesWithNormals joined_meshes = meshes_with_normals(surfaces, joined, parts, context);
-    return seams_of(std::move(before), measure_borders(joined_meshes.meshes, matching, context));
+void add_seam_lines(std::vector<SeamLine>& lines, std::span<const BorderSample> samples, Context& context) {
+    context.memory().check(samples.size() * sizeof(SeamLine), "lines along borders that match");
+    for (const BorderSample& s : samples)
+        if (seam_of(s) > 0) lines.push_back({s.a, s.b, float(s.deg), float(s.deg)});
 }
 
 }  // namespace
@@ -132,9 +110,9 @@ bool have_open_borders(const geometry::PlacedMeshes& placed, const geometry::Edg
 void look_at_matched_borders(Inspection& result, const Surfaces& surfaces, SeamNormals& normals,
                              const InspectOptions& options, Context& context) {
     const std::vector<std::uint32_t> parts = all_parts(surfaces);
-    const MatchOptions matching = match_options(options, options.border_distance);
-    const Seams seams = measure_seams(surfaces, normals.before, matching, context);
-    const BorderMeasure& before = seams.measure;
+    const MatchOptions matching = match_options(surfaces, options, options.border_distance);
+    const MeshesWithNormals meshes = meshes_with_normals(surfaces, normals.before, parts, context);
+    const BorderMeasure before = measure_borders(meshes.meshes, matching, context);
     const MeshesWithNormals smoothed = meshes_with_normals(surfaces, normals.after, parts, context);
     MatchReport report;
     apply(join_borders(match_borders(smoothed.meshes, matching, context), smoothed.meshes, {}, report, context), parts,
@@ -148,19 +126,21 @@ void look_at_matched_borders(Inspection& result, const Surfaces& surfaces, SeamN
     matched.edges_not_searched = before.edges_not_searched;
     context.memory().check(2 * (before.samples.size() + after.samples.size()) * sizeof(BorderSample),
                            "seams along borders that match");
-    list_pairs(matched, seams, after, surfaces);
-    if (options.seam_lines) add_seam_lines(result.seam_lines, seams, context);
+    list_pairs(matched, before, after, surfaces);
+    if (options.seam_lines) add_seam_lines(result.seam_lines, before.samples, context);
 }
 
 void propose_border_distance(Inspection& result, const Surfaces& surfaces, const std::vector<PartNormals>& before,
                              const InspectOptions& options, Context& context) {
     const double least_deg = *CheckLimits().max_seam_deg;
     const MeshesWithNormals meshes = meshes_with_normals(surfaces, before, all_parts(surfaces), context);
-    const geometry::ProposedDistance p = geometry::propose_distance(meshes.meshes, match_options(options, 0), context);
+    const geometry::ProposedDistance p =
+        geometry::propose_distance(meshes.meshes, match_options(surfaces, options, 0), context);
     if (!(p.distance > 0 && p.seam_deg > least_deg)) return;
-    const Seams seams = measure_seams(surfaces, before, match_options(options, p.distance), context);
-    const BorderMeasure& m = seams.measure;
-    const double seam_deg = seams.seam_deg.empty() ? 0 : std::ranges::max(seams.seam_deg);
+    const BorderMeasure m = measure_borders(meshes.meshes, match_options(surfaces, options, p.distance), context);
+    if (m.edges_not_searched > 0 || !(m.matched_length >= least_share_proposed * m.open_length)) return;
+    double seam_deg = 0;
+    for (const BorderSample& s : m.samples) seam_deg = std::max(seam_deg, seam_of(s));
     if (seam_deg > least_deg) result.proposal = {p.distance, m.open_length, m.matched_length, m.gap_max, seam_deg};
 }
 

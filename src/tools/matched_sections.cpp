@@ -54,7 +54,7 @@ std::vector<std::string> matched_lines(const Inspection& i) {
                         angles_text(m.after) + "; largest " + between_text(i, worst.object_a, worst.object_b) + " at " +
                         position_text(worst.seam_position));
         if (!(m.seam_deg > continuous_deg) && m.before.max_deg > continuous_deg)
-            lines.push_back("these borders are joined: what is left lies between the vertices of strongly bent edges");
+            lines.push_back("no seam: all of it is less than a quarter of what normals turn by along the edges there");
     }
     if (m.edges_not_searched > 0)
         lines.push_back(counted(m.edges_not_searched, "open edge") +

@@ -7,7 +7,13 @@ import json
 import math
 import struct
 
+import pathlib
+import sys
+
 import program
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import border_scenes  # noqa: E402
 
 RINGS, GAP = 4, 0.001
 SIZE = ("--resolution", "64,64")
@@ -176,6 +182,36 @@ class NearBorders(program.Case):
         self.fine("stages", "model.obj", "-o", "stages", *SIZE, *near)
         self.fine("render", "model.obj", "-o", "a.png", *SIZE, *near)
         self.assertEqual(self.fine("compare", "a.png", "model.obj", "--look", "plain", *SIZE, *near).code, 0)
+
+
+    def test_parts_that_only_lie_near_one_another_keep_every_byte(self):
+        for path, scene in border_scenes.write(self.folder):
+            for normals in ("model", "seams"):
+                name = pathlib.Path(path).name
+                self.fine("smooth", name, "-o", "model.obj", "--normals", "model")
+                source = name if normals == "model" else "model.obj"
+                for out, more in (("without.obj", ()), ("with.obj", ("--border-distance", scene.distance))):
+                    self.fine("smooth", source, "-o", out, "--normals", normals, *more)
+                same = (self.folder / "without.obj").read_bytes() == (self.folder / "with.obj").read_bytes()
+                self.assertEqual(same, not scene.joins, (scene.name, normals))
+
+    def test_the_swords_and_shields_of_the_knight_stay_apart(self):
+        knight = pathlib.Path(__file__).resolve().parents[2] / "data/knight/Knight_noNormals.glb"
+        for distance in (0.0091, 0.1):
+            told = json.loads(self.fine("smooth", knight, "-o", "k.glb", "--border-distance", distance, "--json").out)
+            self.assertEqual(told["rows"][0]["borders"]["turned"], 0, distance)
+
+    def test_flat_faces_that_somebody_authored_are_alike_for_all_verbs(self):
+        points = ["0 0 0", "1 0 0", "1 1 0", "0 1 0", "0 1.01 0", "1 1.01 0", "1 1.8 0.6", "0 1.8 0.6"]
+        self.write("flat.obj", "".join(f"v {p}\n" for p in points) + "vn 0 0 1\nvn 0 -0.6048582 0.7963320\n"
+                   "o a\nf 1//1 2//1 3//1\nf 1//1 3//1 4//1\no b\nf 5//2 6//2 7//2\nf 5//2 7//2 8//2\n")
+        near = ("--border-distance", 0.05)
+        self.assertNotIn("border_proposal", json.loads(self.fine("inspect", "flat.obj", "--json").out)["rows"][0])
+        told = json.loads(self.fine("smooth", "flat.obj", "-o", "out.obj", *near, "--json").out)
+        self.assertEqual(told["rows"][0]["borders"]["turned"], 0)
+        self.assertEqual(self.run_program("inspect", "out.obj", "--check", *near).code, 0)
+        self.fine("smooth", "flat.obj", "-o", "model.obj", "--normals", "model", *near)
+        self.assertNotEqual((self.folder / "model.obj").read_text(), (self.folder / "out.obj").read_text())
 
 
 if __name__ == "__main__":

@@ -142,7 +142,6 @@ TEST(PrepareBorders, TheFilesNormalsAreJoinedUnlessTheyAreAskedFor) {
     Context of_file, of_none;
     EXPECT_EQ(middle(scene, {.normals = NormalSource::file, .border_distance = 0.02}, of_file), own);
     EXPECT_TRUE(says(of_file, Remark::warning, "'normals' file keeps"));
-    EXPECT_FALSE(says(of_file, Remark::warning, ""));
     EXPECT_EQ(middle(scene, {.border_distance = 0.005}, of_none), own);
     EXPECT_TRUE(says(of_none, Remark::warning, "'border-distance' 0.005 turns nothing"));
 }

@@ -48,6 +48,11 @@ test::CutSurface finer(const test::Surface& surface) {
     return cut_surface(surface, {.times = 3, .phase = 0.4, .gap = 0.1});
 }
 
+/// A cylinder whose border vertices are off at random: its halves' normals differ there.
+test::CutSurface torn_cylinder() {
+    return cut_surface(test::cylinder(), {.times = 3, .phase = 0.4, .gap = 0.1, .noise = 0.03});
+}
+
 InspectOptions within(double distance) { return {.border_distance = distance, .prepare = {.crease_angle_rad = pi}}; }
 
 Inspection inspected(const Scene& scene, const InspectOptions& options, int threads = 2) {
@@ -85,12 +90,12 @@ TEST(MatchedBorders, AFinerHalfHasASeamThatNoSharedPositionShowsAndJoiningTakesA
 }
 
 TEST(MatchedBorders, ThePlaceOfTheLargestIsOnTheBorder) {
-    const test::CutSurface cut = finer(test::cylinder());
+    const test::CutSurface cut = torn_cylinder();
     const Inspection i = inspected(scene_of(cut), within(0.2 * cut.edge));
     ASSERT_EQ(i.matched.pairs.size(), 1u);
     const dvec3 p = i.matched.pairs[0].seam_position;
-    EXPECT_NEAR(p.y, 1, 0.11 * cut.edge);
-    EXPECT_NEAR(std::sqrt(p.x * p.x + p.z * p.z), 1, 0.01);
+    EXPECT_NEAR(p.y, 1, 0.14 * cut.edge);
+    EXPECT_NEAR(std::sqrt(p.x * p.x + p.z * p.z), 1, 0.02);
     const std::optional<LargestSeam> largest = largest_seam(i);
     ASSERT_TRUE(largest);
     EXPECT_TRUE(largest->is_along_borders);
@@ -121,7 +126,7 @@ TEST(MatchedBorders, PairsComeWithTheLargestSeamFirstAndEachWithItsOwn) {
 }
 
 TEST(MatchedBorders, TwoMeshesOfOneObjectAreAPairOfIt) {
-    const test::CutSurface cut = finer(test::cylinder());
+    const test::CutSurface cut = torn_cylinder();
     Scene scene = scene_of(cut);
     scene.nodes.resize(1);
     scene.nodes[0].meshes = {0, 1};
@@ -132,7 +137,7 @@ TEST(MatchedBorders, TwoMeshesOfOneObjectAreAPairOfIt) {
 }
 
 TEST(MatchedBorders, PlacedPartsAreMeasuredInTheWorld) {
-    const test::CutSurface cut = finer(test::cylinder());
+    const test::CutSurface cut = torn_cylinder();
     Scene scene = scene_of(cut);
     const Inspection plain = inspected(scene, within(0.2 * cut.edge));
     for (Node& node : scene.nodes) node.local.scale = {2, 2, 2};
@@ -167,7 +172,7 @@ TEST(MatchedBorders, NothingIsProposedWhereNoneRunAlongEachOther) {
         EXPECT_EQ(to_text(i).find("--border-distance"), std::string::npos);
         EXPECT_FALSE(json_of(i).contains("border_proposal"));
     }
-    const test::CutSurface cut = finer(test::cylinder());
+    const test::CutSurface cut = torn_cylinder();
     EXPECT_EQ(inspected(with_true_normals(scene_of(cut), cut), {}).proposal.distance, 0) << "no seam to see";
     const test::CutSurface sphere = finer(test::bumpy_sphere());
     EXPECT_GT(inspected(scene_of(sphere), {}).proposal.distance, 0);
@@ -179,7 +184,7 @@ TEST(MatchedBorders, NothingIsProposedWhereNoneRunAlongEachOther) {
 }
 
 TEST(MatchedBorders, TheSeamLimitCountsThemAndNamesPairAndPlace) {
-    const test::CutSurface cut = finer(test::cylinder());
+    const test::CutSurface cut = torn_cylinder();
     Scene scene = with_true_normals(scene_of(cut), cut);
     const InspectOptions options = within(0.2 * cut.edge);
     EXPECT_TRUE(check_limits(inspected(scene, options), {}).empty());  // both sides agree
@@ -203,7 +208,7 @@ TEST(MatchedBorders, TheSeamLimitCountsThemAndNamesPairAndPlace) {
 }
 
 TEST(MatchedBorders, JsonHasWhatIsMeasured) {
-    const test::CutSurface cut = finer(test::cylinder());
+    const test::CutSurface cut = torn_cylinder();
     const Inspection i = inspected(scene_of(cut), within(0.2 * cut.edge));
     const nlohmann::json json = json_of(i)["matched_borders"];
     EXPECT_EQ(json["distance"], 0.2 * cut.edge);
@@ -220,7 +225,7 @@ TEST(MatchedBorders, JsonHasWhatIsMeasured) {
 }
 
 TEST(MatchedBorders, ThePageHasTheirTableAndTheLargest) {
-    const test::CutSurface cut = finer(test::cylinder());
+    const test::CutSurface cut = torn_cylinder();
     const InspectionRow row{.file = "a.obj", .inspection = inspected(scene_of(cut), within(0.2 * cut.edge))};
     InspectionPage page;
     page.add(row, {});
@@ -235,7 +240,7 @@ TEST(MatchedBorders, ThePageHasTheirTableAndTheLargest) {
 }
 
 TEST(MatchedBorders, TheHeatMapDrawsThemAndRingsTheLargest) {
-    const test::CutSurface cut = finer(test::cylinder());
+    const test::CutSurface cut = torn_cylinder();
     const Scene scene = scene_of(cut);
     InspectOptions options = within(0.2 * cut.edge);
     options.seam_lines = true;
@@ -280,7 +285,7 @@ TEST(MatchedBorders, TheSameForAnyNumberOfThreads) {
 
 TEST(MatchedBorders, NormalsThatAreSplitAtCreasesAreMeasuredToo) {
     // Without normals, with texture coordinates and a crease that splits vertices, by every choice of normals.
-    const test::CutSurface cut = finer(test::cylinder());
+    const test::CutSurface cut = torn_cylinder();
     Scene scene = scene_of(cut);
     for (Mesh& mesh : scene.meshes) mesh.texcoords = {std::vector<vec2>(mesh.positions.size(), vec2{0.5f, 0.5f})};
     for (const NormalSource source : {NormalSource::automatic, NormalSource::file, NormalSource::flat,
@@ -302,7 +307,7 @@ TEST(MatchedBorders, ADistanceThatIsNoneIsWrongUsage) {
 }
 
 TEST(MatchedBorders, ImmenseScenesAreLookedAtWithoutEnd) {
-    const test::CutSurface cut = finer(test::cylinder());
+    const test::CutSurface cut = torn_cylinder();
     for (const double scale : {1e120, 1e200, 1e-200}) {
         Scene scene = scene_of(cut);
         for (Node& node : scene.nodes) node.local.scale = {scale, scale, scale};
