@@ -59,7 +59,7 @@ TEST(TexelOwners, WeightsGiveThePlaceOfTheSample) {
         EXPECT_NEAR(back.y, at.y, 1e-9);
         EXPECT_NEAR(w[0] + w[1] + w[2], 1, 1e-12);
     }
-    EXPECT_NEAR(covered / 1024.0, 0.49, 0.02);  // the area
+    EXPECT_NEAR(covered / 1024.0, 0.47, 0.01);  // the area
 }
 
 TEST(TexelOwners, TexelsThatAreTouchedButNotCoveredKnowTheirTriangle) {
