@@ -233,11 +233,10 @@ flat, 1 where convex; occlusion 1 where the sky is open. EXR files have height i
 curvature in 1/meters.
 
 Examples:
-  rakelight bake scan.ply simple.glb -o 'maps/{map}.png' --size 2048
-  rakelight bake scan.ply simple.obj -o 'maps/{map}.png' --maps normal,occlusion \
-      --model baked.glb
-      The model with made coordinates, tangents and the maps, to look at.
-  rakelight bake scan.ply simple.glb -o normal.png --distance 0.02 --green down
+  rakelight bake scan.obj simple.obj -o 'maps/{map}.png' --maps normal,height
+  rakelight bake scan.obj simple.obj -o normal.png --size 2048 --model baked.glb
+      And the model with the map, to look at: rakelight baked.glb
+  rakelight bake scan.obj simple.obj -o normal.png --distance 0.02 --green down
 Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found, 4 file broken,
 too large or no ray of LOW meets HIGH.)";
 

@@ -80,10 +80,10 @@ Scene with_coordinates(Scene low, const BakeOptions& options, BakeReport& report
             had_textures |= bool(use);
             use = {};
         });
-    if (had_textures)
-        context.report().add(Remark::dropped, low.source, {}, "its textures, which do not fit new texture coordinates");
     MadeCoordinates made =
         make_coordinates(std::move(low), options.width, options.height, options.chart_margin, context);
+    if (had_textures)
+        context.report().add(Remark::dropped, low.source, {}, "its textures, which do not fit new texture coordinates");
     report.made_coordinates = made.meshes, report.texels_per_meter = made.scale;
     return std::move(made.scene);
 }
@@ -140,7 +140,8 @@ void add_remarks(const Scene& high, const Scene& low, const BakeReport& r, Conte
                     {},
                     r.texels == 0 ? "make the map larger"
                                   : "models have to lie at the same place; a larger 'distance' reaches farther")
-            .with_file(low.source);
+            .with_file(low.source)
+            .naming({"distance"});
     Report& report = context.report();
     if (r.missed > 0)
         report.add(Remark::warning, low.source, {},

@@ -105,10 +105,11 @@ MadeCoordinates make_coordinates(Scene scene, int width, int height, int margin,
     if (!packing || (packing->scale <= 0 && !sizes.empty()))
         throw Error(ErrorCode::usage,
                     "a map of " + std::to_string(width) + " x " + std::to_string(height) + " pixels has no room for " +
-                        std::to_string(sizes.size()) + " charts with " + std::to_string(margin) +
-                        " pixels between them",
+                        std::to_string(sizes.size()) + (sizes.size() == 1 ? " chart with " : " charts with ") +
+                        std::to_string(margin) + " pixels around each",
                     {}, "make the map larger, or 'chart-margin' smaller")
-            .about("size");
+            .about("size")
+            .naming({"chart-margin"});
     MeshVariants variants(scene, context);
     const dvec2* place = packing->place.data();
     const dvec2 size{double(width), double(height)};
