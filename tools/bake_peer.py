@@ -1,19 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A model with a normal map in three.js beside ours: the normals that the map makes, as colors, and a light from the camera.
+"""A model with a normal map in three.js and Blender Cycles beside ours: the normals that the map makes, as colors, and a light.
 
-  bake_peer.py --three NODE_MODULES/three [--program build/release/rakelight] [--size 512] MODEL.glb OUT.png
+  bake_peer.py --three NODE_MODULES/three [--no-cycles] [--program build/release/rakelight] [--size 512] MODEL.glb OUT.png
 
-Both look along -Z, so that the view's axes are the world's. three.js (MeshNormalMaterial and MeshLambertMaterial with the
-map of the model's materials, tangents of the file) runs in headless Chromium. OUT.png: ours, theirs, and the difference 8 times, of normals and
-below of light. Said: the angle between the normals of the pixels inside of the model, and the difference of the codes of light.
-Needs chromium, and three from npm."""
+All look along -Z, so that the view's axes are the world's. three.js (MeshNormalMaterial and MeshLambertMaterial with the
+map of the model's materials, tangents of the file) runs in headless Chromium. OUT.png: ours, theirs, and the difference 8 times: normals and
+light by three.js, and normals by Cycles, which makes tangents itself (bake_peer_cycles.py). Said: the angle between the normals of the pixels
+inside of the model, and the difference of the codes of light. Needs chromium, three from npm, Blender 3.4."""
 import argparse
 import base64
 import functools
 import http.server
 import json
 import math
+import os
 import pathlib
 import subprocess
 import tempfile
@@ -116,6 +117,15 @@ def our_pictures(options, camera, folder):
     return {"light": folder / "light.png", "normal": folder / "light.normal.png"}
 
 
+def cycles_picture(options, camera, folder):
+    out = folder / "cycles.png"
+    place = ",".join(map(repr, camera["position"]))
+    plain = {**os.environ, "PATH": "/usr/bin:/bin"}  # Blender takes the modules of the first Python that it finds
+    subprocess.run(["blender", "-b", "--factory-startup", "--python-exit-code", "1", "--python", pathlib.Path(__file__).with_name("bake_peer_cycles.py"), "--",
+                    options.model.resolve(), out, str(options.size), place, "30"], check=True, capture_output=True, env=plain)
+    return out
+
+
 def rows(path):
     width, height, pixels = read_rgb(path)
     return [pixels[3 * width * y:3 * width * (y + 1)] for y in range(height)]
@@ -146,21 +156,27 @@ def main():
     parser.add_argument("model", type=pathlib.Path)
     parser.add_argument("picture", type=pathlib.Path)
     parser.add_argument("--three", type=pathlib.Path, required=True)
+    parser.add_argument("--no-cycles", action="store_true")
     parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
     parser.add_argument("--size", type=int, default=512)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         camera, theirs = three_pictures(options, pathlib.Path(folder))
         ours = our_pictures(options, camera, pathlib.Path(folder))
+        cycles = None if options.no_cycles else rows(cycles_picture(options, camera, pathlib.Path(folder)))
         theirs, ours = ({kind: rows(files[kind]) for kind in ("normal", "light")} for files in (theirs, ours))
-    both = set(inside(ours["normal"])) & set(inside(theirs["normal"]))
-    at = [(y, slice(3 * x, 3 * x + 3)) for x, y in sorted(both)]
-    print(f"{len(at)} pixels inside of the model")
-    say("degrees between normals", [angle(ours["normal"][y][x], theirs["normal"][y][x]) for y, x in at])
-    say("difference of light, of 255", [max(abs(a - b) for a, b in zip(ours["light"][y][x], theirs["light"][y][x])) for y, x in at])
+    pairs = [("three.js", "normal", theirs["normal"]), ("three.js", "light", theirs["light"])]
+    pairs += [("Cycles", "normal", cycles)] if cycles else []
     sheet = []
-    for kind in ("normal", "light"):
-        sheet += joined([ours[kind], theirs[kind], difference(ours[kind], theirs[kind], 8)])
+    for name, kind, pixels in pairs:
+        both = set(inside(ours["normal"])) & set(inside(cycles if name == "Cycles" else theirs["normal"]))
+        at = [(y, slice(3 * x, 3 * x + 3)) for x, y in sorted(both)]
+        if kind == "normal":
+            print(f"{name}: {len(at)} pixels inside of the model")
+            say("degrees between normals", [angle(ours[kind][y][x], pixels[y][x]) for y, x in at])
+        else:
+            say("difference of light, of 255", [max(abs(a - b) for a, b in zip(ours[kind][y][x], pixels[y][x])) for y, x in at])
+        sheet += joined([ours[kind], pixels, difference(ours[kind], pixels, 8)])
     write_rgb(options.picture, 3 * options.size, len(sheet), b"".join(sheet))
 
 

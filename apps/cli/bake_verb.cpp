@@ -81,10 +81,12 @@ std::vector<Option> own_options() {
            switched}},
          number_options("Maps"),
          number_options("Rays"),
-         {{"normals", "Normals of LOW", "WHICH",
-           "auto (default: the file's where it has them, else model) or model (made over all objects)"},
-          {"crease-angle", "Normals of LOW", "DEG",
-           "Edges that bend more stay sharp where normals are made (default 180: none). Rays know no creases"}},
+         {{"high-normals", "Normals", "WHICH",
+           "HIGH's: auto (default: as it is rendered; glTF without normals is flat) or model (made over all objects)"},
+          {"normals", "Normals", "WHICH",
+           "LOW's: auto (default: the file's where it has them, else model) or model (made over all objects)"},
+          {"crease-angle", "Normals", "DEG",
+           "LOW's edges that bend more stay sharp where normals are made (default 180: none). Rays know no creases"}},
          {{"make-coordinates", "Texture coordinates", "",
            "Make new texture coordinates although LOW has some (they are made where it has none)", flag}},
          number_options("Texture coordinates"),
@@ -123,6 +125,8 @@ BakeOptions bake_options(const Given& given) {
             options.*count.value = values::integer(count.name, given.word(count.name), count.low, count.high);
     if (given.has("space")) options.space = values::word("space", given.word("space"), spaces);
     if (given.has("normals")) options.low_normals = values::word("normals", given.word("normals"), normals);
+    if (given.has("high-normals"))
+        options.high_normals = values::word("high-normals", given.word("high-normals"), normals);
     if (given.has("green")) options.green_down = values::word("green", given.word("green"), greens);
     if (given.has("normalize-frames"))
         options.normalize_frames = values::switched("normalize-frames", given.word("normalize-frames"));

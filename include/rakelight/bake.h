@@ -43,6 +43,9 @@ struct BakeOptions {
     /// LOW's normals that the map acts on: `automatic`: the file's where it has them, else made over all objects; `model`:
     /// all are made.
     NormalSource low_normals = NormalSource::automatic;
+    /// HIGH's: `automatic`: as it is rendered (glTF without normals is flat); `model`: made over all objects, with a crease angle
+    /// of 60 degrees.
+    NormalSource high_normals = NormalSource::automatic;
     double crease_angle_rad = pi;   ///< 0..pi: of LOW's normals that are made. The cage has no creases
     int samples = 4;                ///< a texel: 1, 4 or 16, on a regular grid
     int padding = 8;                ///< [px] 0..1024: by how much charts are continued

@@ -47,6 +47,8 @@ void check(const BakeOptions& o) {
     require(is_length(o.occlusion_distance), "occlusion-distance", "must be more than 0 and finite");
     require(is_length(o.curvature_radius), "curvature-radius", "must be more than 0 and finite");
     require(o.crease_angle_rad >= 0 && o.crease_angle_rad <= pi, "crease-angle", "must be 0 to 180 degrees");
+    require(o.high_normals == NormalSource::automatic || o.high_normals == NormalSource::model, "high-normals",
+            "must be auto or model");
     require(o.low_normals == NormalSource::automatic || o.low_normals == NormalSource::model, "normals",
             "must be auto or model");
 }
@@ -176,7 +178,8 @@ BakeResult bake_maps(const Scene& high, const Scene& low, const BakeOptions& opt
                     "build it with -DRAKELIGHT_TRACE=ON");
     BakeResult result;
     context.progress("prepare", 0);
-    const Scene source = prepare_scene(bake::at_rest(high, context), {.tessellate = true}, context);
+    const Scene source =
+        prepare_scene(bake::at_rest(high, context), {.normals = options.high_normals, .tessellate = true}, context);
     Scene target = bake::at_rest(low, context);
     bake::drop_bumps(target);
     if (drawn_instances(target).empty())

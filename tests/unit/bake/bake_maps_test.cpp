@@ -37,6 +37,7 @@ TEST(BakeMaps, OptionsOutOfTheirRangeAreRefused) {
         {"chart-margin", [](BakeOptions& o) { o.chart_margin = 0; }},
         {"rays", [](BakeOptions& o) { o.rays = 0; }},
         {"crease-angle", [](BakeOptions& o) { o.crease_angle_rad = 4; }},
+        {"high-normals", [](BakeOptions& o) { o.high_normals = NormalSource::seams; }},
         {"normals", [](BakeOptions& o) { o.low_normals = NormalSource::flat; }},
     };
     for (const auto& [setting, change] : wrong) {

@@ -201,7 +201,7 @@ TEST_F(Bake, ObjectsOfACutSphereShowNoSeamWhereTheyMeet) {
             ++border_corners;
         }
     EXPECT_EQ(border_corners, 2 * 2 * 24);  // both sides of two meridians
-    EXPECT_LT(worst, 0.25);  // each side is that near to the truth, and so the two are to each other
+    EXPECT_LT(worst, 0.25);                 // each side is that near to the truth, and so the two are to each other
 }
 
 TEST_F(Bake, MirroredAndOverlappingChartsAreReportedAndBakedOnce) {
@@ -246,6 +246,24 @@ TEST_F(Bake, ANormalMapOfTheDetailedModelIsBakedAlong) {
     const BakeResult result = bake(high, scene_of(square_mesh()), options_for({BakeMap::normal}, 8, 8));
     const dvec3 expected{204 / 127.5 - 1, 128 / 127.5 - 1, 230 / 127.5 - 1};
     EXPECT_LT(angle_deg(normal_at(result, 4, 4), expected), 0.01);
+}
+
+TEST_F(Bake, NormalsOfTheDetailedModelAreItsFilesOrMadeOverAllObjects) {
+    Scene high = scene_of(plain_sphere(12, 24));
+    high.missing_normals_are_flat = true;
+    high.meshes[0].normals = {};
+    BakeOptions options = options_for({BakeMap::normal}, 64, 32);
+    options.space = BakeSpace::object, options.samples = 1;
+    const auto most = [&](NormalSource source) {
+        options.high_normals = source;
+        const BakeResult result = bake(high, scene_of(plain_sphere(12, 24)), options);
+        double angle = 0;
+        for_each_direction(
+            64, 32, [&](int x, int y, dvec3 d) { angle = std::max(angle, angle_deg(normal_at(result, x, y), d)); });
+        return angle;
+    };
+    EXPECT_GT(most(NormalSource::automatic), 5);
+    EXPECT_LT(most(NormalSource::model), 1);
 }
 
 TEST_F(Bake, TheFirstFaceThatLooksOutwardIsBaked) {
