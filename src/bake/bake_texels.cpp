@@ -35,7 +35,7 @@ public:
         }
     }
 
-    /// @return texels that no ray of met HIGH
+    /// @return texels none of whose rays met HIGH
     std::uint64_t bake(const OwnerBand& band, std::vector<std::uint8_t>& covered, std::uint64_t& texels) const {
         std::uint64_t missed = 0;
         const std::size_t samples = std::size_t(options_.samples), width = std::size_t(result_.width);
