@@ -32,8 +32,9 @@ BELOW = {
     "engines/raster/inspect": ["engines/raster"],
     "engines/opengl": ["shading"],
     "engines/raytrace": ["cpu_shading"],
+    "bake": ["engines/raytrace", "prepare"],
     "render": ["engines/raster", "engines/opengl", "engines/raytrace", "world"],
-    "tools": ["render", "engines/raster/inspect"],
+    "tools": ["render", "bake", "engines/raster/inspect"],
 }
 
 # Rooms of the soft engine -> the rooms that each may include; headers in the engine's own folder are for all of them.
@@ -64,11 +65,11 @@ PUBLIC = {
     "block": "image", "image": "image", "colormap": "image",
     "attributes": "geometry", "seams": "geometry", "matching_borders": "geometry",
     "scene": "scene", "motion": "scene", "scene_queries": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "image_sources": "io", "movie": "io", "unfinished_outputs": "io",
-    "prepare": "prepare",
+    "prepare": "prepare", "bake": "bake",
     "engine": "engines", "line": "engines", "values": "world", "request": "world", "settings_file": "world", "material_changes": "world", "load": "world",
     "render": "render", "session": "render", "gl_view": "render", "strip_sink": "engines", "exit_code": "base", "rows": "tools",
     "picture": "render", "picture_parts": "render", "sequence": "render", "version": "render",
-    "check_scene": "tools", "compare": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "join_windows": "tools", "bench": "tools", "reference": "tools", "inspection_report": "tools", "text_file": "tools", "smooth_file": "tools", "rakelight": "tools",
+    "check_scene": "tools", "compare": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "join_windows": "tools", "bake_files": "tools", "bench": "tools", "reference": "tools", "inspection_report": "tools", "text_file": "tools", "smooth_file": "tools", "rakelight": "tools",
 }
 
 # Third-party include (regular expression) -> the modules, or the one file of a module, that may use it.

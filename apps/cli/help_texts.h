@@ -222,6 +222,24 @@ Examples:
 Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 a part not found, 4 a part
 broken, missing, of another picture, or different from one that it overlaps.)";
 
+inline constexpr const char* bake_footer =
+    R"(Rays go along LOW's smooth normals from a cage around it inward; the first triangle of
+HIGH that faces outward is what a texel shows. Both models may have many objects; those of
+LOW share one map. Texture coordinates are those of set 0; where LOW has none, charts are
+made of it: write --model then.
+
+Maps: normal is 0.5 + 0.5 n; height 0.5 at LOW, 0 and 1 at the cage; curvature 0.5 where
+flat, 1 where convex; occlusion 1 where the sky is open. EXR files have height in meters,
+curvature in 1/meters.
+
+Examples:
+  rakelight bake scan.obj simple.obj -o 'maps/{map}.png' --maps normal,height
+  rakelight bake scan.obj simple.obj -o normal.png --size 2048 --model baked.glb
+      And the model with the map, to look at: rakelight baked.glb
+  rakelight bake scan.obj simple.obj -o normal.png --distance 0.02 --green down
+Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found, 4 file broken,
+too large or no ray of LOW meets HIGH.)";
+
 inline constexpr const char* stages_footer =
     R"(Stages: model, world, camera and clip space, clipped polygons, normalized device
 coordinates, screen, culled faces, coverage, depth, visibility, normals, each light's

@@ -6,6 +6,7 @@
 
 #include "../common/manual.h"
 #include "../common/view_command.h"
+#include "bake_verb.h"
 #include "bench_verb.h"
 #include "check_verb.h"
 #include "compare_verb.h"
@@ -36,7 +37,7 @@ int run(int argc, const char* const* argv) {
         {render_command(), run_render},   {inspect_command(), run_inspect}, {smooth_command(), run_smooth},
         {bench_command(), run_bench},     {explain_command(), run_explain}, {stages_command(), run_stages},
         {compare_command(), run_compare}, {check_command(), run_check},     {join_windows_command(), run_join_windows},
-        {apps::view_command(), nullptr}};
+        {bake_command(), run_bake},       {apps::view_command(), nullptr}};
     std::vector<Command> commands;
     for (const Verb& verb : verbs) commands.push_back(verb.command);
     const apps::Program program{"rakelight", "Renders 3D models made of many parts: bumps show, seams do not.",

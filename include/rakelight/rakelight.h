@@ -3,6 +3,7 @@
 // scene.h (the data), engine.h (settings, frame), session.h (many pictures), request.h and picture.h (files, worlds, cameras), linear.h, scene_queries.h.
 #pragma once
 #include <rakelight/attributes.h>
+#include <rakelight/bake.h>
 #include <rakelight/block.h>
 #include <rakelight/compare.h>
 #include <rakelight/context.h>

@@ -6,17 +6,10 @@
 
 #include "image/decode.h"
 #include "math/functions.h"
+#include "scene/wrapped_texel.h"
 
 namespace rakelight {
 namespace {
-
-/// Number of the texel that stands at i.
-int wrapped(int i, int size, Wrap wrap) {
-    if (wrap == Wrap::clamp_to_edge) return std::clamp(i, 0, size - 1);
-    const int period = wrap == Wrap::repeat ? size : 2 * size;
-    const int in = (i % period + period) % period;
-    return in < size ? in : period - 1 - in;
-}
 
 float texel(const MipChain& chain, const MipLevel& level, int x, int y) {
     const std::size_t i = std::size_t(y) * std::size_t(level.width) + std::size_t(x);
@@ -73,7 +66,8 @@ float HeightField::at_level(vec2 map, std::size_t number) const {
     const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
     const float tx = float(x - x0), ty = float(y - y0);
     const auto read = [&](int column, int row) {
-        return texel(*chain_, level, wrapped(column, level.width, wrap_u_), wrapped(row, level.height, wrap_v_));
+        return texel(*chain_, level, wrapped_texel(column, level.width, wrap_u_),
+                     wrapped_texel(row, level.height, wrap_v_));
     };
     const float upper = read(x0, y0) + (read(x0 + 1, y0) - read(x0, y0)) * tx;
     const float lower = read(x0, y0 + 1) + (read(x0 + 1, y0 + 1) - read(x0, y0 + 1)) * tx;

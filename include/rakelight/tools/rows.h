@@ -17,6 +17,7 @@
 #include <rakelight/report.h>
 #include <rakelight/smooth_file.h>
 #include <rakelight/stages.h>
+#include <rakelight/tools/bake_files.h>
 #include <rakelight/tools/check_scene.h>
 #include <rakelight/tools/join_windows.h>
 #include <rakelight/tools/reference.h>
@@ -84,6 +85,10 @@ struct JoinRow : ReportRow {
     JoinResult result{};  ///< at least `output`
 };
 
+struct BakeRow : ReportRow {
+    BakeFilesResult result{};  ///< at least `high` and `low`
+};
+
 /// {"schema": "rakelight.render/1", "rows": [...]}
 std::string to_json(std::span<const PictureRow> rows);
 /// {"schema": "rakelight.check/1", "rows": [...]}
@@ -101,6 +106,9 @@ std::string to_json(std::span<const SmoothedFileRow> rows);
 
 /// {"schema": "rakelight.join-windows/1", "rows": [...]}
 std::string to_json(std::span<const JoinRow> rows);
+
+/// {"schema": "rakelight.bake/1", "rows": [...]}
+std::string to_json(std::span<const BakeRow> rows);
 
 /// A table for people; rows with an error are left out. Empty: there are none.
 std::string to_text(std::span<const ComparisonRow> rows);

@@ -19,7 +19,7 @@ struct SurfaceHit {
     double weight[3] = {};       ///< of the triangle's corners at the place, sum 1
 };
 
-/// Immutable once made; from any thread.
+/// Immutable once made; from any thread. The same hits whatever RAKELIGHT_ISA says.
 class SurfaceRays {
 public:
     /// @param scene  valid, posed and prepared; shapes are met as their triangles

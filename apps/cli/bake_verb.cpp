@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake_verb.h"
+
+#include <algorithm>
+
+#include <rakelight/tools/rows.h>
+#include <rakelight/tools/values.h>
+
+#include "../common/picture_options.h"
+#include "help_texts.h"
+#include "run_file.h"
+
+namespace rakelight::cli {
+namespace {
+
+/// A length in meters that has to be more than 0.
+struct Length {
+    const char *name, *group, *help;
+    double BakeOptions::*value;
+};
+constexpr Length lengths[] = {
+    {"distance", "Rays",
+     "How far the cage stands off [m], outside and inside (default: proposed by rays from LOW, and said)",
+     &BakeOptions::distance},
+    {"occlusion-distance", "Maps", "Occlusion: what is farther away [m] hides nothing (default: nothing is too far)",
+     &BakeOptions::occlusion_distance},
+    {"curvature-radius", "Maps",
+     "Curvature: the radius [m] whose curvature is white, hollow black (default: a 50th of HIGH's diagonal)",
+     &BakeOptions::curvature_radius},
+};
+
+/// A whole number from `low` to `high`.
+struct Count {
+    const char *name, *type, *group, *help;
+    int BakeOptions::*value;
+    int low, high;
+};
+constexpr Count counts[] = {
+    {"samples", "N", "Rays", "Rays a texel: 1, 4 (default) or 16", &BakeOptions::samples, 1, 16},
+    {"rays", "N", "Maps", "Occlusion: rays to the sky a sample, 1 to 4096 (default 64)", &BakeOptions::rays, 1, 4096},
+    {"padding", "PX", "Texture coordinates", "Pixels by which charts are continued beyond their borders (default 8)",
+     &BakeOptions::padding, 0, 1024},
+    {"chart-margin", "PX", "Texture coordinates",
+     "Pixels left free between charts where coordinates are made (default 8)", &BakeOptions::chart_margin, 1, 1024},
+};
+
+constexpr Word<BakeSpace> spaces[] = {{"tangent", BakeSpace::tangent}, {"object", BakeSpace::object}};
+constexpr Word<NormalSource> normals[] = {{"auto", NormalSource::automatic}, {"model", NormalSource::model}};
+constexpr Word<bool> greens[] = {{"up", false}, {"down", true}};
+
+std::vector<Option> number_options(std::string_view group) {
+    std::vector<Option> options;
+    for (const Length& length : lengths)
+        if (length.group == group) options.push_back({length.name, length.group, "M", length.help});
+    for (const Count& count : counts)
+        if (count.group == group) options.push_back({count.name, count.group, count.type, count.help});
+    return options;
+}
+
+std::vector<Option> own_options() {
+    using enum apps::Form;
+    return apps::joined(
+        {{{.name = "output",
+           .group = "Output",
+           .type = "NAME",
+           .help = "Pictures to write, .png or .exr; {map} stands for the name of each map",
+           .is_required = true,
+           .letter = 'o'},
+          {"model", "Output", "FILE",
+           "Also write LOW as .glb or .gltf, with the coordinates, normals and tangents that the maps fit, and with "
+           "the maps of normals and occlusion"},
+          {"bits", "Output", "N", "PNG: bits a component, 8 or 16 (default 16 for heights, else 8)"},
+          {"size", "Output", "N", "Pixels a side, or W,H (default 1024)"}},
+         {{"maps", "Maps", "LIST", "Of normal, height, curvature, occlusion (default normal)"},
+          {"space", "Maps", "WHICH", "Normals: tangent (default) or object space"},
+          {"green", "Maps", "WAY", "Normals in tangent space: up (default, as glTF and OpenGL) or down (DirectX)"},
+          {"normalize-frames", "Maps", "",
+           "Normal and tangent of LOW are made unit and perpendicular in each texel before normals are written in "
+           "them, "
+           "as Rakelight reads maps unless told otherwise (default off: as MikkTSpace)",
+           switched}},
+         number_options("Maps"),
+         number_options("Rays"),
+         {{"high-normals", "Normals", "WHICH",
+           "HIGH's: auto (default: as it is rendered; glTF without normals is flat) or model (made over all objects)"},
+          {"normals", "Normals", "WHICH",
+           "LOW's: auto (default: the file's where it has them, else model) or model (made over all objects)"},
+          {"crease-angle", "Normals", "DEG",
+           "LOW's edges that bend more stay sharp where normals are made (default 180: none). Rays know no creases"}},
+         {{"make-coordinates", "Texture coordinates", "",
+           "Make new texture coordinates although LOW has some (they are made where it has none)", flag}},
+         number_options("Texture coordinates"),
+         apps::without(apps::common_options(), {"config"})});
+}
+
+void read_size(const Given& given, BakeOptions& options) {
+    if (!given.has("size")) return;
+    const std::string text = given.word("size");
+    const bool is_square = text.find_first_of(",x") == std::string::npos;
+    const std::vector<int> size = values::integers("size", text, is_square ? 1 : 2);
+    options.width = size.front(), options.height = size.back();
+}
+
+void read_maps(const Given& given, BakeOptions& options) {
+    if (!given.has("maps")) return;
+    std::vector<Word<BakeMap>> words;
+    for (const BakeMap map : all_bake_maps()) words.push_back({name_of(map), map});
+    const std::string list = given.word("maps");
+    options.maps.clear();
+    for (const std::string_view word : values::split(list, ','))
+        options.maps.push_back(values::word<BakeMap>("maps", word, words));
+}
+
+BakeOptions bake_options(const Given& given) {
+    BakeOptions options;
+    read_maps(given, options);
+    read_size(given, options);
+    for (const Length& length : lengths) {
+        if (!given.has(length.name)) continue;
+        options.*length.value = values::number(length.name, given.word(length.name));
+        if (!(options.*length.value > 0)) throw values::wrong(length.name, "must be more than 0");
+    }
+    for (const Count& count : counts)
+        if (given.has(count.name))
+            options.*count.value = values::integer(count.name, given.word(count.name), count.low, count.high);
+    if (given.has("space")) options.space = values::word("space", given.word("space"), spaces);
+    if (given.has("normals")) options.low_normals = values::word("normals", given.word("normals"), normals);
+    if (given.has("high-normals"))
+        options.high_normals = values::word("high-normals", given.word("high-normals"), normals);
+    if (given.has("green")) options.green_down = values::word("green", given.word("green"), greens);
+    if (given.has("normalize-frames"))
+        options.normalize_frames = values::switched("normalize-frames", given.word("normalize-frames"));
+    if (given.has("crease-angle"))
+        options.crease_angle_rad = radians(values::number("crease-angle", given.word("crease-angle"), 0, 180));
+    options.make_coordinates = given.has("make-coordinates");
+    return options;
+}
+
+}  // namespace
+
+Command bake_command() {
+    return {"bake",
+            "Write what a detailed model looks like into maps for a simple one",
+            bake_footer,
+            {{"HIGH", "Model of many triangles: a file, world file or builtin:...", true, false},
+             {"LOW", "Model of few, at the same place", true, false}},
+            own_options()};
+}
+
+int run_bake(const Run& run) {
+    BakeRequest request{.high = run.inputs.at(0), .low = run.inputs.at(1), .output = run.picture.output};
+    request.options = bake_options(run.given);
+    request.load.allow_outside = run.given.has("allow-outside");
+    request.model = run.given.word("model");
+    if (run.given.has("bits")) request.bits = values::integer("bits", run.given.word("bits"), 8, 16);
+    BakeRow row{.result = {.high = request.high, .low = request.low}};
+    const int code = run_file(run, request.low, row, [&](Context& c) { row.result = bake_files(request, c); });
+    if (code == 0) print_note(summary(row.result), run.loudness);
+    if (run.is_json) print_data(to_json(std::span(&row, 1)));
+    return code;
+}
+
+}  // namespace rakelight::cli

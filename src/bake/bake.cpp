@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// The way of a bake: checks, LOW with coordinates and frames, HIGH as it is shaded, the texels, the padding.
+#include <rakelight/bake.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <rakelight/prepare.h>
+#include <rakelight/validate.h>
+
+#include "bake/bake_maps.h"
+#include "bake/bake_texels.h"
+#include "bake/make_coordinates.h"
+#include "bake/padding.h"
+#include "prepare/variants.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+namespace bake {
+namespace {
+
+constexpr int most_pixels = 16384;  ///< a side
+
+Error wrong(const char* setting, std::string reason) {
+    return Error(ErrorCode::usage, std::move(reason)).about(setting);
+}
+
+void require(bool is_right, const char* setting, const char* reason) {
+    if (!is_right) throw wrong(setting, reason);
+}
+
+bool is_length(double v) { return std::isfinite(v) && v >= 0; }
+
+void check(const BakeOptions& o) {
+    require(!o.maps.empty(), "maps", "no map is named");
+    for (const BakeMap map : o.maps) {
+        require(std::size_t(map) < all_bake_maps().size(), "maps", "is no map");
+        require(std::ranges::count(o.maps, map) == 1, "maps", "a map is named twice");
+    }
+    require(std::min(o.width, o.height) >= 1 && std::max(o.width, o.height) <= most_pixels, "size",
+            "must be 1 to 16384 pixels a side");
+    require(is_length(o.distance), "distance", "must be more than 0 and finite");
+    require(o.samples == 1 || o.samples == 4 || o.samples == 16, "samples", "must be 1, 4 or 16 a texel");
+    require(o.padding >= 0 && o.padding <= 1024, "padding", "must be 0 to 1024 pixels");
+    require(o.chart_margin >= 1 && o.chart_margin <= 1024, "chart-margin", "must be 1 to 1024 pixels");
+    require(o.rays >= 1 && o.rays <= 4096, "rays", "must be 1 to 4096");
+    require(is_length(o.occlusion_distance), "occlusion-distance", "must be more than 0 and finite");
+    require(is_length(o.curvature_radius), "curvature-radius", "must be more than 0 and finite");
+    require(o.crease_angle_rad >= 0 && o.crease_angle_rad <= pi, "crease-angle", "must be 0 to 180 degrees");
+    require(o.high_normals == NormalSource::automatic || o.high_normals == NormalSource::model, "high-normals",
+            "must be auto or model");
+    require(o.low_normals == NormalSource::automatic || o.low_normals == NormalSource::model, "normals",
+            "must be auto or model");
+}
+
+Scene at_rest(const Scene& scene, Context& context) {
+    validate(scene);
+    return is_posable(scene) ? posed_scene(scene, context) : scene;
+}
+
+bool lacks_coordinates(const Scene& scene) {
+    return std::ranges::any_of(drawn_instances(scene), [&](const Instance& instance) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        return mesh.texcoords.empty() || mesh.texcoords[0].empty();
+    });
+}
+
+/// What LOW has of bumps is what the map takes the place of.
+void drop_bumps(Scene& scene) {
+    for (Material& material : scene.materials) {
+        material.normal_texture = material.height_texture = {};
+        material.bump = Bump::automatic;
+    }
+}
+
+/// @param report  gets what was made
+Scene with_coordinates(Scene low, const BakeOptions& options, BakeReport& report, Context& context) {
+    if (!options.make_coordinates && !lacks_coordinates(low)) return low;
+    bool had_textures = false;
+    for (Material& material : low.materials)
+        for_each_texture_use(material, [&](TextureUse& use) {
+            had_textures |= bool(use);
+            use = {};
+        });
+    MadeCoordinates made =
+        make_coordinates(std::move(low), options.width, options.height, options.chart_margin, context);
+    if (had_textures)
+        context.report().add(Remark::dropped, low.source, {}, "its textures, which do not fit new texture coordinates");
+    report.made_coordinates = made.meshes, report.texels_per_meter = made.scale;
+    return std::move(made.scene);
+}
+
+/// Normals: the file's, or made over all objects; tangents as MikkTSpace has them, of the first coordinates.
+Scene prepared_low(Scene low, const BakeOptions& options, Context& context) {
+    for (Mesh& mesh : low.meshes) {
+        const bool keeps = options.low_normals == NormalSource::automatic && !mesh.normals.empty();
+        mesh.normal_choice = NormalChoice{.source = keeps ? NormalSource::file : NormalSource::model,
+                                          .crease_angle_rad = options.crease_angle_rad};
+        mesh.tangents = {};
+        mesh.subdivision.reset();
+    }
+    for (Material& material : low.materials) {  // tangents are those of set 0
+        MetallicRoughnessParameters& p = material.metallic_roughness;
+        p.clearcoat_normal_texture = p.anisotropy_texture = {};
+    }
+    return prepare_scene(std::move(low),
+                         {.tangents = TangentMode::mikktspace, .all_tangents = true, .tessellate = true}, context);
+}
+
+void make_maps(const BakeOptions& options, BakeResult& result, Context& context) {
+    const std::uint64_t texels = std::uint64_t(options.width) * std::uint64_t(options.height);
+    std::uint64_t bytes = 0;
+    for (const BakeMap map : options.maps) bytes += texels * 4 * std::uint64_t(kind_of(map).channels);
+    context.memory().check(bytes + 9 * texels, "baked maps");  // and what says which texels are covered
+    result.charge = MemoryCharge(context.memory(), bytes, "baked maps");
+    result.width = options.width, result.height = options.height;
+    for (const BakeMap map : options.maps) {
+        const MapKind& kind = kind_of(map);
+        BakedMap& made = result.maps.emplace_back(BakedMap{map, kind.channels});
+        made.values.resize(std::size_t(texels) * std::size_t(kind.channels));
+        for (std::size_t i = 0; i < made.values.size(); ++i) made.values[i] = kind.even[i % std::size_t(kind.channels)];
+    }
+}
+
+void pad(const std::vector<std::uint8_t>& covered, const BakeOptions& options, BakeResult& result, Context& context) {
+    if (options.padding == 0) return;
+    const std::vector<std::uint32_t> nearest =
+        nearest_covered(covered, result.width, result.height, options.padding, context);
+    for (BakedMap& map : result.maps) {
+        const auto channels = std::size_t(map.channels);
+        for (std::size_t i = 0; i < nearest.size(); ++i)
+            if (nearest[i] != no_index && nearest[i] != i)
+                std::copy_n(&map.values[nearest[i] * channels], channels, &map.values[i * channels]);
+    }
+}
+
+void add_remarks(const Scene& high, const Scene& low, const BakeReport& r, Context& context) {
+    if (r.missed == r.texels)
+        throw Error(ErrorCode::bad_file,
+                    r.texels == 0 ? "no chart covers a texel of the map"
+                                  : "no ray from it meets '" + one_line(high.source, 80) + "'",
+                    {},
+                    r.texels == 0 ? "make the map larger"
+                                  : "models have to lie at the same place; a larger 'distance' reaches farther")
+            .with_file(low.source)
+            .naming({"distance"});
+    Report& report = context.report();
+    if (r.missed > 0)
+        report.add(Remark::warning, low.source, {},
+                   std::to_string(r.missed) + " of " + std::to_string(r.texels) +
+                       " texels show the model itself: no ray met the other one; a larger 'distance' reaches farther",
+                   {"distance"});
+    if (r.overlapping > 0)
+        report.add(Remark::warning, low.source, {},
+                   std::to_string(r.overlapping) + " of " + std::to_string(r.charts) +
+                       " charts lie on others or on themselves: " + std::to_string(r.overlapping_texels) +
+                       " texels are baked once, for the first that is not mirrored");
+    if (r.mirrored > 0)
+        report.add(Remark::note, low.source, {},
+                   std::to_string(r.mirrored) + " of " + std::to_string(r.charts) + " charts are mirrored");
+}
+
+}  // namespace
+}  // namespace bake
+
+bool can_bake() noexcept {
+#ifdef RL_HAVE_TRACE
+    return true;
+#else
+    return false;
+#endif
+}
+
+BakeResult bake_maps(const Scene& high, const Scene& low, const BakeOptions& options, Context& context) {
+    bake::check(options);
+    if (!can_bake())
+        throw Error(ErrorCode::failed, "this build follows no rays, which baking needs", {},
+                    "build it with -DRAKELIGHT_TRACE=ON");
+    BakeResult result;
+    context.progress("prepare", 0);
+    const Scene source =
+        prepare_scene(bake::at_rest(high, context), {.normals = options.high_normals, .tessellate = true}, context);
+    Scene target = bake::at_rest(low, context);
+    bake::drop_bumps(target);
+    if (drawn_instances(target).empty())
+        throw Error(ErrorCode::bad_file, "has no triangles to be baked to").with_file(low.source);
+    bake::make_maps(options, result, context);
+    target = bake::with_coordinates(std::move(target), options, result.report, context);
+    result.low = bake::prepared_low(std::move(target), options, context);
+    context.progress("bake", 0);
+    const std::vector<std::uint8_t> covered = bake::bake_texels(source, result.low, options, result, context);
+    bake::add_remarks(high, low, result.report, context);
+    bake::pad(covered, options, result, context);
+    return result;
+}
+
+}  // namespace rakelight

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of maps.
+#pragma once
+#include <rakelight/bake.h>
+
+namespace rakelight::bake {
+
+struct MapKind {
+    BakeMap map;
+    const char* name;
+    int channels;
+    float even[3];        ///< where no chart is
+    Component component;  ///< of pictures of integers
+};
+
+const MapKind& kind_of(BakeMap map);
+
+}  // namespace rakelight::bake

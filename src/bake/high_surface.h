@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// HIGH as rays meet it: its triangles, its shading normals, its curvature.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <rakelight/context.h>
+#include <rakelight/scene.h>
+
+#include "bake/mapped_normals.h"
+#include "engines/raytrace/surface_rays.h"
+
+namespace rakelight::bake {
+
+/// Where a ray meets HIGH, in the world.
+struct HighPoint {
+    raytrace::SurfaceHit hit;
+    dvec3 place;   ///< [m]
+    dvec3 face;    ///< of the triangle, unit, outward
+    dvec3 normal;  ///< as it is shaded, unit
+};
+
+/// Whose curvature and normal maps are there.
+class HighSurface {
+public:
+    /// @param scene  prepared, posed
+    HighSurface(const Scene& scene, bool wants_curvature, Context& context);
+
+    std::optional<raytrace::SurfaceHit> first(dvec3 from, dvec3 direction, double least, double most) const {
+        return rays_.first(from, direction, least, most);
+    }
+    bool is_blocked(dvec3 from, dvec3 to) const { return rays_.is_blocked(from, to, 1e-6); }
+    HighPoint point(const raytrace::SurfaceHit& hit) const;
+    double curvature(const raytrace::SurfaceHit& hit) const;  ///< [1/m]
+    double diagonal() const { return diagonal_; }             ///< [m]
+
+private:
+    std::optional<MappedNormals> mapped_;  ///< of the scene before its textures were taken away
+    raytrace::SurfaceRays rays_;
+    std::vector<std::vector<float>> curvatures_;  ///< [draws][V]
+    MemoryCharge charge_;
+    double diagonal_ = 0;
+};
+
+}  // namespace rakelight::bake

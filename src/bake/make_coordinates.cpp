@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/make_coordinates.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bake/charts.h"
+#include "bake/place_numbers.h"
+#include "bake/shelf_packing.h"
+#include "math/linear.h"
+#include "prepare/split_vertices.h"
+#include "prepare/variants.h"
+#include "scene/charge_arrays.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight::bake {
+namespace {
+
+/// A placed mesh and its charts.
+struct Part {
+    Instance instance;
+    std::vector<dvec3> places;  ///< [V] in the world
+    std::vector<std::uint32_t>
+        triangles;  ///< [3T] counter-clockwise from outside, by vertices at the same place as one
+    Charts charts;
+    bool is_mirrored = false;
+};
+
+Part make_part(const Mesh& mesh, const Instance& instance, const dmat4& to_world, Context& context) {
+    Part part{.instance = instance, .is_mirrored = determinant(upper_left(to_world)) < 0};
+    context.memory().check(mesh.positions.size() * 32 + mesh.indices.size() * 20, "charts");
+    for (const vec3 p : mesh.positions) {
+        const dvec3 place = transform_point(to_world, cast<double>(p));
+        part.places.push_back(is_finite(place) ? place : dvec3{});
+    }
+    const std::vector<std::uint32_t> number = place_numbers(part.places);
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
+        for (const std::size_t k : {0, part.is_mirrored ? 2 : 1, part.is_mirrored ? 1 : 2})
+            part.triangles.push_back(number[mesh.indices[3 * t + k]]);
+    part.charts = find_charts(part.places, part.triangles, context);
+    return part;
+}
+
+/// A vertex for each chart that a vertex is used in.
+class ChartVertices {
+public:
+    explicit ChartVertices(std::size_t vertices) : first_(vertices, no_index), count_(vertices) {}
+    std::uint32_t vertex(std::uint32_t v, std::uint32_t chart) {
+        if (first_[v] == no_index) first_[v] = chart;
+        if (first_[v] == chart) return v;
+        const auto [entry, is_new] = others_.try_emplace({v, chart}, std::uint32_t(count_ + source_.size()));
+        if (is_new) source_.push_back(v);
+        return entry->second;
+    }
+    const std::vector<std::uint32_t>& source() const { return source_; }
+
+private:
+    std::vector<std::uint32_t> first_;
+    std::size_t count_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> others_;
+    std::vector<std::uint32_t> source_;
+};
+
+/// @param place  [charts of the part] [px]
+Mesh with_coordinates(const Mesh& source, const Part& part, const dvec2* place, double scale, dvec2 size,
+                      Context& context) {
+    std::vector<std::uint32_t> indices(source.indices.begin(), source.indices.end());
+    ChartVertices vertices(source.positions.size());
+    for (std::size_t c = 0; c < indices.size(); ++c)
+        indices[c] = vertices.vertex(indices[c], part.charts.of_triangle[c / 3]);
+    std::vector<vec2> uv(source.positions.size() + vertices.source().size());
+    for (std::size_t c = 0; c < indices.size(); ++c) {
+        const std::uint32_t chart = part.charts.of_triangle[c / 3];
+        const dvec2 at =
+            (flattened(part.places[source.indices[c]], part.charts.axis[chart]) - part.charts.low[chart]) * scale +
+            place[chart];
+        uv[indices[c]] = {float(at.x / size.x), float(at.y / size.y)};
+    }
+    Mesh mesh = source;
+    mesh.tangents = {};
+    mesh.texcoords.clear();
+    split_vertices(mesh, std::move(indices), vertices.source(), context);
+    mesh.texcoords.emplace_back(std::move(uv));
+    charge_new_arrays(mesh, source, context);
+    return mesh;
+}
+
+}  // namespace
+
+MadeCoordinates make_coordinates(Scene scene, int width, int height, int margin, Context& context) {
+    const std::vector<dmat4> world = world_matrices(scene);
+    const std::vector<Mesh> originals = scene.meshes;
+    std::vector<Part> parts;
+    std::vector<dvec2> sizes;
+    for (const Instance& instance : drawn_instances(scene)) {
+        const Mesh& mesh = originals[instance.mesh];
+        parts.push_back(make_part(mesh, instance, world[instance.node] * translation(mesh.origin), context));
+        const Charts& charts = parts.back().charts;
+        for (std::size_t i = 0; i < charts.low.size(); ++i) sizes.push_back(charts.high[i] - charts.low[i]);
+    }
+    const auto packing = pack_shelves(sizes, width, height, margin, context);
+    if (!packing || (packing->scale <= 0 && !sizes.empty()))
+        throw Error(ErrorCode::usage,
+                    "a map of " + std::to_string(width) + " x " + std::to_string(height) + " pixels has no room for " +
+                        std::to_string(sizes.size()) + (sizes.size() == 1 ? " chart with " : " charts with ") +
+                        std::to_string(margin) + " pixels around each",
+                    {}, "make the map larger, or 'chart-margin' smaller")
+            .about("size")
+            .naming({"chart-margin"});
+    MeshVariants variants(scene, context);
+    const dvec2* place = packing->place.data();
+    const dvec2 size{double(width), double(height)};
+    for (const Part& part : parts) {
+        variants.place(part.instance,
+                       with_coordinates(originals[part.instance.mesh], part, place, packing->scale, size, context));
+        place += part.charts.low.size();
+    }
+    return {std::move(scene), std::uint32_t(parts.size()), packing->scale};
+}
+
+}  // namespace rakelight::bake

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <algorithm>
+
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+/// Number of the texel that stands at i of a side.
+inline int wrapped_texel(int i, int size, Wrap wrap) {
+    if (wrap == Wrap::clamp_to_edge) return std::clamp(i, 0, size - 1);
+    const int period = wrap == Wrap::repeat ? size : 2 * size;
+    const int in = (i % period + period) % period;
+    return in < size ? in : period - 1 - in;
+}
+
+}  // namespace rakelight
