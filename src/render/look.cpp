@@ -93,7 +93,7 @@ void take_look_of_posed(const Scene& scene, PictureRequest& request, Context& co
     if (request.engine == "trace") return;
     RenderSettings& settings = request.settings;
     const bool takes_file = take_camera(scene, request, context);
-    take_light(scene, takes_file, request);
+    if (settings.method != RayMethod::radiosity) take_light(scene, takes_file, request);
     if (!names(request, {"samples", "visibility"}) && settings.visibility == Visibility::z_reversed)
         settings.samples = usual_samples;
 }

@@ -10,6 +10,7 @@
 #include "render/draw_to_memory.h"
 #include "render/drawable.h"
 #include "render/engines.h"
+#include "render/lit_scenes.h"
 #include "render/look.h"
 #include "render/overlay.h"
 #include "render/picture_files.h"
@@ -204,6 +205,8 @@ PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session
     auto [ready, camera] = ready_scene(std::move(loaded), request, context);
     result.view_range = view_range(ready->scene, camera);
     count_parts(ready->scene, result);
+    if (request.settings.method == RayMethod::radiosity)
+        ready->scene = lit_by_radiosity(std::move(ready->scene), request.settings.radiosity, context);
     give(session, std::move(ready));
     result.prepare_ms = watch.lap_ms();
 
