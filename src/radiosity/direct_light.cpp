@@ -8,8 +8,9 @@
 
 namespace rakelight::radiosity {
 
-DirectLight::DirectLight(const Scene& scene, const raytrace::SurfaceRays& rays, double gap, double far_away)
-    : rays_(rays), gap_(gap), far_away_(far_away), origin_(rays.list().bounds.center()) {
+DirectLight::DirectLight(const Scene& scene, const raytrace::SurfaceRays& rays, double gap, double far_away,
+                         Context& context)
+    : rays_(rays), gap_(gap), far_away_(far_away), sky_(scene, rays, gap, far_away, context), origin_(rays.list().bounds.center()) {
     for (const lighting::LightParameters& light : shading::make_lights(scene, world_matrices(scene), origin_))
         if (light.kind != lighting::LightKind::ambient) lights_.push_back(light);
 }
@@ -35,10 +36,11 @@ dvec3 DirectLight::at(dvec3 place, const Element& e) const {
 
 /// The middles of the four triangles that its edges' middles cut it into.
 dvec3 DirectLight::operator()(const Element& e) const {
-    if (empty()) return {};
+    const dvec3 sky = sky_(receiver_of(e));
+    if (lights_.empty()) return sky;
     dvec3 sum = at(e.center, e);
     for (const dvec3 corner : e.corner) sum += at(e.center + (corner - e.center) * 0.5, e);
-    return sum * 0.25;
+    return sum * 0.25 + sky;
 }
 
 }  // namespace rakelight::radiosity

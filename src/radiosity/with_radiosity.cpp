@@ -56,7 +56,6 @@ void remark_what_is_left_out(const Scene& scene, const std::vector<bool>& used, 
     const auto is_ambient = [](const Light& light) { return light.type == LightType::ambient; };
     if (std::ranges::any_of(scene.lights, is_ambient))
         note("ambient light is left out, what it stands for is worked out");
-    if (scene.environment && scene.environment->is_light) note("the environment gives no light");
     if (!scene.animations.empty()) note("the light is that of one moment, clips are left out");
 }
 
@@ -146,7 +145,7 @@ Scene solve(Scene scene, const RadiositySettings& settings, RadiosityReport& rep
     const raytrace::SurfaceRays rays(scene, context);
     const double diagonal = rays.list().bounds.diagonal();
     const FormFactors form_factors(level.elements, level.patches, rays, gap_share * diagonal);
-    const DirectLight direct(scene, rays, gap_share * diagonal, 2 * diagonal);
+    const DirectLight direct(scene, rays, gap_share * diagonal, 2 * diagonal, context);
     std::vector<dvec3> radiance =
         shoot(level.elements, level.patches, form_factors, direct, settings.unshot, report, context);
 
