@@ -15,6 +15,7 @@
 #include "inspect_verb.h"
 #include "interrupt.h"
 #include "join_windows_verb.h"
+#include "radiosity_verb.h"
 #include "render_verb.h"
 #include "run_file.h"
 #include "smooth_verb.h"
@@ -36,6 +37,7 @@ int run(int argc, const char* const* argv) {
         {render_command(), run_render},   {inspect_command(), run_inspect}, {smooth_command(), run_smooth},
         {bench_command(), run_bench},     {explain_command(), run_explain}, {stages_command(), run_stages},
         {compare_command(), run_compare}, {check_command(), run_check},     {join_windows_command(), run_join_windows},
+        {radiosity_command(), run_radiosity},
         {apps::view_command(), nullptr}};
     std::vector<Command> commands;
     for (const Verb& verb : verbs) commands.push_back(verb.command);

@@ -28,8 +28,8 @@ struct RadiosityReport {
 /// Progressive refinement: Cohen, Chen, Wallace & Greenberg 1988, "A Progressive Refinement Approach to Fast Radiosity Image
 /// Generation". The same bits for any number of threads.
 /// @param scene  valid, posed and prepared, with normals, with the lights of the picture
-/// @throws Error usage: more triangles than elements, counted with their sides; bad_file: over the memory budget; failed: the
-///         library is built without engine trace, Embree is not installed, cancelled
+/// @throws Error usage: impossible settings; bad_file: more than most_radiosity_elements triangles, counted with their sides,
+///         over the memory budget; failed: the library is built without engine trace, Embree is not installed, cancelled
 Scene with_radiosity(Scene scene, const RadiositySettings& settings, RadiosityReport& report, Context& context);
 
 }  // namespace rakelight

@@ -18,8 +18,8 @@ namespace rakelight::radiosity {
 namespace {
 
 /// So many elements for each patch at least, so that the sums over all pairs stay small.
-constexpr std::uint64_t elements_a_patch = 16;
-constexpr std::size_t least_patches = 100, most_patches = 1250;
+constexpr std::uint64_t elements_a_patch = 10;
+constexpr std::size_t least_patches = 100, most_patches = 2000;
 /// Shares of the elements that are there before the first cut at shadow borders, and after each.
 constexpr double first_share = 0.4;
 constexpr double share_after[] = {0.6, 0.8, 0.9, 1.0};
@@ -59,16 +59,23 @@ void remark_what_is_left_out(const Scene& scene, const std::vector<bool>& used, 
     if (!scene.animations.empty()) note("the light is that of one moment, clips are left out");
 }
 
-void check(const RadiositySettings& s, std::uint64_t sides) {
+/// As many as are asked for; more where the scene's own triangles are more, which stay.
+/// @param sides  of them
+std::uint64_t most_elements(const Scene& scene, const RadiositySettings& s, std::uint64_t sides, Report& report) {
+    const std::string limit = std::to_string(most_radiosity_elements);
     if (s.elements < 1 || s.elements > most_radiosity_elements)
-        throw Error(ErrorCode::usage, "must be 1 to " + std::to_string(most_radiosity_elements))
-            .about("radiosity-elements");
-    if (sides > std::uint64_t(s.elements))
-        throw Error(ErrorCode::usage,
-                    "the scene has " + std::to_string(sides) + " triangles, both sides of two-sided ones counted, more than " +
-                        std::to_string(s.elements) + " elements",
-                    {}, "allow more, at most " + std::to_string(most_radiosity_elements))
-            .about("radiosity-elements");
+        throw Error(ErrorCode::usage, "must be 1 to " + limit).about("radiosity-elements");
+    if (sides > std::uint64_t(most_radiosity_elements))
+        throw Error(ErrorCode::bad_file,
+                    "radiosity is for scenes of up to " + limit + " triangles, and this one has " +
+                        std::to_string(sides) + ", both sides of two-sided ones counted");
+    if (sides <= std::uint64_t(s.elements)) return std::uint64_t(s.elements);
+    const std::uint64_t most = std::min(sides + sides / 2, std::uint64_t(most_radiosity_elements));
+    report.add(Remark::note, scene.source, "",
+               "radiosity: up to " + std::to_string(most) + " elements, since the scene has " + std::to_string(sides) +
+                   " triangles, both sides of two-sided ones counted",
+               {"radiosity-elements"});
+    return most;
 }
 
 /// The light of elements, from round to round.
@@ -134,14 +141,13 @@ Scene solve(Scene scene, const RadiositySettings& settings, RadiosityReport& rep
     const std::vector<Part> parts = lit_parts(scene);
     const std::vector<bool> used = used_materials(scene, parts);
     const std::vector<geometry::FineMesh> whole = placed_meshes(scene, parts, context);
-    check(settings, count_sides(parts, whole));
+    const std::uint64_t sides = count_sides(parts, whole);
+    const std::uint64_t most = most_elements(scene, settings, sides, context.report());
     remark_what_is_left_out(scene, used, context.report());
     const ColorMaps colors(scene, used, context);
     const CutScene cut{scene, parts, colors};
-    const auto most = std::uint64_t(settings.elements);
-
     const std::size_t wanted = std::clamp<std::size_t>(most / elements_a_patch, least_patches, most_patches);
-    PatchLevel level = cut_to_patches(cut, whole, wanted, std::max(most / 4, count_sides(parts, whole)), context);
+    PatchLevel level = cut_to_patches(cut, whole, wanted, sides + (most - sides) / 4, context);
     const raytrace::SurfaceRays rays(scene, context);
     const double diagonal = rays.list().bounds.diagonal();
     const FormFactors form_factors(level.elements, level.patches, rays, gap_share * diagonal);
@@ -149,11 +155,12 @@ Scene solve(Scene scene, const RadiositySettings& settings, RadiosityReport& rep
     std::vector<dvec3> radiance =
         shoot(level.elements, level.patches, form_factors, direct, settings.unshot, report, context);
 
-    cut_evenly(parts, level.meshes, level.edge, std::uint64_t(first_share * double(most)), context);
+    const auto share_of = [&](double share) { return sides + std::uint64_t(share * double(most - sides)); };
+    cut_evenly(parts, level.meshes, level.edge, share_of(first_share), context);
     const Gather gather(level.patches, std::move(radiance), form_factors, direct);
     Refinement fine(cut, std::move(level.meshes), gather, context);
     for (const double share : share_after)
-        report.rounds += fine.run_round(std::uint64_t(share * double(most))) ? 1 : 0;
+        report.rounds += fine.run_round(share_of(share)) ? 1 : 0;
     report.patches = std::uint32_t(level.patches.list.size());
     report.elements = std::uint32_t(fine.elements.size());
     return lit_scene(scene, parts, fine.meshes, fine.elements, fine.light, colors, context);

@@ -9,7 +9,9 @@ namespace rakelight {
 
 /// with_radiosity(), and what came of it as a note in the report.
 /// @param prepared  with the lights of the picture
-Scene lit_by_radiosity(Scene prepared, const RadiositySettings& settings, Context& context);
+/// @param report    out; null: not wanted
+Scene lit_by_radiosity(Scene prepared, const RadiositySettings& settings, Context& context,
+                       RadiosityReport* report = nullptr);
 
 /// The last one that was lit is kept.
 class LitScenes {

@@ -65,7 +65,7 @@ Scene with_lights(Scene scene, const PictureRequest& request, const Camera& came
     return scene;
 }
 
-ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& context) {
+ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& context, RadiosityReport* report) {
     check_drawable(scene);
     warn_of_unknown_names(scene, request.settings, context.report());
     const double aspect = double(request.settings.width) / double(request.settings.height);
@@ -76,7 +76,13 @@ ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& cont
         context.report().add(Remark::note, scene.source, "",
                              said(cut_lights(scene.lights, request.light_cutoff), request.light_cutoff));
     ReadyScene ready{make_prepared(std::move(scene), request.prepare, request.settings, context), camera};
-    ready.prepared->has_chosen_lights = true;
+    PreparedScene& prepared = *ready.prepared;
+    prepared.has_chosen_lights = true;
+    if (request.settings.method == RayMethod::radiosity) {
+        prepared.bound.reset();  // other poses have other light
+        prepared.scene =
+            lit_by_radiosity(std::move(prepared.scene), request.settings.radiosity, context, report);
+    }
     return ready;
 }
 
@@ -205,8 +211,6 @@ PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session
     auto [ready, camera] = ready_scene(std::move(loaded), request, context);
     result.view_range = view_range(ready->scene, camera);
     count_parts(ready->scene, result);
-    if (request.settings.method == RayMethod::radiosity)
-        ready->scene = lit_by_radiosity(std::move(ready->scene), request.settings.radiosity, context);
     give(session, std::move(ready));
     result.prepare_ms = watch.lap_ms();
 

@@ -269,10 +269,24 @@ TEST(Radiosity, KeepsWithinTheElements) {
         EXPECT_LE(s.report.elements, std::uint32_t(elements));
         EXPECT_GE(s.report.elements, std::uint32_t(elements / 8));
     }
-    const Error error = test::error_of([&] { solve(scene, {.elements = 11}); });
-    EXPECT_EQ(error.code(), ErrorCode::usage);
-    EXPECT_NE(std::string(error.what()).find("12 triangles"), std::string::npos) << error.what();
-    EXPECT_EQ(test::error_of([&] { solve(scene, {.elements = most_radiosity_elements + 1}); }).code(), ErrorCode::usage);
+    const Solved more = solve(scene, {.elements = 11});  // the scene's own triangles stay
+    EXPECT_LE(more.report.elements, 18u);
+    EXPECT_NE(more.remarks.find("up to 18 elements, since the scene has 12 triangles"), std::string::npos) << more.remarks;
+    for (const int wrong : {0, most_radiosity_elements + 1})
+        EXPECT_EQ(test::error_of([&] { solve(scene, {.elements = wrong}); }).code(), ErrorCode::usage);
+}
+
+TEST(Radiosity, MoreTrianglesThanElementsMayBeIsOneLine) {
+    Scene scene;
+    scene.materials = {diffuse({1, 1, 1})};
+    Mesh mesh = test::square_mesh(0);
+    std::vector<std::uint32_t> indices;
+    for (int i = 0; i <= most_radiosity_elements; ++i) indices.insert(indices.end(), {0u, 1u, 2u});
+    mesh.indices = std::move(indices);
+    test::add_object(scene, std::move(mesh));
+    const Error error = test::error_of([&] { solve(scene); });
+    EXPECT_EQ(error.code(), ErrorCode::bad_file);
+    EXPECT_NE(std::string(error.what()).find("this one has 200001"), std::string::npos) << error.what();
 }
 
 TEST(Radiosity, ShadowBordersAreCutFiner) {
