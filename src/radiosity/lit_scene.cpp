@@ -173,7 +173,7 @@ private:
         for (std::size_t i = 0; scene_.pose && i < scene_.nodes.size(); ++i) scene_.nodes[i].local = scene_.pose->local[i];
         scene_.pose = {};
         for (Node& node : scene_.nodes) node.skin = no_index, node.morph_weights.clear();
-        scene_.skins.clear();
+        scene_.skins.clear(), scene_.animations.clear();
         scene_.normal_sides.reset();
     }
 

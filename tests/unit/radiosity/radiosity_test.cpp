@@ -244,7 +244,11 @@ TEST(Radiosity, WhatIsLeftOutIsSaid) {
     Scene scene = room(diffuse({0.5f, 0.5f, 0.5f}), diffuse({0, 0, 0}, {1, 1, 1}));
     scene.materials[0].metallic_roughness.metallic = 0.5f;
     scene.lights = {{.type = LightType::ambient}};
-    const std::string remarks = solve(scene).remarks;
+    scene.animations.push_back({.name = "walk"});
+    const Solved s = solve(scene);
+    EXPECT_TRUE(s.scene.animations.empty());
+    const std::string& remarks = s.remarks;
+    EXPECT_NE(remarks.find("of one moment"), std::string::npos) << remarks;
     EXPECT_NE(remarks.find("1 material of metal"), std::string::npos) << remarks;
     EXPECT_NE(remarks.find("ambient light is left out"), std::string::npos) << remarks;
 }
