@@ -5,15 +5,22 @@ things on it; and how far the Cornell box is from its picture by paths.
 
   radiosity_pictures.py [--program build/release/rakelight] cornell|elements|table OUT.png
   radiosity_pictures.py [--program build/release/rakelight] compare [ELEMENTS...]
+  radiosity_pictures.py [--program build/release/rakelight] --three NODE_MODULES/three three OUT.png
 
-Only the standard library is needed."""
+Only the standard library is needed; three: Chromium, and three.js from npm."""
 import argparse
+import functools
+import http.server
 import pathlib
 import subprocess
 import sys
 import tempfile
+import threading
 
-from sheet import PROGRAM, ROOT, write_sheet
+import peer_pictures
+from labels import HEIGHT, strip
+from png8 import read_rgb, write_rgb
+from sheet import PROGRAM, ROOT, difference, joined, write_sheet
 
 sys.path.insert(0, str(ROOT / "tests/cli"))
 import exr  # noqa: E402
@@ -26,6 +33,53 @@ SIZE = 256
 # Pieces of walls in a picture of 256 x 256: left, top, right, bottom.
 WALLS = {"ceiling": (67, 47, 100, 73), "back wall": (87, 73, 167, 120), "floor": (40, 220, 213, 247), "left wall": (7, 80, 40, 173), "right wall": (217, 80, 250, 173),
          "short block, top": (143, 164, 173, 170), "tall block, front": (73, 113, 117, 213)}
+
+
+# A file with a camera, as it is: no light, no tone curve.
+PAGE = """<!doctype html><style>body{margin:0;background:#000}</style><script type="importmap">
+{"imports":{"three":"/three/build/three.module.js","three/addons/":"/three/examples/jsm/"}}</script><script type="module">
+import * as THREE from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+const renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+renderer.setSize(WIDTH, HEIGHT);
+document.body.append(renderer.domElement);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0);
+const { scene: model, cameras } = await new GLTFLoader().loadAsync('/models/NAME');
+scene.add(model);
+scene.updateMatrixWorld(true);
+const camera = cameras[0];
+camera.aspect = WIDTH / HEIGHT;
+camera.updateProjectionMatrix();
+renderer.render(scene, camera);
+</script>"""
+
+
+class Server(peer_pictures.Server):
+    text, size = PAGE, (SIZE, SIZE)
+
+
+def rows_of(path):
+    width, _, pixels = read_rgb(path)
+    return [pixels[3 * width * y:3 * width * y + 3 * SIZE] for y in range(SIZE)]
+
+
+def beside_three(picture, three, program):
+    """The lit Cornell box as engine soft and as three.js show it."""
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        subprocess.run([program, "radiosity", CORNELL, "-o", folder / "lit.glb", "--quiet"], check=True, cwd=ROOT)
+        subprocess.run([program, "render", folder / "lit.glb", "-o", folder / "own.png", "--resolution", f"{SIZE},{SIZE}", "--look", "plain",
+                        "--background", "black", "--samples", "8", "--quiet"], check=True)
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Server, three=three.resolve(), models=folder))
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        peer_pictures.screenshot(f"http://127.0.0.1:{server.server_port}/page/lit.glb", (SIZE, SIZE), folder / "three.png")
+        own, other = rows_of(folder / "own.png"), rows_of(folder / "three.png")
+    off = [abs(a - b) for one, two in zip(own, other) for a, b in zip(one, two)]
+    print(f"mean difference {sum(off) / len(off):.3f} of 255; {100 * sum(d > 2 for d in off) / len(off):.2f} % of the numbers differ by more than 2")
+    heads = [strip(words, SIZE, HEIGHT + 4) for words in ("soft", "three.js", "difference x 10")]
+    rows = joined(heads) + joined([own, other, difference(own, other, 10)])
+    write_rgb(picture, 3 * SIZE, len(rows), b"".join(rows))
 
 
 def ways(program):
@@ -65,13 +119,16 @@ def compare(program, counts):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("which", choices=("cornell", "elements", "table", "compare"))
+    parser.add_argument("which", choices=("cornell", "elements", "table", "three", "compare"))
+    parser.add_argument("--three", type=pathlib.Path, help="the package three of npm")
     parser.add_argument("words", nargs="*", help="the picture; of compare numbers of elements")
     parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
     options = parser.parse_args()
     program = options.program.resolve()
     if options.which == "compare":
         compare(program, options.words or [2000, 20000])
+    elif options.which == "three":
+        beside_three(options.words[0], options.three, program)
     elif options.which == "cornell":
         parts, names = ways(program)
         write_sheet(options.words[0], [parts], 240, 240, program, columns=names)

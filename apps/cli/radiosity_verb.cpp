@@ -52,8 +52,7 @@ int run_radiosity(const Run& run) {
             row.error = Error(ErrorCode::failed, "cancelled").with_file(input.picture.input);
             continue;
         }
-        const int code =
-            run_input(run, input, row, [&](Context& c) { row.result = radiosity_file(input.picture, c); });
+        const int code = run_input(run, input, row, [&](Context& c) { row.result = radiosity_file(input.picture, c); });
         if (code == 0) print_note(summary(row.result), run.loudness);
         worst = std::max(worst, code);
     }

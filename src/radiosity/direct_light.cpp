@@ -10,7 +10,11 @@ namespace rakelight::radiosity {
 
 DirectLight::DirectLight(const Scene& scene, const raytrace::SurfaceRays& rays, double gap, double far_away,
                          Context& context)
-    : rays_(rays), gap_(gap), far_away_(far_away), sky_(scene, rays, gap, far_away, context), origin_(rays.list().bounds.center()) {
+    : rays_(rays),
+      gap_(gap),
+      far_away_(far_away),
+      sky_(scene, rays, gap, far_away, context),
+      origin_(rays.list().bounds.center()) {
     for (const lighting::LightParameters& light : shading::make_lights(scene, world_matrices(scene), origin_))
         if (light.kind != lighting::LightKind::ambient) lights_.push_back(light);
 }

@@ -12,8 +12,7 @@ class DirectLight {
 public:
     /// Ambient lights are left out: what they stand for is worked out.
     /// @param far_away  [m] farther than any surface
-    DirectLight(const Scene& scene, const raytrace::SurfaceRays& rays, double gap, double far_away,
-                Context& context);
+    DirectLight(const Scene& scene, const raytrace::SurfaceRays& rays, double gap, double far_away, Context& context);
     bool empty() const { return lights_.empty() && sky_.empty(); }
     /// Irradiance / pi, the mean of four places on the element.
     dvec3 operator()(const Element& element) const;

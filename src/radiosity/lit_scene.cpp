@@ -170,7 +170,8 @@ private:
 
     /// Light is of one moment.
     void hold_still() {
-        for (std::size_t i = 0; scene_.pose && i < scene_.nodes.size(); ++i) scene_.nodes[i].local = scene_.pose->local[i];
+        for (std::size_t i = 0; scene_.pose && i < scene_.nodes.size(); ++i)
+            scene_.nodes[i].local = scene_.pose->local[i];
         scene_.pose = {};
         for (Node& node : scene_.nodes) node.skin = no_index, node.morph_weights.clear();
         scene_.skins.clear(), scene_.animations.clear();

@@ -60,8 +60,8 @@ std::uint64_t count_sides(const std::vector<Part>& parts, const std::vector<geom
 double longest_edge(const geometry::FineMesh& mesh, std::size_t triangle) {
     double longest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        const dvec3 way = mesh.places[mesh.indices[3 * triangle + k]] -
-                          mesh.places[mesh.indices[3 * triangle + (k + 1) % 3]];
+        const dvec3 way =
+            mesh.places[mesh.indices[3 * triangle + k]] - mesh.places[mesh.indices[3 * triangle + (k + 1) % 3]];
         longest = std::max(longest, dot(way, way));
     }
     return std::sqrt(longest);

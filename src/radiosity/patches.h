@@ -21,9 +21,7 @@ struct Patch {
 struct Patches {
     std::vector<Patch> list;
     std::vector<std::uint32_t> members;  ///< elements, patch by patch
-    std::span<const std::uint32_t> of(const Patch& p) const {
-        return {members.data() + p.begin, p.end - p.begin};
-    }
+    std::span<const std::uint32_t> of(const Patch& p) const { return {members.data() + p.begin, p.end - p.begin}; }
 };
 
 /// @param elements  no edge is longer than `size` but where the scene's own triangles are to stay

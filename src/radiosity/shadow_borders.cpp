@@ -98,8 +98,7 @@ bool EdgeSet::holds(dvec3 a, dvec3 b) const {
 }
 
 EdgeSet shadow_borders(const std::vector<Part>& parts, const std::vector<geometry::FineMesh>& meshes,
-                       const Elements& elements, const std::vector<dvec3>& light, double floor,
-                       std::uint64_t most) {
+                       const Elements& elements, const std::vector<dvec3>& light, double floor, std::uint64_t most) {
     const std::vector<double> difference = differences(elements, light, floor);
     std::vector<std::uint32_t> chosen;
     for (std::uint32_t i = 0; i < difference.size(); ++i)

@@ -27,7 +27,6 @@ private:
 /// @param light    [elements] irradiance / pi
 /// @param floor    luminance below which differences are not seen
 EdgeSet shadow_borders(const std::vector<Part>& parts, const std::vector<geometry::FineMesh>& meshes,
-                       const Elements& elements, const std::vector<dvec3>& light, double floor,
-                       std::uint64_t most);
+                       const Elements& elements, const std::vector<dvec3>& light, double floor, std::uint64_t most);
 
 }  // namespace rakelight::radiosity

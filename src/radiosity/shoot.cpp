@@ -79,8 +79,7 @@ private:
         } else {
             const std::size_t count = std::min<std::size_t>(members.size(), 4);
             for (std::size_t k = 0; k < count; ++k)
-                receivers_.push_back(
-                    receiver_of(elements_.list[members[(2 * k + 1) * members.size() / (2 * count)]]));
+                receivers_.push_back(receiver_of(elements_.list[members[(2 * k + 1) * members.size() / (2 * count)]]));
         }
         ranges_.push_back({begin, std::uint32_t(receivers_.size())});
     }
@@ -149,9 +148,9 @@ private:
     MemoryCharge charge_;                   ///< of the rows
     std::vector<std::vector<float>> rows_;  ///< [patches], empty: has not shot
     std::vector<Receiver> receivers_;
-    std::vector<Range> ranges_;              ///< [patches] of receivers
-    std::vector<dvec3> albedo_;              ///< [patches]
-    std::vector<dvec3> received_, unshot_;   ///< [patches] irradiance / pi; radiance
+    std::vector<Range> ranges_;             ///< [patches] of receivers
+    std::vector<dvec3> albedo_;             ///< [patches]
+    std::vector<dvec3> received_, unshot_;  ///< [patches] irradiance / pi; radiance
 };
 
 }  // namespace

@@ -57,14 +57,15 @@ dvec3 SkyLight::radiance(dvec3 d) const {
 
 dvec3 SkyLight::operator()(const Receiver& r) const {
     if (empty()) return {};
-    static const std::array<dvec3, rings * spokes> over = directions();
-    const dvec3 u = normalize_or(cross(std::fabs(r.normal.y) < 0.7 ? dvec3{0, 1, 0} : dvec3{1, 0, 0}, r.normal),
-                                 dvec3{1, 0, 0});
+    static const std::array<dvec3, rings* spokes> over = directions();
+    const dvec3 u =
+        normalize_or(cross(std::fabs(r.normal.y) < 0.7 ? dvec3{0, 1, 0} : dvec3{1, 0, 0}, r.normal), dvec3{1, 0, 0});
     const dvec3 v = cross(r.normal, u), start = r.at + r.face_normal * gap_;
     dvec3 sum{};
     for (const dvec3 d : over) {
         const dvec3 way = normalize_or(u * d.x + v * d.y + r.normal * d.z, r.normal);
-        if (dot(way, r.face_normal) > 0 && !rays_.is_blocked(start, start + way * far_away_, 1e-5)) sum += radiance(way);
+        if (dot(way, r.face_normal) > 0 && !rays_.is_blocked(start, start + way * far_away_, 1e-5))
+            sum += radiance(way);
     }
     return sum / double(over.size());
 }

@@ -8,8 +8,8 @@ namespace rakelight::radiosity {
 
 /// Where light is received.
 struct Receiver {
-    dvec3 at, normal;    ///< unit
-    dvec3 face_normal;   ///< rays begin on its side
+    dvec3 at, normal;   ///< unit
+    dvec3 face_normal;  ///< rays begin on its side
 };
 inline Receiver receiver_of(const Element& e) { return {e.center, e.normal, e.face_normal}; }
 

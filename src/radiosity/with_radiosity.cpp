@@ -66,9 +66,8 @@ std::uint64_t most_elements(const Scene& scene, const RadiositySettings& s, std:
     if (s.elements < 1 || s.elements > most_radiosity_elements)
         throw Error(ErrorCode::usage, "must be 1 to " + limit).about("radiosity-elements");
     if (sides > std::uint64_t(most_radiosity_elements))
-        throw Error(ErrorCode::bad_file,
-                    "radiosity is for scenes of up to " + limit + " triangles, and this one has " +
-                        std::to_string(sides) + ", both sides of two-sided ones counted");
+        throw Error(ErrorCode::bad_file, "radiosity is for scenes of up to " + limit + " triangles, and this one has " +
+                                             std::to_string(sides) + ", both sides of two-sided ones counted");
     if (sides <= std::uint64_t(s.elements)) return std::uint64_t(s.elements);
     const std::uint64_t most = std::min(sides + sides / 2, std::uint64_t(most_radiosity_elements));
     report.add(Remark::note, scene.source, "",
@@ -95,8 +94,7 @@ public:
         const EdgeSet edges = shadow_borders(cut_.parts, meshes, elements, light, 0.1 * gather_.mean_luminance(), most);
         if (edges.empty()) return false;
         const std::vector<geometry::FineMesh> before = meshes;
-        for (geometry::FineMesh& mesh : meshes)
-            std::iota(mesh.source_triangle.begin(), mesh.source_triangle.end(), 0u);
+        for (geometry::FineMesh& mesh : meshes) std::iota(mesh.source_triangle.begin(), mesh.source_triangle.end(), 0u);
         geometry::halve_edges(
             meshes, [&](dvec3 a, dvec3 b) { return edges.holds(a, b); }, std::uint64_t(most_radiosity_elements),
             context_);
@@ -159,8 +157,7 @@ Scene solve(Scene scene, const RadiositySettings& settings, RadiosityReport& rep
     cut_evenly(parts, level.meshes, level.edge, share_of(first_share), context);
     const Gather gather(level.patches, std::move(radiance), form_factors, direct);
     Refinement fine(cut, std::move(level.meshes), gather, context);
-    for (const double share : share_after)
-        report.rounds += fine.run_round(share_of(share)) ? 1 : 0;
+    for (const double share : share_after) report.rounds += fine.run_round(share_of(share)) ? 1 : 0;
     report.patches = std::uint32_t(level.patches.list.size());
     report.elements = std::uint32_t(fine.elements.size());
     return lit_scene(scene, parts, fine.meshes, fine.elements, fine.light, colors, context);

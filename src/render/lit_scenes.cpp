@@ -7,16 +7,16 @@
 
 namespace rakelight {
 
-Scene lit_by_radiosity(Scene prepared, const RadiositySettings& settings, Context& context,
-                       RadiosityReport* report) {
+Scene lit_by_radiosity(Scene prepared, const RadiositySettings& settings, Context& context, RadiosityReport* report) {
     RadiosityReport r;
     Scene out = with_radiosity(std::move(prepared), settings, r, context);
     const double whole = r.emitted > 0 ? 100 / r.emitted : 0;
     char text[240];
-    std::snprintf(text, sizeof text,
-                  "radiosity: %u elements, %u patches, %u shots; of %.4g W %.1f %% are absorbed, %.1f %% unshot, %.1f %% "
-                  "left the scene",
-                  r.elements, r.patches, r.shots, r.emitted, whole * r.absorbed, whole * r.unshot, whole * r.left);
+    std::snprintf(
+        text, sizeof text,
+        "radiosity: %u elements, %u patches, %u shots; of %.4g W %.1f %% are absorbed, %.1f %% unshot, %.1f %% "
+        "left the scene",
+        r.elements, r.patches, r.shots, r.emitted, whole * r.absorbed, whole * r.unshot, whole * r.left);
     if (report) *report = r;
     context.report().add(Remark::note, out.source, "", text, {"method"});
     return out;

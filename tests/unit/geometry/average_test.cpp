@@ -92,8 +92,9 @@ TEST(Average, DegenerateFacesHaveNoVote) {
 
 TEST(Average, TheSameBitsForAnyNumberOfThreads) {
     const auto parts = cut_at_random(make_torus(60, 40), 5, 7);
-    const Values values =
-        faces_of(parts, [](std::size_t m, std::size_t t) { return vec3{float(t) * 0.1f, 1 / float(t + 1), float(m)}; });
+    const Values values = faces_of(parts, [](std::size_t m, std::size_t t) {
+        return vec3{float(t) * 0.1f, 1 / float(t + 1), float(m)};
+    });
     EXPECT_EQ(averaged(parts, values, {}, 1), averaged(parts, values, {}, 4));
 }
 

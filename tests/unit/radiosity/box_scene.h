@@ -17,14 +17,16 @@ inline Material diffuse(vec3 color, vec3 emission = {0, 0, 0}) {
 inline dmat4 placed_square(dvec3 center, dvec3 normal) {
     const dvec3 other = std::fabs(normal.y) > 0.5 ? dvec3{1, 0, 0} : dvec3{0, 1, 0};
     const dvec3 u = normalize_or(cross(other, normal), dvec3{1, 0, 0}), v = cross(normal, u);
-    return {{{u.x, u.y, u.z, 0}, {v.x, v.y, v.z, 0}, {normal.x, normal.y, normal.z, 0}, {center.x, center.y, center.z, 1}}};
+    return {
+        {{u.x, u.y, u.z, 0}, {v.x, v.y, v.z, 0}, {normal.x, normal.y, normal.z, 0}, {center.x, center.y, center.z, 1}}};
 }
 
 /// A cube of side 2 about the origin, six objects that face inwards: walls of material 0, the ceiling (+Y) of material 1.
 inline Scene room(const Material& walls, const Material& ceiling) {
     Scene scene;
     scene.materials = {walls, ceiling};
-    for (const dvec3 side : {dvec3{1, 0, 0}, dvec3{-1, 0, 0}, dvec3{0, 1, 0}, dvec3{0, -1, 0}, dvec3{0, 0, 1}, dvec3{0, 0, -1}})
+    for (const dvec3 side :
+         {dvec3{1, 0, 0}, dvec3{-1, 0, 0}, dvec3{0, 1, 0}, dvec3{0, -1, 0}, dvec3{0, 0, 1}, dvec3{0, 0, -1}})
         test::add_object(scene, test::square_mesh(side.y > 0 ? 1 : 0), placed_square(side, -side));
     return scene;
 }

@@ -27,8 +27,7 @@ std::vector<Triangle> square(dvec3 corner, dvec3 u, dvec3 v) {
 double mean_over_square(const std::vector<Triangle>& triangles, int n) {
     double sum = 0;
     for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-            sum += sum_over(triangles, {(i + 0.5) / n, (j + 0.5) / n, 0}, {0, 0, 1});
+        for (int j = 0; j < n; ++j) sum += sum_over(triangles, {(i + 0.5) / n, (j + 0.5) / n, 0}, {0, 0, 1});
     return sum / (double(n) * n);
 }
 
@@ -65,11 +64,12 @@ TEST(FormFactor, ASmallPieceFarAwayIsCosinesOverSquaredDistance) {
 TEST(FormFactor, AllAroundIsOneAndHalfIsHidden) {
     // four walls and a ceiling, which close over the point; walls reach below the horizon
     std::vector<Triangle> box = square({-1, -1, 1}, {2, 0, 0}, {0, 2, 0});
-    for (const auto& [corner, u] : {std::pair(dvec3{-1, -1, -1}, dvec3{2, 0, 0}), {dvec3{-1, 1, -1}, dvec3{2, 0, 0}},
-                                    {dvec3{-1, -1, -1}, dvec3{0, 2, 0}}, {dvec3{1, -1, -1}, dvec3{0, 2, 0}}})
+    for (const auto& [corner, u] : {std::pair(dvec3{-1, -1, -1}, dvec3{2, 0, 0}),
+                                    {dvec3{-1, 1, -1}, dvec3{2, 0, 0}},
+                                    {dvec3{-1, -1, -1}, dvec3{0, 2, 0}},
+                                    {dvec3{1, -1, -1}, dvec3{0, 2, 0}}})
         for (const Triangle& t : square(corner, u, {0, 0, 2})) box.push_back(t);
-    for (const dvec3 at : {dvec3{0, 0, 0}, dvec3{0.9, -0.7, 0.3}})
-        EXPECT_NEAR(sum_over(box, at, {0, 0, 1}), 1, 1e-6);
+    for (const dvec3 at : {dvec3{0, 0, 0}, dvec3{0.9, -0.7, 0.3}}) EXPECT_NEAR(sum_over(box, at, {0, 0, 1}), 1, 1e-6);
 }
 
 TEST(FormFactor, NothingComesFromThePlaneOrBelowIt) {

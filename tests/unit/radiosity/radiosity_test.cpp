@@ -125,7 +125,7 @@ TEST(Radiosity, BothSidesOfATwoSidedPlateHaveLightOfTheirOwn) {
 TEST(Radiosity, TheBackOfAOneSidedPlateIsBlackAndHoldsLightUp) {
     Scene scene;
     scene.materials = {diffuse({1, 1, 1})};
-    test::add_object(scene, test::square_mesh(0));                                       // faces +Z, lit from -Z
+    test::add_object(scene, test::square_mesh(0));                                        // faces +Z, lit from -Z
     test::add_object(scene, test::square_mesh(0), placed_square({0, 0, 1}, {0, 0, -1}));  // behind it, faces -Z
     scene.lights = {test::directional({0, 0, 1})};
     const Solved s = solve(scene, {.elements = 100});
@@ -275,7 +275,8 @@ TEST(Radiosity, KeepsWithinTheElements) {
     }
     const Solved more = solve(scene, {.elements = 11});  // the scene's own triangles stay
     EXPECT_LE(more.report.elements, 18u);
-    EXPECT_NE(more.remarks.find("up to 18 elements, since the scene has 12 triangles"), std::string::npos) << more.remarks;
+    EXPECT_NE(more.remarks.find("up to 18 elements, since the scene has 12 triangles"), std::string::npos)
+        << more.remarks;
     for (const int wrong : {0, most_radiosity_elements + 1})
         EXPECT_EQ(test::error_of([&] { solve(scene, {.elements = wrong}); }).code(), ErrorCode::usage);
 }

@@ -31,9 +31,7 @@ struct TwoSquares {
 
 const dvec3 bright{1, 1, 1}, dark{0, 0, 0};
 
-TEST(ShadowBorders, EvenLightIsNotCut) {
-    EXPECT_TRUE(TwoSquares().borders(std::vector<dvec3>(4, bright)).empty());
-}
+TEST(ShadowBorders, EvenLightIsNotCut) { EXPECT_TRUE(TwoSquares().borders(std::vector<dvec3>(4, bright)).empty()); }
 
 TEST(ShadowBorders, NeighborsOfTwoObjectsAreCompared) {
     const TwoSquares s;
@@ -57,7 +55,8 @@ TEST(ShadowBorders, KeepsWithinTheElements) {
     for (const std::uint64_t most : {4u, 6u, 9u, 20u}) {
         cut = s.meshes;
         const EdgeSet edges = s.borders({bright, dark, bright, dark}, most);
-        ASSERT_TRUE(geometry::halve_edges(cut, [&](dvec3 a, dvec3 b) { return edges.holds(a, b); }, 100, context));
+        ASSERT_TRUE(geometry::halve_edges(
+            cut, [&](dvec3 a, dvec3 b) { return edges.holds(a, b); }, 100, context));
         EXPECT_LE(count_sides(s.parts, cut), most);
     }
     EXPECT_TRUE(s.borders({bright, dark, bright, dark}, 4).empty());
