@@ -27,7 +27,7 @@ import exr  # noqa: E402
 
 CORNELL = "data/paths/cornell.scene.toml"
 TABLE = "data/world/room.scene.toml"
-RADIOSITY = ("--method", "radiosity", "--look", "plain")
+RADIOSITY = ("--engine", "soft", "--method", "radiosity", "--look", "plain")
 LAMP = ("--light", "point:0.278,0.5,0.28:color=1,0.53,0.13:attenuation=1,0,8")
 SIZE = 256
 # Pieces of walls in a picture of 256 x 256: left, top, right, bottom.
@@ -89,8 +89,8 @@ def ways(program):
     if "gl" in subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout.split("engines:")[-1].partition("\n")[0]:
         parts.append((CORNELL, "--engine", "gl", "--look", "plain", "--shadows", *LAMP))
         names.append("gl, a point light")
-    parts += [(CORNELL, "--engine", "trace", "--method", "whitted", *LAMP), (CORNELL, "--engine", "trace", "--method", "path", "--samples", "1024"),
-              (CORNELL, "--engine", "soft", *RADIOSITY)]
+    parts += [(CORNELL, "--engine", "trace", "--method", "whitted", *LAMP), (CORNELL, "--engine", "trace", "--method", "path", "--samples", "256"),
+              (CORNELL, *RADIOSITY)]
     return parts, [*names, "trace, Whitted, a point light", "trace, paths", "soft, radiosity"]
 
 
@@ -102,11 +102,11 @@ def linear(arguments, program, folder):
 
 
 def compare(program, counts):
-    """Mean relative difference of each piece of wall from 4096 paths a pixel, mean over red, green and blue."""
+    """Mean relative difference of each piece of wall from 1024 paths a pixel, mean over red, green and blue."""
     with tempfile.TemporaryDirectory() as folder:
-        paths = linear(("--engine", "trace", "--method", "path", "--samples", "4096"), program, folder)
+        paths = linear(("--engine", "trace", "--method", "path", "--samples", "1024"), program, folder)
         for count in counts:
-            lit = linear((*RADIOSITY, "--engine", "soft", "--samples", "8", "--radiosity-elements", str(count)), program, folder)
+            lit = linear((*RADIOSITY, "--samples", "8", "--radiosity-elements", str(count)), program, folder)
             print(f"{count} elements")
             for name, (left, top, right, bottom) in WALLS.items():
                 means, pixels = [], []
