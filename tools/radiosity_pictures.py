@@ -85,13 +85,13 @@ def beside_three(picture, three, program):
 def ways(program):
     """What the other methods can show of a lamp that is a surface: a point light in its place."""
     parts = [(CORNELL, "--engine", "soft", "--look", "plain", "--shadows", *LAMP)]
-    names = ["soft, a point light"]
+    names = ["soft, point light"]
     if "gl" in subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout.split("engines:")[-1].partition("\n")[0]:
         parts.append((CORNELL, "--engine", "gl", "--look", "plain", "--shadows", *LAMP))
-        names.append("gl, a point light")
+        names.append("gl, point light")
     parts += [(CORNELL, "--engine", "trace", "--method", "whitted", *LAMP), (CORNELL, "--engine", "trace", "--method", "path", "--samples", "256"),
               (CORNELL, *RADIOSITY)]
-    return parts, [*names, "trace, Whitted, a point light", "trace, paths", "soft, radiosity"]
+    return parts, [*names, "trace, point light", "trace, paths", "soft, radiosity"]
 
 
 def linear(arguments, program, folder):

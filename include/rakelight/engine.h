@@ -137,7 +137,8 @@ inline constexpr int usual_radiosity_elements = 20000, most_radiosity_elements =
 
 /// Of the method radiosity: docs/radiosity.md.
 struct RadiositySettings {
-    int elements = usual_radiosity_elements;  ///< at most so many, both sides of two-sided triangles counted
+    /// At most so many, both sides of two-sided triangles counted; where the scene has more triangles, half as many again.
+    int elements = usual_radiosity_elements;
     double unshot = 0.01;  ///< 0..1: patches shoot until this share of the power is left to be shot
     bool operator==(const RadiositySettings&) const = default;
 };

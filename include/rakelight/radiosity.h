@@ -15,10 +15,10 @@ struct RadiosityReport {
     std::uint32_t elements = 0;  ///< that the light is shown on, sides counted
     std::uint32_t patches = 0;   ///< that shoot
     std::uint32_t shots = 0;
-    int rounds = 0;              ///< of subdivision at shadow borders
-    double emitted = 0;          ///< by surfaces, and by lights onto surfaces
+    int rounds = 0;      ///< of subdivision at shadow borders
+    double emitted = 0;  ///< by surfaces, and by lights onto surfaces
     double absorbed = 0, unshot = 0;
-    double left = 0;    ///< went out of the scene, or onto the backs of one-sided surfaces
+    double left = 0;  ///< went out of the scene, or onto the backs of one-sided surfaces
     double seconds = 0;
 };
 

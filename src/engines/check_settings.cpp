@@ -97,8 +97,7 @@ void check_numbers(const RenderSettings& s) {
     require(!s.naive || s.method == RayMethod::cast, "naive", "is for the method cast alone");
     require(s.radiosity.elements >= 1 && s.radiosity.elements <= most_radiosity_elements, "radiosity-elements",
             "must be 1 to " + std::to_string(most_radiosity_elements));
-    require(s.radiosity.unshot > 0 && s.radiosity.unshot <= 1, "radiosity-unshot",
-            "must be more than 0 and at most 1");
+    require(s.radiosity.unshot > 0 && s.radiosity.unshot <= 1, "radiosity-unshot", "must be more than 0 and at most 1");
     require(s.method != RayMethod::radiosity || s.front_face == FrontFace::counter_clockwise, "method",
             "radiosity is for triangles that are counter-clockwise from their front");
     require(s.naive_limit >= 0, "naive-limit", "must be 0 or more");
