@@ -6,10 +6,13 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include <rakelight/render.h>
 
+#include "render/engines.h"
 #include "render/prepared_scene.h"
 
 #include "scene/scene_tools.h"
