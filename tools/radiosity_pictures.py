@@ -87,7 +87,7 @@ def ways(program):
     parts = [(CORNELL, "--engine", "soft", "--look", "plain", "--shadows", *LAMP)]
     names = ["soft, point light"]
     if "gl" in subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout.split("engines:")[-1].partition("\n")[0]:
-        parts.append((CORNELL, "--engine", "gl", "--look", "plain", "--shadows", *LAMP))
+        parts.append((CORNELL, "--engine", "gl", "--look", "plain", "--shadows", "--samples", "4", *LAMP))
         names.append("gl, point light")
     parts += [(CORNELL, "--engine", "trace", "--method", "whitted", *LAMP), (CORNELL, "--engine", "trace", "--method", "path", "--samples", "256"),
               (CORNELL, *RADIOSITY)]
