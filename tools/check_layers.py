@@ -33,7 +33,8 @@ BELOW = {
     "engines/opengl": ["shading"],
     "engines/raytrace": ["cpu_shading"],
     "bake": ["engines/raytrace", "prepare"],
-    "render": ["engines/raster", "engines/opengl", "engines/raytrace", "world"],
+    "radiosity": ["engines/raytrace", "prepare"],
+    "render": ["radiosity", "engines/raster", "engines/opengl", "engines/raytrace", "world"],
     "tools": ["render", "bake", "engines/raster/inspect"],
 }
 
@@ -67,9 +68,9 @@ PUBLIC = {
     "scene": "scene", "motion": "scene", "scene_queries": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "image_sources": "io", "movie": "io", "unfinished_outputs": "io",
     "prepare": "prepare", "bake": "bake",
     "engine": "engines", "line": "engines", "values": "world", "request": "world", "settings_file": "world", "material_changes": "world", "load": "world",
-    "render": "render", "session": "render", "gl_view": "render", "strip_sink": "engines", "exit_code": "base", "rows": "tools",
+    "radiosity": "radiosity", "render": "render", "session": "render", "gl_view": "render", "strip_sink": "engines", "exit_code": "base", "rows": "tools",
     "picture": "render", "picture_parts": "render", "sequence": "render", "version": "render",
-    "check_scene": "tools", "compare": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "join_windows": "tools", "bake_files": "tools", "bench": "tools", "reference": "tools", "inspection_report": "tools", "text_file": "tools", "smooth_file": "tools", "rakelight": "tools",
+    "check_scene": "tools", "compare": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "join_windows": "tools", "bake_files": "tools", "bench": "tools", "reference": "tools", "inspection_report": "tools", "text_file": "tools", "smooth_file": "tools", "radiosity_file": "tools", "rakelight": "tools",
 }
 
 # Third-party include (regular expression) -> the modules, or the one file of a module, that may use it.
@@ -92,8 +93,8 @@ LIBRARIES = {
 
 # Sources compiled per instruction set see only these: nothing whose inline functions the linker could merge between sets.
 ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|math/prelude\.h|lighting/(lighting|light_parameters|read_albedos|albedo_tables)\.h|image/(srgb_table|denoise_tile|mip_rows)\.h|shading/(text_numbers|material_factors|effect_factors|shadow_factors|light_box)\.h|scene/texture_role_numbers\.h|lighting/\w+/\w+\.glsl|"
-                         r"geometry/fast_kernel_types\.h|geometry/fast_weld_types\.h|geometry/skin_kernel_types\.h|geometry/vote_kernel_types\.h|cpu_shading/(kernels/\w+|texture_view|material_job|mesh_view|channel_planes)\.h|engines/raster/(inspect/)?kernels/\w+\.(h|cpp)|engines/raytrace/kernels/\w+\.(h|cpp)|engines/raster/inspect/traced_pixel\.h|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
-ISA_FILES = ["src/cpu_shading/kernels", "src/engines/raster/kernels", "src/engines/raster/inspect/kernels", "src/engines/raytrace/kernels", "src/geometry/kernels", "src/image/kernels", "src/lighting/lighting.h", "src/lighting/read_albedos.h", "src/math/prelude.h"]
+                         r"geometry/fast_kernel_types\.h|geometry/fast_weld_types\.h|geometry/skin_kernel_types\.h|geometry/vote_kernel_types\.h|cpu_shading/(kernels/\w+|texture_view|material_job|mesh_view|channel_planes)\.h|engines/raster/(inspect/)?kernels/\w+\.(h|cpp)|engines/raytrace/kernels/\w+\.(h|cpp)|radiosity/kernels/\w+\.(h|cpp)|engines/raster/inspect/traced_pixel\.h|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
+ISA_FILES = ["src/cpu_shading/kernels", "src/engines/raster/kernels", "src/engines/raster/inspect/kernels", "src/engines/raytrace/kernels", "src/radiosity/kernels", "src/geometry/kernels", "src/image/kernels", "src/lighting/lighting.h", "src/lighting/read_albedos.h", "src/math/prelude.h"]
 
 GLSL_RESERVED = set("active half input output filter common partition smooth flat shared fixed sample patch buffer resource "
                     "precise template this using noise superp cast namespace".split())

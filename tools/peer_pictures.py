@@ -47,6 +47,7 @@ document.title = 'done';
 
 class Server(http.server.SimpleHTTPRequestHandler):
     """Serves the page, three.js and the models on the loopback interface."""
+    text, size = PAGE, SIZE
 
     def __init__(self, *arguments, three, models, **others):
         self.three, self.models = three, models
@@ -55,7 +56,7 @@ class Server(http.server.SimpleHTTPRequestHandler):
     def do_GET(self):
         if not self.path.startswith("/page/"):
             return super().do_GET()
-        body = PAGE.replace("NAME", self.path[len("/page/"):]).replace("WIDTH", str(SIZE[0])).replace("HEIGHT", str(SIZE[1])).encode()
+        body = self.text.replace("NAME", self.path[len("/page/"):]).replace("WIDTH", str(self.size[0])).replace("HEIGHT", str(self.size[1])).encode()
         self.send_response(200)
         self.send_header("Content-Type", "text/html")
         self.end_headers()
@@ -84,6 +85,12 @@ def run(command):
     subprocess.run(command, capture_output=True, timeout=180, stdin=subprocess.DEVNULL, check=False)
 
 
+def screenshot(url, size, path):
+    """Of a page in headless Chromium."""
+    run(["chromium", "--headless=new", "--no-sandbox", "--hide-scrollbars", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+         "--virtual-time-budget=30000", f"--window-size={size[0]},{size[1] + 150}", f"--screenshot={path}", url])
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("models", type=pathlib.Path)
@@ -106,8 +113,7 @@ def main():
                 run([options.program.resolve(), "render", model, "-o", out[look], "--resolution", size, "--look", look, "--quiet"])
             run(["xvfb-run", "-a", "f3d", model, "--output", out["f3d"], "--resolution", size, "--fxaa"])
             url = f"http://127.0.0.1:{server.server_port}/page/{model.relative_to(models)}"
-            run(["chromium", "--headless=new", "--no-sandbox", "--hide-scrollbars", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-                 "--virtual-time-budget=30000", f"--window-size={SIZE[0]},{SIZE[1] + 150}", f"--screenshot={out['three']}", url])
+            screenshot(url, SIZE, out["three"])
             sheet += joined([rows_of(path) for path in out.values()])
             sheet += [b"".join(row) for row in zip(strip(words_for(name, SIZE[0]), SIZE[0] * 4, HEIGHT + 4))]
     write_rgb(options.picture, SIZE[0] * 4, len(sheet), b"".join(sheet))

@@ -240,6 +240,19 @@ Examples:
 Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found, 4 file broken,
 too large or no ray of LOW meets HIGH.)";
 
+inline constexpr const char* radiosity_footer =
+    R"(Diffuse surfaces light one another: lamps, surfaces that shine and the environment send
+out light, what each surface reflects goes on to the others. The result is drawn as it is, from
+anywhere, by any viewer of glTF. Metal, glass and highlights are left out.
+
+Examples:
+  rakelight radiosity room.scene.toml -o room-lit.glb
+  rakelight view room-lit.glb
+  rakelight radiosity room.scene.toml -o room-lit.glb --radiosity-elements 100000
+      Finer shadows, in more time: docs/radiosity.md.
+  rakelight render room.scene.toml -o room.png --method radiosity
+      A picture, by any engine.)";
+
 inline constexpr const char* stages_footer =
     R"(Stages: model, world, camera and clip space, clipped polygons, normalized device
 coordinates, screen, culled faces, coverage, depth, visibility, normals, each light's

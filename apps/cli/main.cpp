@@ -16,6 +16,7 @@
 #include "inspect_verb.h"
 #include "interrupt.h"
 #include "join_windows_verb.h"
+#include "radiosity_verb.h"
 #include "render_verb.h"
 #include "run_file.h"
 #include "smooth_verb.h"
@@ -33,11 +34,18 @@ struct Verb {
 };
 
 int run(int argc, const char* const* argv) {
-    const Verb verbs[] = {
-        {render_command(), run_render},   {inspect_command(), run_inspect}, {smooth_command(), run_smooth},
-        {bench_command(), run_bench},     {explain_command(), run_explain}, {stages_command(), run_stages},
-        {compare_command(), run_compare}, {check_command(), run_check},     {join_windows_command(), run_join_windows},
-        {bake_command(), run_bake},       {apps::view_command(), nullptr}};
+    const Verb verbs[] = {{render_command(), run_render},
+                          {inspect_command(), run_inspect},
+                          {smooth_command(), run_smooth},
+                          {bench_command(), run_bench},
+                          {explain_command(), run_explain},
+                          {stages_command(), run_stages},
+                          {compare_command(), run_compare},
+                          {check_command(), run_check},
+                          {join_windows_command(), run_join_windows},
+                          {bake_command(), run_bake},
+                          {radiosity_command(), run_radiosity},
+                          {apps::view_command(), nullptr}};
     std::vector<Command> commands;
     for (const Verb& verb : verbs) commands.push_back(verb.command);
     const apps::Program program{"rakelight", "Renders 3D models made of many parts: bumps show, seams do not.",

@@ -42,7 +42,13 @@ constexpr Entry entries[] = {
      "gl where there is a GPU"},
     {shading, "method", "NAME",
      "trace: auto (default: whitted), whitted (mirrors, refraction and shadows by rays), cast (no reflections), path "
-     "(random paths of light: global illumination, less noisy with --samples)"},
+     "(random paths of light: global illumination, less noisy with --samples). Every engine: radiosity (the light of "
+     "diffuse "
+     "surfaces, worked out on them before)"},
+    {shading, "radiosity-elements", "N",
+     "--method radiosity: surfaces are cut into at most N pieces, up to 200000 (default 20000)"},
+    {shading, "radiosity-unshot", "SHARE",
+     "--method radiosity: surfaces shoot light until this share of the power is left (default 0.01)"},
     {shading, "max-depth", "N", "trace: reflections and refractions that a ray goes on after, 0 to 64 (default 8)"},
     {shading, "naive", "", "trace with --method cast: hold every ray against every triangle, as the textbook does"},
     {shading, "naive-limit", "N", "--naive: more tests of rays with triangles are not begun (default 100000000000)"},

@@ -142,6 +142,16 @@ AttributePlan regroup(const AttributePlan& plan, std::span<const AttributeMesh> 
 std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<const AttributeMesh> meshes,
                                        Context& context);
 
+/// The second step for what faces have in place of normals (light, measurements): each vertex gets the mean of its group's
+/// faces with the plan's weights. Smooth wherever normals are, over borders of objects too, and sharp at creases. A mean lies
+/// between the least and the greatest of its faces, by component: a constant stays that constant to the bit.
+/// @param meshes  as they were grouped (positions may have moved)
+/// @param values  [meshes][T] finite; those of faces without a vote do not count
+/// @return [meshes][V'] by the vertex numbers of accumulate()'s result; 0 where no face with a vote touches a vertex's group
+/// @throws Error bad_file: other counts than were grouped
+std::vector<std::vector<vec3>> average(const AttributePlan& plan, std::span<const AttributeMesh> meshes,
+                                       std::span<const std::span<const vec3>> values, Context& context);
+
 /// Both steps. All corners of a group get bit-equal vectors (in the world; each object's own space after its matrix).
 std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                                Context& context);

@@ -54,8 +54,9 @@ enum class AttributeInterpolation : std::uint8_t { perspective, screen };
 
 /// How an engine that follows rays does it. Whitted (1980): from every surface on to the lights, into mirrors and through glass.
 /// Cast: primary rays and shadow rays alone. Path (Kajiya 1986): random paths of light, all of global illumination, in
-/// passes that get less noisy. `automatic`: whitted.
-enum class RayMethod : std::uint8_t { automatic, whitted, cast, path };
+/// passes that get less noisy. `automatic`: whitted. Radiosity (Goral et al. 1984) is for every engine: the light is worked out
+/// on the surfaces before (RadiositySettings), and drawn as their color, whatever the viewpoint.
+enum class RayMethod : std::uint8_t { automatic, whitted, cast, path, radiosity };
 
 /// How vertices are shown, if at all.
 enum class PointShape : std::uint8_t { none, square, disc };
@@ -132,6 +133,16 @@ struct PathSettings {
     bool operator==(const PathSettings&) const = default;
 };
 
+inline constexpr int usual_radiosity_elements = 20000, most_radiosity_elements = 200000;
+
+/// Of the method radiosity: docs/radiosity.md.
+struct RadiositySettings {
+    /// At most so many, both sides of two-sided triangles counted; where the scene has more triangles, half as many again.
+    int elements = usual_radiosity_elements;
+    double unshot = 0.01;  ///< 0..1: patches shoot until this share of the power is left to be shot
+    bool operator==(const RadiositySettings&) const = default;
+};
+
 struct RenderSettings {
     int width = 1280, height = 720;  ///< [px] of the whole picture, 1..65536
     Window window{};                 ///< what to render of it; default all
@@ -183,6 +194,7 @@ struct RenderSettings {
     bool naive = false;
     double naive_limit = 1e11;  ///< more tests of rays with triangles are refused before the first one
     PathSettings paths{};
+    RadiositySettings radiosity{};
     bool colors = true;    ///< false: data channels alone, all pixels have the background's color
     bool surfaces = true;  ///< triangles are filled; false: only lines and points are drawn
     bool edges = false;    ///< edges of the triangles that culling leaves, over the picture

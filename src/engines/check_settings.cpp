@@ -48,7 +48,7 @@ void check_words(const RenderSettings& s) {
     require("cull", "culling", s.cull, Cull::front);
     require("visibility", "visibility", s.visibility, Visibility::back_face);
     require("interpolation", "interpolation", s.interpolation, AttributeInterpolation::screen);
-    require("method", "method", s.method, RayMethod::path);
+    require("method", "method", s.method, RayMethod::radiosity);
     require("light-sampling", "light sampling", s.paths.light_sampling, LightSampling::materials);
     require("points", "shape of points", s.points, PointShape::disc);
     for (const ShadingRule& rule : s.shading_rules) {
@@ -95,6 +95,11 @@ void check_numbers(const RenderSettings& s) {
             "the data channel ambient-occlusion is of pictures with 'ambient-occlusion'");
     require(s.max_depth >= 0 && s.max_depth <= 64, "max-depth", "the depth of rays must be 0 to 64");
     require(!s.naive || s.method == RayMethod::cast, "naive", "is for the method cast alone");
+    require(s.radiosity.elements >= 1 && s.radiosity.elements <= most_radiosity_elements, "radiosity-elements",
+            "must be 1 to " + std::to_string(most_radiosity_elements));
+    require(s.radiosity.unshot > 0 && s.radiosity.unshot <= 1, "radiosity-unshot", "must be more than 0 and at most 1");
+    require(s.method != RayMethod::radiosity || s.front_face == FrontFace::counter_clockwise, "method",
+            "radiosity is for triangles that are counter-clockwise from their front");
     require(s.naive_limit >= 0, "naive-limit", "must be 0 or more");
     const char* const fault = fault_of(s.relief);
     require(!fault, "bump", fault ? fault : "");

@@ -2,6 +2,7 @@
 #include "geometry/tessellate.h"
 
 #include <algorithm>
+#include <numeric>
 #include <unordered_map>
 
 #include "base/cancel_check.h"
@@ -18,11 +19,8 @@ double squared_length(dvec3 a, dvec3 b) { return dot(a - b, a - b); }  // the sa
 /// One mesh on its way.
 class Cutter {
 public:
-    Cutter(const CoarseMesh& coarse, double edge) : on_border_(coarse.on_border), squared_edge_(edge * edge) {
-        fine.places = coarse.places;
-        fine.indices = coarse.indices;
-        for (std::size_t t = 0; t < coarse.indices.size() / 3; ++t) fine.source_triangle.push_back(std::uint32_t(t));
-    }
+    Cutter(FineMesh mesh, std::vector<std::uint8_t> on_border, const EdgeRule& is_halved)
+        : fine(std::move(mesh)), on_border_(std::move(on_border)), is_halved_(is_halved) {}
 
     /// Triangles after one more round.
     std::uint64_t count_next(CancelCheck check) const {
@@ -70,7 +68,7 @@ public:
 private:
     bool is_cut(std::uint32_t a, std::uint32_t b) const {
         if (!on_border_.empty() && !(on_border_[a] && on_border_[b])) return false;
-        return squared_length(fine.places[a], fine.places[b]) > squared_edge_;
+        return is_halved_(fine.places[a], fine.places[b]);
     }
 
     std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
@@ -121,7 +119,7 @@ private:
     }
 
     std::vector<std::uint8_t> on_border_;
-    double squared_edge_;
+    const EdgeRule& is_halved_;
     std::uint32_t source_ = 0;
     /// An edge's number is its two vertices', which a file decides: keyed.
     struct EdgeHash {
@@ -133,25 +131,62 @@ private:
     std::unordered_map<std::uint64_t, std::uint32_t, EdgeHash> middles_;
 };
 
+struct Counts {
+    std::uint64_t now = 0, after = 0;
+};
+
+Counts count_triangles(std::span<const Cutter> cutters, Context& context) {
+    std::vector<std::uint64_t> next(cutters.size());
+    const CancelCheck check(context);
+    context.parallel_for(cutters.size(), [&](std::size_t i) { next[i] = cutters[i].count_next(check); });
+    Counts out;
+    for (std::size_t i = 0; i < cutters.size(); ++i)
+        out.now += cutters[i].fine.indices.size() / 3, out.after += next[i];
+    return out;
+}
+
+void run_round(std::span<Cutter> cutters, Context& context) {
+    const CancelCheck check(context);
+    context.parallel_for(cutters.size(), [&](std::size_t i) { cutters[i].run_round(check); });
+}
+
 }  // namespace
+
+FineMesh uncut(CoarseMesh mesh) {
+    FineMesh fine;
+    fine.places = std::move(mesh.places);
+    fine.indices = std::move(mesh.indices);
+    fine.source_triangle.resize(fine.indices.size() / 3);
+    std::iota(fine.source_triangle.begin(), fine.source_triangle.end(), 0u);
+    return fine;
+}
+
+bool halve_edges(std::span<FineMesh> meshes, const EdgeRule& is_halved, std::uint64_t most_triangles,
+                 Context& context) {
+    std::vector<Cutter> cutters;
+    cutters.reserve(meshes.size());
+    for (FineMesh& mesh : meshes) cutters.emplace_back(std::move(mesh), std::vector<std::uint8_t>{}, is_halved);
+    const bool fits = count_triangles(cutters, context).after <= most_triangles;
+    if (fits) run_round(cutters, context);
+    for (std::size_t i = 0; i < meshes.size(); ++i) meshes[i] = std::move(cutters[i].fine);
+    return fits;
+}
 
 Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::uint64_t most_triangles, Context& context,
                         std::uint64_t* met) {
+    const double most_squared = edge * edge;
+    const EdgeRule is_long = [=](dvec3 a, dvec3 b) { return squared_length(a, b) > most_squared; };
     std::vector<Cutter> cutters;
     cutters.reserve(meshes.size());
-    for (const CoarseMesh& mesh : meshes) cutters.emplace_back(mesh, edge);
+    for (const CoarseMesh& mesh : meshes) cutters.emplace_back(uncut(mesh), mesh.on_border, is_long);
     Tessellation out;
-    std::vector<std::uint64_t> next(cutters.size());
-    const CancelCheck check(context);
     for (int round = 0;; ++round) {
         context.throw_if_cancelled();
-        context.parallel_for(cutters.size(), [&](std::size_t i) { next[i] = cutters[i].count_next(check); });
-        std::uint64_t now = 0, after = 0;
-        for (std::size_t i = 0; i < cutters.size(); ++i) now += cutters[i].fine.indices.size() / 3, after += next[i];
-        if (after == now) break;
-        out.is_complete = after <= most_triangles && round < most_rounds;
+        const Counts count = count_triangles(cutters, context);
+        if (count.after == count.now) break;
+        out.is_complete = count.after <= most_triangles && round < most_rounds;
         if (!out.is_complete) break;
-        context.parallel_for(cutters.size(), [&](std::size_t i) { cutters[i].run_round(check); });
+        run_round(cutters, context);
     }
     if (met) *met = 0;
     for (Cutter& cutter : cutters) {

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -42,5 +43,16 @@ struct Tessellation {
 /// @param met  out, for tests: pairs of edges that shared a slot of a table, of the last round; null: not wanted
 Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::uint64_t most_triangles, Context& context,
                         std::uint64_t* met = nullptr);
+
+/// Whether an edge is halved, by its two places alone: the same for (a, b) and (b, a). Called by any thread.
+using EdgeRule = std::function<bool(dvec3 a, dvec3 b)>;
+
+/// The mesh before the first cut; `on_border` does not count.
+FineMesh uncut(CoarseMesh mesh);
+
+/// Cuts the triangles at every edge that the rule names once, as tessellate() does: triangles that stay keep the order of
+/// their corners. `source_triangle` follows, of what it counted before.
+/// @return false: the sum would pass `most_triangles`, and nothing was cut
+bool halve_edges(std::span<FineMesh> meshes, const EdgeRule& is_halved, std::uint64_t most_triangles, Context& context);
 
 }  // namespace rakelight::geometry

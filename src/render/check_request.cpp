@@ -55,6 +55,9 @@ void warn_of_unused(const PictureRequest& request, Report& report) {
         report.add(Remark::warning, request.input, "",
                    "seed, max-seconds, noise, clamp, denoise and light-sampling have no effect without the method path",
                    {"method"});
+    if (s.method != RayMethod::radiosity && s.radiosity != RadiositySettings{})
+        report.add(Remark::warning, request.input, "",
+                   "radiosity-elements and radiosity-unshot have no effect without the method radiosity", {"method"});
     const bool has_occlusion_settings = names(request, {"ambient-occlusion-radius", "ambient-occlusion-samples"}) ||
                                         s.ambient_occlusion_radius != 0 ||
                                         s.ambient_occlusion_samples != usual_occlusion_samples;

@@ -50,7 +50,8 @@ std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
     const auto require = [&first](bool can_do, const std::string& what) {
         if (!can_do && first.empty()) first = what;
     };
-    require(can.rays || (s.method == RayMethod::automatic && !s.naive), "follow rays: engine trace does");
+    const bool needs_rays = s.method != RayMethod::automatic && s.method != RayMethod::radiosity;
+    require(can.rays || !(needs_rays || s.naive), "follow rays: engine trace does");
     const bool is_path = can.rays && s.method == RayMethod::path;
     for (const ChannelInfo& channel : all_channels())
         require((s.channels & channel.channel & ~(can.channels | (is_path ? can.path_channels : 0))) == 0,

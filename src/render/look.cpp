@@ -93,7 +93,7 @@ void take_look_of_posed(const Scene& scene, PictureRequest& request, Context& co
     if (request.engine == "trace") return;
     RenderSettings& settings = request.settings;
     const bool takes_file = take_camera(scene, request, context);
-    take_light(scene, takes_file, request);
+    if (settings.method != RayMethod::radiosity) take_light(scene, takes_file, request);
     if (!names(request, {"samples", "visibility"}) && settings.visibility == Visibility::z_reversed)
         settings.samples = usual_samples;
 }
@@ -116,7 +116,9 @@ void take_look(const Scene& scene, PictureRequest& request, Context& context) {
 
 void take_look_of_picture(const Scene& asked, PictureRequest& request, Context& context) {
     if (request.look == Look::plain) return;
-    const ReadyScene ready = ready_scene(asked, request, context);
+    PictureRequest drawn = request;
+    if (drawn.settings.method == RayMethod::radiosity) drawn.settings.method = RayMethod::automatic;
+    const ReadyScene ready = ready_scene(asked, drawn, context);
     Session session("soft");
     session.set(ready.prepared);
     adjust_to_picture(request, session, ready.camera, context);

@@ -10,6 +10,7 @@
 #include "render/draw_to_memory.h"
 #include "render/drawable.h"
 #include "render/engines.h"
+#include "render/lit_scenes.h"
 #include "render/look.h"
 #include "render/overlay.h"
 #include "render/picture_files.h"
@@ -64,7 +65,7 @@ Scene with_lights(Scene scene, const PictureRequest& request, const Camera& came
     return scene;
 }
 
-ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& context) {
+ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& context, RadiosityReport* report) {
     check_drawable(scene);
     warn_of_unknown_names(scene, request.settings, context.report());
     const double aspect = double(request.settings.width) / double(request.settings.height);
@@ -75,7 +76,12 @@ ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& cont
         context.report().add(Remark::note, scene.source, "",
                              said(cut_lights(scene.lights, request.light_cutoff), request.light_cutoff));
     ReadyScene ready{make_prepared(std::move(scene), request.prepare, request.settings, context), camera};
-    ready.prepared->has_chosen_lights = true;
+    PreparedScene& prepared = *ready.prepared;
+    prepared.has_chosen_lights = true;
+    if (request.settings.method == RayMethod::radiosity) {
+        prepared.bound.reset();  // other poses have other light
+        prepared.scene = lit_by_radiosity(std::move(prepared.scene), request.settings.radiosity, context, report);
+    }
     return ready;
 }
 

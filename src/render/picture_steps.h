@@ -2,6 +2,7 @@
 // The steps of render_picture(), for it and for tests that bring a session of their own.
 #pragma once
 #include <rakelight/picture.h>
+#include <rakelight/radiosity.h>
 #include <rakelight/session.h>
 
 #include "world/scene_of_request.h"
@@ -22,9 +23,11 @@ struct ReadyScene {
     std::shared_ptr<PreparedScene> prepared;
     Camera camera;
 };
-/// Chooses the camera, sets the lights and prepares. @param scene  of scene_of_request()
+/// Chooses the camera, sets the lights and prepares; lights it by radiosity where that is the method.
+/// @param scene  of scene_of_request()
+/// @param report  out: what came of radiosity; null: not wanted
 /// @throws Error bad_file: nothing to draw
-ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& context);
+ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& context, RadiosityReport* report = nullptr);
 
 /// Warns of rules for shading that fit nothing in the scene.
 void warn_of_unknown_names(const Scene& scene, const RenderSettings& settings, Report& report);

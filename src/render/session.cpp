@@ -10,6 +10,7 @@
 #include "render/drawable.h"
 #include "render/engines.h"
 #include "render/height_maps.h"
+#include "render/lit_scenes.h"
 #include "render/picture_steps.h"
 #include "render/prepared_scene.h"
 #include "render/view.h"
@@ -149,7 +150,7 @@ Camera camera_in_world(const Scene& scene, Camera camera, double aspect) {
 
 std::vector<Light> lights_of(const Scene& scene, const Camera& camera, RayMethod method) {
     const bool is_lit = !scene.lights.empty() || is_lit_by_environment(scene) ||
-                        (method == RayMethod::path && has_shining_surface(scene));
+                        ((method == RayMethod::path || method == RayMethod::radiosity) && has_shining_surface(scene));
     return is_lit ? scene.lights : default_lights(camera.to_world);
 }
 
@@ -163,6 +164,7 @@ struct Session::State {
     std::shared_ptr<const PreparedScene> prepared;  ///< of `scene`, or as set; null: not made yet
     std::shared_ptr<PreparedScene> owned;
     std::shared_ptr<const PreparedScene> taken;  ///< what the engine has
+    LitScenes lit;
 
     void begin(Source from) { scene = {}, prepared.reset(), owned.reset(), source = from; }
     const Scene& current() const;
@@ -240,6 +242,7 @@ std::shared_ptr<const PreparedScene> Session::prepared(const RenderSettings& set
         take_surroundings(*posed, s.scene);
         s.prepared = std::move(posed);
     }
+    if (settings.method == RayMethod::radiosity) return s.lit.of(s.prepared, settings.radiosity, context);
     return s.prepared;
 }
 

@@ -2,8 +2,7 @@
 #include "shading/environment.h"
 
 #include "image/decode.h"
-#include "math/functions.h"
-#include "scene/scene_tools.h"
+#include "shading/environment_axes.h"
 #include "shading/studio_light.h"
 
 namespace rakelight::shading {
@@ -25,12 +24,9 @@ EnvironmentFactors factors_of(const std::array<vec3, 9>& irradiance, const Envir
     EnvironmentFactors out{};
     for (std::size_t i = 0; i < 9; ++i)
         for (std::size_t c = 0; c < 3; ++c) out.irradiance[i][c] = irradiance[i][c];
-    const double c = math::cos(environment.rotation_rad), s = math::sin(environment.rotation_rad);
-    const dvec3 rows[3] = {{c, 0, -s}, {0, 1, 0}, {s, 0, c}};  // of a picture whose upper edge is at +Y
-    for (int k = 0; k < 3; ++k) {
-        const dvec3 row = turn_with_up(rows[k], environment.up);
-        out.turn[k][0] = float(row.x), out.turn[k][1] = float(row.y), out.turn[k][2] = float(row.z);
-    }
+    const std::array<dvec3, 3> axes = environment_axes(environment);
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < 3; ++i) out.turn[k][i] = float(axes[k][i]);
     out.intensity = environment.intensity;
     return out;
 }

@@ -12,7 +12,8 @@ constexpr Word<bool> exr_color_words[] = {{"float", false}, {"half", true}};
 constexpr Word<RayMethod> method_words[] = {{"auto", RayMethod::automatic},
                                             {"whitted", RayMethod::whitted},
                                             {"cast", RayMethod::cast},
-                                            {"path", RayMethod::path}};
+                                            {"path", RayMethod::path},
+                                            {"radiosity", RayMethod::radiosity}};
 constexpr Word<LightSampling> sampling_words[] = {
     {"both", LightSampling::both}, {"lights", LightSampling::lights}, {"materials", LightSampling::materials}};
 constexpr Word<FrontFace> front_words[] = {{"ccw", FrontFace::counter_clockwise}, {"cw", FrontFace::clockwise}};
@@ -176,6 +177,8 @@ constexpr RenderKey table[] = {
     RL_INTEGER_KEY("max-depth", r.settings.max_depth, 0, 64),
     RL_KEY("naive", flag, r.settings.naive, w[0] == "on", {"on"}),
     RL_NUMBER_KEY("naive-limit", r.settings.naive_limit, 0, 1e18),
+    RL_INTEGER_KEY("radiosity-elements", r.settings.radiosity.elements, 1, most_radiosity_elements),
+    RL_NUMBER_KEY("radiosity-unshot", r.settings.radiosity.unshot, 0.0001, 1),
     {"resolution", Kind::value, read_resolution, write_resolution},
     {"window", Kind::value, read_window, RL_WRITE(r.settings.window, {text_of_window(r.settings.window)})},
     RL_INTEGER_KEY("seed", r.settings.paths.seed, 0, 2147483647),

@@ -392,7 +392,7 @@ class CommandLine(program.Case):
         for words in ("rakelight helmet.glb -o helmet.png", "models/ -o", "--as-one", "--up +Z", "-o -", "--background white", "cloud.ply", "smooth knight.glb",
                       "--check --max-seam", "rakelight compare", "rakelight explain"):
             self.assertIn(words, text.partition("Examples:")[2])
-        for verb in ("render", "inspect", "smooth", "bench", "explain", "stages", "compare", "check", "join-windows", "bake", "view"):
+        for verb in ("render", "inspect", "smooth", "bench", "explain", "stages", "compare", "check", "join-windows", "bake", "radiosity", "view"):
             self.assertIn(f"  {verb} ", text)
 
     def test_the_documentation_is_what_the_program_says(self):

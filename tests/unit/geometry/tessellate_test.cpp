@@ -121,5 +121,29 @@ TEST(Tessellate, IsTheSameForAnyNumberOfThreads) {
     }
 }
 
+TEST(Tessellate, NamedEdgesAreHalvedOnceAndOtherTrianglesStay) {
+    // two squares of two meshes with a common edge: x = 1
+    std::vector<FineMesh> meshes = {
+        uncut({.places = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, .indices = {0, 1, 2, 0, 2, 3}}),
+        uncut({.places = {{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}}, .indices = {0, 1, 2, 0, 2, 3}})};
+    const auto is_common = [](dvec3 a, dvec3 b) { return a.x == 1 && b.x == 1; };
+    Context context({.threads = 2});
+    const std::vector<FineMesh> before = meshes;
+    EXPECT_FALSE(halve_edges(meshes, is_common, 5, context)) << "there would be six";
+    EXPECT_EQ(meshes[0].indices, before[0].indices);
+    EXPECT_EQ(meshes[1].places.size(), 4u);
+    ASSERT_TRUE(halve_edges(meshes, is_common, 6, context));
+    for (const FineMesh& mesh : meshes) {
+        ASSERT_EQ(mesh.places.size(), 5u);
+        EXPECT_TRUE((mesh.places[4] == dvec3{1, 0.5, 0}));
+    }
+    EXPECT_EQ(meshes[0].source_triangle, (std::vector<std::uint32_t>{0, 0, 1}));
+    EXPECT_EQ(meshes[1].source_triangle, (std::vector<std::uint32_t>{0, 1, 1}));
+    EXPECT_TRUE(std::equal(meshes[0].indices.begin() + 6, meshes[0].indices.end(), before[0].indices.begin() + 3));
+    ASSERT_TRUE(halve_edges(
+        meshes, [](dvec3, dvec3) { return false; }, 6, context));
+    EXPECT_EQ(meshes[0].indices.size(), 9u);
+}
+
 }  // namespace
 }  // namespace rakelight::geometry

@@ -6,10 +6,13 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include <rakelight/render.h>
 
+#include "render/engines.h"
 #include "render/prepared_scene.h"
 
 #include "scene/scene_tools.h"
@@ -128,6 +131,59 @@ TEST(Session, SettingsThatNeedAnotherPreparationGetIt) {
     Frame frame;
     session.render(from(0), clockwise, frame, context);
     EXPECT_TRUE(same_bits(frame, render(two_squares(), from(0), clockwise, context)));
+}
+
+/// Rays are there.
+bool has_radiosity() {
+    const std::vector<std::string> names = engine_names();
+    return std::find(names.begin(), names.end(), "trace") != names.end();
+}
+
+RenderSettings by_radiosity() {
+    RenderSettings s = small();
+    s.method = RayMethod::radiosity, s.radiosity.elements = 200;
+    return s;
+}
+
+TEST(Session, RadiosityIsWorkedOutOnceForASceneAndItsLights) {
+    if (!has_radiosity()) GTEST_SKIP();
+    Counted c;
+    Scene scene = two_squares();
+    scene.lights = {test::directional({0, 0, -1})};
+    c.session.set(scene);
+    const auto lit = c.session.prepared(by_radiosity(), c.context);
+    for (const double x : {0.0, 0.5, 1.0}) c.draw(from(x), by_radiosity());
+    EXPECT_EQ(c.engine.times_prepared, 1);
+    EXPECT_EQ(c.session.prepared(by_radiosity(), c.context), lit);
+    EXPECT_TRUE(c.engine.prepared.lights.empty()) << "the light is in the colors";
+    EXPECT_FALSE(c.engine.prepared.meshes[0].colors.empty());
+    scene.lights[0].diffuse = {0.5f, 0.5f, 0.5f};
+    c.session.set(scene);
+    EXPECT_NE(c.session.prepared(by_radiosity(), c.context), lit);
+    c.draw(from(0), small());
+    EXPECT_EQ(c.engine.prepared.lights, scene.lights) << "another method has the lights again";
+    EXPECT_TRUE(c.engine.prepared.meshes[0].colors.empty());
+}
+
+TEST(Session, EveryEngineDrawsRadiosityAlike) {
+    if (!has_radiosity()) GTEST_SKIP();
+    Frame frames[2];
+    for (int i = 0; i < 2; ++i) {
+        Context context({.threads = 1});
+        Session session(i == 0 ? "soft" : "trace");
+        Scene scene = two_squares();
+        scene.lights = {test::directional({0.3, 0.2, -1})};
+        session.set(scene);
+        session.render(from(0), by_radiosity(), frames[i], context);
+    }
+    ASSERT_EQ(frames[0].color.size(), frames[1].color.size());
+    double difference = 0, sum = 0;
+    for (std::size_t i = 0; i < frames[0].color.size(); ++i) {
+        difference += std::fabs(double(frames[0].color[i].x) - double(frames[1].color[i].x));
+        sum += double(frames[0].color[i].x);
+    }
+    EXPECT_LT(difference, 0.01 * sum);
+    EXPECT_GT(sum / double(frames[0].color.size()), 0.3);
 }
 
 TEST(Session, APreparedSceneIsSharedAndDrawnAsItIs) {

@@ -38,6 +38,8 @@ const std::map<std::string, std::vector<std::string>> examples = {
     {"max-depth", {"3"}},
     {"naive", {"on"}},
     {"naive-limit", {"1000"}},
+    {"radiosity-elements", {"1000"}},
+    {"radiosity-unshot", {"0.05"}},
     {"tessellate", {"on"}},
     {"seed", {"7"}},
     {"max-seconds", {"2.5"}},

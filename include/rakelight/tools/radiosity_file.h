@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene with its light as the colors of its surfaces, as a file that any viewer of glTF shows.
+#pragma once
+#include <span>
+#include <string>
+
+#include <rakelight/picture.h>
+#include <rakelight/radiosity.h>
+#include <rakelight/tools/rows.h>
+
+namespace rakelight {
+
+struct RadiosityFile {
+    std::string file{}, output{};
+    RadiosityReport report{};
+};
+
+/// Loads a model or world as a picture of it would, lights it by with_radiosity() and writes glTF 2.0 (.glb or .gltf):
+/// unlit materials (KHR_materials_unlit) and COLOR_0 in float, which may exceed 1.
+/// @param request  input, output, lights, normals, the moment of a clip and settings.radiosity count
+/// @throws Error usage: the output has another ending; what loading, with_radiosity() and writing throw
+RadiosityFile radiosity_file(const PictureRequest& request, Context& context);
+
+/// "room.glb: 19876 elements, 840 patches, 929 shots in 8.1 s"
+std::string summary(const RadiosityFile& result);
+
+struct RadiosityRow : ReportRow {
+    RadiosityFile result{};  ///< at least `file` and `output`
+};
+/// {"schema": "rakelight.radiosity/1", "rows": [...]}
+std::string to_json(std::span<const RadiosityRow> rows);
+
+}  // namespace rakelight

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene that shows the light of its elements.
+#pragma once
+#include "radiosity/elements.h"
+
+namespace rakelight::radiosity {
+
+/// Unlit materials, whose base color times vertex colors is what the elements send out: the light of elements becomes that
+/// of vertices by average() (attributes.h), smooth over borders of objects and sharp at creases. Materials that emit are
+/// white, with all in the vertex colors; an emission texture takes the base color's place, and what such a surface
+/// reflects is left out. Back sides of two-sided parts are meshes of their own.
+/// @param meshes  [parts] as the elements were made of
+/// @param light   [elements] irradiance / pi
+Scene lit_scene(Scene scene, const std::vector<Part>& parts, const std::vector<geometry::FineMesh>& meshes,
+                const Elements& elements, const std::vector<dvec3>& light, const ColorMaps& colors, Context& context);
+
+}  // namespace rakelight::radiosity

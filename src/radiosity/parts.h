@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of a scene takes part in the exchange of light: its placed triangle meshes, but those of unlit materials.
+#pragma once
+#include <vector>
+
+#include <rakelight/context.h>
+#include <rakelight/scene.h>
+
+#include "geometry/tessellate.h"
+#include "prepare/variants.h"
+
+namespace rakelight::radiosity {
+
+struct Part {
+    Instance instance;
+    dmat4 to_world;  ///< with the mesh's origin
+    bool is_mirrored = false;
+    bool is_two_sided = false;
+    std::uint32_t material = no_index;
+    std::uint32_t sides() const { return is_two_sided ? 2 : 1; }
+};
+
+/// @param scene  every mesh has a material
+std::vector<Part> lit_parts(const Scene& scene);
+
+/// [parts] with places in the world that are one wherever vertices of any parts are.
+std::vector<geometry::FineMesh> placed_meshes(const Scene& scene, const std::vector<Part>& parts, Context& context);
+
+/// Triangles, counted with their sides.
+std::uint64_t count_sides(const std::vector<Part>& parts, const std::vector<geometry::FineMesh>& meshes);
+
+/// [m] Of a triangle in the world.
+double longest_edge(const geometry::FineMesh& mesh, std::size_t triangle);
+
+}  // namespace rakelight::radiosity

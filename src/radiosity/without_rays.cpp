@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Of a library that is built without engine trace.
+#include <rakelight/radiosity.h>
+
+namespace rakelight {
+
+Scene with_radiosity(Scene, const RadiositySettings&, RadiosityReport&, Context&) {
+    throw Error(ErrorCode::failed, "radiosity needs rays, and this build has no engine trace", {},
+                "build it with -DRAKELIGHT_TRACE=ON")
+        .about("method");
+}
+
+}  // namespace rakelight

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/lit_scenes.h"
+
+#include <cstdio>
+
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+
+Scene lit_by_radiosity(Scene prepared, const RadiositySettings& settings, Context& context, RadiosityReport* report) {
+    RadiosityReport r;
+    Scene out = with_radiosity(std::move(prepared), settings, r, context);
+    const double whole = r.emitted > 0 ? 100 / r.emitted : 0;
+    char text[240];
+    std::snprintf(
+        text, sizeof text,
+        "radiosity: %u elements, %u patches, %u shots; of %.4g W %.1f %% are absorbed, %.1f %% unshot, %.1f %% "
+        "left the scene",
+        r.elements, r.patches, r.shots, r.emitted, whole * r.absorbed, whole * r.unshot, whole * r.left);
+    if (report) *report = r;
+    context.report().add(Remark::note, out.source, "", text, {"method"});
+    return out;
+}
+
+std::shared_ptr<const PreparedScene> LitScenes::of(const std::shared_ptr<const PreparedScene>& prepared,
+                                                   const RadiositySettings& settings, Context& context) {
+    if (lit_ && prepared == prepared_ && settings == settings_ && lights_ == prepared->scene.lights) return lit_;
+    lit_.reset();
+    auto out = std::make_shared<PreparedScene>();
+    Scene scene = prepared->scene;
+    if (!prepared->has_chosen_lights)
+        scene.lights = lights_of(scene, default_camera(scene, world_bounds(scene), 1), RayMethod::radiosity);
+    out->scene = lit_by_radiosity(std::move(scene), settings, context);
+    out->options = prepared->options;
+    out->has_chosen_lights = true;
+    prepared_ = prepared, lights_ = prepared->scene.lights, settings_ = settings;
+    return lit_ = std::move(out);
+}
+
+}  // namespace rakelight

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes lit by radiosity, for the method of that name: once for a scene and its lights, whatever the viewpoint.
+#pragma once
+#include <rakelight/radiosity.h>
+
+#include "render/prepared_scene.h"
+
+namespace rakelight {
+
+/// with_radiosity(), and what came of it as a note in the report.
+/// @param prepared  with the lights of the picture
+/// @param report    out; null: not wanted
+Scene lit_by_radiosity(Scene prepared, const RadiositySettings& settings, Context& context,
+                       RadiosityReport* report = nullptr);
+
+/// The last one that was lit is kept.
+class LitScenes {
+public:
+    /// Where nothing shines in it, it is lit by the default rig of its default view.
+    std::shared_ptr<const PreparedScene> of(const std::shared_ptr<const PreparedScene>& prepared,
+                                            const RadiositySettings& settings, Context& context);
+
+private:
+    std::shared_ptr<const PreparedScene> prepared_, lit_;
+    std::vector<Light> lights_;  ///< of `prepared_` when it was lit: owners may change them
+    RadiositySettings settings_;
+};
+
+}  // namespace rakelight
