@@ -24,7 +24,7 @@ dvec3 DirectLight::at(dvec3 place, const Element& e) const {
     const dvec3 start = place + e.face_normal * gap_;
     dvec3 sum{};
     for (const lighting::LightParameters& light : lights_) {
-        const LightAtPoint met = radiosity_light::light_at_point(light, {p.x, p.y, p.z});
+        const LightAtPoint met = radiositylight::light_at_point(light, {p.x, p.y, p.z});
         const dvec3 l{double(met.to_light[0]), double(met.to_light[1]), double(met.to_light[2])};
         const double cosine = dot(e.normal, l);
         const dvec3 color{double(met.radiance[0]), double(met.radiance[1]), double(met.radiance[2])};

@@ -13,9 +13,9 @@ struct LightAtPoint {
     float radiance[3];  ///< of a white diffuse surface that faces it
 };
 
-namespace radiosity_light {
+namespace radiositylight {
 /// @param position  in the space of the light
 LightAtPoint light_at_point(const lighting::LightParameters& light, const float (&position)[3]);
-}  // namespace radiosity_light
+}  // namespace radiositylight
 
 }  // namespace rakelight::radiosity
