@@ -119,7 +119,7 @@ def run_command(root, program, command, wrong):
         if source:
             provide(root, folder, source)
         with open(folder / source if source else "/dev/null", "rb") as piped:
-            done = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True, errors="replace", timeout=120, stdin=piped)
+            done = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True, errors="replace", timeout=400, stdin=piped)
     checks = any(re.match("--(check$|max-|min-)", word) for word in words) or any(word.endswith(".xml") for word in words)
     allowed = {0} | ({3} if is_missing else set()) | ({5} if checks else set())  # a check may find something
     allowed |= {3} if "--ref" in words else set()  # the reference is yet to be made
