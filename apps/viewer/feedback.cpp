@@ -49,7 +49,10 @@ std::string effect_of(Command command, const Look& look, const Model& model) {
         case Command::samples:
             return "samples: " + std::to_string(s.samples);
         case Command::engine:
-            return "engine: " + r.engine + (s.method == RayMethod::path ? ", paths" : s.method == RayMethod::radiosity ? ", radiosity" : "");
+            return "engine: " + r.engine +
+                   (s.method == RayMethod::path        ? ", paths"
+                    : s.method == RayMethod::radiosity ? ", radiosity"
+                                                       : "");
         case Command::shadows:
             return on_off("shadows", s.shadows);
         case Command::edges:

@@ -75,8 +75,10 @@ void draw_lines(RenderSettings& s) {
 }
 
 void draw_rays(PictureRequest& r) {
-    constexpr Word<RayMethod> words[] = {
-        {"whitted", RayMethod::automatic}, {"cast", RayMethod::cast}, {"path", RayMethod::path}, {"radiosity", RayMethod::radiosity}};
+    constexpr Word<RayMethod> words[] = {{"whitted", RayMethod::automatic},
+                                         {"cast", RayMethod::cast},
+                                         {"path", RayMethod::path},
+                                         {"radiosity", RayMethod::radiosity}};
     RayMethod method = r.settings.method == RayMethod::whitted ? RayMethod::automatic : r.settings.method;
     if (choose("rays", words, method)) choose_method(method, r);
     slide("reflections", r.settings.max_depth, 0, 64);

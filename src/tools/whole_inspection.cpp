@@ -29,7 +29,8 @@ void check_whole(const Inspection& i) {
     for (const BorderSummary& b : i.borders) require(is_object(b.object_a) && is_object(b.object_b), "a border");
     for (const MatchedPair& p : i.matched.pairs)
         require(is_object(p.object_a) && is_object(p.object_b), "borders that match");
-    require(!(i.matched.before.max_deg > 0 || i.matched.seam_deg > 0) || !i.matched.pairs.empty(), "the largest seam along borders");
+    require(!(i.matched.before.max_deg > 0 || i.matched.seam_deg > 0) || !i.matched.pairs.empty(),
+            "the largest seam along borders");
     require(!(i.seams.seam_deg > 0) || !i.borders.empty(), "the border of its largest seam");
 }
 
