@@ -247,7 +247,7 @@ anywhere, by any viewer of glTF. Metal, glass and highlights are left out.
 
 Examples:
   rakelight radiosity room.scene.toml -o room-lit.glb
-  rakelight view room-lit.glb
+  rakelight room-lit.glb -o room.png
   rakelight radiosity room.scene.toml -o room-lit.glb --radiosity-elements 100000
       Finer shadows, in more time: docs/radiosity.md.
   rakelight render room.scene.toml -o room.png --method radiosity
