@@ -4,7 +4,7 @@
 #include <string>
 
 #include "geometry/attribute_plan.h"
-#include "geometry/face_vote.h"
+#include "geometry/corner_weights.h"
 #include "geometry/vote_sums.h"
 
 namespace rakelight {
@@ -31,20 +31,6 @@ void add(ValueRow& to, const ValueRow& from) {
 vec3 mean_of(const ValueRow& row) {
     if (!(row.weight > 0)) return {};
     return min(max(cast<float>(row.sum / row.weight), row.least), row.most);
-}
-
-dvec3 weights_of(CornerWeight weight, const Placement& placement, const FaceCorners& face, double area2) {
-    switch (weight) {
-        case CornerWeight::uniform:
-            return corner_weights<CornerWeight::uniform>(placement, face, area2);
-        case CornerWeight::area:
-            return corner_weights<CornerWeight::area>(placement, face, area2);
-        case CornerWeight::angle:
-            return corner_weights<CornerWeight::angle>(placement, face, area2);
-        case CornerWeight::angle_area:
-            return corner_weights<CornerWeight::angle_area>(placement, face, area2);
-    }
-    return {};
 }
 
 void check_values(const AttributePlan::Impl& plan, std::span<const AttributeMesh> meshes,
@@ -76,7 +62,7 @@ public:
             const FaceCorners face = face_corners(mesh, mesh.indices.data() + 3 * std::size_t(t));
             const Direction normal = face_normal(placement, face);
             if (!(normal.length > 0)) continue;
-            const dvec3 weights = weights_of(plan_.options.weight, placement, face, normal.length);
+            const dvec3 weights = corner_weights(plan_.options.weight, placement, face, normal.length);
             for (std::uint32_t k = 0; k < 3; ++k) {
                 const std::uint32_t corner = 3 * (input_.triangle_base[m] + t) + k;
                 add(rows_[plan_.topology.vertex_of(input_, m, corner)],

@@ -7,7 +7,7 @@
 
 #include "base/cancel_check.h"
 #include "geometry/authored_normals.h"
-#include "geometry/face_vote.h"
+#include "geometry/corner_weights.h"
 #include "geometry/finish_vertices.h"
 #include "geometry/orthogonality.h"
 #include "geometry/perpendicular.h"
@@ -19,28 +19,13 @@ enum Role : std::uint8_t { no_part, leads, follows };
 
 constexpr double cosine_of_45 = 0.70710678118654752;
 
-template <CornerWeight weight>
-double weight_of_corner(const AttributeInput& input, std::uint32_t m, std::uint32_t corner) {
+double weight_of_corner(CornerWeight weight, const AttributeInput& input, std::uint32_t m, std::uint32_t corner) {
     const std::uint32_t k = corner % 3;
     const std::uint32_t* const index = input.meshes[m].indices.data() + (corner - k - 3 * input.triangle_base[m]);
     const FaceCorners face = face_corners(input.meshes[m], index);
     const Direction normal = face_normal(input.placements[m], face);
     if (normal.unit == dvec3{}) return 0;
-    return corner_weights<weight>(input.placements[m], face, normal.length)[k];
-}
-
-double weight_of_corner(CornerWeight weight, const AttributeInput& input, std::uint32_t m, std::uint32_t corner) {
-    switch (weight) {
-        case CornerWeight::uniform:
-            return weight_of_corner<CornerWeight::uniform>(input, m, corner);
-        case CornerWeight::area:
-            return weight_of_corner<CornerWeight::area>(input, m, corner);
-        case CornerWeight::angle:
-            return weight_of_corner<CornerWeight::angle>(input, m, corner);
-        case CornerWeight::angle_area:
-            break;
-    }
-    return weight_of_corner<CornerWeight::angle_area>(input, m, corner);
+    return corner_weights(weight, input.placements[m], face, normal.length)[k];
 }
 
 }  // namespace

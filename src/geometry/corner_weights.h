@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Weights of a face's corners where the kind is known only when the program runs.
+#pragma once
+#include "geometry/face_vote.h"
+
+namespace rakelight::geometry {
+
+/// @param area2  the face's doubled area in the world
+inline dvec3 corner_weights(CornerWeight weight, const Placement& placement, const FaceCorners& face, double area2) {
+    switch (weight) {
+        case CornerWeight::uniform:
+            return corner_weights<CornerWeight::uniform>(placement, face, area2);
+        case CornerWeight::area:
+            return corner_weights<CornerWeight::area>(placement, face, area2);
+        case CornerWeight::angle:
+            return corner_weights<CornerWeight::angle>(placement, face, area2);
+        case CornerWeight::angle_area:
+            break;
+    }
+    return corner_weights<CornerWeight::angle_area>(placement, face, area2);
+}
+
+}  // namespace rakelight::geometry
