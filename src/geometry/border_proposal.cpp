@@ -97,20 +97,11 @@ double distance_of(const Neighbors& neighbors) {
     return rounded_up(1.25 * weighted_quantile(std::move(gaps), proposed_share));
 }
 
-ProposedDistance summarize(std::span<const BorderEdge> edges, double distance, const Neighbors& neighbors) {
-    ProposedDistance out{.distance = distance};
-    double asked_length = 0;
-    for (const BorderEdge& edge : edges) out.open_length += edge.length;
-    for (std::size_t k = 0; k < neighbors.size(); ++k)
-        asked_length += edges[edge_to_ask(k, neighbors.size(), edges.size())].length;
-    for (const std::optional<Neighbor>& n : neighbors) {
-        if (!n) continue;
-        out.matched_length += n->length;
-        out.gap_max = std::fmax(out.gap_max, n->gap);
-        out.seam_deg = std::fmax(out.seam_deg, n->seam_deg);
-    }
-    if (!(out.matched_length > 0)) return {};
-    if (neighbors.size() < edges.size()) out.matched_length *= out.open_length / asked_length;
+/// Nothing where none of the neighbors that were asked again is as near as that.
+ProposedDistance summarize(double distance, const Neighbors& neighbors) {
+    ProposedDistance out;
+    for (const std::optional<Neighbor>& n : neighbors)
+        if (n) out.distance = distance, out.seam_deg = std::fmax(out.seam_deg, n->seam_deg);
     return out;
 }
 
@@ -130,7 +121,7 @@ ProposedDistance propose_distance(std::span<const AttributeMesh> meshes, const M
         distance_of(ask(search, asked, context, [](const BorderEdge& edge) { return widest_gap * edge.length; }));
     if (!(distance > 0)) return {};
     // The nearer one looks, the less may faces lie over one another: some match no longer.
-    return summarize(edges, distance, ask(search, asked, context, [&](const BorderEdge&) { return distance; }));
+    return summarize(distance, ask(search, asked, context, [&](const BorderEdge&) { return distance; }));
 }
 
 }  // namespace geometry

@@ -6,11 +6,8 @@
 namespace rakelight::geometry {
 
 struct ProposedDistance {
-    double distance = 0;        ///< [m] 0: no borders run along each other
-    double open_length = 0;     ///< [m] of all open edges
-    double matched_length = 0;  ///< [m] of these, about, at that distance
-    double gap_max = 0;         ///< [m] of what was asked and matches
-    double seam_deg = 0;        ///< the largest angle there
+    double distance = 0;  ///< [m] 0: no borders run along each other
+    double seam_deg = 0;  ///< the largest angle there, of what was asked
 };
 
 /// As proposed_border_distance(). At most 4096 edges, spread over all, are asked, so the work beyond the look for open
