@@ -32,8 +32,8 @@ BELOW = {
     "engines/raster/inspect": ["engines/raster"],
     "engines/opengl": ["shading"],
     "engines/raytrace": ["cpu_shading"],
-    "bake": ["engines/raytrace", "prepare"],
     "radiosity": ["engines/raytrace", "prepare"],
+    "bake": ["radiosity"],
     "render": ["radiosity", "engines/raster", "engines/opengl", "engines/raytrace", "world"],
     "tools": ["render", "bake", "engines/raster/inspect"],
 }
@@ -66,7 +66,7 @@ PUBLIC = {
     "block": "image", "image": "image", "colormap": "image",
     "attributes": "geometry", "seams": "geometry", "matching_borders": "geometry",
     "scene": "scene", "motion": "scene", "scene_queries": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "image_sources": "io", "movie": "io", "unfinished_outputs": "io",
-    "prepare": "prepare", "bake": "bake",
+    "prepare": "prepare", "bake": "bake", "lightmap": "bake",
     "engine": "engines", "line": "engines", "values": "world", "request": "world", "settings_file": "world", "material_changes": "world", "load": "world",
     "radiosity": "radiosity", "render": "render", "session": "render", "gl_view": "render", "strip_sink": "engines", "exit_code": "base", "rows": "tools",
     "picture": "render", "picture_parts": "render", "sequence": "render", "version": "render",

@@ -8,6 +8,7 @@
 
 #include "../common/picture_options.h"
 #include "help_texts.h"
+#include "map_size.h"
 #include "run_file.h"
 
 namespace rakelight::cli {
@@ -37,6 +38,9 @@ struct Count {
 };
 constexpr Count counts[] = {
     {"samples", "N", "Rays", "Rays a texel: 1, 4 (default) or 16", &BakeOptions::samples, 1, 16},
+    {"radiosity-elements", "N", "Maps",
+     "Light: pieces that HIGH is cut into, 1 to 200000 (default 20000, or half as many again as its triangles)",
+     &BakeOptions::light_elements, 1, most_radiosity_elements},
     {"rays", "N", "Maps", "Occlusion: rays to the sky a sample, 1 to 4096 (default 64)", &BakeOptions::rays, 1, 4096},
     {"padding", "PX", "Texture coordinates", "Pixels by which charts are continued beyond their borders (default 8)",
      &BakeOptions::padding, 0, 1024},
@@ -71,7 +75,7 @@ std::vector<Option> own_options() {
            "the maps of normals and occlusion"},
           {"bits", "Output", "N", "PNG: bits a component, 8 or 16 (default 16 for heights, else 8)"},
           {"size", "Output", "N", "Pixels a side, or W,H (default 1024)"}},
-         {{"maps", "Maps", "LIST", "Of normal, height, curvature, occlusion (default normal)"},
+         {{"maps", "Maps", "LIST", "Of normal, height, curvature, occlusion, light (default normal)"},
           {"space", "Maps", "WHICH", "Normals: tangent (default) or object space"},
           {"green", "Maps", "WAY", "Normals in tangent space: up (default, as glTF and OpenGL) or down (DirectX)"},
           {"normalize-frames", "Maps", "",
@@ -95,9 +99,7 @@ std::vector<Option> own_options() {
 
 void read_size(const Given& given, BakeOptions& options) {
     if (!given.has("size")) return;
-    const std::string text = given.word("size");
-    const bool is_square = text.find_first_of(",x") == std::string::npos;
-    const std::vector<int> size = values::integers("size", text, is_square ? 1 : 2);
+    const std::vector<int> size = map_size("size", given.word("size"));
     options.width = size.front(), options.height = size.back();
 }
 

@@ -229,8 +229,9 @@ LOW share one map. Texture coordinates are those of set 0; where LOW has none, c
 made of it: write --model then.
 
 Maps: normal is 0.5 + 0.5 n; height 0.5 at LOW, 0 and 1 at the cage; curvature 0.5 where
-flat, 1 where convex; occlusion 1 where the sky is open. EXR files have height in meters,
-curvature in 1/meters.
+flat, 1 where convex; occlusion 1 where the sky is open; light is that of HIGH's lights and
+of what its surfaces send on (radiosity), in sRGB, 1 at most. EXR files have height in meters,
+curvature in 1/meters, light linear without an end.
 
 Examples:
   rakelight bake scan.obj simple.obj -o 'maps/{map}.png' --maps normal,height
@@ -250,6 +251,8 @@ Examples:
   rakelight room-lit.glb -o room.png
   rakelight radiosity room.scene.toml -o room-lit.glb --radiosity-elements 100000
       Finer shadows, in more time: docs/radiosity.md.
+  rakelight radiosity room.scene.toml -o room-lit.glb --lightmap 2048
+      The light as a texture, on the room's own triangles.
   rakelight render room.scene.toml -o room.png --method radiosity
       A picture, by any engine.)";
 

@@ -9,6 +9,7 @@
 #include "../common/picture_options.h"
 #include "help_texts.h"
 #include "interrupt.h"
+#include "map_size.h"
 #include "run_file.h"
 
 namespace rakelight::cli {
@@ -35,14 +36,30 @@ Command radiosity_command() {
         .help = "File to write: .glb or .gltf, unlit, with colors of vertices. {model} stands for the model's name",
         .is_required = true,
         .letter = 'o'};
+    const Option map = {"lightmap", "Output", "N",
+                        "Write the model's own triangles with the light as an emission texture of N pixels a side (or "
+                        "W,H), in place of colors of vertices"};
     return {"radiosity",
             "Write models with the light of all their surfaces in them",
             radiosity_footer,
             {{"MODEL", models_help}},
-            apps::joined({{file}, apps::input_options(), light_options(), apps::common_options()})};
+            apps::joined({{file, map}, apps::input_options(), light_options(), apps::common_options()})};
 }
 
+namespace {
+
+std::optional<LightmapOptions> lightmap_options(const Given& given) {
+    if (!given.has("lightmap")) return std::nullopt;
+    LightmapOptions options;
+    const std::vector<int> size = map_size("lightmap", given.word("lightmap"));
+    options.width = size.front(), options.height = size.back();
+    return options;
+}
+
+}  // namespace
+
 int run_radiosity(const Run& run) {
+    const std::optional<LightmapOptions> lightmap = lightmap_options(run.given);
     std::vector<RadiosityRow> rows;
     int worst = 0;
     for (const InputRequest& input : picture_requests(run)) {
@@ -52,7 +69,8 @@ int run_radiosity(const Run& run) {
             row.error = Error(ErrorCode::failed, "cancelled").with_file(input.picture.input);
             continue;
         }
-        const int code = run_input(run, input, row, [&](Context& c) { row.result = radiosity_file(input.picture, c); });
+        const int code =
+            run_input(run, input, row, [&](Context& c) { row.result = radiosity_file(input.picture, lightmap, c); });
         if (code == 0) print_note(summary(row.result), run.loudness);
         worst = std::max(worst, code);
     }

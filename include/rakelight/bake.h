@@ -10,6 +10,7 @@
 
 #include <rakelight/context.h>
 #include <rakelight/image.h>
+#include <rakelight/radiosity.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
@@ -19,6 +20,7 @@ enum class BakeMap : std::uint8_t {
     height,     ///< [m] from LOW along its smooth normal
     curvature,  ///< [1/m] mean curvature of HIGH, convex > 0
     occlusion,  ///< 0..1: the share of the sky that HIGH leaves open, weighed by the cosine
+    light,      ///< irradiance / pi on HIGH by its lights and all its surfaces, linear RGB: with_radiosity()
 };
 
 /// What a map is called, in file names too: "normal".
@@ -53,7 +55,8 @@ struct BakeOptions {
     int chart_margin = 8;           ///< [px] 1..1024: left free between charts that are made
     int rays = 64;                  ///< 1..4096: of occlusion at each sample, rounded up to a square number
     double occlusion_distance = 0;  ///< [m] >= 0: what is farther away hides nothing; 0: nothing is too far
-    double curvature_radius = 0;    ///< [m] >= 0: its curvature is white (concave: black); 0: a 50th of HIGH's diagonal
+    int light_elements = RadiositySettings{}.elements;  ///< 1..most_radiosity_elements: of light
+    double curvature_radius = 0;  ///< [m] >= 0: its curvature is white (concave: black); 0: a 50th of HIGH's diagonal
 };
 
 struct BakeReport {
@@ -68,12 +71,13 @@ struct BakeReport {
     std::uint64_t overlapping_texels = 0;  ///< baked once: for a chart that is not mirrored, else the first
     std::uint32_t made_coordinates = 0;    ///< placed meshes of LOW that got texture coordinates
     double texels_per_meter = 0;           ///< of charts that were made
+    RadiosityReport radiosity{};           ///< of light
 };
 
 /// The numbers of a map, as above; normals are unit, in the space that was asked for, y towards decreasing v.
 struct BakedMap {
     BakeMap map = BakeMap::normal;
-    int channels = 1;             ///< normal: 3
+    int channels = 1;             ///< normal and light: 3
     std::vector<float> values{};  ///< [height * width * channels]
 };
 
@@ -87,18 +91,19 @@ struct BakeResult {
 };
 
 /// Bakes HIGH to LOW. Both may be of many objects; LOW's share one map. Texels beside charts continue the nearest one's
-/// numbers as far as the padding goes, then are even (normal: (0, 0, 1); height and curvature 0, occlusion 1). Texture
+/// numbers as far as the padding goes, then are even (normal: (0, 0, 1); height, curvature and light 0, occlusion 1). Texture
 /// coordinates are set 0. Where a mesh of LOW has none, all get new ones: faces that are connected and look along one axis become
 /// a chart, and charts are packed in shelves. The same bits for any number of threads.
 /// @throws Error usage: options out of their range, no room for the charts; bad_file: see validate(), no triangles, over
-///         the memory budget; failed: built without rays or Embree not installed, cancelled
+///         the memory budget; light: HIGH gives no light, and see with_radiosity(); failed: built without rays or Embree
+///         not installed, cancelled
 BakeResult bake_maps(const Scene& high, const Scene& low, const BakeOptions& options, Context& context);
 
 /// Whether this build can.
 bool can_bake() noexcept;
 
 /// A map as a picture. Normals: 0.5 + 0.5 n. Integers: height: 0.5 at LOW, 0 and 1 at the cage; curvature: 0.5 where flat, 0 and 1
-/// at 1 / curvature_radius. Floats: height, curvature and occlusion as they are.
+/// at 1 / curvature_radius; light: sRGB, 1 at most. Floats: height, curvature, occlusion and light as they are.
 /// @throws Error bad_file: over the memory budget
 Pixels picture_of(const BakeResult& result, const BakedMap& map, const BakeOptions& options, Component component,
                   Context& context);

@@ -22,6 +22,10 @@ struct RadiosityReport {
     double seconds = 0;
 };
 
+/// What the colors of the result are. `leaving`: radiance, as pictures show it. `arriving`: irradiance / pi, as if
+/// surfaces were white, of front sides alone.
+enum class LitColors : std::uint8_t { leaving, arriving };
+
 /// The scene with its light as the colors of its surfaces: cut into elements, unlit, vertex colors times base color (and its
 /// texture) are what diffuse surfaces send out. Its lights and its environment as a light are gone; what is not diffuse
 /// (metal, glass, highlights) is left out and said in the report.
@@ -30,6 +34,7 @@ struct RadiosityReport {
 /// @param scene  valid, posed and prepared, with normals, with the lights of the picture
 /// @throws Error usage: impossible settings; bad_file: more than most_radiosity_elements triangles, counted with their sides,
 ///         over the memory budget; failed: the library is built without engine trace, Embree is not installed, cancelled
-Scene with_radiosity(Scene scene, const RadiositySettings& settings, RadiosityReport& report, Context& context);
+Scene with_radiosity(Scene scene, const RadiositySettings& settings, RadiosityReport& report, Context& context,
+                     LitColors colors = LitColors::leaving);
 
 }  // namespace rakelight

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <rakelight/prepare.h>
 #include <rakelight/validate.h>
 
 #include "bake/bake_maps.h"
 #include "bake/bake_texels.h"
+#include "bake/check_settings.h"
 #include "bake/make_coordinates.h"
 #include "bake/padding.h"
 #include "prepare/variants.h"
@@ -19,16 +21,6 @@ namespace rakelight {
 namespace bake {
 namespace {
 
-constexpr int most_pixels = 16384;  ///< a side
-
-Error wrong(const char* setting, std::string reason) {
-    return Error(ErrorCode::usage, std::move(reason)).about(setting);
-}
-
-void require(bool is_right, const char* setting, const char* reason) {
-    if (!is_right) throw wrong(setting, reason);
-}
-
 bool is_length(double v) { return std::isfinite(v) && v >= 0; }
 
 void check(const BakeOptions& o) {
@@ -37,12 +29,8 @@ void check(const BakeOptions& o) {
         require(std::size_t(map) < all_bake_maps().size(), "maps", "is no map");
         require(std::ranges::count(o.maps, map) == 1, "maps", "a map is named twice");
     }
-    require(std::min(o.width, o.height) >= 1 && std::max(o.width, o.height) <= most_pixels, "size",
-            "must be 1 to 16384 pixels a side");
+    check_map(o);
     require(is_length(o.distance), "distance", "must be more than 0 and finite");
-    require(o.samples == 1 || o.samples == 4 || o.samples == 16, "samples", "must be 1, 4 or 16 a texel");
-    require(o.padding >= 0 && o.padding <= 1024, "padding", "must be 0 to 1024 pixels");
-    require(o.chart_margin >= 1 && o.chart_margin <= 1024, "chart-margin", "must be 1 to 1024 pixels");
     require(o.rays >= 1 && o.rays <= 4096, "rays", "must be 1 to 4096");
     require(is_length(o.occlusion_distance), "occlusion-distance", "must be more than 0 and finite");
     require(is_length(o.curvature_radius), "curvature-radius", "must be more than 0 and finite");
@@ -83,7 +71,7 @@ Scene with_coordinates(Scene low, const BakeOptions& options, BakeReport& report
             use = {};
         });
     MadeCoordinates made =
-        make_coordinates(std::move(low), options.width, options.height, options.chart_margin, context);
+        make_coordinates(std::move(low), {options.width, options.height, options.chart_margin}, context);
     if (had_textures)
         context.report().add(Remark::dropped, low.source, {}, "its textures, which do not fit new texture coordinates");
     report.made_coordinates = made.meshes, report.texels_per_meter = made.scale;
@@ -105,6 +93,22 @@ Scene prepared_low(Scene low, const BakeOptions& options, Context& context) {
     }
     return prepare_scene(std::move(low),
                          {.tangents = TangentMode::mikktspace, .all_tangents = true, .tessellate = true}, context);
+}
+
+bool gives_light(const Scene& scene) {
+    return !scene.lights.empty() || (scene.environment && scene.environment->is_light) ||
+           std::ranges::any_of(scene.materials, [](const Material& m) { return !(m.emission == vec3{}); });
+}
+
+/// HIGH as the map of light shows it; none where there is no such map.
+std::optional<Scene> lit_high(const Scene& high, const BakeOptions& options, BakeReport& report, Context& context) {
+    if (std::ranges::count(options.maps, BakeMap::light) == 0) return std::nullopt;
+    if (!gives_light(high))
+        throw Error(ErrorCode::bad_file, "has no lights, no environment and nothing that emits, for a map of light", {},
+                    "give it some, in a world file")
+            .with_file(high.source)
+            .naming({"maps"});
+    return with_radiosity(high, {.elements = options.light_elements}, report.radiosity, context, LitColors::arriving);
 }
 
 void make_maps(const BakeOptions& options, BakeResult& result, Context& context) {
@@ -187,8 +191,10 @@ BakeResult bake_maps(const Scene& high, const Scene& low, const BakeOptions& opt
     bake::make_maps(options, result, context);
     target = bake::with_coordinates(std::move(target), options, result.report, context);
     result.low = bake::prepared_low(std::move(target), options, context);
+    const std::optional<Scene> lit = bake::lit_high(source, options, result.report, context);
     context.progress("bake", 0);
-    const std::vector<std::uint8_t> covered = bake::bake_texels(source, result.low, options, result, context);
+    const std::vector<std::uint8_t> covered =
+        bake::bake_texels(source, result.low, lit ? &*lit : nullptr, options, result, context);
     bake::add_remarks(high, low, result.report, context);
     bake::pad(covered, options, result, context);
     return result;

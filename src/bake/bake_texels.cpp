@@ -8,6 +8,7 @@
 
 #include "bake/cage_rays.h"
 #include "bake/sky_rays.h"
+#include "bake/surface_colors.h"
 #include "bake/tangent_frame.h"
 #include "bake/texel_owners.h"
 
@@ -20,13 +21,30 @@ constexpr double longer[] = {1, 2, 4};  ///< cages that are tried where a propos
 struct Values {
     dvec3 normal{};
     double height = 0, curvature = 0, occlusion = 0;
+    dvec3 light{};
+};
+
+/// HIGH with light as its colors, for rays.
+class LitSurface {
+public:
+    LitSurface(const Scene& scene, Context& context) : surface_(scene, false, context), colors_(scene, context) {}
+    std::optional<dvec3> light(const LowPoint& low, double distance) const {
+        const auto hit = meet_from_cage(surface_, low, distance);
+        if (!hit) return std::nullopt;
+        const Mesh& mesh = surface_.mesh_of(hit->high.hit);
+        return colors_.at(mesh, &mesh.indices[3 * std::size_t(hit->high.hit.triangle)], hit->high.hit.weight, 1);
+    }
+
+private:
+    HighSurface surface_;
+    SurfaceColors colors_;
 };
 
 class TexelBaker {
 public:
-    TexelBaker(const HighSurface& high, const LowSurface& low, const TexelOwners& owners, const BakeOptions& options,
-               BakeResult& result)
-        : high_(high), low_(low), owners_(owners), options_(options), result_(result) {
+    TexelBaker(const HighSurface& high, const LowSurface& low, const LitSurface* lit, const TexelOwners& owners,
+               const BakeOptions& options, BakeResult& result)
+        : high_(high), low_(low), lit_(lit), owners_(owners), options_(options), result_(result) {
         while (side_ * side_ < options.rays) ++side_;
         reach_ = options.occlusion_distance > 0 ? options.occlusion_distance : high.diagonal();
         for (const BakedMap& map : result.maps) {
@@ -58,7 +76,7 @@ public:
 private:
     struct Sum {
         std::uint64_t texel;
-        int tried = 0, met = 0;
+        int tried = 0, met = 0, lit = 0;
         Values of{};
         dvec3 own{};  ///< of LOW, where nothing is met
     };
@@ -73,6 +91,7 @@ private:
             if (hit || !result_.report.is_proposed) break;
         }
         if (!hit) return;
+        if (lit_) add_light(low, sum);
         ++sum.met;
         sum.of.normal = sum.of.normal + written(low, hit->high.normal);
         sum.of.height += hit->height;
@@ -80,6 +99,15 @@ private:
         if (wants_occlusion_)
             sum.of.occlusion +=
                 open_sky(high_, hit->high, side_, reach_, sum.texel * std::uint64_t(options_.samples) + sample);
+    }
+
+    void add_light(const LowPoint& low, Sum& sum) const {
+        for (const double factor : longer)
+            if (const auto light = lit_->light(low, factor * result_.report.distance)) {
+                sum.of.light = sum.of.light + *light;
+                ++sum.lit;
+                return;
+            }
     }
 
     /// A unit normal of the world in the space of the map; unit.
@@ -114,12 +142,16 @@ private:
                 case BakeMap::occlusion:
                     *to = sum.met > 0 ? float(sum.of.occlusion * scale) : 1.0f;
                     break;
+                case BakeMap::light:
+                    for (std::size_t k = 0; k < 3; ++k) to[k] = float(sum.of.light[k] / std::max(sum.lit, 1));
+                    break;
             }
         }
     }
 
     const HighSurface& high_;
     const LowSurface& low_;
+    const LitSurface* lit_;
     const TexelOwners& owners_;
     const BakeOptions& options_;
     BakeResult& result_;
@@ -149,17 +181,19 @@ void fill_report(const Found& found, const MapCharts& charts, BakeReport& report
 
 }  // namespace
 
-std::vector<std::uint8_t> bake_texels(const Scene& high_scene, const Scene& low_scene, const BakeOptions& options,
-                                      BakeResult& result, Context& context) {
+std::vector<std::uint8_t> bake_texels(const Scene& high_scene, const Scene& low_scene, const Scene* lit_scene,
+                                      const BakeOptions& options, BakeResult& result, Context& context) {
     const HighSurface high(high_scene, has(result, BakeMap::curvature), context);
-    const LowSurface low(low_scene, context);
+    std::optional<LitSurface> lit;
+    if (lit_scene) lit.emplace(*lit_scene, context);
+    const LowSurface low(low_scene, 0, context);
     BakeReport& report = result.report;
     report.is_proposed = options.distance <= 0;
     report.distance = report.is_proposed ? proposed_distance(high, low, context) : options.distance;
     report.curvature_radius = options.curvature_radius > 0 ? options.curvature_radius : high.diagonal() / 50;
     const MapCharts charts = find_map_charts(low, context);
     const TexelOwners owners(low, charts, result.width, result.height, options.samples, context);
-    const TexelBaker baker(high, low, owners, options, result);
+    const TexelBaker baker(high, low, lit ? &*lit : nullptr, owners, options, result);
     std::vector<std::uint8_t> covered(std::size_t(result.width) * std::size_t(result.height), 0);
     Found found{.charts = std::vector<std::uint8_t>(charts.is_mirrored.size(), 0)};
     context.parallel_for(std::size_t(owners.bands()), [&](std::size_t number) {

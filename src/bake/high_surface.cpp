@@ -61,8 +61,12 @@ HighPoint HighSurface::point(const raytrace::SurfaceHit& hit) const {
     return point;
 }
 
+const Mesh& HighSurface::mesh_of(const raytrace::SurfaceHit& hit) const {
+    return rays_.list().scene.meshes[rays_.list().draws[hit.draw].mesh];
+}
+
 double HighSurface::curvature(const raytrace::SurfaceHit& hit) const {
-    const Mesh& mesh = rays_.list().scene.meshes[rays_.list().draws[hit.draw].mesh];
+    const Mesh& mesh = mesh_of(hit);
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k)
         sum += double(curvatures_[hit.draw][mesh.indices[3 * std::size_t(hit.triangle) + k]]) * hit.weight[k];

@@ -34,7 +34,8 @@ public:
     bool is_blocked(dvec3 from, dvec3 to) const { return rays_.is_blocked(from, to, 1e-6); }
     HighPoint point(const raytrace::SurfaceHit& hit) const;
     double curvature(const raytrace::SurfaceHit& hit) const;  ///< [1/m]
-    double diagonal() const { return diagonal_; }             ///< [m]
+    const Mesh& mesh_of(const raytrace::SurfaceHit& hit) const;
+    double diagonal() const { return diagonal_; }  ///< [m]
 
 private:
     std::optional<MappedNormals> mapped_;  ///< of the scene before its textures were taken away

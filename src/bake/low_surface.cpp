@@ -38,12 +38,14 @@ LowPoint point_of(const LowTriangle& t, const CornerWeights& w) {
             .to_object = t.to_object};
 }
 
-LowSurface::LowSurface(const Scene& scene, Context& context) : first_{0}, charge_(context.memory()) {
+LowSurface::LowSurface(const Scene& scene, std::uint32_t set, Context& context)
+    : set_(set), first_{0}, charge_(context.memory()) {
     const std::vector<dmat4> world = world_matrices(scene);
     std::vector<AttributeMesh> meshes;
     std::uint64_t triangles = 0;
     for (const Instance& instance : drawn_instances(scene)) {
         const Mesh& mesh = scene.meshes[instance.mesh];
+        if (set >= mesh.texcoords.size() || mesh.texcoords[set].empty()) continue;
         parts_.push_back({mesh, world[instance.node] * translation(mesh.origin)});
         meshes.push_back({.object = instance.node,
                           .positions = mesh.positions,
@@ -92,12 +94,18 @@ LowTriangle LowSurface::triangle(std::uint32_t number) const {
     return out;
 }
 
-std::array<vec2, 3> LowSurface::texcoords(std::uint32_t number) const {
-    const auto [p, first] = first_corner(number);
-    const Mesh& mesh = parts_[p].mesh;
-    std::array<vec2, 3> out;
-    for (std::size_t k = 0; k < 3; ++k) out[k] = mesh.texcoords[0][mesh.indices[first + k]];
-    return out;
+const Mesh& LowSurface::mesh_of(std::uint32_t triangle) const { return parts_[first_corner(triangle).part].mesh; }
+
+std::array<std::uint32_t, 3> LowSurface::vertices(std::uint32_t triangle) const {
+    const auto [part, at] = first_corner(triangle);
+    const std::uint32_t* const corner = &parts_[part].mesh.indices[at];
+    return {corner[0], corner[1], corner[2]};
+}
+
+std::array<vec2, 3> LowSurface::texcoords(std::uint32_t triangle) const {
+    const Block<vec2>& set = mesh_of(triangle).texcoords[set_];
+    const auto [a, b, c] = vertices(triangle);
+    return {set[a], set[b], set[c]};
 }
 
 bool LowSurface::is_turned(std::uint32_t number) const {
@@ -115,7 +123,7 @@ std::vector<std::uint32_t> LowSurface::map_vertices() const {
         base.push_back(keys.size());
         for (std::size_t v = 0; v < part.mesh.positions.size(); ++v)
             keys.push_back(
-                {transform_point(part.to_world, cast<double>(part.mesh.positions[v])), part.mesh.texcoords[0][v]});
+                {transform_point(part.to_world, cast<double>(part.mesh.positions[v])), part.mesh.texcoords[set_][v]});
     }
     const auto bits = [](const Key& k) {  // of numbers that may be anything
         return std::array{

@@ -35,13 +35,16 @@ LowPoint point_of(const LowTriangle& triangle, const CornerWeights& weights);
 
 class LowSurface {
 public:
-    /// @param scene  prepared, with tangents, posed; every drawn mesh has texture coordinates
+    /// Of all drawn meshes that have the set of texture coordinates.
+    /// @param scene  prepared, posed, with normals; with tangents where frames are asked for
     /// @throws Error bad_file: no triangles, over the memory budget
-    LowSurface(const Scene& scene, Context& context);
+    LowSurface(const Scene& scene, std::uint32_t set, Context& context);
 
     std::uint32_t triangle_count() const { return first_.back(); }
     LowTriangle triangle(std::uint32_t number) const;
-    std::array<vec2, 3> texcoords(std::uint32_t number) const;
+    const Mesh& mesh_of(std::uint32_t triangle) const;
+    std::array<std::uint32_t, 3> vertices(std::uint32_t triangle) const;  ///< of its mesh
+    std::array<vec2, 3> texcoords(std::uint32_t triangle) const;
     /// Its placement mirrors: the corners go clockwise as seen from outside.
     bool is_turned(std::uint32_t number) const;
     /// Vertices at one place of the map and of the world have the same number, whatever their mesh.
@@ -59,6 +62,7 @@ private:
     };
     Corner first_corner(std::uint32_t triangle) const;
 
+    std::uint32_t set_;
     std::vector<Part> parts_;
     std::vector<std::uint32_t> first_;  ///< [parts + 1] triangles before each
     MemoryCharge charge_;

@@ -14,10 +14,17 @@ struct MadeCoordinates {
     double scale = 0;          ///< [px/m]
 };
 
-/// Set 0 of every drawn triangle mesh; other sets, and tangents, go. Each placement gets a mesh of its own; vertices on the
-/// borders of charts are split.
+struct CoordinateWishes {
+    int width = 1024, height = 1024, margin = 8;  ///< [px]
+    std::uint32_t set = 0;                        ///< which set they become: those above it go
+    bool only_lit = false;                        ///< unlit materials get none
+    const char* size_setting = "size";            ///< for errors
+};
+
+/// For every drawn triangle mesh; sets below that are missing are filled with the same. Tangents go. Each placement gets a
+/// mesh of its own; vertices on the borders of charts are split.
 /// @param scene  valid, posed
 /// @throws Error usage: the charts do not fit; bad_file: over the memory budget
-MadeCoordinates make_coordinates(Scene scene, int width, int height, int margin, Context& context);
+MadeCoordinates make_coordinates(Scene scene, const CoordinateWishes& wishes, Context& context);
 
 }  // namespace rakelight::bake

@@ -2,13 +2,8 @@
 // The normal maps that a surface has itself.
 #pragma once
 #include <map>
-#include <memory>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
-
-#include "image/mip_chain.h"
-#include "math/linear.h"
+#include "bake/map_reader.h"
 
 namespace rakelight::bake {
 
@@ -23,15 +18,8 @@ public:
              dvec3 normal) const;
 
 private:
-    struct Map {
-        std::shared_ptr<const MipChain> chain;
-        const Material* material;
-        Wrap wrap_u, wrap_v;
-        vec2 row_u, row_v;  ///< the transform of texture coordinates
-        dvec3 texel(dvec2 uv) const;
-    };
     std::vector<Material> materials_;
-    std::map<std::uint32_t, Map> maps_;  ///< by material
+    std::map<std::uint32_t, MapReader> maps_;  ///< by material
 };
 
 }  // namespace rakelight::bake

@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// In place of bake_texels.cpp where no engine follows rays: bake_maps() refuses before.
+// In place of what follows rays where no engine does: bake_maps() refuses before.
+#include <rakelight/lightmap.h>
+
 #include "bake/bake_texels.h"
 
 namespace rakelight::bake {
 
-std::vector<std::uint8_t> bake_texels(const Scene&, const Scene&, const BakeOptions&, BakeResult&, Context&) {
+std::vector<std::uint8_t> bake_texels(const Scene&, const Scene&, const Scene*, const BakeOptions&, BakeResult&,
+                                      Context&) {
     throw Error(ErrorCode::failed, "this build follows no rays");
 }
 
 }  // namespace rakelight::bake
+
+namespace rakelight {
+
+Lightmap with_lightmap(Scene scene, const RadiositySettings& settings, const LightmapOptions&,
+                       RadiosityReport& solution, LightmapReport&, Context& context) {
+    return {.scene = with_radiosity(std::move(scene), settings, solution, context)};  // which refuses
+}
+
+}  // namespace rakelight

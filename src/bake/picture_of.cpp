@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "math/color.h"
+
 namespace rakelight {
 namespace {
 
@@ -15,17 +17,18 @@ public:
         if (map.map == BakeMap::normal)
             scale_ = 0.5, offset_ = 0.5, turns_ = options.green_down && options.space == BakeSpace::tangent;
         if (is_float) return;
+        is_color_ = map.map == BakeMap::light;
         if (map.map == BakeMap::height) scale_ = 0.5 / result.report.distance, offset_ = 0.5;
         if (map.map == BakeMap::curvature) scale_ = 0.5 * result.report.curvature_radius, offset_ = 0.5;
     }
     double operator()(float value, std::size_t channel) const {
         const double v = turns_ && channel == 1 ? -double(value) : double(value);
-        return v * scale_ + offset_;
+        return is_color_ ? double(srgb_from_linear(value)) : v * scale_ + offset_;
     }
 
 private:
     double scale_ = 1, offset_ = 0;
-    bool turns_ = false;
+    bool turns_ = false, is_color_ = false;
 };
 
 }  // namespace

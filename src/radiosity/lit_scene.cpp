@@ -4,8 +4,10 @@
 #include <rakelight/attributes.h>
 
 #include "math/linear.h"
+#include "prepare/back_side.h"
 #include "prepare/refined_mesh.h"
 #include "prepare/split_vertices.h"
+#include "radiosity/still_scene.h"
 #include "scene/charge_arrays.h"
 
 namespace rakelight::radiosity {
@@ -28,24 +30,17 @@ Mesh front_of(const Scene& scene, const Part& part, const geometry::FineMesh& fi
     return refined_mesh(coarse, fine);
 }
 
-Mesh back_of(Mesh mesh) {
-    std::vector<std::uint32_t> indices(mesh.indices.begin(), mesh.indices.end());
-    for (std::size_t i = 0; i < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);
-    std::vector<vec3> normals(mesh.normals.begin(), mesh.normals.end());
-    for (vec3& n : normals) n = -n;
-    mesh.indices = std::move(indices), mesh.normals = std::move(normals);
-    return mesh;
-}
-
 class LitScene {
 public:
     LitScene(Scene scene, const std::vector<Part>& parts, const std::vector<geometry::FineMesh>& meshes,
-             const Elements& elements, const std::vector<dvec3>& light, const ColorMaps& colors, Context& context)
+             const Elements& elements, const std::vector<dvec3>& light, const ColorMaps& colors, LitColors shown,
+             Context& context)
         : scene_(std::move(scene)),
           parts_(parts),
           elements_(elements),
           light_(light),
           colors_(colors),
+          shown_(shown),
           context_(context) {
         for (std::uint32_t i = 0; i < parts.size(); ++i) add_pieces(i, front_of(scene_, parts[i], meshes[i]));
     }
@@ -56,19 +51,16 @@ public:
         for (const Part& part : parts_) is_lit_.resize(scene_.materials.size()), is_lit_[part.material] = true;
         for (std::size_t i = 0; i < is_lit_.size(); ++i)
             if (is_lit_[i]) set_unlit(scene_.materials[i]);
-        scene_.lights.clear();
-        if (scene_.environment) scene_.environment->is_light = false;
-        hold_still();
-        return std::move(scene_);
+        return still_scene(std::move(scene_));
     }
 
 private:
     void add_pieces(std::uint32_t part, Mesh front) {
         const std::uint32_t begin = elements_.base[part];
         const auto count = std::uint32_t(front.indices.size() / 3);
-        if (parts_[part].is_two_sided) {
+        if (parts_[part].is_two_sided && shown_ == LitColors::leaving) {
             add_piece(part, front, begin);
-            add_piece(part, back_of(std::move(front)), begin + count);
+            add_piece(part, back_side(std::move(front)), begin + count);
         } else {
             add_piece(part, std::move(front), begin);
         }
@@ -126,7 +118,9 @@ private:
         for (std::size_t v = 0; v < light.size(); ++v) {
             const vec4 paint = own.empty() ? vec4{1, 1, 1, 1} : own[v];
             vec3 color = light[v] * paint.xyz() * share;
-            if (emits)
+            if (shown_ == LitColors::arriving)
+                color = light[v];
+            else if (emits)
                 color = material.emission_texture ? material.emission : light[v] * piece.albedo + material.emission;
             out.push_back({color.x, color.y, color.z, paint.w});
         }
@@ -154,7 +148,7 @@ private:
         }
     }
 
-    static void set_unlit(Material& m) {
+    void set_unlit(Material& m) const {
         Material out;
         out.name = m.name;
         out.model = MaterialModel::unlit;
@@ -165,17 +159,8 @@ private:
             out.base_color = {1, 1, 1, m.base_color.w};
             out.base_color_texture = m.emission_texture;
         }
+        if (shown_ == LitColors::arriving) out.base_color = {1, 1, 1, 1}, out.base_color_texture = {};
         m = std::move(out);
-    }
-
-    /// Light is of one moment.
-    void hold_still() {
-        for (std::size_t i = 0; scene_.pose && i < scene_.nodes.size(); ++i)
-            scene_.nodes[i].local = scene_.pose->local[i];
-        scene_.pose = {};
-        for (Node& node : scene_.nodes) node.skin = no_index, node.morph_weights.clear();
-        scene_.skins.clear(), scene_.animations.clear();
-        scene_.normal_sides.reset();
     }
 
     Scene scene_;
@@ -183,6 +168,7 @@ private:
     const Elements& elements_;
     const std::vector<dvec3>& light_;
     const ColorMaps& colors_;
+    const LitColors shown_;
     Context& context_;
     std::vector<Piece> pieces_;
     std::vector<bool> is_lit_;
@@ -191,8 +177,9 @@ private:
 }  // namespace
 
 Scene lit_scene(Scene scene, const std::vector<Part>& parts, const std::vector<geometry::FineMesh>& meshes,
-                const Elements& elements, const std::vector<dvec3>& light, const ColorMaps& colors, Context& context) {
-    return LitScene(std::move(scene), parts, meshes, elements, light, colors, context).run();
+                const Elements& elements, const std::vector<dvec3>& light, const ColorMaps& colors, LitColors shown,
+                Context& context) {
+    return LitScene(std::move(scene), parts, meshes, elements, light, colors, shown, context).run();
 }
 
 }  // namespace rakelight::radiosity

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene that shows the light of its elements.
 #pragma once
+#include <rakelight/radiosity.h>
+
 #include "radiosity/elements.h"
 
 namespace rakelight::radiosity {
@@ -11,7 +13,9 @@ namespace rakelight::radiosity {
 /// reflects is left out. Back sides of two-sided parts are meshes of their own.
 /// @param meshes  [parts] as the elements were made of
 /// @param light   [elements] irradiance / pi
+/// @param shown   arriving: the light itself, materials are white and have no textures, back sides are left out
 Scene lit_scene(Scene scene, const std::vector<Part>& parts, const std::vector<geometry::FineMesh>& meshes,
-                const Elements& elements, const std::vector<dvec3>& light, const ColorMaps& colors, Context& context);
+                const Elements& elements, const std::vector<dvec3>& light, const ColorMaps& colors, LitColors shown,
+                Context& context);
 
 }  // namespace rakelight::radiosity

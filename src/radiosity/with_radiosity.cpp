@@ -134,7 +134,8 @@ private:
     Context& context_;
 };
 
-Scene solve(Scene scene, const RadiositySettings& settings, RadiosityReport& report, Context& context) {
+Scene solve(Scene scene, const RadiositySettings& settings, RadiosityReport& report, Context& context,
+            LitColors shown) {
     name_default_material(scene);
     const std::vector<Part> parts = lit_parts(scene);
     const std::vector<bool> used = used_materials(scene, parts);
@@ -160,7 +161,7 @@ Scene solve(Scene scene, const RadiositySettings& settings, RadiosityReport& rep
     for (const double share : share_after) report.rounds += fine.run_round(share_of(share)) ? 1 : 0;
     report.patches = std::uint32_t(level.patches.list.size());
     report.elements = std::uint32_t(fine.elements.size());
-    return lit_scene(scene, parts, fine.meshes, fine.elements, fine.light, colors, context);
+    return lit_scene(scene, parts, fine.meshes, fine.elements, fine.light, colors, shown, context);
 }
 
 }  // namespace
@@ -168,10 +169,11 @@ Scene solve(Scene scene, const RadiositySettings& settings, RadiosityReport& rep
 
 namespace rakelight {
 
-Scene with_radiosity(Scene scene, const RadiositySettings& settings, RadiosityReport& report, Context& context) {
+Scene with_radiosity(Scene scene, const RadiositySettings& settings, RadiosityReport& report, Context& context,
+                     LitColors colors) {
     const auto begin = std::chrono::steady_clock::now();
     report = {};
-    Scene out = radiosity::solve(std::move(scene), settings, report, context);
+    Scene out = radiosity::solve(std::move(scene), settings, report, context, colors);
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return out;
 }

@@ -4,7 +4,7 @@
 
 namespace rakelight {
 
-Scene with_radiosity(Scene, const RadiositySettings&, RadiosityReport&, Context&) {
+Scene with_radiosity(Scene, const RadiositySettings&, RadiosityReport&, Context&, LitColors) {
     throw Error(ErrorCode::failed, "radiosity needs rays, and this build has no engine trace", {},
                 "build it with -DRAKELIGHT_TRACE=ON")
         .about("method");

@@ -7,9 +7,7 @@
 
 namespace rakelight {
 
-Scene lit_by_radiosity(Scene prepared, const RadiositySettings& settings, Context& context, RadiosityReport* report) {
-    RadiosityReport r;
-    Scene out = with_radiosity(std::move(prepared), settings, r, context);
+void add_note(const RadiosityReport& r, const std::string& file, Report& report) {
     const double whole = r.emitted > 0 ? 100 / r.emitted : 0;
     char text[240];
     std::snprintf(
@@ -17,8 +15,14 @@ Scene lit_by_radiosity(Scene prepared, const RadiositySettings& settings, Contex
         "radiosity: %u elements, %u patches, %u shots; of %.4g W %.1f %% are absorbed, %.1f %% unshot, %.1f %% "
         "left the scene",
         r.elements, r.patches, r.shots, r.emitted, whole * r.absorbed, whole * r.unshot, whole * r.left);
+    report.add(Remark::note, file, "", text, {"method"});
+}
+
+Scene lit_by_radiosity(Scene prepared, const RadiositySettings& settings, Context& context, RadiosityReport* report) {
+    RadiosityReport r;
+    Scene out = with_radiosity(std::move(prepared), settings, r, context);
     if (report) *report = r;
-    context.report().add(Remark::note, out.source, "", text, {"method"});
+    add_note(r, out.source, context.report());
     return out;
 }
 

@@ -13,6 +13,9 @@ namespace rakelight {
 Scene lit_by_radiosity(Scene prepared, const RadiositySettings& settings, Context& context,
                        RadiosityReport* report = nullptr);
 
+/// What came of a solution, as a note.
+void add_note(const RadiosityReport& solution, const std::string& file, Report& report);
+
 /// The last one that was lit is kept.
 class LitScenes {
 public:

@@ -5,13 +5,43 @@
 
 #include "engines/check_settings.h"
 #include "io/glb_writer.h"
+#include "io/image_io.h"
+#include "render/lit_scenes.h"
 #include "render/look.h"
 #include "render/picture_steps.h"
 #include "tools/report_json.h"
 
 namespace rakelight {
 
-RadiosityFile radiosity_file(const PictureRequest& asked, Context& context) {
+namespace {
+
+/// The scene with its lightmap as a picture that can be written.
+Scene with_coded_map(Lightmap made) {
+    std::vector<std::byte> bytes;
+    io::write_image({"lightmap.png", bytes}, made.picture);
+    made.scene.textures.back().image = io::image_from_bytes(
+        "lightmap", made.scene.source, std::make_shared<const std::vector<std::byte>>(std::move(bytes)), "image/png");
+    return std::move(made.scene);
+}
+
+/// @param ready  with the lights of the picture, not lit by radiosity
+Scene lightmapped(const ReadyScene& ready, const PictureRequest& request, const LightmapOptions& options,
+                  RadiosityFile& result, Context& context) {
+    LightmapReport& report = result.lightmap.emplace();
+    Scene out = with_coded_map(
+        with_lightmap(scene_of(*ready.prepared), request.settings.radiosity, options, result.report, report, context));
+    add_note(result.report, request.input, context.report());
+    if (report.overlapping > 0)
+        context.report().add(Remark::warning, request.input, {},
+                             std::to_string(report.overlapping) + " of " + std::to_string(report.charts) +
+                                 " charts lie on themselves: light may stand there that belongs elsewhere");
+    return out;
+}
+
+}  // namespace
+
+RadiosityFile radiosity_file(const PictureRequest& asked, const std::optional<LightmapOptions>& lightmap,
+                             Context& context) {
     if (!asked.output.ends_with(".glb") && !asked.output.ends_with(".gltf"))
         throw Error(ErrorCode::usage, "cannot write '" + one_line(asked.output, 80) + "'", {}, "write .glb or .gltf");
     check_output_place(asked.output);
@@ -21,10 +51,12 @@ RadiosityFile radiosity_file(const PictureRequest& asked, Context& context) {
     RadiosityFile result{.file = request.input, .output = request.output};
     context.progress("load", 0);
     Scene loaded = loaded_as_asked(request, context);
+    if (lightmap) request.settings.method = RayMethod::path;  // the same lights, not yet worked out
     const ReadyScene ready = ready_scene(std::move(loaded), request, context, &result.report);
+    const Scene out = lightmap ? lightmapped(ready, request, *lightmap, result, context) : scene_of(*ready.prepared);
     context.throw_if_cancelled();
     context.progress("write", 0);
-    io::write_glb(scene_of(*ready.prepared), result.output, context);
+    io::write_glb(out, result.output, context);
     return result;
 }
 
@@ -33,7 +65,19 @@ std::string summary(const RadiosityFile& result) {
     char text[120];
     std::snprintf(text, sizeof text, ": %u elements, %u patches, %u shots in %.1f s", r.elements, r.patches, r.shots,
                   r.seconds);
-    return result.output + text;
+    std::string line = result.output + text;
+    if (!result.lightmap) return line;
+    std::snprintf(text, sizeof text, "; lightmap of %u chart%s, %.4g pixels a meter", result.lightmap->charts,
+                  result.lightmap->charts == 1 ? "" : "s", result.lightmap->texels_per_meter);
+    return line + text;
+}
+
+static Json lightmap_json(const LightmapReport& r) {
+    return {{"charts", r.charts},
+            {"overlapping_charts", r.overlapping},
+            {"texels", r.texels},
+            {"texels_per_meter", r.texels_per_meter},
+            {"brightest", r.brightest}};
 }
 
 std::string to_json(std::span<const RadiosityRow> rows) {
@@ -53,6 +97,7 @@ std::string to_json(std::span<const RadiosityRow> rows) {
                          {"unshot_w", r.unshot},
                          {"left_w", r.left},
                          {"seconds", r.seconds}});
+        if (!row.error && row.result.lightmap) json["lightmap"] = lightmap_json(*row.result.lightmap);
         json["remarks"] = remarks_json(row.remarks);
         json["remarks_left_out"] = row.remarks_left_out;
         list.push_back(std::move(json));

@@ -76,6 +76,26 @@ class Radiosity(program.Case):
         self.fine("render", "lit.glb", "-o", "b.png", *SIZE, "--look", "plain", "--background", "black")
         self.fine("compare", "a.png", "b.png", "--max-error", "2/255")
 
+    def test_a_lightmap_shows_the_same_light_on_the_models_own_triangles(self):
+        words = ("--radiosity-elements", "600", "--json")
+        run = self.fine("radiosity", "w.scene.toml", "-o", "map.glb", "--lightmap", "256,200", *words)
+        row = json.loads(run.out)["rows"][0]
+        self.assertGreater(row["lightmap"]["charts"], 0)
+        self.assertEqual(row["lightmap"]["overlapping_charts"], 0)
+        gltf = glb_json((self.folder / "map.glb").read_bytes())
+        material = gltf["materials"][gltf["meshes"][0]["primitives"][0]["material"]]
+        self.assertEqual(material["emissiveTexture"]["texCoord"], 1)
+        self.assertEqual(material["pbrMetallicRoughness"]["baseColorFactor"][:3], [0, 0, 0])
+        self.assertLess(sum(gltf["accessors"][p["indices"]]["count"] for m in gltf["meshes"] for p in m["primitives"]), 300)
+        self.fine("radiosity", "w.scene.toml", "-o", "lit.glb", *words)
+        for name in ("lit", "map"):
+            for engine in ("soft", "trace"):
+                self.fine("render", f"{name}.glb", "-o", f"{name}-{engine}.png", *SIZE, "--look", "plain", "--background", "black", "--engine", engine)
+        self.fine("compare", "lit-soft.png", "map-soft.png", "--max-flip", "0.03")
+        self.fine("compare", "map-soft.png", "map-trace.png", "--max-flip", "0.02")
+        self.check_refused(self.run_program("radiosity", "w.scene.toml", "-o", "x.glb", "--lightmap", "0"), 2, "lightmap")
+        self.check_refused(self.run_program("radiosity", "w.scene.toml", "-o", "x.glb", "--lightmap", "1,2,3"), 2, "lightmap")
+
     def test_what_cannot_be_is_one_line(self):
         self.check_refused(self.run_program("radiosity", "w.scene.toml", "-o", "lit.obj"), 2, ".glb")
         self.check_refused(self.run_program("render", "w.scene.toml", "-o", "a.png", "--method", "radiosity", "--radiosity-elements", "200001"), 2, "200000")

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene with its light as the colors of its surfaces, as a file that any viewer of glTF shows.
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 
+#include <rakelight/lightmap.h>
 #include <rakelight/picture.h>
 #include <rakelight/radiosity.h>
 #include <rakelight/tools/rows.h>
@@ -13,15 +15,19 @@ namespace rakelight {
 struct RadiosityFile {
     std::string file{}, output{};
     RadiosityReport report{};
+    std::optional<LightmapReport> lightmap{};
 };
 
 /// Loads a model or world as a picture of it would, lights it by with_radiosity() and writes glTF 2.0 (.glb or .gltf):
-/// unlit materials (KHR_materials_unlit) and COLOR_0 in float, which may exceed 1.
+/// unlit materials (KHR_materials_unlit) and COLOR_0 in float, which may exceed 1; or its own triangles with a lightmap as
+/// the emission texture: with_lightmap().
 /// @param request  input, output, lights, normals, the moment of a clip and settings.radiosity count
+/// @param lightmap  none: colors of vertices
 /// @throws Error usage: the output has another ending; what loading, with_radiosity() and writing throw
-RadiosityFile radiosity_file(const PictureRequest& request, Context& context);
+RadiosityFile radiosity_file(const PictureRequest& request, const std::optional<LightmapOptions>& lightmap,
+                             Context& context);
 
-/// "room.glb: 19876 elements, 840 patches, 929 shots in 8.1 s"
+/// "room.glb: 19876 elements, 840 patches, 929 shots in 8.1 s; lightmap of 96 charts, 612.4 pixels a meter"
 std::string summary(const RadiosityFile& result);
 
 struct RadiosityRow : ReportRow {

@@ -182,7 +182,7 @@ TEST_F(Bake, ObjectsOfACutSphereShowNoSeamWhereTheyMeet) {
     const BakeResult result = bake(scene_of(dented_sphere(300, 600)), low, options_for({BakeMap::normal}, 512, 512));
     EXPECT_EQ(result.report.made_coordinates, 2u);
     EXPECT_EQ(result.report.overlapping, 0u);
-    const bake::LowSurface surface(result.low, context_);
+    const bake::LowSurface surface(result.low, 0, context_);
     int border_corners = 0;
     double worst = 0;
     for (std::uint32_t t = 0; t < surface.triangle_count(); ++t)

@@ -93,7 +93,7 @@ TEST(MakeCoordinates, PlacementsOfOneMeshGetPlacesOfTheirOwn) {
     Scene scene = scene_of(cube());
     scene.nodes.push_back(scene.nodes[0]);
     scene.nodes[1].local.matrix = translation(dvec3{5, 0, 0}) * scaling(dvec3{-2, 2, 2});
-    const MadeCoordinates made = make_coordinates(scene, 256, 256, 4, context);
+    const MadeCoordinates made = make_coordinates(scene, {256, 256, 4}, context);
     EXPECT_EQ(made.meshes, 2u);
     ASSERT_EQ(made.scene.meshes.size(), 2u);
     for (const Mesh& mesh : made.scene.meshes) {

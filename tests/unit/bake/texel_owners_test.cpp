@@ -12,7 +12,7 @@ using namespace test;
 
 struct Baked {
     explicit Baked(const Scene& scene, int width, int height, int samples)
-        : low(scene, context),
+        : low(scene, 0, context),
           charts(find_map_charts(low, context)),
           owners(low, charts, width, height, samples, context) {}
     Context context{{.threads = 1}};
