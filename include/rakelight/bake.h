@@ -60,14 +60,15 @@ struct BakeOptions {
 };
 
 struct BakeReport {
-    double distance = 0;                   ///< [m] of the cage
-    bool is_proposed = false;              ///< it was not given
-    double curvature_radius = 0;           ///< [m]
-    std::uint64_t texels = 0;              ///< that charts cover or touch
-    std::uint64_t missed = 0;              ///< of them: no ray met HIGH. They show LOW itself
-    std::uint32_t charts = 0;              ///< pieces of LOW that are connected on the map
-    std::uint32_t mirrored = 0;            ///< of them: mirrored on the map
-    std::uint32_t overlapping = 0;         ///< of them: lie wholly or partly on another one, or on themselves
+    double distance = 0;            ///< [m] of the cage
+    bool is_proposed = false;       ///< it was not given
+    double curvature_radius = 0;    ///< [m]
+    std::uint64_t texels = 0;       ///< that charts cover or touch
+    std::uint64_t beyond = 0;       ///< of them: HIGH is farther off than the cage, which heights of integers end at
+    std::uint64_t missed = 0;       ///< of them: no ray met HIGH. They show LOW itself
+    std::uint32_t charts = 0;       ///< pieces of LOW that are connected on the map
+    std::uint32_t mirrored = 0;     ///< of them: mirrored on the map
+    std::uint32_t overlapping = 0;  ///< of them: lie wholly or partly on another one, or on themselves
     std::uint64_t overlapping_texels = 0;  ///< baked once: for a chart that is not mirrored, else the first
     std::uint32_t made_coordinates = 0;    ///< placed meshes of LOW that got texture coordinates
     double texels_per_meter = 0;           ///< of charts that were made

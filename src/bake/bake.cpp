@@ -138,7 +138,7 @@ void pad(const std::vector<std::uint8_t>& covered, const BakeOptions& options, B
     }
 }
 
-void add_remarks(const Scene& high, const Scene& low, const BakeReport& r, Context& context) {
+void add_remarks(const Scene& high, const Scene& low, const BakeReport& r, bool is_height_wanted, Context& context) {
     if (r.missed == r.texels)
         throw Error(ErrorCode::bad_file,
                     r.texels == 0 ? "no chart covers a texel of the map"
@@ -153,6 +153,11 @@ void add_remarks(const Scene& high, const Scene& low, const BakeReport& r, Conte
         report.add(Remark::warning, low.source, {},
                    std::to_string(r.missed) + " of " + std::to_string(r.texels) +
                        " texels show the model itself: no ray met the other one; a larger 'distance' reaches farther",
+                   {"distance"});
+    if (r.beyond > 0 && is_height_wanted)
+        report.add(Remark::warning, low.source, {},
+                   std::to_string(r.beyond) + " of " + std::to_string(r.texels) +
+                       " texels lie beyond the proposed cage: heights in PNG end there; a larger 'distance' holds them",
                    {"distance"});
     if (r.overlapping > 0)
         report.add(Remark::warning, low.source, {},
@@ -195,7 +200,8 @@ BakeResult bake_maps(const Scene& high, const Scene& low, const BakeOptions& opt
     context.progress("bake", 0);
     const std::vector<std::uint8_t> covered =
         bake::bake_texels(source, result.low, lit ? &*lit : nullptr, options, result, context);
-    bake::add_remarks(high, low, result.report, context);
+    const bool has_heights = std::ranges::count(options.maps, BakeMap::height) > 0;
+    bake::add_remarks(high, low, result.report, has_heights, context);
     bake::pad(covered, options, result, context);
     return result;
 }

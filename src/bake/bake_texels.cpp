@@ -24,6 +24,11 @@ struct Values {
     dvec3 light{};
 };
 
+/// Of texels: see BakeReport.
+struct Counts {
+    std::uint64_t texels = 0, missed = 0, beyond = 0;
+};
+
 /// HIGH with light as its colors, for rays.
 class LitSurface {
 public:
@@ -53,9 +58,8 @@ public:
         }
     }
 
-    /// @return texels none of whose rays met HIGH
-    std::uint64_t bake(const OwnerBand& band, std::vector<std::uint8_t>& covered, std::uint64_t& texels) const {
-        std::uint64_t missed = 0;
+    Counts bake(const OwnerBand& band, std::vector<std::uint8_t>& covered) const {
+        Counts counts;
         const std::size_t samples = std::size_t(options_.samples), width = std::size_t(result_.width);
         for (std::size_t i = 0; i < std::size_t(band.rows) * width; ++i) {
             const int x = int(i % width), y = band.first_row + int(i / width);
@@ -66,11 +70,12 @@ public:
             if (sum.tried == 0 && band.nearest[i] != no_index) add(band.nearest[i], {x + 0.5, y + 0.5}, 0, sum);
             if (sum.tried == 0) continue;
             covered[sum.texel] = 1;
-            ++texels;
-            missed += sum.met == 0;
+            ++counts.texels;
+            counts.missed += sum.met == 0;
+            counts.beyond += sum.met > 0 && std::fabs(sum.of.height) > sum.met * result_.report.distance;
             put(sum);
         }
-        return missed;
+        return counts;
     }
 
 private:
@@ -167,13 +172,15 @@ bool has(const BakeResult& result, BakeMap wanted) {
 /// What the bands found, in any order.
 struct Found {
     std::mutex mutex;
-    std::uint64_t texels = 0, missed = 0, overlapping = 0;
+    Counts counts;
+    std::uint64_t overlapping = 0;
     std::vector<std::uint8_t> charts;  ///< [charts] 1: lies on another one
     int bands = 0;
 };
 
 void fill_report(const Found& found, const MapCharts& charts, BakeReport& report) {
-    report.texels = found.texels, report.missed = found.missed, report.overlapping_texels = found.overlapping;
+    report.texels = found.counts.texels, report.missed = found.counts.missed, report.beyond = found.counts.beyond;
+    report.overlapping_texels = found.overlapping;
     report.charts = std::uint32_t(charts.is_mirrored.size());
     report.mirrored = std::uint32_t(std::ranges::count(charts.is_mirrored, std::uint8_t(1)));
     report.overlapping = std::uint32_t(std::ranges::count(found.charts, std::uint8_t(1)));
@@ -198,10 +205,11 @@ std::vector<std::uint8_t> bake_texels(const Scene& high_scene, const Scene& low_
     Found found{.charts = std::vector<std::uint8_t>(charts.is_mirrored.size(), 0)};
     context.parallel_for(std::size_t(owners.bands()), [&](std::size_t number) {
         const OwnerBand band = owners.band(int(number));
-        std::uint64_t texels = 0;
-        const std::uint64_t missed = baker.bake(band, covered, texels);
+        const Counts counts = baker.bake(band, covered);
         const std::lock_guard lock(found.mutex);
-        found.texels += texels, found.missed += missed, found.overlapping += band.overlapping_texels;
+        found.counts.texels += counts.texels, found.counts.missed += counts.missed,
+            found.counts.beyond += counts.beyond;
+        found.overlapping += band.overlapping_texels;
         for (const std::uint32_t chart : band.overlapping_charts) found.charts[chart] = 1;
         context.progress("bake", double(++found.bands) / owners.bands());
     });

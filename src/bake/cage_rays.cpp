@@ -2,6 +2,7 @@
 #include "bake/cage_rays.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace rakelight::bake {
@@ -9,7 +10,7 @@ namespace {
 
 constexpr int most_layers = 64;          ///< that a ray goes through
 constexpr double step_on = 1e-6;         ///< of HIGH's diagonal: where a ray that goes on begins
-constexpr std::uint32_t probes = 16384;  ///< triangles of LOW that proposed_distance() looks from
+constexpr std::uint32_t probes = 65536;  ///< places on LOW that proposed_distance() looks from
 
 bool faces(const HighPoint& point, dvec3 outward) {
     return dot(point.face, outward) > 0 || dot(point.normal, outward) > 0;
@@ -41,23 +42,50 @@ std::optional<CageHit> meet_from_cage(const HighSurface& high, const LowPoint& l
     return CageHit{*found, distance - found->hit.t};
 }
 
-double proposed_distance(const HighSurface& high, const LowSurface& low, Context& context) {
-    const std::uint32_t count = std::min(low.triangle_count(), probes);
-    constexpr CornerWeights places[4] = {
-        {1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.98, 0.01, 0.01}, {0.01, 0.98, 0.01}, {0.01, 0.01, 0.98}};
-    const double most = high.diagonal() / 4, none = -1;
-    std::vector<double> distances(4 * std::size_t(count), none);
-    context.parallel_for(count, [&](std::size_t i) {
-        const auto number = std::uint32_t(std::uint64_t(i) * low.triangle_count() / count);
-        const LowTriangle triangle = low.triangle(number);
-        for (std::size_t k = 0; k < 4; ++k) {
-            const LowPoint from = point_of(triangle, places[k]);
-            const auto out = first_facing(high, from.place, from.cage, most, from.cage, nullptr),
-                       in = first_facing(high, from.place, -from.cage, most, from.cage, nullptr);
-            double& distance = distances[4 * i + k];
-            if (out) distance = out->hit.t;
-            if (in && (!out || in->hit.t < out->hit.t)) distance = in->hit.t;
+namespace {
+
+/// Places that are spread evenly over the area of a surface.
+class SpreadPlaces {
+public:
+    SpreadPlaces(const LowSurface& low, Context& context)
+        : low_(low), charge_(context.memory(), low.triangle_count() * sizeof(double), "areas") {
+        double sum = 0;
+        for (std::uint32_t t = 0; t < low.triangle_count(); ++t) {
+            const LowTriangle triangle = low.triangle(t);
+            const double area =
+                length(cross(triangle.place[1] - triangle.place[0], triangle.place[2] - triangle.place[0]));
+            upto_.push_back(sum += area < 1e300 ? area : 0);
         }
+    }
+    /// @param share  0..1 of the area before it. @param number  any: decides where on its triangle
+    LowPoint operator()(double share, std::uint32_t number) const {
+        const auto found = std::ranges::lower_bound(upto_, share * upto_.back());
+        const auto triangle = std::min(std::uint32_t(found - upto_.begin()), low_.triangle_count() - 1);
+        // the plastic number's sequence, whose points are even in the square however many: Roberts 2018
+        double u = 0.5 + 0.7548776662466927 * number, v = 0.5 + 0.5698402909980532 * number;
+        u -= std::floor(u), v -= std::floor(v);
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        return point_of(low_.triangle(triangle), {1 - u - v, u, v});
+    }
+
+private:
+    const LowSurface& low_;
+    MemoryCharge charge_;
+    std::vector<double> upto_;  ///< [T] twice the area of all triangles up to this one
+};
+
+}  // namespace
+
+double proposed_distance(const HighSurface& high, const LowSurface& low, Context& context) {
+    const SpreadPlaces places(low, context);
+    const double most = high.diagonal() / 4, none = -1;
+    std::vector<double> distances(probes, none);
+    context.parallel_for(probes, [&](std::size_t i) {
+        const LowPoint from = places((double(i) + 0.5) / probes, std::uint32_t(i));
+        const auto out = first_facing(high, from.place, from.cage, most, from.cage, nullptr),
+                   in = first_facing(high, from.place, -from.cage, most, from.cage, nullptr);
+        if (out) distances[i] = out->hit.t;
+        if (in && (!out || in->hit.t < out->hit.t)) distances[i] = in->hit.t;
     });
     std::erase(distances, none);
     if (distances.empty()) return high.diagonal() / 100;

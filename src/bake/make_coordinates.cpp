@@ -24,24 +24,33 @@ namespace {
 struct Part {
     Instance instance;
     std::vector<dvec3> places;  ///< [V] in the world
-    std::vector<std::uint32_t>
-        triangles;  ///< [3T] counter-clockwise from outside, by vertices at the same place as one
     Charts charts;
-    bool is_mirrored = false;
+    MemoryCharge charge;
 };
 
+/// [3T] counter-clockwise from outside, by vertices at the same place as one
+std::vector<std::uint32_t> outward_triangles(const Mesh& mesh, std::span<const dvec3> places, bool is_mirrored) {
+    const std::vector<std::uint32_t> number = place_numbers(places);
+    std::vector<std::uint32_t> out;
+    out.reserve(mesh.indices.size());
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
+        for (const std::size_t k : {0, is_mirrored ? 2 : 1, is_mirrored ? 1 : 2})
+            out.push_back(number[mesh.indices[3 * t + k]]);
+    return out;
+}
+
 Part make_part(const Mesh& mesh, const Instance& instance, const dmat4& to_world, Context& context) {
-    Part part{.instance = instance, .is_mirrored = determinant(upper_left(to_world)) < 0};
-    context.memory().check(mesh.positions.size() * 32 + mesh.indices.size() * 20, "charts");
+    const std::uint64_t kept = mesh.positions.size() * sizeof(dvec3) + mesh.triangle_count() * 4;
+    context.memory().check(kept + mesh.positions.size() * 8 + mesh.indices.size() * 20, "charts");
+    Part part{.instance = instance, .charge = MemoryCharge(context.memory(), kept, "charts")};
+    part.places.reserve(mesh.positions.size());
     for (const vec3 p : mesh.positions) {
         const dvec3 place = transform_point(to_world, cast<double>(p));
         part.places.push_back(is_finite(place) ? place : dvec3{});
     }
-    const std::vector<std::uint32_t> number = place_numbers(part.places);
-    for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
-        for (const std::size_t k : {0, part.is_mirrored ? 2 : 1, part.is_mirrored ? 1 : 2})
-            part.triangles.push_back(number[mesh.indices[3 * t + k]]);
-    part.charts = find_charts(part.places, part.triangles, context);
+    const bool is_mirrored = determinant(upper_left(to_world)) < 0;
+    part.charts = find_charts(part.places, outward_triangles(mesh, part.places, is_mirrored), context);
+    part.charge.grow(part.charts.axis.size() * (1 + 2 * sizeof(dvec2)), "charts");
     return part;
 }
 

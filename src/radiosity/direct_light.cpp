@@ -17,6 +17,7 @@ DirectLight::DirectLight(const Scene& scene, const raytrace::SurfaceRays& rays, 
       origin_(rays.list().bounds.center()) {
     for (const lighting::LightParameters& light : shading::make_lights(scene, world_matrices(scene), origin_))
         if (light.kind != lighting::LightKind::ambient) lights_.push_back(light);
+    lights_.insert(lights_.end(), sky_.suns().begin(), sky_.suns().end());
 }
 
 dvec3 DirectLight::at(dvec3 place, const Element& e) const {

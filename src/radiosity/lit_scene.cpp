@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "radiosity/lit_scene.h"
 
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+
 #include <rakelight/attributes.h>
 
 #include "math/linear.h"
@@ -13,14 +18,32 @@
 namespace rakelight::radiosity {
 namespace {
 
-/// One side of a part.
+/// Triangles of one side of a part that show their light in one way.
 struct Piece {
     std::uint32_t part = 0;
     Mesh mesh;
-    std::vector<vec3> light;  ///< [triangles]
-    vec3 albedo, emission;    ///< means over the part
-    double diffuse_share = 1;
+    std::vector<vec3> light;   ///< [triangles]
+    std::vector<vec3> factor;  ///< [triangles] share of the light that is shown, beside base color and its texture
+    bool is_painted = true;    ///< times the colors of vertices that the mesh has itself
+    vec3 emission;             ///< beside it
 };
+
+/// [V] of each vertex the mean over its triangles.
+std::vector<vec3> at_vertices(const Mesh& mesh, const std::vector<vec3>& of_triangles) {
+    std::vector<vec3> out(mesh.positions.size());
+    std::vector<float> count(mesh.positions.size(), 0);
+    for (std::size_t c = 0; c < mesh.indices.size(); ++c) {
+        const std::uint32_t v = mesh.indices[c];
+        out[v] = out[v] + of_triangles[c / 3];
+        ++count[v];
+    }
+    for (std::size_t v = 0; v < out.size(); ++v)
+        if (count[v] > 0) out[v] = out[v] / count[v];
+    return out;
+}
+
+/// With emission in place of color.
+bool emits(const Material& m) { return !(m.emission == vec3{}); }
 
 Mesh front_of(const Scene& scene, const Part& part, const geometry::FineMesh& fine) {
     Mesh coarse = scene.meshes[part.instance.mesh];
@@ -49,8 +72,11 @@ public:
         color_vertices();
         place();
         for (const Part& part : parts_) is_lit_.resize(scene_.materials.size()), is_lit_[part.material] = true;
-        for (std::size_t i = 0; i < is_lit_.size(); ++i)
-            if (is_lit_[i]) set_unlit(scene_.materials[i]);
+        for (std::size_t i = 0; i < is_lit_.size(); ++i) {
+            Material& m = scene_.materials[i];
+            if (is_lit_[i]) m = unlit(m, shown_ == LitColors::leaving && emits(m) && !m.emission_texture);
+        }
+        std::ranges::move(emitting_, std::back_inserter(scene_.materials));
         return still_scene(std::move(scene_));
     }
 
@@ -66,23 +92,44 @@ private:
         }
     }
 
+    /// @param begin  the side's first element
     void add_piece(std::uint32_t part, Mesh mesh, std::uint32_t begin) {
-        Piece piece{.part = part};
-        dvec3 albedo{}, emission{};
-        double share = 0, area = 0;
         const Material& material = scene_.materials[parts_[part].material];
+        const bool is_light = shown_ == LitColors::arriving;
+        Piece reflecting{.part = part, .is_painted = !is_light},
+            emitting{.part = part, .is_painted = false, .emission = material.emission};
+        std::vector<std::uint32_t> reflects, sends;
         for (std::uint32_t t = 0; t < mesh.indices.size() / 3; ++t) {
+            const std::uint32_t* const corner = mesh.indices.data() + 3 * std::size_t(t);
             const Element& e = elements_.list[begin + t];
+            const bool is_emitting =
+                !is_light && emits(material) && !(material.emission_texture && e.emission == dvec3{});
+            std::vector<std::uint32_t>& indices = is_emitting ? sends : reflects;
+            indices.insert(indices.end(), corner, corner + 3);
+            Piece& piece = is_emitting ? emitting : reflecting;
             piece.light.push_back(cast<float>(light_[begin + t]));
-            albedo += e.albedo * e.area, emission += e.emission * e.area, area += e.area;
-            share += e.area * colors_.diffuse_share(material, mesh, mesh.indices.data() + 3 * std::size_t(t));
+            const auto share = is_light ? 1.0f : float(colors_.diffuse_share(material, mesh, corner));
+            piece.factor.push_back(!is_emitting                ? vec3{share, share, share}
+                                   : material.emission_texture ? vec3{}
+                                                               : cast<float>(e.albedo));
         }
-        if (area > 0) {
-            piece.albedo = cast<float>(albedo / area), piece.emission = cast<float>(emission / area);
-            piece.diffuse_share = share / area;
+        const bool is_mixed = !reflects.empty() && !sends.empty();
+        for (auto [piece, indices] : {std::pair{&reflecting, &reflects}, std::pair{&emitting, &sends}}) {
+            if (indices->empty()) continue;
+            piece->mesh = mesh;
+            if (is_mixed) piece->mesh.indices = std::move(*indices);
+            if (piece == &emitting && material.emission_texture)
+                piece->mesh.material = emitting_copy(parts_[part].material);
+            pieces_.push_back(std::move(*piece));
         }
-        piece.mesh = std::move(mesh);
-        pieces_.push_back(std::move(piece));
+    }
+
+    /// The number of a material that shows the emission of one with an emission texture.
+    std::uint32_t emitting_copy(std::uint32_t material) {
+        const auto [entry, is_new] =
+            emitting_copies_.try_emplace(material, std::uint32_t(scene_.materials.size() + emitting_.size()));
+        if (is_new) emitting_.push_back(unlit(scene_.materials[material], true));
+        return entry->second;
     }
 
     void color_vertices() {
@@ -108,20 +155,15 @@ private:
         }
     }
 
-    std::vector<vec4> colors_of(const Piece& piece, const std::vector<vec3>& light) const {
-        const Material& material = scene_.materials[parts_[piece.part].material];
+    static std::vector<vec4> colors_of(const Piece& piece, const std::vector<vec3>& light) {
         const Block<vec4>& own = piece.mesh.colors;
-        const bool emits = !(material.emission == vec3{});
-        const auto share = float(piece.diffuse_share);
+        const std::vector<vec3> factor = at_vertices(piece.mesh, piece.factor);
         std::vector<vec4> out;
         out.reserve(light.size());
         for (std::size_t v = 0; v < light.size(); ++v) {
             const vec4 paint = own.empty() ? vec4{1, 1, 1, 1} : own[v];
-            vec3 color = light[v] * paint.xyz() * share;
-            if (shown_ == LitColors::arriving)
-                color = light[v];
-            else if (emits)
-                color = material.emission_texture ? material.emission : light[v] * piece.albedo + material.emission;
+            vec3 color = light[v] * factor[v] + piece.emission;
+            if (piece.is_painted) color = color * paint.xyz();
             out.push_back({color.x, color.y, color.z, paint.w});
         }
         return out;
@@ -148,19 +190,18 @@ private:
         }
     }
 
-    void set_unlit(Material& m) const {
+    /// @param as_emitter  white, with all in the colors of vertices, or times the emission texture
+    Material unlit(const Material& m, bool as_emitter) const {
         Material out;
         out.name = m.name;
         out.model = MaterialModel::unlit;
         out.base_color = m.base_color, out.base_color_texture = m.base_color_texture;
         out.opacity_texture = m.opacity_texture;
         out.alpha_mode = m.alpha_mode, out.alpha_cutoff = m.alpha_cutoff;
-        if (!(m.emission == vec3{})) {
-            out.base_color = {1, 1, 1, m.base_color.w};
-            out.base_color_texture = m.emission_texture;
-        }
-        if (shown_ == LitColors::arriving) out.base_color = {1, 1, 1, 1}, out.base_color_texture = {};
-        m = std::move(out);
+        if (shown_ == LitColors::arriving || as_emitter) out.base_color = {1, 1, 1, m.base_color.w};
+        if (as_emitter) out.base_color_texture = m.emission_texture;
+        if (shown_ == LitColors::arriving) out.base_color_texture = {};
+        return out;
     }
 
     Scene scene_;
@@ -172,6 +213,8 @@ private:
     Context& context_;
     std::vector<Piece> pieces_;
     std::vector<bool> is_lit_;
+    std::map<std::uint32_t, std::uint32_t> emitting_copies_;  ///< by material
+    std::vector<Material> emitting_;                          ///< beyond those of the scene
 };
 
 }  // namespace

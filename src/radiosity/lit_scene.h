@@ -9,8 +9,8 @@ namespace rakelight::radiosity {
 
 /// Unlit materials, whose base color times vertex colors is what the elements send out: the light of elements becomes that
 /// of vertices by average() (attributes.h), smooth over borders of objects and sharp at creases. Materials that emit are
-/// white, with all in the vertex colors; an emission texture takes the base color's place, and what such a surface
-/// reflects is left out. Back sides of two-sided parts are meshes of their own.
+/// white, with all in the vertex colors; triangles on which an emission texture is not black show it in the base color's place,
+/// without what they reflect. Back sides of two-sided parts are meshes of their own.
 /// @param meshes  [parts] as the elements were made of
 /// @param light   [elements] irradiance / pi
 /// @param shown   arriving: the light itself, materials are white and have no textures, back sides are left out

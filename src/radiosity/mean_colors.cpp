@@ -25,7 +25,8 @@ ColorMaps::ColorMaps(const Scene& scene, const std::vector<bool>& is_used, Conte
         add(scene, m.base_color_texture, ColorSpace::srgb, context);
         add(scene, m.emission_texture, ColorSpace::srgb, context);
         if (m.model == MaterialModel::metallic_roughness)
-            add(scene, m.metallic_roughness.texture, ColorSpace::linear, context);
+            for (const TextureUse& use : {m.metallic_roughness.texture, m.metallic_roughness.transmission_texture})
+                add(scene, use, ColorSpace::linear, context);
     }
 }
 
@@ -47,7 +48,8 @@ double ColorMaps::diffuse_share(const Material& m, const Mesh& mesh, const std::
     if (m.model != MaterialModel::metallic_roughness) return 1;
     const MetallicRoughnessParameters& p = m.metallic_roughness;
     const double metallic = double(p.metallic) * mean(p.texture, mesh, corner).z;
-    return (1 - metallic) * (1 - double(p.transmission));
+    const double transmission = double(p.transmission) * mean(p.transmission_texture, mesh, corner).x;
+    return (1 - metallic) * (1 - transmission);
 }
 
 dvec3 ColorMaps::mean(const TextureUse& use, const Mesh& mesh, const std::uint32_t* corner) const {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "image/environment.h"
+#include "image/mip_chain.h"
 #include "math/functions.h"
 #include "math/linear.h"
 #include "shading/environment.h"
@@ -14,7 +15,8 @@ namespace rakelight::radiosity {
 namespace {
 
 constexpr int rings = 8, spokes = 8;
-constexpr int widest = 128;  ///< [texels] of the version that is read
+constexpr int widest = 128;       ///< [texels] of the version that suns are found in
+constexpr int coarse_width = 16;  ///< [texels] of what the directions read: about as many in a hemisphere
 
 /// Directions by the cosine law over +Z: middles of equal parts of the disc (Malley's method).
 std::array<dvec3, rings * spokes> directions() {
@@ -36,23 +38,37 @@ SkyLight::SkyLight(const Scene& scene, const raytrace::SurfaceRays& rays, double
     if (!scene.environment || !scene.environment->is_light || !(scene.environment->intensity > 0)) return;
     axes_ = shading::environment_axes(*scene.environment);
     try {
-        const MipChain sky = shading::sky_of(*scene.environment, context);
-        if (sky.levels.empty()) return;
-        const auto is_small = [](const MipLevel& level) { return level.width <= widest; };
-        const MipLevel& level = *std::ranges::find_if(sky.levels, is_small);
-        width_ = level.width, height_ = level.height;
-        for (std::size_t i = 0; i < std::size_t(width_) * std::size_t(height_); ++i)
-            texels_.push_back(cast<double>(linear_texel(sky, level, i)) * double(scene.environment->intensity));
+        take_map(scene, context);
     } catch (const Error& error) {
         context.throw_if_cancelled();
         context.report().add(Remark::warning, scene.source, "", "environment left out: " + error.reason());
     }
 }
 
+void SkyLight::take_map(const Scene& scene, Context& context) {
+    const MipChain chain = shading::sky_of(*scene.environment, context);
+    if (chain.levels.empty()) return;
+    const auto is_small = [](const MipLevel& level) { return level.width <= widest; };
+    const MipLevel& level = *std::ranges::find_if(chain.levels, is_small);
+    SkyMap sky{level.width, level.height};
+    for (std::size_t i = 0; i < std::size_t(level.width) * std::size_t(level.height); ++i)
+        sky.texels.push_back(cast<double>(linear_texel(chain, level, i)) * double(scene.environment->intensity));
+    for (const SkySun& sun : take_suns(sky)) {
+        const vec3 way = -cast<float>(axes_[0] * sun.direction.x + axes_[1] * sun.direction.y +
+                                      axes_[2] * sun.direction.z),
+                   light = cast<float>(sun.irradiance / pi);
+        lighting::LightParameters p{.kind = lighting::LightKind::directional};
+        for (std::size_t k = 0; k < 3; ++k) p.direction[k] = way[k], p.diffuse[k] = light[k];
+        suns_.push_back(p);
+    }
+    sky_ = shrunk(sky, std::min(sky.width, coarse_width), std::min(sky.height, coarse_width / 2));
+}
+
 dvec3 SkyLight::radiance(dvec3 d) const {
     const dvec2 uv = equirectangular({dot(axes_[0], d), dot(axes_[1], d), dot(axes_[2], d)});
-    const int x = std::clamp(int(uv.x * width_), 0, width_ - 1), y = std::clamp(int(uv.y * height_), 0, height_ - 1);
-    return texels_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
+    const int x = std::clamp(int(uv.x * sky_.width), 0, sky_.width - 1),
+              y = std::clamp(int(uv.y * sky_.height), 0, sky_.height - 1);
+    return sky_.texels[std::size_t(y) * std::size_t(sky_.width) + std::size_t(x)];
 }
 
 dvec3 SkyLight::operator()(const Receiver& r) const {

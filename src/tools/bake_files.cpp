@@ -80,7 +80,7 @@ void write_model(const BakeRequest& request, const BakeResult& baked, Context& c
         const TextureUse use = embedded(scene, baked, map, request.options, context);
         for (Material& material : scene.materials) {
             if (!is_normal) {
-                material.occlusion_texture = use;
+                material.occlusion_texture = use, material.occlusion_strength = 1;
                 continue;
             }
             material.normal_texture = use;
@@ -156,6 +156,7 @@ std::string to_json(std::span<const BakeRow> rows) {
                          {"curvature_radius", r.curvature_radius},
                          {"texels", r.texels},
                          {"missed", r.missed},
+                         {"beyond_cage", r.beyond},
                          {"charts", r.charts},
                          {"mirrored_charts", r.mirrored},
                          {"overlapping_charts", r.overlapping},

@@ -241,6 +241,47 @@ TEST_F(Bake, NumbersAreTheSameForAnyNumberOfThreadsAndAnyInstructionSet) {
     for (std::size_t i = 0; i < a.maps.size(); ++i) EXPECT_EQ(a.maps[i].values, b.maps[i].values) << i;
 }
 
+/// The square of side 2 with steep bumps of a height: where |x| and |y| are less than `half`.
+Scene bumpy_square(float height, float half) {
+    constexpr int n = 100;
+    Mesh mesh = square_mesh();
+    std::vector<vec3> positions;
+    std::vector<std::uint32_t> indices;
+    for (int y = 0; y <= n; ++y)
+        for (int x = 0; x <= n; ++x) {
+            const vec2 at{2.0f * float(x) / n - 1, 2.0f * float(y) / n - 1};
+            positions.push_back({at.x, at.y, std::max(std::fabs(at.x), std::fabs(at.y)) < half ? height : 0});
+        }
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            const auto v = std::uint32_t(y * (n + 1) + x), up = v + n + 1;
+            indices.insert(indices.end(), {v, v + 1, up + 1, v, up + 1, up});
+        }
+    mesh.positions = std::move(positions), mesh.indices = std::move(indices);
+    mesh.normals = {}, mesh.tangents = {}, mesh.texcoords = {};
+    return scene_of(std::move(mesh));
+}
+
+TEST_F(Bake, ACageForTwoTrianglesHoldsWhatStandsBetweenTheirCorners) {
+    Scene low = scene_of(square_mesh());
+    const BakeResult result = bake(bumpy_square(0.2f, 0.25f), low, options_for({BakeMap::height}, 32, 32));
+    EXPECT_TRUE(result.report.is_proposed);
+    EXPECT_NEAR(result.report.distance, 0.25, 1e-5);
+    EXPECT_EQ(result.report.missed, 0u);
+    EXPECT_EQ(result.report.beyond, 0u);
+    EXPECT_NEAR(value_at(result, 0, 16, 16), 0.2, 1e-6);
+    EXPECT_NEAR(value_at(result, 0, 4, 28), 0, 1e-6);
+}
+
+TEST_F(Bake, TexelsBeyondAProposedCageAreCounted) {
+    const Scene low = scene_of(square_mesh());
+    const BakeResult result = bake(bumpy_square(0.0006f, 0.07f), low, options_for({BakeMap::height}, 64, 64));
+    EXPECT_LT(result.report.distance, 0.0005);  // the bump is half a percent of the area
+    EXPECT_GT(result.report.beyond, 4u);
+    EXPECT_EQ(result.report.missed, 0u);
+    EXPECT_NEAR(value_at(result, 0, 32, 32), 0.0006, 1e-6);
+}
+
 TEST_F(Bake, ANormalMapOfTheDetailedModelIsBakedAlong) {
     Scene high = scene_of(square_mesh(0));
     high.materials.push_back(matte());

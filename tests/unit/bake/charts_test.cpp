@@ -135,5 +135,17 @@ TEST(Padding, TexelsTakeTheNearestCoveredOne) {
     }
 }
 
+TEST(MakeCoordinates, ChartsOfManyPlacementsAreChargedToTheBudget) {
+    Scene scene = scene_of(plain_sphere(60, 120));
+    for (int i = 0; i < 200; ++i) {
+        Node node;
+        node.meshes = {0};
+        node.local.matrix = translation(dvec3{3.0 * i, 0, 0});
+        scene.nodes.push_back(node);
+    }
+    Context context({.threads = 1, .max_memory = 20'000'000});
+    EXPECT_EQ(error_of([&] { (void)make_coordinates(scene, {4096, 4096, 1}, context); }).code(), ErrorCode::bad_file);
+}
+
 }  // namespace
 }  // namespace rakelight::bake

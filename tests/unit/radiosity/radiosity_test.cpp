@@ -2,9 +2,13 @@
 // Solutions of rooms whose light is known.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstring>
+
 #include <rakelight/radiosity.h>
 #include <rakelight/validate.h>
 
+#include "image/environment.h"
 #include "radiosity/cut.h"
 #include "radiosity/visibility.h"
 #include "support/thrown_error.h"
@@ -225,6 +229,73 @@ TEST(Radiosity, AnEvenSkyGivesItsRadianceWhereNothingHidesIt) {
         least = std::min(least, double(c.x)), most = std::max(most, double(c.x));
     EXPECT_LT(least, 1.4);
     EXPECT_GT(most, 1.8);
+}
+
+/// A square that faces +Z, of 2 x 2 texels that are black on the left and white on the right, under a directional light that gives 1.
+Scene halves(Material m, TextureUse Material::*use) {
+    Scene scene;
+    const Pixels picture = test::rgb_pixels(64, 64, [](int x, int) {
+        return x < 32 ? std::array{0, 0, 0} : std::array{255, 255, 255};
+    });
+    if (use) m.*use = test::add_texture(scene, test::picture(picture));
+    scene.materials = {m};
+    test::add_object(scene, test::square_mesh(0));
+    scene.lights = {test::directional({0, 0, -1})};
+    return scene;
+}
+
+TEST(Radiosity, WhereAnEmissionTextureIsBlackASurfaceShowsWhatItReflects) {
+    const Solved dark =
+        solve(halves(diffuse({0.4f, 0.4f, 0.4f}, {5, 5, 5}), &Material::emission_texture), {.elements = 500});
+    bool is_left = false, is_right = false;
+    ASSERT_EQ(dark.scene.nodes[0].meshes.size(), 2u);
+    ASSERT_EQ(dark.scene.materials.size(), 2u);
+    for (const std::uint32_t m : dark.scene.nodes[0].meshes) {
+        const Mesh& mesh = dark.scene.meshes[m];
+        for (const std::uint32_t v : mesh.indices) {
+            const bool emits = bool(dark.scene.materials[mesh.material].base_color_texture);
+            (emits ? is_right : is_left) = true;
+            EXPECT_NEAR(radiance(dark.scene, mesh, v).x, emits ? 5 : 0.4f, 1e-4);
+            EXPECT_LT(emits ? 0 : mesh.positions[v].x, 0.3f);  // of the black half, or a little beyond
+        }
+    }
+    EXPECT_TRUE(is_left && is_right);
+}
+
+TEST(Radiosity, MetalOfATextureIsDarkWhereItIs) {
+    Scene scene = halves(diffuse({0.4f, 0.4f, 0.4f}), nullptr);
+    const Pixels metal = test::rgb_pixels(64, 64, [](int x, int) { return std::array{0, 255, x < 32 ? 255 : 0}; });
+    scene.materials[0].metallic_roughness.texture = test::add_texture(scene, test::picture(metal));
+    scene.materials[0].metallic_roughness.metallic = 1;
+    const Solved s = solve(std::move(scene), {.elements = 2000});
+    const Mesh& mesh = s.scene.meshes[0];
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        const float x = mesh.positions[v].x;
+        if (std::fabs(x) < 0.2f || std::fabs(x) > 0.8f) continue;  // the texture repeats
+        EXPECT_NEAR(radiance(s.scene, mesh, v).x, x < 0 ? 0 : 0.4f, 2e-4) << x;
+    }
+}
+
+TEST(Radiosity, ASunInTheSkyIsNotMissed) {
+    Scene scene;
+    scene.materials = {diffuse({0.5f, 0.5f, 0.5f})};
+    test::add_object(scene, test::square_mesh(0));
+    Pixels sky{.width = 256, .height = 128, .channels = 3, .component = Component::f32};
+    std::vector<float> texels(3 * 256 * 128, 0.1f);
+    double sun = 0;  // irradiance / pi of four texels on a surface that faces +Z
+    for (const int y : {40, 41})
+        for (const int x : {10, 11}) {
+            for (int k = 0; k < 3; ++k) texels[std::size_t(3 * (256 * y + x) + k)] = 1000;
+            const dvec3 d = equirectangular_direction((x + 0.5) / 256, (y + 0.5) / 128);
+            sun += 999.9 * std::max(0.0, d.z) * (2 * pi / 256) *
+                   (std::cos(pi * y / 128) - std::cos(pi * (y + 1) / 128)) / pi;
+        }
+    sky.bytes.resize(texels.size() * 4);
+    std::memcpy(sky.bytes.data(), texels.data(), sky.bytes.size());
+    scene.environment = Environment{.image = test::picture(std::move(sky), "sky")};
+    const Solved s = solve(scene, {.elements = 100});
+    ASSERT_GT(sun, 0.4);
+    for (const vec4& c : s.scene.meshes[0].colors) EXPECT_NEAR(c.x, 0.1 + sun, 0.02 * sun);
 }
 
 TEST(Radiosity, UnlitMaterialsStayAndHoldLightUp) {
