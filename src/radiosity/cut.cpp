@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "math/linear.h"
 
@@ -37,16 +38,22 @@ double area_of(const Elements& elements) {
 PatchLevel cut_to_patches(const CutScene& cut, const std::vector<geometry::FineMesh>& whole, std::size_t most_patches,
                           std::uint64_t most_elements, Context& context) {
     PatchLevel out{.meshes = whole, .elements = cut.elements_of(whole, context)};
-    double edge = std::sqrt(3 * area_of(out.elements) / double(most_patches));
-    for (int round = 0; round < most_rounds && edge > 0; ++round, edge *= 1.2) {
-        std::vector<geometry::FineMesh> meshes = whole;
-        if (!cut_longer(cut.parts, meshes, edge, most_elements, context)) continue;
-        Elements elements = cut.elements_of(meshes, context);
-        Patches patches = make_patches(elements, edge);
-        if (patches.list.size() > most_patches) continue;
-        return {std::move(meshes), std::move(elements), std::move(patches), edge};
+    const double even = std::sqrt(3 * area_of(out.elements) / double(most_patches));
+    for (const auto& [of, rounds] :
+         {std::pair{PatchesOf::each_part, 12}, std::pair{PatchesOf::all_parts, most_rounds}}) {
+        double edge = even;
+        for (int round = 0; round < rounds && edge > 0; ++round, edge *= 1.2) {
+            std::vector<geometry::FineMesh> meshes = whole;
+            if (!cut_longer(cut.parts, meshes, edge, most_elements, context)) continue;
+            Elements elements = cut.elements_of(meshes, context);
+            Patches patches = make_patches(elements, edge, of);
+            if (patches.list.size() > most_patches) continue;
+            return {std::move(meshes), std::move(elements), std::move(patches), edge};
+        }
     }
-    out.patches = make_patches(out.elements, edge);
+    double size = even;  // the scene's own triangles, in ever larger patches
+    do out.patches = make_patches(out.elements, size, PatchesOf::all_parts);
+    while (out.patches.list.size() > most_patches && (size *= 1.5) < 1e300);
     for (const geometry::FineMesh& mesh : out.meshes)
         for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) out.edge = std::max(out.edge, longest_edge(mesh, t));
     return out;

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
 
 #include "math/linear.h"
 
@@ -56,11 +54,12 @@ Patch patch_of(const Elements& elements, std::span<const std::uint32_t> members)
 
 }  // namespace
 
-Patches make_patches(const Elements& elements, double size) {
+Patches make_patches(const Elements& elements, double size, PatchesOf of) {
     std::vector<std::pair<Key, std::uint32_t>> keys;
     for (std::uint32_t part = 0; part + 1 < elements.base.size(); ++part)
         for (std::uint32_t i = elements.base[part]; i < elements.base[part + 1]; ++i)
-            if (elements.list[i].area > 0) keys.emplace_back(key_of(elements.list[i], part, i, size), i);
+            if (elements.list[i].area > 0)
+                keys.emplace_back(key_of(elements.list[i], of == PatchesOf::each_part ? part : 0, i, size), i);
     std::sort(keys.begin(), keys.end());
     Patches out;
     for (std::size_t first = 0; first < keys.size();) {

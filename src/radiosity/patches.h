@@ -2,6 +2,7 @@
 // Patches: pieces of surface that shoot light as one. A large triangle is a patch; small ones that lie together and look the
 // same way are one patch together.
 #pragma once
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -24,8 +25,11 @@ struct Patches {
     std::span<const std::uint32_t> of(const Patch& p) const { return {members.data() + p.begin, p.end - p.begin}; }
 };
 
+/// Whether small triangles of several parts can be one patch.
+enum class PatchesOf : std::uint8_t { each_part, all_parts };
+
 /// @param elements  no edge is longer than `size` but where the scene's own triangles are to stay
 /// @param size      [m] of what may become one patch
-Patches make_patches(const Elements& elements, double size);
+Patches make_patches(const Elements& elements, double size, PatchesOf of = PatchesOf::each_part);
 
 }  // namespace rakelight::radiosity

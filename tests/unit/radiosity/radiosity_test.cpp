@@ -298,6 +298,21 @@ TEST(Radiosity, ASunInTheSkyIsNotMissed) {
     for (const vec4& c : s.scene.meshes[0].colors) EXPECT_NEAR(c.x, 0.1 + sun, 0.02 * sun);
 }
 
+TEST(Radiosity, ManySmallPartsSharePatches) {
+    Scene scene;
+    scene.materials = {diffuse({0.5f, 0.5f, 0.5f})};
+    for (int i = 0; i < 3000; ++i)
+        test::add_object(scene, test::square_mesh(0, 0.2f),
+                         translation(dvec3{0.5 * (i % 60), 0.5 * (i / 60), 0.1 * (i % 7)}));
+    scene.lights = {test::directional({0, 0, -1})};
+    const Solved s = solve(std::move(scene), {.elements = 20000, .unshot = 0.05});
+    EXPECT_LE(s.report.patches, 2000u);
+    EXPECT_GT(s.report.patches, 200u);
+    double sum = 0;
+    for (const Mesh& mesh : s.scene.meshes) sum += double(radiance(s.scene, mesh, 0).x);
+    EXPECT_NEAR(sum / 3000, 0.5, 0.01);
+}
+
 TEST(Radiosity, UnlitMaterialsStayAndHoldLightUp) {
     Scene scene;
     scene.materials = {diffuse({1, 1, 1}), diffuse({0.3f, 0.4f, 0.5f})};
