@@ -69,14 +69,13 @@ def measure(program, kind, options, engines_there):
                 engines = [e for e in engines.split(",") if e in engines_there]
                 if not engines:
                     continue
-                depth_words = [w for w in words] if way != "raster" else list(words)
-                report = bench(program, [*depth_words, *PLAIN, *extra, "--engine", ",".join(engines)], options.frames)
+                frames = 1 if "--naive" in extra else options.frames
+                report = bench(program, [*words, *PLAIN, *extra, "--engine", ",".join(engines)], frames)
                 for row in report["rows"]:
-                    entry = found.setdefault((NAMES.get(row["engine"], way), x), {"ms": [], "prepare_ms": []})
-                    entry["ms"].append(row["median_ms"]), entry["prepare_ms"].append(row["first_ms"])
-                    entry["isa"] = row["isa"] or found.get("isa", "")
+                    entry = found.setdefault((NAMES.get(row["engine"], way), x), {"ms": [], "first_ms": []})
+                    entry["ms"].append(row["median_ms"]), entry["first_ms"].append(row["first_ms"])
                 print(f"{kind} {x}: {way} " + ", ".join(f"{r['median_ms']:.2f} ms" for r in report["rows"]), file=sys.stderr)
-    return [{"way": way, "x": x, "ms": statistics.median(e["ms"]), "low": min(e["ms"]), "high": max(e["ms"]), "first_ms": statistics.median(e["prepare_ms"]), "isa": e["isa"]}
+    return [{"way": way, "x": x, "ms": statistics.median(e["ms"]), "low": min(e["ms"]), "high": max(e["ms"]), "first_ms": statistics.median(e["first_ms"])}
             for (way, x), e in found.items()]
 
 
