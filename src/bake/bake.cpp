@@ -139,10 +139,14 @@ void pad(const std::vector<std::uint8_t>& covered, const BakeOptions& options, B
 }
 
 void add_remarks(const Scene& high, const Scene& low, const BakeReport& r, bool is_height_wanted, Context& context) {
-    if (r.missed == r.texels)
+    constexpr std::uint64_t few = 1000;  // texels of so many that meet HIGH are none
+    if ((r.texels - r.missed) * few <= r.texels)
         throw Error(ErrorCode::bad_file,
                     r.texels == 0 ? "no chart covers a texel of the map"
-                                  : "no ray from it meets '" + one_line(high.source, 80) + "'",
+                    : r.missed == r.texels
+                        ? "no ray from it meets '" + one_line(high.source, 80) + "'"
+                        : "only " + std::to_string(r.texels - r.missed) + " of " + std::to_string(r.texels) +
+                              " texels meet '" + one_line(high.source, 80) + "'",
                     {},
                     r.texels == 0 ? "make the map larger"
                                   : "models have to lie at the same place; a larger 'distance' reaches farther")

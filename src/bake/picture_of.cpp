@@ -36,7 +36,7 @@ private:
 Pixels picture_of(const BakeResult& result, const BakedMap& map, const BakeOptions& options, Component component,
                   Context& context) {
     Pixels pixels{.width = result.width, .height = result.height, .channels = map.channels, .component = component};
-    pixels.is_linear = component == Component::f32;
+    pixels.is_linear = component == Component::f32 || map.map != BakeMap::light;
     pixels.charge = share(MemoryCharge(context.memory(), map.values.size() * size_of(component), "a baked map"));
     pixels.bytes.resize(map.values.size() * size_of(component));
     const Coding coding(result, map, options, component == Component::f32);

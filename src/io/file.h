@@ -87,6 +87,7 @@ struct OutputTarget {
     std::vector<std::byte>* memory = nullptr;  ///< lives as long as the output
     std::string comment{};  ///< ASCII, into the metadata of PNG, JPEG, EXR and HDR files; empty: none
     ImagePlace place{};     ///< of a picture, into the metadata of PNG, EXR and HDR files
+    bool is_data = false;   ///< PNG: numbers, not colors, are not tagged as sRGB
 };
 
 /// The missing folders above a file that is to be written, from the outermost. They are removed again, where they are empty,

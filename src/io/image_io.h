@@ -56,6 +56,6 @@ struct ExrChannel {
 std::unique_ptr<ImageWriter> make_exr_writer(const OutputTarget& target, int width, int height,
                                              std::vector<ExrChannel> channels);
 /// All rows at once.
-void write_image(const OutputTarget& target, const Pixels& pixels, Sync sync = Sync::now);
+void write_image(OutputTarget target, const Pixels& pixels, Sync sync = Sync::now);
 
 }  // namespace rakelight::io

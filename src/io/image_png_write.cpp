@@ -34,7 +34,8 @@ public:
         header.color_type = color_types[channels - 1];
         require(spng_set_ihdr(png_.get(), &header));
         require(spng_set_png_file(png_.get(), file_.handle()));
-        if (component == Component::u8 && channels >= 3) require(spng_set_srgb(png_.get(), perceptual_intent));
+        if (component == Component::u8 && channels >= 3 && !target.is_data)
+            require(spng_set_srgb(png_.get(), perceptual_intent));
         set_texts();
         if (!window_.empty()) set_offset(target.place);
         // Measured at 1280 x 720 on a shaded sphere and on a photograph: run lengths over one fixed filter take 12 and 38 ms

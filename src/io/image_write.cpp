@@ -80,7 +80,8 @@ std::unique_ptr<ImageWriter> make_exr_writer(const OutputTarget& target, int wid
     return codec::write_exr_channels(target, width, height, std::move(channels));
 }
 
-void write_image(const OutputTarget& target, const Pixels& pixels, Sync sync) {
+void write_image(OutputTarget target, const Pixels& pixels, Sync sync) {
+    target.is_data |= pixels.is_linear;
     const auto writer = make_image_writer(target, pixels.width, pixels.height, pixels.channels, pixels.component);
     for (int y = 0; y < pixels.height; ++y) writer->write_row(pixels.row(y));
     writer->finish(sync);

@@ -50,7 +50,11 @@ Mesh front_of(const Scene& scene, const Part& part, const geometry::FineMesh& fi
     coarse.smoothing = {};
     coarse.tangents = {};
     coarse.shape.reset();
-    return refined_mesh(coarse, fine);
+    Mesh mesh = refined_mesh(coarse, fine);
+    std::vector<vec3> normals(mesh.normals.begin(), mesh.normals.end());
+    for (vec3& n : normals) n = normalize_or(n, vec3{0, 0, 1});
+    mesh.normals = std::move(normals);
+    return mesh;
 }
 
 class LitScene {

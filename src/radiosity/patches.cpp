@@ -43,13 +43,35 @@ Patch patch_of(const Elements& elements, std::span<const std::uint32_t> members)
         const Element& e = elements.list[i];
         out.area += e.area;
         out.center += e.center * e.area;
-        out.area_normal += e.face_normal * e.area;
         out.emission += e.emission * e.area;
     }
     out.center = out.center / out.area, out.emission = out.emission / out.area;
     for (const std::uint32_t i : members)
         for (const dvec3 corner : elements.list[i].corner) out.reach = std::max(out.reach, length(corner - out.center));
     return out;
+}
+
+/// Which of nine parts of its cube's face a normal goes through, as seen from the middle.
+std::size_t part_of_face(dvec3 n) {
+    const std::uint32_t axis = main_axis(n) / 2;
+    const auto third = [&](double v) { return std::size_t(std::clamp((v / std::fabs(n[axis]) + 1) * 1.5, 0.0, 2.0)); };
+    return 3 * third(n[(axis + 1) % 3]) + third(n[(axis + 2) % 3]);
+}
+
+/// Of members whose normals go through one part of a face the whole area counts, not its projection: what a curved surface
+/// sends out is kept.
+void add_facets(const Elements& elements, std::span<const std::uint32_t> members, std::vector<dvec3>& facets) {
+    struct Facet {
+        dvec3 normal;
+        double area = 0;
+    } found[9];
+    for (const std::uint32_t i : members) {
+        const Element& e = elements.list[i];
+        Facet& facet = found[part_of_face(e.face_normal)];
+        facet.normal += e.face_normal * e.area, facet.area += e.area;
+    }
+    for (const Facet& facet : found)
+        if (facet.area > 0) facets.push_back(normalize_or(facet.normal, dvec3{}) * facet.area);
 }
 
 }  // namespace
@@ -67,6 +89,9 @@ Patches make_patches(const Elements& elements, double size, PatchesOf of) {
         while (end < keys.size() && keys[end].first == keys[first].first) out.members.push_back(keys[end++].second);
         Patch patch = patch_of(elements, {out.members.data() + first, end - first});
         patch.begin = std::uint32_t(first), patch.end = std::uint32_t(end);
+        patch.facets_begin = std::uint32_t(out.facets.size());
+        add_facets(elements, out.of(patch), out.facets);
+        patch.facets_end = std::uint32_t(out.facets.size());
         out.list.push_back(patch);
         first = end;
     }

@@ -11,18 +11,23 @@
 namespace rakelight::radiosity {
 
 struct Patch {
-    std::uint32_t begin = 0, end = 0;  ///< of Patches::members
-    dvec3 center;                      ///< mean by area
-    dvec3 area_normal;                 ///< [m^2] sum of the members' areas along their normals
-    double area = 0;                   ///< [m^2]
-    double reach = 0;                  ///< [m] from the center to its farthest corner
-    dvec3 emission;                    ///< radiance, mean by area
+    std::uint32_t begin = 0, end = 0;                ///< of Patches::members
+    dvec3 center;                                    ///< mean by area
+    std::uint32_t facets_begin = 0, facets_end = 0;  ///< of Patches::facets
+    double area = 0;                                 ///< [m^2]
+    double reach = 0;                                ///< [m] from the center to its farthest corner
+    dvec3 emission;                                  ///< radiance, mean by area
 };
 
 struct Patches {
     std::vector<Patch> list;
     std::vector<std::uint32_t> members;  ///< elements, patch by patch
+    /// [m^2] Patch by patch, for those far away: the area of members that look about the same way, along their mean normal.
+    std::vector<dvec3> facets;
     std::span<const std::uint32_t> of(const Patch& p) const { return {members.data() + p.begin, p.end - p.begin}; }
+    std::span<const dvec3> facets_of(const Patch& p) const {
+        return {facets.data() + p.facets_begin, p.facets_end - p.facets_begin};
+    }
 };
 
 /// Whether small triangles of several parts can be one patch.

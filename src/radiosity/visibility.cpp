@@ -9,13 +9,15 @@
 namespace rakelight::radiosity {
 namespace {
 
-/// Beyond so many reaches a patch is a small area: the difference from the closed form is below 1 %.
+/// Beyond so many reaches a patch is a small area: a disc seen face on differs by 2.8 % from the closed form there, others by less.
 constexpr double far_reaches = 6;
-double of_small_area(const Receiver& r, const Patch& patch) {
-    const dvec3 way = patch.center - r.at;
-    const double squared = dot(way, way);
-    const double here = dot(r.normal, way), there = -dot(patch.area_normal, way);
-    return here > 0 && there > 0 ? here * there / (pi * squared * squared) : 0;
+double of_small_area(const Receiver& r, dvec3 center, std::span<const dvec3> facets) {
+    const dvec3 way = center - r.at;
+    const double squared = dot(way, way), here = dot(r.normal, way);
+    if (!(here > 0)) return 0;
+    double there = 0;
+    for (const dvec3 facet : facets) there += std::max(0.0, -dot(facet, way));
+    return here * there / (pi * squared * squared);
 }
 
 /// Rays a side of the triangle of rays, by how much of the light they decide on.
@@ -25,7 +27,8 @@ int rays_a_side(double share) { return share < 1e-3 ? 1 : share < 1e-2 ? 2 : sha
 
 double FormFactors::unblocked(const Receiver& r, const Patch& patch) const {
     const dvec3 way = patch.center - r.at;
-    if (dot(way, way) > far_reaches * far_reaches * patch.reach * patch.reach) return of_small_area(r, patch);
+    if (dot(way, way) > far_reaches * far_reaches * patch.reach * patch.reach)
+        return of_small_area(r, patch.center, patches_.facets_of(patch));
     double sum = 0;
     for (const std::uint32_t i : patches_.of(patch)) {
         const Element& e = elements_.list[i];

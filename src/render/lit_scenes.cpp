@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/lit_scenes.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "scene/scene_tools.h"
@@ -14,7 +15,7 @@ void add_note(const RadiosityReport& r, const std::string& file, Report& report)
         text, sizeof text,
         "radiosity: %u elements, %u patches, %u shots; of %.4g W %.1f %% are absorbed, %.1f %% unshot, %.1f %% "
         "left the scene",
-        r.elements, r.patches, r.shots, r.emitted, whole * r.absorbed, whole * r.unshot, whole * r.left);
+        r.elements, r.patches, r.shots, r.emitted, whole * r.absorbed, whole * r.unshot, std::max(0.0, whole * r.left));
     report.add(Remark::note, file, "", text, {"method"});
 }
 
@@ -31,7 +32,7 @@ std::shared_ptr<const PreparedScene> LitScenes::of(const std::shared_ptr<const P
     if (lit_ && prepared == prepared_ && settings == settings_ && lights_ == prepared->scene.lights) return lit_;
     lit_.reset();
     auto out = std::make_shared<PreparedScene>();
-    Scene scene = prepared->scene;
+    Scene scene = prepared->posed(context);
     if (!prepared->has_chosen_lights)
         scene.lights = lights_of(scene, default_camera(scene, world_bounds(scene), 1), RayMethod::radiosity);
     out->scene = lit_by_radiosity(std::move(scene), settings, context);

@@ -80,7 +80,9 @@ ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& cont
     prepared.has_chosen_lights = true;
     if (request.settings.method == RayMethod::radiosity) {
         prepared.bound.reset();  // other poses have other light
-        prepared.scene = lit_by_radiosity(std::move(prepared.scene), request.settings.radiosity, context, report);
+        Scene posed = prepared.posed(context);
+        prepared.poses.reset(), prepared.posed_.forget();
+        prepared.scene = lit_by_radiosity(std::move(posed), request.settings.radiosity, context, report);
     }
     return ready;
 }

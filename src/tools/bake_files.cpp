@@ -36,7 +36,16 @@ Component component_for(const BakeRequest& request, BakeMap map) {
     return request.bits == 0 ? component_of(map) : request.bits == 8 ? Component::u8 : Component::u16;
 }
 
+void check_braces(const std::string& output) {
+    for (std::size_t at = output.find('{'); at != std::string::npos; at = output.find('{', at + 1))
+        if (output.compare(at, map_part.size(), map_part) != 0)
+            throw Error(ErrorCode::usage, "'" + one_line(output, 80) + "' has a word in braces that means nothing", {},
+                        "{map} stands for the name of each map")
+                .about("output");
+}
+
 void check(const BakeRequest& request) {
+    check_braces(request.output);
     if (request.options.maps.size() > 1 && request.output.find(map_part) == std::string::npos)
         throw Error(ErrorCode::usage, "'" + one_line(request.output, 80) + "' is one name for several maps", {},
                     "{map} stands for each one's: -o 'NAME.{map}.png'");

@@ -119,6 +119,7 @@ class Bake(program.Case):
             ((HIGH, HEAD, *output, "--make-coordinates", "--size", "16"), 2, "--size", "no room", "charts"),
             (("square.obj", "square.obj", "-o", "n.jpg"), 2, "n.jpg", ".png"),
             (("square.obj", "square.obj", *output, "--maps", "normal,height"), 2, "{map}"),
+            (("square.obj", "square.obj", "-o", "{foo}.png"), 2, "{map}"),
             (("square.obj", "square.obj", *output, "--maps", "normals"), 2, "did you mean 'normal'?"),
             (("square.obj", "square.obj", "-o", "{map}.png", "--maps", "normal,normal"), 2, "--maps", "twice"),
             (("square.obj", "square.obj", *output, "--distance", "0"), 2, "--distance", "more than 0"),

@@ -7,6 +7,7 @@
 #include "bake/low_surface.h"
 #include "bake/tangent_frame.h"
 #include "support/environment_variable.h"
+#include "support/thrown_error.h"
 #include "unit/bake/bake_scenes.h"
 
 #include <rakelight/load.h>
@@ -271,6 +272,14 @@ TEST_F(Bake, ACageForTwoTrianglesHoldsWhatStandsBetweenTheirCorners) {
     EXPECT_EQ(result.report.beyond, 0u);
     EXPECT_NEAR(value_at(result, 0, 16, 16), 0.2, 1e-6);
     EXPECT_NEAR(value_at(result, 0, 4, 28), 0, 1e-6);
+}
+
+TEST_F(Bake, WhereNextToNothingMeetsTheDetailedModelIsElsewhere) {
+    BakeOptions options = options_for({BakeMap::height}, 256, 256);
+    options.distance = 0.01;
+    const Scene low = scene_of(square_mesh());
+    Scene high = scene_of(square_mesh(no_index, 0.01f));  // 9 of 65536 texels
+    EXPECT_EQ(error_of([&] { (void)bake(high, low, options); }).code(), ErrorCode::bad_file);
 }
 
 TEST_F(Bake, TexelsBeyondAProposedCageAreCounted) {

@@ -12,6 +12,7 @@
 #include "radiosity/cut.h"
 #include "radiosity/visibility.h"
 #include "support/thrown_error.h"
+#include "unit/bake/bake_scenes.h"
 #include "unit/radiosity/box_scene.h"
 
 namespace rakelight::radiosity {
@@ -296,6 +297,30 @@ TEST(Radiosity, ASunInTheSkyIsNotMissed) {
     const Solved s = solve(scene, {.elements = 100});
     ASSERT_GT(sun, 0.4);
     for (const vec4& c : s.scene.meshes[0].colors) EXPECT_NEAR(c.x, 0.1 + sun, 0.02 * sun);
+}
+
+TEST(Radiosity, ASphereSendsOutAllOfItsLight) {
+    constexpr double radius = 0.1;
+    Scene scene = room(diffuse({0, 0, 0}), diffuse({0, 0, 0}));
+    scene.materials.push_back(diffuse({0, 0, 0}, {1, 1, 1}));
+    Mesh lamp = test::plain_sphere(24, 48, radius);
+    lamp.material = 2;
+    test::add_object(scene, std::move(lamp));
+    Context context({.threads = 2});
+    RadiosityReport report;
+    const Scene lit = with_radiosity(scene, {.elements = 20000}, report, context, LitColors::arriving);
+    EXPECT_NEAR(report.emitted, pi * 4 * pi * radius * radius, 0.005);
+    EXPECT_NEAR(report.absorbed, report.emitted, 0.01 * report.emitted);
+    int count = 0;
+    for (std::size_t m = 0; m < 6; ++m)
+        for (std::size_t v = 0; v < lit.meshes[m].positions.size(); ++v) {
+            const vec3 p = lit.meshes[m].positions[v];
+            const double squared = 1 + double(p.x) * double(p.x) + double(p.y) * double(p.y);
+            if (squared > 2) continue;
+            EXPECT_NEAR(lit.meshes[m].colors[v].x, radius * radius / (squared * std::sqrt(squared)), 0.0003);
+            ++count;
+        }
+    EXPECT_GT(count, 100);
 }
 
 TEST(Radiosity, ManySmallPartsSharePatches) {
