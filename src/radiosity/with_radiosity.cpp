@@ -24,7 +24,7 @@ constexpr std::size_t least_patches = 100, most_patches = 2000;
 constexpr double first_share = 0.4;
 constexpr double share_after[] = {0.6, 0.8, 0.9, 1.0};
 /// [diagonals of the scene] by which rays begin and end over surfaces.
-constexpr double gap_share = 1e-5;
+constexpr double gap_share = 2e-6;
 
 std::string counted(std::size_t count, const std::string& what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
