@@ -5,8 +5,8 @@
   reproduce.py [--program build/release/rakelight] [--out build/reproduction] [--page docs/reproduction.md] [NAME...]
   reproduce.py --list
 
-NAME is an entry (s1-fig3) or the beginning of some (s2). Writes NAME.png, and numbers.json of all that was made. --timed measures times too, which
-no range holds. --page writes the numbers into the page, too. --scale 0.3 makes smaller pictures for the numbers. Exit code 1 where a number is outside of its range.
+NAME is an entry (s1-fig3) or the beginning of some (s2). Writes NAME.png, and numbers.json of all that the folder has. --timed measures times too, which
+no range holds. --page writes those numbers into the page, too. --scale 0.3 makes smaller pictures for the numbers. Exit code 1 where a number is outside of its range.
 Only the standard library is needed."""
 import argparse
 import json
@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 from reproduction import pending, s1_frames, s1_light, s1_seams, s2_pipeline, s2_shading, s2_visibility, s3_bumps, s3_light, s3_maps
-from reproduction.kit import Kit
+from reproduction.kit import Failure, Kit
 from reproduction.ranges import RANGES
 from sheet import PROGRAM, ROOT
 
@@ -26,6 +26,8 @@ ENTRIES = {entry.name: entry for module in MODULES for entry in module.ENTRIES}
 
 def number(value):
     """Four significant digits, without an exponent."""
+    if value == float("inf"):
+        return "any"
     return f"{value:.0f}" if abs(value) >= 1000 or value == int(value) else f"{value:.4g}" if abs(value) >= 1e-4 else "0"
 
 
@@ -56,12 +58,18 @@ def make(entry, options):
         return {"source": entry.source, "claim": entry.claim, "numbers": numbers, "times": entry.timed(kit) if entry.timed and options.timed else {}}
 
 
+def rows(name, entry):
+    """The numbers as a table of Markdown."""
+    shown = [(what, number(value), " to ".join(map(number, RANGES[name][what]))) for what, value in entry["numbers"].items()]
+    shown += [(what, number(value), "") for what, value in entry["times"].items()]
+    return "".join(f"| {' | '.join(row)} |\n" for row in (("measured", "", "from, to"), ("---", "---:", "---"), *shown))
+
+
 def update_page(page, made):
-    """Puts the numbers where the page has `Measured` under the heading of an entry."""
+    """Puts the numbers between `Measured:` and the verdict, which begins with **, under the heading of an entry."""
     text = page.read_text()
     for name, entry in made.items():
-        line = "; ".join(f"{what} **{number(value)}**" for what, value in {**entry["numbers"], **entry["times"]}.items())
-        text, count = re.subn(rf"(^### {re.escape(name)}\b.*?^Measured: )[^\n]*", lambda m: m.group(1) + line + ".", text, count=1, flags=re.M | re.S)
+        text, count = re.subn(rf"(^### {re.escape(name)}:.*?^Measured:)\n.*?(?=^\*\*)", lambda m: f"{m.group(1)}\n\n{rows(name, entry)}\n", text, count=1, flags=re.M | re.S)
         if not count:
             sys.exit(f"reproduce: {page} has no place for the numbers of {name}")
     page.write_text(text)
@@ -91,7 +99,11 @@ def main():
     for name, entry in ENTRIES.items():
         if options.names and not any(name.startswith(n) for n in options.names):
             continue
-        one = make(entry, options)
+        try:
+            one = make(entry, options)
+        except Failure as failure:
+            wrong.append(f"{name}: {failure}")
+            continue
         if one is None:
             continue
         made[name] = one
@@ -99,7 +111,10 @@ def main():
         print(f"{name}: {entry.claim}")
         for what, value in {**one["numbers"], **one["times"]}.items():
             print(f"    {what}: {number(value)}")
-    (options.out / "numbers.json").write_text(json.dumps(made, indent=1) + "\n")
+    numbers = options.out / "numbers.json"
+    if options.names and numbers.exists():
+        made = {**json.loads(numbers.read_text()), **made}
+    numbers.write_text(json.dumps(made, indent=1) + "\n")
     if options.page:
         update_page(options.page, made)
     for fault in wrong:

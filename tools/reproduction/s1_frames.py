@@ -105,7 +105,7 @@ def measure_gram_schmidt(kit):
 
 def draw_gram_schmidt(kit, path):
     off, once, late = ((*SHEET, "--orthogonalize", way) for way in WAYS)
-    kit.sheet(path, [[off, once, late, (off, once, 8)]], 180, 140, below=[["off", "per vertex", "per pixel", "8 x first less second"]])
+    kit.sheet(path, [[off, once, late, (off, once, 8)]], 180, 140, below=[["off", "per vertex", "per pixel", "difference x 8"]])
 
 
 def halves(kit, mode):

@@ -17,18 +17,23 @@ SCOPES = {"face": "flat", "object": "object", "model": "model"}
 SPOT = "data/spot/spot_slab5.glb"
 
 
-def head(kit):
-    """The head scan, cut into six objects."""
-    path = kit.folder / "head6.obj"
+def head(kit, is_colored=True):
+    """The head scan, cut into six objects; without its color map seams are easier to see."""
+    folder = kit.folder / ("colored" if is_colored else "gray")
+    path = folder / "head6.obj"
     if not path.exists():
-        for name in ("head.mtl", "color.jpg", "normal_from_bump.png"):
-            shutil.copy(ROOT / "data/head" / name, kit.folder)
+        folder.mkdir()
+        for name in ("color.jpg", "normal_from_bump.png"):
+            shutil.copy(ROOT / "data/head" / name, folder)
+        lines = (ROOT / "data/head/head.mtl").read_text().splitlines()
+        (folder / "head.mtl").write_text("\n".join(line for line in lines if is_colored or not line.startswith("map_Kd")) + "\n")
         subprocess.run([sys.executable, ROOT / "tools/cut_obj.py", ROOT / "data/head/head.obj", path, "--grid", "2,3,1"], check=True, capture_output=True)
     return path
 
 
-def scopes(kit):
-    return {name: (head(kit), *VIEW, *PUBLISHED, "--normals", word) for name, word in SCOPES.items()}
+def scopes(kit, is_colored=True):
+    exposure = () if is_colored else ("--exposure", "-1.2")
+    return {name: (head(kit, is_colored), *VIEW, *exposure, *PUBLISHED, "--normals", word) for name, word in SCOPES.items()}
 
 
 def measure_head(kit):
@@ -44,8 +49,9 @@ def measure_head(kit):
 
 
 def draw_head(kit, path):
-    shown = list(scopes(kit).values())
-    kit.sheet(path, [shown, [(one, shown[2], 4) for one in shown]], 240, 240, below=[["face level", "per object", "whole model"], ["4 x less the last"] * 3], colors=160)
+    colored, gray = (list(scopes(kit, is_colored).values()) for is_colored in (True, False))
+    kit.sheet(path, [colored, gray, [(one, gray[2], 8) for one in gray]], 240, 240, colors=256,
+              below=[["face level", "per object", "whole model"], ["without color map"] * 3, ["difference x 8"] * 3])
 
 
 def measure_stored(kit):
@@ -61,7 +67,7 @@ def draw_stored(kit, path):
     kit.run("smooth", SPOT, "-o", kit.folder / "stored.glb", "--normals", "model", "--quiet")
     scene = ("--view", "left", "--bump", "none")
     loaded, own = (SPOT, *scene, "--normals", "model"), (kit.folder / "stored.glb", *scene, "--normals", "file")
-    kit.sheet(path, [[(SPOT, *scene, "--normals", "flat"), loaded, own, (loaded, own, 64)]], 180, 135, below=[["none in the file", "made at load", "stored", "64 x difference"]])
+    kit.sheet(path, [[(SPOT, *scene, "--normals", "flat"), loaded, own, (loaded, own, 64)]], 180, 135, below=[["none in the file", "made at load", "stored", "difference x 64"]])
 
 
 def time_attributes(kit):

@@ -107,7 +107,7 @@ def time_methods(kit):
 
 ENTRIES = (
     Entry("s3-fig9", "S3 fig. 9", "Normal map and depth map together shift the texture, the more the lower the view", measure_parallax, draw_parallax),
-    Entry("s3-fig10", "S3 fig. 10, parallax mapping", "Normal mapping is wrong at grazing angles, parallax repairs it, steep parallax lets parts hide parts", measure_methods, draw_methods, time_methods),
+    Entry("s3-fig10", "S3 fig. 10", "Normal mapping is wrong at grazing angles, parallax repairs it, steep parallax lets parts hide parts", measure_methods, draw_methods, time_methods),
     Entry("s3-outline", "S3, bump mapping", "Fake bumps leave the outline smooth, real ones do not", measure_outline, draw_outline),
     Entry("s3-border", "S3, parallax mapping", "No parallax method shows bumps beyond the border of the texture", measure_border, draw_border),
 )

@@ -124,7 +124,7 @@ def measure_frames(kit):
 def draw_frames(kit, path):
     vertex, transposed = ((*LEANING, *FRAMES[name]) for name in ("vertex", "transposed"))
     kit.sheet(path, [[LEANING, (*LEANING, *FRAMES["pixel"]), vertex, transposed], [(part, LEANING, 4) for part in (LEANING, (*LEANING, *FRAMES["pixel"]), vertex, transposed)]],
-              190, 148, below=[["world", "pixel", "vertex", "vertex, transposed"], ["4 x less the first"] * 4])
+              190, 148, below=[["world", "pixel", "vertex", "vertex, transposed"], ["difference x 4"] * 4])
 
 
 ENTRIES = (
