@@ -25,10 +25,17 @@ ENTRIES = {entry.name: entry for module in MODULES for entry in module.ENTRIES}
 
 
 def number(value):
-    """Four significant digits, without an exponent."""
-    if value == float("inf"):
-        return "any"
-    return f"{value:.0f}" if abs(value) >= 1000 or value == int(value) else f"{value:.4g}" if abs(value) >= 1e-4 else "0"
+    """Four significant digits, one where there are that many zeros after the point."""
+    if abs(value) >= 1000 or value == int(value):
+        return f"{value:.0f}"
+    return f"{value:.4g}" if abs(value) >= 1e-4 else f"{value:.0e}"
+
+
+def words_of(low, high):
+    """A range, in words."""
+    if high == float("inf"):
+        return "more than 0" if 0 < low < 1e-8 else f"{number(low)} or more"
+    return number(low) if low == high else f"{number(low)} to {number(high)}"
 
 
 def faults(name, numbers):
@@ -40,7 +47,7 @@ def faults(name, numbers):
         else:
             low, high = RANGES[name][what]
             if not low <= numbers[what] <= high:
-                found.append(f"{name}: {what}: {number(numbers[what])}, not from {number(low)} to {number(high)}")
+                found.append(f"{name}: {what}: {number(numbers[what])}, not {words_of(low, high)}")
     return found
 
 
@@ -60,9 +67,9 @@ def make(entry, options):
 
 def rows(name, entry):
     """The numbers as a table of Markdown."""
-    shown = [(what, number(value), " to ".join(map(number, RANGES[name][what]))) for what, value in entry["numbers"].items()]
+    shown = [(what, number(value), words_of(*RANGES[name][what])) for what, value in entry["numbers"].items()]
     shown += [(what, number(value), "") for what, value in entry["times"].items()]
-    return "".join(f"| {' | '.join(row)} |\n" for row in (("measured", "", "from, to"), ("---", "---:", "---"), *shown))
+    return "".join(f"| {' | '.join(row)} |\n" for row in (("number", "", "may be"), ("---", "---:", "---"), *shown))
 
 
 def update_page(page, made):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Entries that need options which not every build of the program has: the fixed-function preset and the slopes of depth. Without them they are left out."""
+"""What not every build of the program has: rays, the fixed-function preset, the slopes of depth. Entries that need them are left out without."""
 from .kit import Entry
 
 FIXED = ("--preset", "fixed-function")
@@ -8,11 +8,14 @@ TEAPOT = ("builtin:teapot", "--camera-position", "0.9,1.4,2.6", "--camera-focal-
 ONE = ("--light", "point:2,3,3:color=0.7,0.7,0.7", "--light", "ambient:0.13,0.13,0.13")
 FULL = (*TEAPOT, *ONE, "--lighting", "pbr", "--shadows")
 NARROW = ("builtin:teapot", "--camera-position", "0.9,1.4,2.6", "--camera-focal-point", "0.07,0.45,0", "--camera-view-angle", "32")
-OPTIONS = {"s1-table1": "--preset", "s2-slopes": "slope"}
+NAMES = ("s1-table1", "s2-slopes")
+RAYS = ("s2-rays", "s3-fig1")
 
 
 def lacks(kit, name):
     """Why the entry cannot be made with this program; None: it can be."""
+    if name in RAYS and kit.run("render", "builtin:plane", "--engine", "trace", "--resolution", "8,8", "-o", kit.folder / "try.png", codes=range(256)).returncode:
+        return "this program follows no rays"
     if name == "s1-table1" and "--preset" not in kit.run("render", "--help").stdout:
         return "this program has no --preset"
     if name == "s2-slopes" and not slopes(kit):

@@ -107,7 +107,8 @@ RANGES = {
         "brick, mild: difference to smooth [1/255]": (4, 9.5), "brick, strong: difference to smooth [1/255]": (9.6, 20), "leather, mild: difference to smooth [1/255]": (1.5, 9),
         "leather, strong: difference to smooth [1/255]": (4, 16), "scratches, mild: difference to smooth [1/255]": (0.5, 4), "scratches, strong: difference to smooth [1/255]": (2, 10)},
     "s3-motion": {
-        "detail of one picture, bumpy over smooth": (1.2, 2.5), "change of detail from picture to picture, bumpy over smooth": (2.6, 6), "change of detail, smooth [1/255]": (0.5, 3),
+        "detail of one picture, bumpy over smooth": (1.2, 1.9), "detail of one picture, strong bumps over smooth": (1.95, 6),
+        "change of detail from picture to picture, bumpy over smooth": (2.6, 6), "change of detail, smooth [1/255]": (0.5, 3),
         "change of detail, bumpy [1/255]": (3.5, 10)},
     "s1-table1": {
         "preset beside gouraud, blinn-phong, no bumps, no shadows [1/255]": NONE, "preset beside the programmable pipeline [1/255]": (3, 60),

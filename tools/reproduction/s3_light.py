@@ -61,10 +61,10 @@ def draw_row(kit, path):
     kit.sheet(path, rows, 190, 132, below=[["smooth", "brick, mild", "leather, mild", "scratches, mild"], ["smooth", "brick", "leather", "scratches"]], colors=160)
 
 
-def frames(kit, how, count):
+def frames(kit, how, count, *more):
     """Gray codes of the pictures of the clip, each a list."""
-    name = kit.folder / f"lamp-{how}"
-    kit.run("render", *CLIP, "--bump", how, "--look", "plain", "--resolution", ",".join(map(str, SIZE)), "--fps", "4", "--frames", f"0:{count - 1}", "-o",
+    name = kit.folder / f"lamp-{how}{len(more)}"
+    kit.run("render", *CLIP, "--bump", how, *more, "--look", "plain", "--resolution", ",".join(map(str, SIZE)), "--fps", "4", "--frames", f"0:{count - 1}", "-o",
             f"{name}-{{frame}}.png", "--quiet")
     return [[sum(pixels[i:i + 3]) / 3 for i in range(0, len(pixels), 3)] for pixels in (read_rgb(f"{name}-{k}.png")[2] for k in range(count))]
 
@@ -83,18 +83,22 @@ def flicker(pictures, width):
 
 def measure_motion(kit):
     width = SIZE[0]
-    found = {how: frames(kit, how, 4) for how in ("none", "normal")}
+    found = {"none": frames(kit, "none", 4), "normal": frames(kit, "normal", 4), "strong": frames(kit, "normal", 2, "--normal-scale", "3")}
     still = {how: math.sqrt(sum(d * d for d in detail(p[1], width)) / len(p[1])) for how, p in found.items()}
     moving = {how: flicker(p, width) for how, p in found.items()}
-    return {"detail of one picture, bumpy over smooth": still["normal"] / still["none"], "change of detail from picture to picture, bumpy over smooth": moving["normal"] / moving["none"],
+    return {"detail of one picture, bumpy over smooth": still["normal"] / still["none"],
+            "detail of one picture, strong bumps over smooth": still["strong"] / still["none"],
+            "change of detail from picture to picture, bumpy over smooth": moving["normal"] / moving["none"],
             "change of detail, smooth [1/255]": moving["none"], "change of detail, bumpy [1/255]": moving["normal"]}
 
 
 def draw_motion(kit, path):
-    """One picture of each kind; the clip beside it is a WebP file that moves."""
+    """Three moments of each kind; the clip beside it is a PNG file that moves."""
     kit.sheet(path, [[(*CLIP, "--bump", how, "--animation-time", t) for t in ("0.5", "1.5", "2.5")] for how in ("none", "normal")], 192, 128,
               lines=["none", "normal"], columns=["0.5 s", "1.5 s", "2.5 s"])
-    kit.run("render", *CLIP, "--bump", "normal", "--look", "plain", "--resolution", "162,108", "--samples", "4", "--fps", "4", "-o", path.with_suffix(".webp"), "--quiet")
+    clip = path.with_name(path.stem + "-clip.apng")
+    kit.run("render", *CLIP, "--bump", "normal", "--look", "plain", "--resolution", "144,96", "--samples", "4", "--fps", "4", "-o", clip, "--quiet")
+    clip.replace(clip.with_suffix(".png"))
 
 
 def hilly(path, cells, depth):
