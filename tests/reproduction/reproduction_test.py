@@ -14,7 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 import reproduce  # noqa: E402
 from reproduction import pending  # noqa: E402
-from reproduction.kit import Entry, Kit  # noqa: E402
+from reproduction.kit import Kit  # noqa: E402
 from reproduction.ranges import RANGES  # noqa: E402
 
 PROGRAM = ""

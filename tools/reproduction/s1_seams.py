@@ -7,7 +7,7 @@ import sys
 
 from sheet import ROOT
 
-from .kit import PLAIN, Entry
+from .kit import Entry
 
 VIEW = ("--camera-position", "0.1,0.29,0.5", "--camera-focal-point", "0,0.282,0.1", "--camera-view-angle", "20",
         "--light", "point:0.5,0.5,0.6:color=0.9,0.85,0.8:attenuation=0.6,0.2,0.4",

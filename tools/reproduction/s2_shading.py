@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Second source: own color, flat, Gouraud, Phong; rays beside incremental synthesis."""
-from .kit import Entry, brightness
+from .kit import Entry
 
 SHADINGS = ("unlit", "flat", "gouraud", "phong")
 TEAPOT = ("builtin:teapot", "--camera-position", "0.9,1.4,2.6", "--camera-focal-point", "0.07,0.45,0", "--camera-view-angle", "29", "--lighting", "blinn-phong",

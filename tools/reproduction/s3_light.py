@@ -4,9 +4,7 @@ import math
 
 import bake_pictures
 import bump_pictures as bumps
-from border_mesh import read_obj, welded, write_obj
 from png8 import read_rgb
-from quadric_decimation import decimated
 
 from .kit import Entry
 
