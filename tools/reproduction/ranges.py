@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What each number may be: from, to. They hold for the pictures of the book and for the small ones of the tests, so they are as wide as the claim allows, not as
+narrow as one run. A claim that did not hold has the range of what holds in its place (docs/reproduction.md says which)."""
+INF = float("inf")
+NONE, SOME = (0, 0), (1e-9, INF)
+TINY = (0, 1e-5)
+
+RANGES = {
+    "s1-fig3": {
+        **{f"{n} triangles, gouraud: difference to the finest [1/255]": r for n, r in ((224, (12, 20)), (960, (4.9, 8)), (3968, (2, 4)))},
+        **{f"{n} triangles, phong: difference to the finest [1/255]": r for n, r in ((224, (8, 12)), (960, (3, 4.8)), (3968, (1, 2.5)))},
+        "brightest pixel of 224 triangles, gouraud [1/255]": (100, 170), "brightest pixel of 224 triangles, phong [1/255]": (195, 255),
+        "lighting evaluations, phong over gouraud, 224 triangles": (100, INF)},
+    "s1-large-face": {
+        **{f"{light}, gouraud: middle less side [linear]": (-0.01, 0.01) for light in ("spot light", "highlight")},
+        **{f"{light}, phong: middle less side [linear]": (0.5, INF) for light in ("spot light", "highlight")}},
+    "s1-mixed": {
+        "evaluations, mixed over gouraud": (1.05, INF), "evaluations, mixed over phong": (0.01, 0.95),
+        "two spheres, gouraud: difference to phong [1/255]": (2, 6), "two spheres, auto: difference to phong [1/255]": (0, 1)},
+    "s1-fig4": {"pixels whose normal leans, without the map [%]": NONE, "pixels whose normal leans, with the map [%]": (40, 95)},
+    "s1-fig5": {
+        "mean blue of the map [1/255]": (200, 255), "down from green to dark over down from dark to green": (1.8, INF), "difference with and without [1/255]": (10, 60)},
+    "s1-fig6-8": {"places": (20, 45), "largest angle of the tangent to U [degrees]": (0, 0.1), "bitangents that go up in the texture [%]": (100, 100)},
+    "s1-fig10": {
+        **{f"centered: light over the {side} face, most less least [linear]": (0.1, 0.3) for side in ("left", "right")},
+        "tilted: light over the left face, most less least [linear]": (0, 0.001), "tilted: light over the right face, most less least [linear]": (0.2, 0.5)},
+    "s1-fig13": {
+        "off: normal and tangent are off a right angle [degrees]": (1, 20),
+        **{f"{way}: normal and tangent are off a right angle [degrees]": TINY for way in ("attribute", "shader")},
+        "off beside per vertex [1/255]": (0.1, 2), "per pixel beside per vertex [1/255]": (0, 0.1), "pixels that differ by more than 10 codes, off [%]": (0, 1)},
+    "s1-handedness": {
+        "with the step: left half [1/255]": (0, 0.5), "with the step: mirrored half [1/255]": (12, 30), "without it: left half [1/255]": (0, 0.5),
+        "without it: mirrored half [1/255]": (1, 9)},
+    "s1-fig9-12": {
+        "largest seam between objects, face [degrees]": (5, 180), "largest seam between objects, object [degrees]": (5, 180), "largest seam between objects, model [degrees]": NONE,
+        "picture by face beside whole model [1/255]": (2, 10), "picture by object beside whole model [1/255]": (0.2, 1.5), "pixels that object and whole model differ in [%]": (0.5, 5),
+        "objects": (6, 6)},
+    "s1-stored": {"largest difference of the pictures [1/255]": NONE, "picture of the file without stored normals beside it [1/255]": (1, 6)},
+    "s2-stages": {
+        "stages of the lecture that have a table": (18, 18), "camera space off the lecture's formula [m]": TINY, "clip space off the projection of it [1]": TINY,
+        "device space off x / w, y / w [1]": TINY, "screen off width (x + 1) / 2, height (1 - y) / 2 [px]": (0, 1e-4)},
+    "s2-projection": {
+        **{f"corner of the view after step 1, {axis} / -z": (0.999999, 1.000001) for axis in "xy"}, "depth of the near plane": (-1.000001, -0.999999),
+        "depth of the far plane": (0.999999, 1.000001), "three steps beside the engine's matrix [1]": TINY},
+    "s2-wrap-round": {"triangles through the plane of the eye": SOME, "pixels that clipping first changes [%]": (20, 100), "smallest w after clipping [m]": SOME},
+    "s2-clipping": {
+        "polygons cut at the four sides": SOME, "polygons wholly outside": SOME, "objects dropped whole, teapot in view": NONE, "objects dropped whole, close view of a table": SOME},
+    "s2-culling": {
+        "faces of a closed sphere that culling drops [%]": (50, 75), "pixels of it that change [%]": NONE, "pixels of an open box that change [%]": (8, 25),
+        "the box taken for clockwise, cull back, beside cull front [% of pixels]": NONE},
+    "s2-painter": {
+        "cyclic overlap: pixels that the painter has wrong [%]": (0.2, 5), "crossing triangles: pixels that the painter has wrong [%]": (1, 10),
+        "teapot: pixels that the painter has wrong [%]": (0.01, 1), "cyclic overlap in the opposite order: pixels that change, painter [%]": (0.5, 5),
+        "cyclic overlap in the opposite order: pixels that change, z-buffer [%]": NONE},
+    "s2-z-buffer": {
+        **{f"{scene}: pixels that differ, the worst of four formats [%]": (0, 0.05) for scene in ("cyclic", "crossing", "teapot")},
+        "planes 2 cm apart at 20 m: pixels that z16 has wrong [%]": (5, 40), "planes 2 cm apart at 20 m: pixels that z24 has wrong [%]": NONE},
+    "s2-depth-precision": {
+        "near [m]": (1, 1), "far [m]": (1000, 1000), "depths in the first 2 % of the range [%]": (95.32, 95.34), "the same by the formula [%]": (95.32, 95.34),
+        "range that 98 % of the depths reach [%]": (4.67, 4.68)},
+    "s2-shading": {
+        "unlit: evaluations at 320 x 240": NONE, "flat: evaluations at 320 x 240": (500, 1200), "gouraud: evaluations at 320 x 240": (500, 1200),
+        "phong: evaluations at 320 x 240": (1300, INF), "unlit: evaluations, twice as wide and high over that": (1, 1),
+        **{f"{how}: evaluations, twice as wide and high over that": (1, 1.2) for how in ("flat", "gouraud")}, "phong: evaluations, twice as wide and high over that": (3.8, 4.2),
+        "unlit: difference to phong [1/255]": (15, 30), "flat: difference to phong [1/255]": (5, 10), "gouraud: difference to phong [1/255]": (2, 4.9)},
+    "s2-rays": {
+        "tests of the naive loop over pixels x triangles": (1, 1), "pixels of the naive loop that differ from the tree's [%]": (0, 0.1),
+        "sphere by its formula beside its triangles: pixels that differ [%]": (5, 40), "triangles by rays beside incremental synthesis: pixels that differ [%]": (0, 0.5),
+        "reflected rays": SOME, "refracted rays": SOME, "glass and mirrors beside local light [1/255]": (25, 100), "raster: pixels that an algorithm for shadows changes [%]": (15, 60),
+        "rays beside the z-buffer, cyclic overlap: pixels that differ [%]": (0, 0.5)},
+    "s3-fig1": {
+        "triangles, detailed over coarse": (9, INF), "coarse beside detailed [1/255]": (5, 40), "coarse with the map beside detailed [1/255]": (0.5, 10),
+        "error that the map leaves [%]": (5, 75)},
+    "s3-fig2-3": {
+        "places": (15, 24), "normal off the mixed one of the corners [degrees]": (0, 0.001), "normals of a phong picture over those of a flat one": (4, INF),
+        "flat beside phong [1/255]": (5, 20)},
+    "s3-fig4": {"texture and map beside texture alone [1/255]": (2, 12), "pixels that the map changes [%]": (15, 60)},
+    "s3-fig5-7": {
+        **{f"{shape}: {color} at its {side}, over 128": (30, 127) if (shape == "bump") == (side in ("right side", "top")) else (-128, -30)
+           for shape in ("bump", "dent") for color, sides in (("red", ("right side", "left side")), ("green", ("top", "bottom"))) for side in sides},
+        "least blue of the map": (129, 255), "code 128 with zero at 127.5: leaning of the normal [degrees]": (0.1, 0.5), "code 128 with zero at 128: leaning of the normal [degrees]": NONE},
+    "s3-blue": {
+        "lines that warn of it": (1, 1), "normal of the part, along the face's": (-1, -0.5), "normal of the rest, along the face's": (0.99, 1),
+        "light of the part over that of the rest": (0, 0.5)},
+    "s3-fig8": {
+        "leaning frames: pixel beside world [1/255]": (0.5, 8), "orthonormal frames: pixel beside world [1/255]": (0, 0.05),
+        "leaning frames: transposed beside inverse, both at the vertices [1/255]": (0.5, 8), "faces' own frames: transposed beside inverse, both at the vertices [1/255]": (0, 0.05),
+        "leaning frames: light at vertices beside world, pixels that differ [%]": (10, 50)},
+    "s3-fig9": {
+        **{f"{method} beside normal mapping [1/255]": (10, 50) for method in ("parallax-limited", "parallax", "steep")},
+        "mean shift at 0 degrees [% of the texture]": (0.1, 0.6), "mean shift at 48 degrees [% of the texture]": (1, 1.7), "mean shift at 73 degrees [% of the texture]": (1.75, 3)},
+    "s3-fig10": {
+        **{f"{method} at {view} degrees: difference to displacement [1/255]": r for view, values in (
+            (0, ((10, 20), (3, 9), (3, 9), (2, 8), (2, 8))), (48, ((31, 40), (25, 31), (24, 30), (8, 18), (8, 17))), (73, ((35, 45), (28, 34), (25, 34), (12, 24), (10, 22))))
+           for method, r in zip(("normal", "parallax-limited", "parallax", "steep", "occlusion"), values)},
+        "ridges at 60 degrees, none: pixels of the grooves' floor [%]": (35, 60), "ridges at 60 degrees, parallax: pixels of the grooves' floor [%]": (2, 14),
+        "ridges at 60 degrees, steep: pixels of the grooves' floor [%]": (8, 28), "ridges at 60 degrees, displacement: pixels of the grooves' floor [%]": (8, 28)},
+    "s3-outline": {
+        **{f"{method}: pixels of the outline that change [%]": NONE for method in ("height", "normal", "parallax", "steep", "occlusion")},
+        "displacement: pixels of the outline that change [%]": (0.3, 5)},
+    "s3-border": {"pixels of the wall, parallax over none": (1, 1), "with --bump-silhouette over without": (0.8, 0.98)},
+    "s3-fig11": {"teapot with a map and --bump none beside no map [% of pixels]": NONE, "objects": (6, 6)},
+    "s3-fig12": {
+        **{f"bumps on {terms}: change of the {term} term [1/255]": (1, 40) if terms in (term, "both") else NONE
+           for terms in ("diffuse", "specular", "both") for term in ("diffuse", "specular")}},
+    "s3-fig13": {
+        "brick, mild: difference to smooth [1/255]": (4, 9.5), "brick, strong: difference to smooth [1/255]": (9.6, 20), "leather, mild: difference to smooth [1/255]": (1.5, 9),
+        "leather, strong: difference to smooth [1/255]": (4, 16), "scratches, mild: difference to smooth [1/255]": (0.5, 4), "scratches, strong: difference to smooth [1/255]": (2, 10)},
+    "s3-motion": {
+        "detail of one picture, bumpy over smooth": (1.2, 1.9), "detail of one picture, strong bumps over smooth": (1.95, 6),
+        "change of detail from picture to picture, bumpy over smooth": (2.6, 6), "change of detail, smooth [1/255]": (0.5, 3),
+        "change of detail, bumpy [1/255]": (3.5, 10)},
+    "s1-table1": {
+        "preset beside gouraud, blinn-phong, no bumps, no shadows [1/255]": NONE, "preset beside the programmable pipeline [1/255]": (3, 60),
+        "evaluations, programmable over preset": (1.2, INF), "a ninth to eleventh light: change with the preset [1/255]": NONE,
+        "a normal map: change with the preset [1/255]": NONE},
+    "s2-slopes": {"stages that tell dz/dx": SOME},
+}

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: Apache-2.0
+"""First source: a head of many objects by the three scopes; attributes stored with the model."""
+import json
+import shutil
+import subprocess
+import sys
+
+from sheet import ROOT
+
+from .kit import Entry
+
+VIEW = ("--camera-position", "0.1,0.29,0.5", "--camera-focal-point", "0,0.282,0.1", "--camera-view-angle", "20",
+        "--light", "point:0.5,0.5,0.6:color=0.9,0.85,0.8:attenuation=0.6,0.2,0.4",
+        "--light", "point:-0.7,0.1,0.35:color=0.3,0.45,0.75:attenuation=0.4,0.2,0.4", "--light", "ambient:0.02,0.02,0.02")
+PUBLISHED = ("--weight", "uniform", "--crease-angle", "180", "--tangents", "published")
+SCOPES = {"face": "flat", "object": "object", "model": "model"}
+SPOT = "data/spot/spot_slab5.glb"
+
+
+def head(kit, is_colored=True):
+    """The head scan, cut into six objects; without its color map seams are easier to see."""
+    folder = kit.folder / ("colored" if is_colored else "gray")
+    path = folder / "head6.obj"
+    if not path.exists():
+        folder.mkdir()
+        for name in ("color.jpg", "normal_from_bump.png"):
+            shutil.copy(ROOT / "data/head" / name, folder)
+        lines = (ROOT / "data/head/head.mtl").read_text().splitlines()
+        (folder / "head.mtl").write_text("\n".join(line for line in lines if is_colored or not line.startswith("map_Kd")) + "\n")
+        subprocess.run([sys.executable, ROOT / "tools/cut_obj.py", ROOT / "data/head/head.obj", path, "--grid", "2,3,1"], check=True, capture_output=True)
+    return path
+
+
+def scopes(kit, is_colored=True):
+    exposure = () if is_colored else ("--exposure", "-1.2")
+    return {name: (head(kit, is_colored), *VIEW, *exposure, *PUBLISHED, "--normals", word) for name, word in SCOPES.items()}
+
+
+def measure_head(kit):
+    found, shown = {}, scopes(kit)
+    for name, word in SCOPES.items():
+        seams = kit.row("inspect", head(kit), "--normals", word, "--crease-angle", "180", "--weight", "uniform")["seams"]
+        found[f"largest seam between objects, {name} [degrees]"] = seams["before"]["max_deg"]
+    found["picture by face beside whole model [1/255]"] = kit.rmse(shown["face"], shown["model"], 420, 420)
+    found["picture by object beside whole model [1/255]"] = kit.rmse(shown["object"], shown["model"], 420, 420)
+    found["pixels that object and whole model differ in [%]"] = kit.differing(shown["object"], shown["model"], 420, 420)
+    found["objects"] = len(kit.row("inspect", head(kit))["objects"])
+    return found
+
+
+def draw_head(kit, path):
+    colored, gray = (list(scopes(kit, is_colored).values()) for is_colored in (True, False))
+    kit.sheet(path, [colored, gray, [(one, gray[2], 8) for one in gray]], 240, 240, colors=256,
+              below=[["face level", "per object", "whole model"], ["without color map"] * 3, ["difference x 8"] * 3])
+
+
+def measure_stored(kit):
+    """Is a model that was stored with its normals the same as one that gets them when it is loaded?"""
+    stored, scene = kit.folder / "stored.glb", ("--view", "left", "--bump", "none")
+    kit.run("smooth", SPOT, "-o", stored, "--normals", "model", "--quiet")
+    loaded, own = (SPOT, *scene, "--normals", "model"), (stored, *scene, "--normals", "file")
+    return {"largest difference of the pictures [1/255]": 255 * kit.compare(loaded, own)["max_error"],
+            "picture of the file without stored normals beside it [1/255]": kit.rmse((SPOT, *scene, "--normals", "flat"), own)}
+
+
+def draw_stored(kit, path):
+    kit.run("smooth", SPOT, "-o", kit.folder / "stored.glb", "--normals", "model", "--quiet")
+    scene = ("--view", "left", "--bump", "none")
+    loaded, own = (SPOT, *scene, "--normals", "model"), (kit.folder / "stored.glb", *scene, "--normals", "file")
+    kit.sheet(path, [[(SPOT, *scene, "--normals", "flat"), loaded, own, (loaded, own, 64)]], 180, 135, below=[["none in the file", "made at load", "stored", "difference x 64"]])
+
+
+def time_attributes(kit):
+    done = kit.run("bench", "smooth", "--triangles", "20k", "--objects", "16", "--repetitions", "3", "--brute-force", "--json")
+    rows = {row["what"]: row["ns_per_triangle"] * 20e3 / 1e6 for row in json.loads(done.stdout)["rows"]}
+    return {f"20k triangles, {what} [ms]": rows[what] for what in ("brute force, normals", "normals", "normals + tangents")}
+
+
+ENTRIES = (
+    Entry("s1-fig9-12", "S1 fig. 9, 11, 12", "A head of many objects: facets at face level, seams per object, none over the whole model", measure_head, draw_head),
+    Entry("s1-stored", "S1 section 3.1", "Attributes computed at load can take seconds, so store them", measure_stored, draw_stored, time_attributes),
+)

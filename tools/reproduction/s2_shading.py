@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Second source: own color, flat, Gouraud, Phong; rays beside incremental synthesis."""
+from .kit import Entry
+
+SHADINGS = ("unlit", "flat", "gouraud", "phong")
+TEAPOT = ("builtin:teapot", "--camera-position", "0.9,1.4,2.6", "--camera-focal-point", "0.07,0.45,0", "--camera-view-angle", "29", "--lighting", "blinn-phong",
+          "--color", "#a4653a", "--roughness", "0.3", "--metallic", "0", "--light", "point:2,3,3", "--light", "ambient:0.13,0.13,0.13")
+COARSE = ("builtin:teapot:divisions=4", *TEAPOT[1:])
+LAMP = ("--light", "point:3,4,5:color=0.9,0.9,0.9", "--light", "ambient:0.15,0.15,0.16", "--color", "#c8a878")
+BALL = ("builtin:sphere:tolerance=0.05", *LAMP)
+GLASS = ("data/rays/glass.scene.toml",)
+TRACE, CAST, NAIVE = ("--engine", "trace"), ("--engine", "trace", "--method", "cast"), ("--engine", "trace", "--method", "cast", "--naive")
+CYCLIC = ("data/visibility/cyclic.obj", "--shading", "unlit", "--camera-position", "0,0,5", "--camera-focal-point", "0,0,0", "--camera-view-angle", "46")
+SHADOW = ("data/world/room.scene.toml",)
+
+
+def measure_shading(kit):
+    found = {}
+    for shading in SHADINGS:
+        small, large = (kit.stats((*COARSE, "--shading", shading), w, h)["lighting_evaluations"] for w, h in ((320, 240), (640, 480)))
+        found[f"{shading}: evaluations at 320 x 240"] = small
+        found[f"{shading}: evaluations, twice as wide and high over that"] = large / small if small else 1
+    finest = (*TEAPOT, "--shading", "phong")
+    for shading in SHADINGS[:3]:
+        found[f"{shading}: difference to phong [1/255]"] = kit.rmse((*TEAPOT, "--shading", shading), finest)
+    return found
+
+
+def draw_shading(kit, path):
+    kit.sheet(path, [[(*scene, "--shading", shading) for shading in SHADINGS] for scene in (COARSE, TEAPOT)], 190, 135, below=[list(SHADINGS)] * 2)
+
+
+def measure_rays(kit):
+    held = kit.render((*BALL, *NAIVE, "--tessellate", "--shading", "unlit"), 64 / kit.scale, 48 / kit.scale)[1]
+    exact, cut = (*BALL, *CAST), (*BALL, *CAST, "--tessellate")
+    traced, drawn = (*GLASS, *TRACE), (*GLASS, "--engine", "soft")
+    rays = kit.stats(traced, 240, 160)["rays"]
+    shadowed, plain = (*SHADOW, "--shadows"), (*SHADOW, "--shadows", "off")
+    return {"tests of the naive loop over pixels x triangles": held["stats"]["rays"]["triangle_tests"] / (64 * 48 * held["triangles"]),
+            "pixels of the naive loop that differ from the tree's [%]": kit.differing((*BALL, *NAIVE, "--tessellate"), cut, codes=0),
+            "sphere by its formula beside its triangles: pixels that differ [%]": kit.differing(exact, cut),
+            "triangles by rays beside incremental synthesis: pixels that differ [%]": kit.differing(cut, (*BALL, "--tessellate")),
+            "reflected rays": rays["reflected"], "refracted rays": rays["refracted"],
+            "glass and mirrors beside local light [1/255]": kit.rmse(traced, drawn, 240, 160),
+            "raster: pixels that an algorithm for shadows changes [%]": kit.differing(shadowed, plain),
+            "rays beside the z-buffer, cyclic overlap: pixels that differ [%]": kit.differing((*CYCLIC, *CAST), CYCLIC)}
+
+
+def draw_rays(kit, path):
+    kit.sheet(path, [[(*BALL, *CAST), (*BALL, "--tessellate"), (*GLASS, *TRACE), (*GLASS, "--engine", "soft")]], 190, 142,
+              below=[["a formula, by rays", "triangles, incremental", "light of everything", "local light"]], colors=160)
+
+
+def time_rays(kit):
+    """Processor time [ms] of pictures of teapots, 320 x 240, one thread: the median of a few."""
+    found = {}
+    for divisions in (2, 5, 10):
+        model = f"builtin:teapot:divisions={divisions}"
+        triangles = kit.render((model,), 64, 48)[1]["triangles"]
+        for name, how, frames in (("every pixel with every triangle", NAIVE, 1), ("rays with a tree", CAST, 5), ("incremental synthesis", (), 5)):
+            row = kit.row("bench", "render", model, "--look", "plain", "--resolution", "320,240", "--threads", "1", "--shading", "unlit", *how, "--frames", frames)
+            found[f"{triangles} triangles, {name} [ms]"] = row["cpu_ms"]
+    return found
+
+
+ENTRIES = (
+    Entry("s2-shading", "S2, local illumination", "Own color, flat, Gouraud and Phong shading: ever better, ever more evaluations", measure_shading, draw_shading),
+    Entry("s2-rays", "S2, comparison", "Rays: per pixel, anything that can be met, mirrors, refraction, shadows and occlusion of themselves; slow", measure_rays, draw_rays, time_rays),
+)

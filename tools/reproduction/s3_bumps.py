@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Third source: parallax, methods compared, outlines, costs."""
+import bump_pictures as bumps
+from png8 import write_rgb
+
+from sheet import ROOT
+
+from .kit import Entry
+
+MAPS = ROOT / "data/maps"
+MAPS_WALL = "data/maps/wall.obj"
+METHODS = ("none", "normal", "parallax-limited", "parallax", "steep", "occlusion")
+ANGLES = {view[0]: view for view in bumps.VIEWS}
+SPHERE = (*bumps.SPHERE, "--bump-depth", "0.02", "--shading", "unlit", "--background", "0,0,0", "--color", "#ffffff")
+WIDE = 240, 104
+
+
+def at(view, method, *more):
+    return (*bumps.wall_at(*ANGLES[view]), "--bump", method, *more)
+
+
+def ridges(kit, method):
+    """Arguments of four upright ridges between grooves as wide, the grooves red; seen at 60 degrees a ridge hides five sixths of a groove."""
+    heights, colors, side = kit.folder / "ridges.png", kit.folder / "grooves.png", 128
+    if not colors.exists():
+        is_ridge = [x % 32 < 16 for x in range(side)]
+        write_rgb(heights, side, side, b"".join(bytes((255, 255, 255) if up else (0, 0, 0)) for up in is_ridge) * side)
+        write_rgb(colors, side, side, b"".join(bytes((150, 150, 150) if up else (230, 0, 0)) for up in is_ridge) * side)
+    return (MAPS_WALL, "--texture-base-color", colors, "--height-map", heights, "--shading", "unlit", "--allow-outside", "--bump", method, "--bump-depth", "0.06", "--bump-steps", "64,64",
+            "--displacement-edge", "0.02" if kit.is_small else "0.004", "--camera-position", "2.94,0,1.7", "--camera-focal-point", "0,0,0", "--camera-view-angle", "20")
+
+
+def red(kit, method):
+    """[%] of the pixels that show the floor of a groove."""
+    pixels = kit.picture(ridges(kit, method), 480, 160).part(0.4, 0.3, 0.6, 0.7)
+    return 100 * sum(p[0] > 150 and p[1] < 40 for p in pixels) / len(pixels)
+
+
+def measure_methods(kit):
+    found, size = {}, [side / kit.scale for side in WIDE]  # as small as it can be already
+    for view in ANGLES:
+        for method in METHODS[1:]:
+            found[f"{method} at {view} degrees: difference to displacement [1/255]"] = kit.rmse(at(view, method), at(view, "displacement"), *size)
+    for method in ("none", "parallax", "steep", "displacement"):
+        found[f"ridges at 60 degrees, {method}: pixels of the grooves' floor [%]"] = red(kit, method)
+    return found
+
+
+def draw_methods(kit, path):
+    methods = ("none", "normal", "parallax", "steep", "occlusion", "displacement")
+    kit.sheet(path, [[*(at(view, method) for view in ANGLES), (ridges(kit, "height" if method == "normal" else method))] for method in methods], 200, 86, lines=list(methods),
+              columns=[*(f"{view} degrees" for view in ANGLES), "ridges, 60 degrees"], colors=64)
+
+
+def measure_parallax(kit):
+    """What the maps do to a wall seen at 48 degrees, and how far the coordinates move [texels of 256]."""
+    found = {}
+    normal = at(48, "normal")
+    for method in ("parallax-limited", "parallax", "steep"):
+        found[f"{method} beside normal mapping [1/255]"] = kit.rmse(normal, at(48, method), *WIDE)
+    for view in ANGLES:
+        numbers = kit.stages(at(view, "parallax-limited"), *WIDE)[1]("relief")["numbers"]
+        found[f"mean shift at {view} degrees [% of the texture]"] = next(100 * value for name, value in numbers.items() if "mean" in name and "shift" in name)
+    return found
+
+
+def draw_parallax(kit, path):
+    kit.sheet(path, [[MAPS / "brick_normal.png", MAPS / "brick_height.png", at(48, "normal"), at(48, "parallax")]], 180, 180, below=[["normal map", "heights", "normal mapping", "parallax"]])
+
+
+def measure_outline(kit):
+    plain, moved = (*SPHERE, "--bump", "none"), (*SPHERE, *(("--displacement-edge", "0.05") if kit.is_small else ()), "--bump")
+    return {f"{method}: pixels of the outline that change [%]": kit.differing(plain, (*moved, method), codes=0)
+            for method in ("height", "normal", "parallax", "steep", "occlusion", "displacement")}
+
+
+def draw_outline(kit, path):
+    shown = ("none", "normal", "occlusion", "displacement")
+    kit.sheet(path, [[(*bumps.SPHERE, "--bump-depth", "0.02", "--bump", method) for method in shown], [(*SPHERE, "--bump", method) for method in shown]], 180, 180,
+              below=[list(shown), ["outline"] * 4])
+
+
+def covered(kit, *more):
+    return kit.stats((*at(73, "occlusion"), *more), *WIDE)["pixels_covered"]
+
+
+def measure_border(kit):
+    """Pixels that a wall covers whose relief sticks out at its border."""
+    flat, deep = covered(kit), covered(kit, "--bump-silhouette")
+    return {"pixels of the wall, parallax over none": flat / kit.stats(at(73, "none"), *WIDE)["pixels_covered"], "with --bump-silhouette over without": deep / flat}
+
+
+def draw_border(kit, path):
+    kit.sheet(path, [[at(73, "none"), at(73, "occlusion"), at(73, "occlusion", "--bump-silhouette"), at(73, "displacement")]], 208, 90,
+              below=[["none", "occlusion", "occlusion, silhouette", "displacement"]], colors=64)
+
+
+def time_methods(kit):
+    """A wall that fills 640 x 360 pixels, one thread: shading [ns a pixel]."""
+    found = {}
+    for method in METHODS:
+        row = kit.row("bench", "render", "data/maps/wall.obj", "--look", "plain", *bumps.maps("brick"), "--camera-position", "0,0,1", "--camera-focal-point", "0,0,0", "--bump", method,
+                      "--resolution", "640,360", "--frames", "5", "--threads", "1", "--lighting", "blinn-phong")
+        found[f"{method} [ns a pixel]"] = row["stages_ms"]["shading"] * 1e6 / row["stats"]["pixels_shaded"]
+    return found
+
+
+ENTRIES = (
+    Entry("s3-fig9", "S3 fig. 9", "Normal map and depth map together shift the texture, the more the lower the view", measure_parallax, draw_parallax),
+    Entry("s3-fig10", "S3 fig. 10", "Normal mapping is wrong at grazing angles, parallax repairs it, steep parallax lets parts hide parts", measure_methods, draw_methods, time_methods),
+    Entry("s3-outline", "S3, bump mapping", "Fake bumps leave the outline smooth, real ones do not", measure_outline, draw_outline),
+    Entry("s3-border", "S3, parallax mapping", "No parallax method shows bumps beyond the border of the texture", measure_border, draw_border),
+)

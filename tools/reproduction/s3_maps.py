@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Third source: interpolated normals, what the colors of a normal map mean, where it is lit."""
+import bump_pictures as bumps
+from png8 import read_rgb, write_rgb
+
+from sheet import ROOT
+
+from .kit import Entry, Picture, angle, dot, unit
+
+MAPS = ROOT / "data/maps"
+TEAPOT = ("builtin:teapot:divisions=4", "--camera-position", "0.9,1.4,2.6", "--camera-focal-point", "0.07,0.45,0", "--camera-view-angle", "29", *bumps.KEY, *bumps.SHINY,
+          "--lighting", "blinn-phong")
+FLAT, PHONG = (*TEAPOT, "--normals", "flat", "--shading", "flat"), (*TEAPOT, "--normals", "model", "--shading", "phong")
+HEAD = ("data/head/head.obj", "--normals", "model", "--camera-position", "0.1,0.29,0.5", "--camera-focal-point", "0,0.282,0.1", "--camera-view-angle", "20", "--light",
+        "directional:-1,-0.5,-0.6:color=0.8,0.8,0.8", "--light", "ambient:0.1,0.1,0.1")
+DENTS = (*bumps.DENTS, *bumps.LAMP, "--bump", "normal")
+FRAMES = {"vertex": ("--tangent-space", "vertex"), "transposed": ("--tangent-space", "transposed"), "pixel": ("--tangent-space", "pixel")}
+LEANING = bumps.SHEET
+STRAIGHT = tuple(word for word in bumps.SHEET if word not in ("--orthogonalize", "off"))
+FACES = tuple({"model": "flat"}.get(word, word) for word in STRAIGHT)
+
+
+def measure_normals(kit):
+    """How far the normal at a pixel is from the corners' normals, mixed by the barycentric coordinates and normalized."""
+    places = [(0.3 + 0.06 * i, 0.45 + 0.06 * j) for i in range(6) for j in range(4)]
+    worst, count = 0, 0
+    by_vertex, by_pixel = (kit.explain((*TEAPOT, "--normals", "model", "--shading", shading), places) for shading in ("gouraud", "phong"))
+    for corners, pixel in zip(by_vertex, by_pixel):
+        if corners["layers"] and len(corners["layers"][0]["corners"]) == 3:
+            layer = corners["layers"][0]
+            mixed = unit([dot(layer["barycentric"], axis) for axis in zip(*(c["normal"] for c in layer["corners"]))])
+            worst = max(worst, angle(mixed, pixel["layers"][0]["normal_interpolated"]))
+            count += 1
+    flat, smooth = (len({bytes(p) for p in Picture(*read_rgb(kit.channel(scene, "normal"))).part(0, 0, 1, 1)}) for scene in (FLAT, PHONG))
+    return {"places": count, "normal off the mixed one of the corners [degrees]": worst, "normals of a phong picture over those of a flat one": smooth / flat,
+            "flat beside phong [1/255]": kit.rmse(FLAT, PHONG)}
+
+
+def draw_normals(kit, path):
+    kit.sheet(path, [[FLAT, kit.channel(FLAT, "normal"), PHONG, kit.channel(PHONG, "normal")]], 190, 142, below=[["flat", "its normals", "phong", "its normals"]], colors=256)
+
+
+def measure_combination(kit):
+    bare, mapped = (*HEAD, "--bump", "none"), (*HEAD, "--bump", "normal")
+    return {"texture and map beside texture alone [1/255]": kit.rmse(bare, mapped), "pixels that the map changes [%]": kit.differing(bare, mapped)}
+
+
+def head_part(kit, name):
+    """A part of the head's color or normal map, as the program shows it."""
+    path = kit.folder / f"part-{name}.png"
+    kit.run("render", "builtin:plane", "--look", "plain", "--material", "color=1,1,1", "--texture-base-color", ROOT / "data/head" / name, "--shading", "unlit",
+            "--view", "top", "--camera-zoom-factor", "1.1", "--resolution", "180,180", "-o", path, "--quiet", "--allow-outside")
+    return path
+
+
+def draw_combination(kit, path):
+    bare, mapped = (*HEAD, "--bump", "none"), (*HEAD, "--bump", "normal")
+    kit.sheet(path, [[head_part(kit, "color.jpg"), head_part(kit, "normal_from_bump.png"), bare, mapped]], 180, 180, below=[["texture", "normal map", "without", "with the map"]], colors=200)
+
+
+def lean(picture, x, y):
+    """Codes of red and green over 128, of a place from 0 to 1."""
+    red, green, _ = picture.at(x, y)
+    return red - 128, green - 128
+
+
+def measure_colors(kit):
+    """The map of a bump (left half) and of a dent (right half): what the sides of each have, and what `explain` reads of the flat part."""
+    picture = Picture(*read_rgb(MAPS / "dents_normal.png"))
+    found = {}
+    for name, x in (("bump", 0.25), ("dent", 0.75)):
+        found[f"{name}: red at its right side, over 128"] = lean(picture, x + 0.12, 0.5)[0]
+        found[f"{name}: red at its left side, over 128"] = lean(picture, x - 0.12, 0.5)[0]
+        found[f"{name}: green at its top, over 128"] = lean(picture, x, 0.38)[1]
+        found[f"{name}: green at its bottom, over 128"] = lean(picture, x, 0.62)[1]
+    found["least blue of the map"] = min(picture.pixels[2::3])
+    codes = ((*bumps.ZERO, "--normal-map-zero", zero) for zero in ("127.5", "128"))
+    for zero, scene in zip(("127.5", "128"), codes):
+        texel = kit.explain(scene, [(0.5, 0.15)], 192, 192)[0]["layers"][0]["normal_texel"]
+        found[f"code 128 with zero at {zero}: leaning of the normal [degrees]"] = angle(texel, (0, 0, 1))
+    return found
+
+
+def draw_colors(kit, path):
+    kit.sheet(path, [[MAPS / "dents_height.png", MAPS / "dents_normal.png", DENTS]], 240, 240, below=[["heights: bump, dent", "normal map", "lit from the upper left"]])
+
+
+def inward(kit):
+    """A normal map with a round part whose blue is below one half."""
+    path, side = kit.folder / "inward.png", 64
+    pixels = bytearray()
+    for y in range(side):
+        for x in range(side):
+            is_inside = (x - 31.5) ** 2 + (y - 31.5) ** 2 < 18 ** 2
+            pixels += bytes((200, 128, 50) if is_inside else (128, 128, 255))
+    write_rgb(path, side, side, bytes(pixels))
+    return ("data/maps/wall.obj", "--texture-normal", path, "--bump", "normal", *bumps.LAMP, "--camera-position", "0,0,3.3", "--camera-focal-point", "0,0,0",
+            "--camera-view-angle", "36", "--allow-outside")
+
+
+def measure_blue(kit):
+    scene = inward(kit)
+    lit = kit.explain(scene, [(0.5, 0.5), (0.5, 0.12)], 180, 180)
+    normals = [row["layers"][0]["normal"] for row in lit]
+    return {"lines that warn of it": sum("into the surface" in line for line in kit.render(scene, 180, 180)[2].splitlines()),
+            "normal of the part, along the face's": normals[0][2], "normal of the rest, along the face's": normals[1][2],
+            "light of the part over that of the rest": lit[0]["color"][1] / lit[1]["color"][1]}
+
+
+def draw_blue(kit, path):
+    scene = inward(kit)
+    kit.sheet(path, [[kit.folder / "inward.png", scene]], 180, 180, below=[["map, blue 50 in the disc", "what comes of it"]], colors=64)
+
+
+def measure_frames(kit):
+    found = {"leaning frames: pixel beside world [1/255]": kit.rmse(LEANING, (*LEANING, *FRAMES["pixel"])),
+             "orthonormal frames: pixel beside world [1/255]": kit.rmse(STRAIGHT, (*STRAIGHT, *FRAMES["pixel"]))}
+    for name, scene in (("leaning", LEANING), ("faces' own", FACES)):
+        found[f"{name} frames: transposed beside inverse, both at the vertices [1/255]"] = kit.rmse((*scene, *FRAMES["vertex"]), (*scene, *FRAMES["transposed"]))
+    found["leaning frames: light at vertices beside world, pixels that differ [%]"] = kit.differing(LEANING, (*LEANING, *FRAMES["vertex"]))
+    return found
+
+
+def draw_frames(kit, path):
+    vertex, transposed = ((*LEANING, *FRAMES[name]) for name in ("vertex", "transposed"))
+    kit.sheet(path, [[LEANING, (*LEANING, *FRAMES["pixel"]), vertex, transposed], [(part, LEANING, 4) for part in (LEANING, (*LEANING, *FRAMES["pixel"]), vertex, transposed)]],
+              190, 148, below=[["world", "pixel", "vertex", "vertex, transposed"], ["difference x 4"] * 4])
+
+
+ENTRIES = (
+    Entry("s3-fig2-3", "S3 fig. 2, 3", "Normals between the vertices are interpolated; so Phong shading of flat polygons looks curved", measure_normals, draw_normals),
+    Entry("s3-fig4", "S3 fig. 4", "Texture and normal map together make an uneven surface", measure_combination, draw_combination),
+    Entry("s3-fig5-7", "S3 fig. 5, 6, 7", "Red is x, green is y, blue is z, 128 is 0; dents and bumps have opposite colors on opposite sides", measure_colors, draw_colors),
+    Entry("s3-blue", "S3, normal mapping", "Blue below one half would point into the surface and make artifacts", measure_blue, draw_blue),
+    Entry("s3-fig8", "S3 fig. 8, normal mapping", "Light is taken into tangent space by the inverse of TBN; the transposed matrix suffices where T and B are orthogonal", measure_frames, draw_frames),
+)
