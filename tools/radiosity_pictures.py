@@ -64,21 +64,29 @@ def rows_of(path):
     return [pixels[3 * width * y:3 * width * y + 3 * SIZE] for y in range(SIZE)]
 
 
+def by_both(folder, server, program, *words):
+    """The lit Cornell box as engine soft and as three.js show it, and their difference, side by side."""
+    subprocess.run([program, "radiosity", CORNELL, "-o", folder / "lit.glb", "--quiet", *words], check=True, cwd=ROOT)
+    subprocess.run([program, "render", folder / "lit.glb", "-o", folder / "own.png", "--resolution", f"{SIZE},{SIZE}", "--look", "plain",
+                    "--background", "black", "--samples", "8", "--quiet"], check=True)
+    peer_pictures.screenshot(f"http://127.0.0.1:{server.server_port}/page/lit.glb", (SIZE, SIZE), folder / "three.png")
+    own, other = rows_of(folder / "own.png"), rows_of(folder / "three.png")
+    off = [abs(a - b) for one, two in zip(own, other) for a, b in zip(one, two)]
+    print(f"{' '.join(words) or 'colors of vertices'}: mean difference {sum(off) / len(off):.3f} of 255; {100 * sum(d > 2 for d in off) / len(off):.2f} % of the numbers "
+          "differ by more than 2")
+    return joined([own, other, difference(own, other, 10)])
+
+
 def beside_three(picture, three, program):
-    """The lit Cornell box as engine soft and as three.js show it."""
+    """The lit Cornell box as colors of vertices and as a lightmap."""
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        subprocess.run([program, "radiosity", CORNELL, "-o", folder / "lit.glb", "--quiet"], check=True, cwd=ROOT)
-        subprocess.run([program, "render", folder / "lit.glb", "-o", folder / "own.png", "--resolution", f"{SIZE},{SIZE}", "--look", "plain",
-                        "--background", "black", "--samples", "8", "--quiet"], check=True)
         server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Server, three=three.resolve(), models=folder))
         threading.Thread(target=server.serve_forever, daemon=True).start()
-        peer_pictures.screenshot(f"http://127.0.0.1:{server.server_port}/page/lit.glb", (SIZE, SIZE), folder / "three.png")
-        own, other = rows_of(folder / "own.png"), rows_of(folder / "three.png")
-    off = [abs(a - b) for one, two in zip(own, other) for a, b in zip(one, two)]
-    print(f"mean difference {sum(off) / len(off):.3f} of 255; {100 * sum(d > 2 for d in off) / len(off):.2f} % of the numbers differ by more than 2")
-    heads = [strip(words, SIZE, HEIGHT + 4) for words in ("soft", "three.js", "difference x 10")]
-    rows = joined(heads) + joined([own, other, difference(own, other, 10)])
+        rows = joined([strip(words, SIZE, HEIGHT + 4) for words in ("soft", "three.js", "difference x 10")])
+        rows += by_both(folder, server, program)
+        rows += joined([strip(words, SIZE, HEIGHT + 4) for words in ("lightmap, soft", "three.js", "difference x 10")])
+        rows += by_both(folder, server, program, "--lightmap", "1024")
     write_rgb(picture, 3 * SIZE, len(rows), b"".join(rows))
 
 
