@@ -79,6 +79,7 @@ LIBRARIES = {
     r"xsimd/": ["math"],
     r"sleef\.h": ["math"],
     r"spng\.h|jpeglib\.h|webp/|Imath|OpenEXR|Imf|stb": ["io"],
+    r"expat\.h": ["src/io/import/xml_events.cpp"],
     r"draco/|meshoptimizer\.h": ["io"],
     r"nlohmann/": ["io", "tools", "render", "apps/cli"],
     r"fmt/": ["tools", "render", "apps/cli"],

@@ -3,26 +3,13 @@
 
 #include <charconv>
 #include <cmath>
+#include <utility>
 
+#include "io/import/xml_events.h"
 #include "math/functions.h"
 
 namespace rakelight::io {
 namespace {
-
-/// The value of an attribute of a tag, empty when it has none.
-std::string attribute(std::string_view tag, std::string_view name) {
-    for (std::size_t at = tag.find(name); at != std::string_view::npos; at = tag.find(name, at + 1)) {
-        const std::size_t equals = at + name.size();
-        const bool whole =
-            at > 0 && (tag[at - 1] == ' ' || tag[at - 1] == '\t' || tag[at - 1] == '\n' || tag[at - 1] == '\r');
-        if (!whole || equals + 1 >= tag.size() || tag[equals] != '=') continue;
-        const char quote = tag[equals + 1];
-        const std::size_t end = tag.find(quote, equals + 2);
-        if ((quote == '"' || quote == '\'') && end != std::string_view::npos)
-            return std::string(tag.substr(equals + 2, end - equals - 2));
-    }
-    return {};
-}
 
 std::optional<double> number(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
@@ -32,38 +19,52 @@ std::optional<double> number(std::string_view text) {
     return problem == std::errc() && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// Walks over the tags of a text and keeps what it says of cameras and of the nodes that place them.
-struct Walk {
-    std::map<std::string, ColladaOptics> optics;                                      ///< by the camera's id
-    std::vector<std::pair<std::string, std::string>> nodes;                           ///< open ones: id, name
-    std::vector<std::pair<std::pair<std::string, std::string>, std::string>> placed;  ///< node, camera's id
-    std::string camera;                                                               ///< the one that is open
+/// Keeps what a file says of cameras and of the nodes that place them.
+struct Walk final : XmlHandler {
+    struct Place {
+        std::string node_id, node_name, camera_id;
+    };
+    std::map<std::string, ColladaOptics> optics;  ///< by the camera's id
+    std::vector<Place> placed;
 
-    void value(std::string_view element, std::string_view text) {
-        ColladaOptics& o = optics[camera];
-        if (element == "xfov") o.xfov_deg = number(text);
-        if (element == "yfov") o.yfov_deg = number(text);
-        if (element == "aspect_ratio") o.aspect = number(text);
-        if (element == "znear") o.znear = number(text);
-        if (element == "zfar") o.zfar = number(text);
-        if (element == "xmag") o.xmag = number(text);
-        if (element == "ymag") o.ymag = number(text);
+    void start(std::string_view element, const XmlAttributes& attributes) override {
+        content_.clear();
+        if (element == "camera") {
+            camera_ = attributes["id"];
+        } else if (element == "node") {
+            nodes_.push_back({std::string(attributes["id"]), std::string(attributes["name"]), {}});
+        } else if (element == "instance_camera" && !nodes_.empty() && attributes["url"].starts_with('#')) {
+            placed.push_back(nodes_.back());
+            placed.back().camera_id = attributes["url"].substr(1);
+        }
     }
-    void tag(std::string_view element, std::string_view tag, std::string_view text) {
-        if (element == "camera")
-            camera = attribute(tag, "id");
-        else if (element == "/camera")
-            camera.clear();
-        else if (element == "node" && !tag.ends_with("/>"))
-            nodes.push_back({attribute(tag, "id"), attribute(tag, "name")});
-        else if (element == "/node" && !nodes.empty())
-            nodes.pop_back();
-        else if (element == "instance_camera" && !nodes.empty()) {
-            const std::string url = attribute(tag, "url");
-            if (url.starts_with('#')) placed.push_back({nodes.back(), url.substr(1)});
-        } else if (!camera.empty())
-            value(element, text);
+    void text(std::string_view part, std::uint64_t) override {
+        if (!camera_.empty() && content_.size() < 100) content_ += part;
     }
+    void end(std::string_view element) override {
+        if (element == "camera") camera_.clear();
+        if (element == "node") nodes_.pop_back();
+        if (!camera_.empty()) value(element);
+        content_.clear();
+    }
+
+private:
+    void value(std::string_view element) {
+        ColladaOptics& o = optics[camera_];
+        constexpr std::pair<std::string_view, std::optional<double> ColladaOptics::*> values[] = {
+            {"xfov", &ColladaOptics::xfov_deg},
+            {"yfov", &ColladaOptics::yfov_deg},
+            {"aspect_ratio", &ColladaOptics::aspect},
+            {"znear", &ColladaOptics::znear},
+            {"zfar", &ColladaOptics::zfar},
+            {"xmag", &ColladaOptics::xmag},
+            {"ymag", &ColladaOptics::ymag}};
+        for (const auto& [name, where] : values)
+            if (element == name) o.*where = number(content_);
+    }
+
+    std::string camera_, content_;  ///< the camera that is open; the text of the innermost element
+    std::vector<Place> nodes_;      ///< open ones
 };
 
 bool is_angle(const std::optional<double>& degrees) { return degrees && *degrees > 0.1 && *degrees < 179.9; }
@@ -89,29 +90,16 @@ void complete(const ColladaOptics& o, import_stream::View& view) {
 
 }  // namespace
 
-std::map<std::string, ColladaOptics> collada_cameras(std::string_view text) {
+std::map<std::string, ColladaOptics> collada_cameras(std::span<const std::byte> bytes) {
     Walk walk;
-    for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
-        if (text.substr(at).starts_with("<!--")) {
-            at = text.find("-->", at);
-            if (at == std::string_view::npos) break;
-            continue;
-        }
-        const std::size_t end = text.find('>', at);
-        if (end == std::string_view::npos) break;
-        const std::string_view tag = text.substr(at, end + 1 - at);
-        const std::string_view element = tag.substr(1, tag.find_first_of(" \t\r\n>", 1) - 1);
-        const std::size_t next = std::min(text.find('<', end), text.size());
-        walk.tag(element.ends_with('/') && element.size() > 1 ? element.substr(0, element.size() - 1) : element, tag,
-                 text.substr(end + 1, next - end - 1));
-    }
+    read_xml(bytes, walk);
     std::map<std::string, ColladaOptics> result;
-    for (const auto& [node, camera] : walk.placed) {
-        const auto found = walk.optics.find(camera);
+    for (const Walk::Place& place : walk.placed) {
+        const auto found = walk.optics.find(place.camera_id);
         if (found == walk.optics.end()) continue;
-        if (!node.second.empty()) result.emplace(node.second, found->second);
-        if (!node.first.empty())
-            result.insert_or_assign(node.first, found->second);  // ids are unique, names need not be
+        if (!place.node_name.empty()) result.emplace(place.node_name, found->second);
+        if (!place.node_id.empty())
+            result.insert_or_assign(place.node_id, found->second);  // ids are unique, names need not be
     }
     return result;
 }

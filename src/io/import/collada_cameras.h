@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cameras of a Collada file, read from its text: Assimp 5.2 finds them but neither their angles nor their planes.
 #pragma once
+#include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "io/import/stream_format.h"
@@ -17,8 +18,8 @@ struct ColladaOptics {
 };
 
 /// Optics by the id and by the name of the node that places the camera.
-/// @param text  well-formed, as check_collada() leaves it
-std::map<std::string, ColladaOptics> collada_cameras(std::string_view text);
+/// @throws Error bad_file: no well-formed XML
+std::map<std::string, ColladaOptics> collada_cameras(std::span<const std::byte> bytes);
 
 /// Puts what the file says into the views that Assimp left without.
 void complete_views(const std::map<std::string, ColladaOptics>& cameras, std::vector<import_stream::View>& views);

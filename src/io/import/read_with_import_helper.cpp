@@ -43,7 +43,7 @@ Checked checked(const std::string& path, std::span<const std::byte> bytes, const
     Checked out{.ending = ending_of(path), .limits = {}, .cameras = {}};
     check_before_import(out.ending, {bytes, path, context.report()});
     out.limits = {seconds_for(bytes.size(), options), helper_memory(context.memory()), options.allow_outside};
-    if (out.ending == "dae") out.cameras = collada_cameras({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    if (out.ending == "dae") out.cameras = collada_cameras(bytes);
     return out;
 }
 

@@ -8,6 +8,7 @@
 #include "io/import/texture_finder.h"
 #include "io/import/texture_placement.h"
 #include "math/linear.h"
+#include "support/thrown_error.h"
 
 namespace rakelight::io::test {
 namespace {
@@ -46,7 +47,8 @@ std::string x_file(const std::string& texture) {
            "3;0,3,2;;\n"  // clockwise from -Z, left-handed
            " MeshNormals {\n 1;\n 0.0;0.0;-1.0;;\n 2;\n 3;0,0,0;,\n 3;0,0,0;;\n }\n"
            " MeshTextureCoords {\n 4;\n 0.0;0.25;,\n 1.0;0.25;,\n 1.0;1.0;,\n 0.0;1.0;;\n }\n"
-           " MeshMaterialList {\n 1;\n 2;\n 0,\n 0;\n Material red {\n 0.5;0.25;0.0;1.0;;\n 20.0;\n 0.5;0.5;0.5;;\n "
+           " MeshMaterialList {\n 1;\n 2;\n 0,\n 0;\n Material red {\n 0.5;0.25;0.0;1.0;;\n 20.0;\n "
+           "0.5;0.5;0.5;;\n "
            "0.0;0.0;0.0;;\n" +
            (texture.empty() ? std::string() : " TextureFilename { \"" + texture + "\"; }\n") + " }\n }\n}\n";
 }
@@ -137,8 +139,12 @@ TEST_F(ImportFormats, MemoryBeyondTheLimitIsOneClearError) {
     EXPECT_EQ(outcome.error->code(), ErrorCode::bad_file) << outcome.what();
 }
 
+std::map<std::string, ColladaOptics> cameras_of(std::string_view text) {
+    return collada_cameras(std::as_bytes(std::span(text)));
+}
+
 TEST(ImportColladaCameras, OpticsAreFoundByNode) {
-    const auto cameras = collada_cameras(
+    const auto cameras = cameras_of(
         "<COLLADA><library_cameras><camera id='c1'><optics><technique_common><perspective><xfov sid='x'> 60 "
         "</xfov><aspect_ratio>2</aspect_ratio>"
         "<znear>0.5</znear></perspective></technique_common></optics></camera><camera "
@@ -160,8 +166,9 @@ TEST(ImportColladaCameras, OpticsAreFoundByNode) {
     EXPECT_EQ(views[0].aspect, 2);
     EXPECT_NEAR(views[1].half_width, 4, 1e-12);
     EXPECT_EQ(views[2].horizontal_fov_rad, 0);
-    EXPECT_TRUE(collada_cameras("").empty());
-    EXPECT_TRUE(collada_cameras("<camera id='a' <node <<< '").empty());
+    EXPECT_TRUE(cameras_of("<COLLADA><camera/><node/><instance_camera url='#a'/></COLLADA>").empty());
+    for (const char* broken : {"", "<camera id='a' <node <<< '"})
+        EXPECT_EQ(rakelight::test::error_of([&] { (void)cameras_of(broken); }).code(), ErrorCode::bad_file);
 }
 
 TEST(ImportAxes, TheFilesAxesBecomeOurs) {
