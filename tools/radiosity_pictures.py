@@ -97,7 +97,7 @@ def ways(program):
     if "gl" in subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout.split("engines:")[-1].partition("\n")[0]:
         parts.append((CORNELL, "--engine", "gl", "--look", "plain", "--shadows", "--samples", "4", *LAMP))
         names.append("gl, point light")
-    parts += [(CORNELL, "--engine", "trace", "--method", "whitted", *LAMP), (CORNELL, "--engine", "trace", "--method", "path", "--samples", "256"),
+    parts += [(CORNELL, "--engine", "trace", "--method", "whitted", *LAMP), (CORNELL, "--engine", "trace", "--method", "path", "--samples", "1024"),
               (CORNELL, *RADIOSITY)]
     return parts, [*names, "trace, point light", "trace, paths", "soft, radiosity"]
 

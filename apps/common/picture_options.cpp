@@ -48,7 +48,7 @@ constexpr Entry entries[] = {
     {shading, "radiosity-elements", "N",
      "--method radiosity: surfaces are cut into at most N pieces, up to 200000 (default 20000)"},
     {shading, "radiosity-unshot", "SHARE",
-     "--method radiosity: surfaces shoot light until this share of the power is left (default 0.01)"},
+     "--method radiosity: surfaces shoot light until this share of the power is left (default 0.001)"},
     {shading, "max-depth", "N", "trace: reflections and refractions that a ray goes on after, 0 to 64 (default 8)"},
     {shading, "naive", "", "trace with --method cast: hold every ray against every triangle, as the textbook does"},
     {shading, "naive-limit", "N", "--naive: more tests of rays with triangles are not begun (default 100000000000)"},

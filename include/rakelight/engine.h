@@ -139,7 +139,7 @@ inline constexpr int usual_radiosity_elements = 20000, most_radiosity_elements =
 struct RadiositySettings {
     /// At most so many, both sides of two-sided triangles counted; where the scene has more triangles, half as many again.
     int elements = usual_radiosity_elements;
-    double unshot = 0.01;  ///< 0..1: patches shoot until this share of the power is left to be shot
+    double unshot = 0.001;  ///< 0..1: patches shoot until this share of the power is left to be shot
     bool operator==(const RadiositySettings&) const = default;
 };
 

@@ -152,6 +152,19 @@ void run_round(std::span<Cutter> cutters, Context& context) {
 
 }  // namespace
 
+std::vector<CoarseMesh> coarse_meshes(const PlacedMeshes& placed) {
+    std::vector<CoarseMesh> out(placed.input.meshes.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const std::span<const std::uint32_t> indices = placed.input.meshes[i].indices;
+        out[i].indices.assign(indices.begin(), indices.end());
+        for (std::uint32_t v = placed.input.vertex_base[i]; v < placed.input.vertex_base[i + 1]; ++v) {
+            const dvec3 p = placed.position(placed.place[v]);
+            out[i].places.push_back({p.x + 0.0, p.y + 0.0, p.z + 0.0});  // -0 becomes 0
+        }
+    }
+    return out;
+}
+
 FineMesh uncut(CoarseMesh mesh) {
     FineMesh fine;
     fine.places = std::move(mesh.places);

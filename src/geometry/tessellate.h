@@ -10,6 +10,8 @@
 #include <rakelight/context.h>
 #include <rakelight/vector.h>
 
+#include "geometry/place_classes.h"
+
 namespace rakelight::geometry {
 
 /// A mesh to be cut.
@@ -20,6 +22,9 @@ struct CoarseMesh {
     /// that stay coarse beside one that is cut finer.
     std::vector<std::uint8_t> on_border;
 };
+
+/// [meshes] As they stand in the world, without borders.
+std::vector<CoarseMesh> coarse_meshes(const PlacedMeshes& placed);
 
 struct FineMesh {
     std::vector<dvec3> places;  ///< [V'] the first V are the coarse mesh's

@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "base/cancel_check.h"
-#include "geometry/place_classes.h"
 #include "geometry/tessellate.h"
 #include "math/functions.h"
 #include "math/linear.h"
@@ -74,16 +73,11 @@ private:
         std::vector<std::uint8_t> moves(placed.place.size(), 0);  // some displaced mesh has a vertex at the place
         for (std::uint32_t v = 0; v < placed.place.size(); ++v)
             if (parts_[placed.input.mesh_of_vertex(v)].material) moves[placed.place[v]] = 1;
-        std::vector<geometry::CoarseMesh> coarse(parts_.size());
-        for (std::size_t i = 0; i < parts_.size(); ++i) {
-            const Mesh& mesh = scene_.meshes[parts_[i].instance.mesh];
-            coarse[i].indices.assign(mesh.indices.begin(), mesh.indices.end());
-            for (std::uint32_t v = placed.input.vertex_base[i]; v < placed.input.vertex_base[i + 1]; ++v) {
-                const dvec3 p = placed.position(placed.place[v]);
-                coarse[i].places.push_back({p.x + 0.0, p.y + 0.0, p.z + 0.0});  // -0 becomes 0
-                if (!parts_[i].material) coarse[i].on_border.push_back(moves[placed.place[v]]);
-            }
-        }
+        std::vector<geometry::CoarseMesh> coarse = geometry::coarse_meshes(placed);
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+            for (std::uint32_t v = placed.input.vertex_base[i];
+                 !parts_[i].material && v < placed.input.vertex_base[i + 1]; ++v)
+                coarse[i].on_border.push_back(moves[placed.place[v]]);
         const double diagonal = world_bounds(scene_).diagonal();
         edge_ = options_.edge > 0 ? options_.edge : diagonal / 250;
         if (!(edge_ > 0)) edge_ = 1;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/place_classes.h"
 #include "math/linear.h"
 #include "scene/scene_tools.h"
 #include "shading/choices.h"
@@ -37,17 +36,9 @@ std::vector<geometry::FineMesh> placed_meshes(const Scene& scene, const std::vec
                           .to_world = part.to_world,
                           .position_step = mesh.position_step});
     }
-    const geometry::PlacedMeshes placed = geometry::place_vertices(meshes, -1, context);
     std::vector<geometry::FineMesh> out;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        geometry::CoarseMesh coarse;
-        coarse.indices.assign(meshes[i].indices.begin(), meshes[i].indices.end());
-        for (std::uint32_t v = placed.input.vertex_base[i]; v < placed.input.vertex_base[i + 1]; ++v) {
-            const dvec3 p = placed.position(placed.place[v]);
-            coarse.places.push_back({p.x + 0.0, p.y + 0.0, p.z + 0.0});  // -0 becomes 0
-        }
+    for (geometry::CoarseMesh& coarse : geometry::coarse_meshes(geometry::place_vertices(meshes, -1, context)))
         out.push_back(geometry::uncut(std::move(coarse)));
-    }
     return out;
 }
 

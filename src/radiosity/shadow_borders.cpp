@@ -103,8 +103,11 @@ EdgeSet shadow_borders(const std::vector<Part>& parts, const std::vector<geometr
     std::vector<std::uint32_t> chosen;
     for (std::uint32_t i = 0; i < difference.size(); ++i)
         if (difference[i] > least_difference) chosen.push_back(i);
+    // A picture's error there is the difference times the area that has it.
+    const auto error = [&](std::uint32_t i) { return difference[i] * elements.list[i].area; };
     std::sort(chosen.begin(), chosen.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return difference[a] != difference[b] ? difference[a] > difference[b] : a < b;
+        const double x = error(a), y = error(b);
+        return x != y ? x > y : a < b;
     });
     std::size_t low = 0, high = chosen.size();  // the most that fit
     while (low < high) {

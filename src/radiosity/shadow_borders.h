@@ -23,7 +23,7 @@ private:
 };
 
 /// The edges of elements whose light differs from that of a neighbor's by more than a share of their mean, those of the
-/// greatest difference first, as many as leave the elements within `most`.
+/// greatest difference times area first, as many as leave the elements within `most`.
 /// @param light    [elements] irradiance / pi
 /// @param floor    luminance below which differences are not seen
 EdgeSet shadow_borders(const std::vector<Part>& parts, const std::vector<geometry::FineMesh>& meshes,

@@ -2,6 +2,7 @@
 #include "radiosity/visibility.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "math/linear.h"
 #include "radiosity/form_factor.h"
@@ -21,13 +22,16 @@ double of_small_area(const Receiver& r, dvec3 center, std::span<const dvec3> fac
 }
 
 /// Rays a side of the triangle of rays, by how much of the light they decide on.
-int rays_a_side(double share) { return share < 1e-3 ? 1 : share < 1e-2 ? 2 : share < 5e-2 ? 3 : 4; }
+constexpr int most_rays_a_side = 4;
+int rays_a_side(double share) { return share < 1e-3 ? 1 : share < 1e-2 ? 2 : share < 5e-2 ? 3 : most_rays_a_side; }
 
 }  // namespace
 
 double FormFactors::unblocked(const Receiver& r, const Patch& patch) const {
     const dvec3 way = patch.center - r.at;
-    if (dot(way, way) > far_reaches * far_reaches * patch.reach * patch.reach)
+    const bool is_far = dot(way, way) > far_reaches * far_reaches * patch.reach * patch.reach;
+    // What the receiver's horizon cuts in two gives more than its center, which may lie below.
+    if (is_far && std::fabs(dot(r.normal, way)) >= patch.reach)
         return of_small_area(r, patch.center, patches_.facets_of(patch));
     double sum = 0;
     for (const std::uint32_t i : patches_.of(patch)) {
@@ -66,6 +70,7 @@ double FormFactors::visible_share(const Receiver& r, const Patch& patch, int n) 
                 if (i + j + 1 < n) ask(e, e.corner[0] + u * (i + 2.0 / 3) + v * (j + 2.0 / 3));
             }
     }
+    if (asked == 0 && n < most_rays_a_side) return visible_share(r, patch, most_rays_a_side);  // above the horizon
     return asked > 0 ? double(seen) / asked : 0;
 }
 

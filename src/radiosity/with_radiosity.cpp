@@ -21,8 +21,8 @@ namespace {
 constexpr std::uint64_t elements_a_patch = 10;
 constexpr std::size_t least_patches = 100, most_patches = 2000;
 /// Shares of the elements that are there before the first cut at shadow borders, and after each.
-constexpr double first_share = 0.4;
-constexpr double share_after[] = {0.6, 0.8, 0.9, 1.0};
+constexpr double first_share = 0.25;
+constexpr double share_after[] = {0.35, 0.45, 0.55, 0.65, 0.75, 0.85, 0.95, 1.0};
 /// [diagonals of the scene] by which rays begin and end over surfaces.
 constexpr double gap_share = 2e-6;
 

@@ -10,6 +10,7 @@
 
 #include "image/environment.h"
 #include "radiosity/cut.h"
+#include "radiosity/form_factor.h"
 #include "radiosity/visibility.h"
 #include "support/thrown_error.h"
 #include "unit/bake/bake_scenes.h"
@@ -84,6 +85,29 @@ TEST(Radiosity, FormFactorsOfAClosedRoomAddUpToOneAndAreReciprocal) {
             EXPECT_NEAR(there * a.area, factor(j, i) * b.area, 0.06 * there * a.area);
         }
         EXPECT_NEAR(sum, 1, 0.01);
+    }
+}
+
+TEST(Radiosity, OfADistantPatchAcrossTheHorizonThePartAboveItCounts) {
+    Scene scene;
+    scene.materials = {diffuse({1, 1, 1})};
+    test::add_object(scene, test::square_mesh(0));
+    Context context({.threads = 1});
+    const std::vector<Part> parts = lit_parts(scene);
+    const ColorMaps colors(scene, {true}, context);
+    const CutScene cut{scene, parts, colors};
+    const Elements elements = cut.elements_of(placed_meshes(scene, parts, context), context);
+    const Patches patches = make_patches(elements, 0.01);
+    ASSERT_EQ(patches.list.size(), 2u);
+    const raytrace::SurfaceRays rays(scene, context);
+    const FormFactors factors(elements, patches, rays, 1e-5);
+    for (const double x : {1.0, -1.0}) {
+        const Receiver receiver{{0, 0, 30}, {x, 0, 0}, {0, 0, -1}};
+        for (std::uint32_t p = 0; p < 2; ++p) {  // the center of one of the two lies below
+            const Element& e = elements.list[patches.of(patches.list[p])[0]];
+            EXPECT_GT(factors(receiver, p, 1), 0);
+            EXPECT_EQ(factors(receiver, p, 1), form_factor_of_triangle(receiver.at, receiver.normal, e.corner));
+        }
     }
 }
 

@@ -48,6 +48,16 @@ TEST(ShadowBorders, ACreaseIsNoShadow) {
     EXPECT_TRUE(s.borders({bright, bright, dark, dark}).empty());
 }
 
+TEST(ShadowBorders, OfEqualDifferencesTheLargerElementsComeFirst) {
+    TwoSquares s;
+    s.elements.list[0].area = s.elements.list[1].area = 1;  // of 2, those of the second square
+    const std::vector<dvec3> light{bright, dark, bright, dark};
+    const EdgeSet edges = s.borders(light, 10);
+    EXPECT_TRUE(edges.holds({1, -1, 0}, {3, 1, 0}));
+    EXPECT_FALSE(edges.holds({-1, -1, 0}, {1, 1, 0}));
+    EXPECT_TRUE(s.borders(light, 100).holds({-1, -1, 0}, {1, 1, 0}));
+}
+
 TEST(ShadowBorders, KeepsWithinTheElements) {
     const TwoSquares s;
     std::vector<geometry::FineMesh> cut = s.meshes;
