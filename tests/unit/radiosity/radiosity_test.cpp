@@ -296,7 +296,7 @@ TEST(Radiosity, MetalOfATextureIsDarkWhereItIs) {
     const Mesh& mesh = s.scene.meshes[0];
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         const float x = mesh.positions[v].x;
-        if (std::fabs(x) < 0.2f || std::fabs(x) > 0.8f) continue;  // the texture repeats
+        if (std::fabs(x) < 0.3f || std::fabs(x) > 0.7f) continue;  // elements reach so far; the texture repeats
         EXPECT_NEAR(radiance(s.scene, mesh, v).x, x < 0 ? 0 : 0.4f, 2e-4) << x;
     }
 }
