@@ -21,10 +21,11 @@ GLASS = ROOT / "data/rays/glass.scene.toml"
 PLAIN = ("--look", "plain")
 RASTER = "soft,gl"
 # What is measured: name, words of the program, engines.
-WAYS = {"raster": ((), RASTER), "ray tracing (Whitted)": (("--method", "whitted"), "trace"), "paths, 4 a pixel": (("--method", "path", "--samples", "4"), "trace"),
+PATHS = "paths, 4 a pixel"
+WAYS = {"raster": ((), RASTER), "ray tracing (Whitted)": (("--method", "whitted"), "trace"), PATHS: (("--method", "path", "--samples", "4"), "trace"),
         "casting": (("--method", "cast"), "trace"), "casting, naive": (("--method", "cast", "--naive"), "trace")}
 NAMES = {"soft": "z-buffer on the processor (soft)", "gl": "z-buffer by OpenGL (gl)"}
-MOST_TESTS = 4e9  # of the naive loop: rays times triangles
+MOST_TESTS = 2.5e9  # of the naive loop: rays times triangles
 
 
 def cases(kind, small):
@@ -36,7 +37,7 @@ def cases(kind, small):
             yield n // cut, ("--triangles", str(n // cut), "--resolution", "640,360", "--lights", "2"), ways
     elif kind == "pixels":
         for w, h in ((160, 90), (320, 180), (640, 360), (1280, 720), (2560, 1440)):
-            ways = [way for way in WAYS if way != "casting, naive" or w * h * 10_000 <= MOST_TESTS]
+            ways = [way for way in WAYS if (way != "casting, naive" or w * h * 10_000 <= MOST_TESTS) and (way != PATHS or w <= 1280)]
             yield w * h // cut ** 2, ("--triangles", str(10_000 // cut), "--resolution", f"{w // cut},{h // cut}", "--lights", "2"), ways
     elif kind == "lights":
         for n in (1, 2, 4, 8):
@@ -44,7 +45,7 @@ def cases(kind, small):
     else:
         for depth in (0, 1, 2, 4, 8, 16):
             words = (str(GLASS), "--resolution", f"{640 // cut},{360 // cut}", "--max-depth", str(depth))
-            yield depth, words, ["ray tracing (Whitted)", "paths, 4 a pixel", "raster"]
+            yield depth, words, ["ray tracing (Whitted)", PATHS, "raster"]
 
 
 def bench(program, words, frames):
@@ -69,7 +70,7 @@ def measure(program, kind, options, engines_there):
                 engines = [e for e in engines.split(",") if e in engines_there]
                 if not engines:
                     continue
-                frames = 1 if "--naive" in extra else options.frames
+                frames = 1 if "--naive" in extra else min(options.frames, 2) if way == PATHS else options.frames
                 report = bench(program, [*words, *PLAIN, *extra, "--engine", ",".join(engines)], frames)
                 for row in report["rows"]:
                     entry = found.setdefault((NAMES.get(row["engine"], way), x), {"ms": [], "first_ms": []})
