@@ -123,7 +123,7 @@ enum class Look : std::uint8_t {
     standard  ///< take_look() fills in what neither the file nor PictureRequest::named has a say in
 };
 
-/// Settings that go together: docs/fixed-function.md.
+/// Settings that go together: docs/shading.md.
 enum class Preset : std::uint8_t {
     none,
     fixed_function  ///< what OpenGL 1.x could do without a program

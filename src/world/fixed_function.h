@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The preset of the fixed-function pipeline: what it sets, and what it makes of materials and lights. docs/fixed-function.md.
+// The preset of the fixed-function pipeline: what it sets, and what it makes of materials and lights. docs/shading.md.
 #pragma once
 #include <rakelight/request.h>
 

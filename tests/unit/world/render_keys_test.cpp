@@ -29,6 +29,8 @@ PictureRequest read(std::span<const WorldValue> values) {
 
 /// For each key words that are not its default, as they are written.
 const std::map<std::string, std::vector<std::string>> examples = {
+    {"preset", {"fixed-function"}},
+    {"bitangents", {"attribute"}},
     {"engine", {"gl"}},
     {"resolution", {"640,360"}},
     {"window", {"1,2,30,40"}},
