@@ -113,6 +113,22 @@ TEST(OrenNayarFull, GrowsWithTheSquareOfTheAlbedo) {
     EXPECT_NEAR(double(got[2][0]) - double(got[0][0]), 0.8 * per_rho, 1e-6);
 }
 
+/// By a quadrature of its own in double: 1.050 of white at 89.9 degrees and sigma 0.3, below 1 from sigma 45 degrees on.
+TEST(OrenNayarFull, SendsOutItsSurplusAndNoMore) {
+    const Outgoing out = whole_hemisphere();
+    double most = 0, most_of_rough = 0;
+    for (const double angle : furnace_degrees)
+        for (const float sigma : {0.0f, 0.15f, 0.3f, 0.45f, 0.8f, 1.2f}) {
+            Item like;
+            like.s = sigma, like.kd = {1, 1, 1};
+            const double a = albedo("oren_nayar_full_brdf", beam(angle), out, like);
+            most = std::max(most, a);
+            if (sigma >= 0.8f) most_of_rough = std::max(most_of_rough, a);
+        }
+    EXPECT_NEAR(most, 1.050, 0.002);
+    EXPECT_LT(most_of_rough, 1);
+}
+
 /// The paper fits eq. 30 by leaving out C3, the part of C2 behind the plane of incidence, and interreflection.
 TEST(OrenNayarFull, DiffersFromTheQualitativeModelByWhatThatLeavesOut) {
     Items items;
