@@ -22,7 +22,7 @@ ROWS = {
     "vertices": (SPOT, ()),
     "shadows": (("data/world/room.scene.toml", "--tone-mapping", "none"), ()),
     "detail": (WALL, ()),
-    "control": (("builtin:teapot", "--engine", "gl"), ("--lighting", "data/lighting/steps.glsl")),
+    "control": (("builtin:teapot", "--engine", "gl", "--samples", "4"), ("--lighting", "data/lighting/steps.glsl")),
 }
 
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "math/linear.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {

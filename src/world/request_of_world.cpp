@@ -5,6 +5,7 @@
 
 #include <rakelight/request.h>
 #include <rakelight/tools/settings_file.h>
+#include <rakelight/tools/words.h>
 
 #include "io/world/read_settings.h"
 #include "world/lighting_text.h"

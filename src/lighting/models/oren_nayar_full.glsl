@@ -16,7 +16,7 @@ RL_FN real oren_nayar_bounce(real sigma)
     return 0.17f * squared / (squared + 0.13f);
 }
 
-// 0..1: an angle of sine and cosine >= 0 over pi / 2. Abramowitz & Stegun 1964, eq. 4.4.46: acos(x) = sqrt(1 - x) p(x), within 2e-8;
+// 0..1: an angle of sine and cosine, both >= 0, over pi / 2. Abramowitz & Stegun 1964, eq. 4.4.46: acos(x) = sqrt(1 - x) p(x), within 2e-8;
 // sqrt(1 - x) is sin / sqrt(1 + x), which is exact near 0 too.
 RL_FN real quarter_share(real sine, real cosine)
 {
@@ -34,6 +34,7 @@ struct FacetAngles {
     real tan_middle;  // of (alpha + beta) / 2
     real alpha;       // 0..1: over pi / 2
     real beta;
+    real behind;      // sin alpha - (2 beta / pi)^3, which is small where tan beta is large
 };
 
 RL_FN FacetAngles facet_angles(vec3 n, vec3 l, vec3 v)
@@ -46,23 +47,26 @@ RL_FN FacetAngles facet_angles(vec3 n, vec3 l, vec3 v)
     real cos_v = max(dot(n, v), 0.0f);
     real sin_l = select(cos_l > 0.0f, min(length_l, 1.0f), 1.0f);
     real sin_v = select(cos_v > 0.0f, min(length_v, 1.0f), 1.0f);
-    real angle_l = quarter_share(sin_l, cos_l);
-    real angle_v = quarter_share(sin_v, cos_v);
+    real rise_l = quarter_share(cos_l, sin_l);  // over the horizon: what is left of the angle to the normal
+    real rise_v = quarter_share(cos_v, sin_v);
+    real rise = max(rise_l, rise_v);
+    real least = min(cos_l, cos_v);
     FacetAngles a;
     a.cos_phi = clamp(dot(across_l, across_v) / max(length_l * length_v, 1e-20f), -1.0f, 1.0f);
     a.sin_alpha = max(sin_l, sin_v);
     a.tan_beta = min(sin_l, sin_v) / max(max(cos_l, cos_v), 1e-4f);
     a.tan_middle = (sin_l + sin_v) / max(cos_l + cos_v, 1e-4f);
-    a.alpha = max(angle_l, angle_v);
-    a.beta = min(angle_l, angle_v);
+    a.alpha = 1.0f - min(rise_l, rise_v);
+    a.beta = 1.0f - rise;
+    // 1 - (1 - rise)^3 less 1 - sin alpha
+    a.behind = rise * (3.0f - rise * (3.0f - rise)) - least * least / (1.0f + a.sin_alpha);
     return a;
 }
 
 // What Lambert's term is multiplied by: without interreflection (eq. 27), c1 and s45 of oren_nayar_a() and oren_nayar_b().
 RL_FN real oren_nayar_direct(RL_IN(FacetAngles) a, real c1, real s45)
 {
-    real cubed = select(a.cos_phi < 0.0f, a.beta * a.beta * a.beta, 0.0f);
-    real c2 = s45 * (a.sin_alpha - cubed);
+    real c2 = s45 * select(a.cos_phi < 0.0f, a.behind, a.sin_alpha);
     real both = a.alpha * a.beta;
     real c3 = s45 * 0.277777778f * both * both;  // 0.125 / 0.45
     return c1 + c2 * (a.cos_phi * a.tan_beta) + c3 * ((1.0f - abs(a.cos_phi)) * a.tan_middle);
