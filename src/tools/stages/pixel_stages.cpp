@@ -125,7 +125,7 @@ void add_steps(Stage& s, const Sources& of) {
                      slope_y = double(d.depth_slope[a].y);
         const double by_steps = key + slope_x * right + slope_y * down, error = by_steps - double(d.depth_key[b]);
         largest = std::max(largest, std::fabs(error));
-        if (s.rows.size() >= most_stepped) continue;
+        if (a == b || s.rows.size() >= most_stepped) continue;
         s.rows.push_back({object_title(list.scene, list.draws[d.draw[a]].node),
                           d.triangle[a],
                           {a % width, a / width},
@@ -147,7 +147,7 @@ void add_steps(Stage& s, const Sources& of) {
                  "key + slopes x steps",
                  "key that the engine has there",
                  "difference"};
-    s.rows_note = "Visible triangles: from the first to the last pixel that shows each";
+    s.rows_note = "Visible triangles of more than one pixel: from the first to the last one that shows each";
     s.numbers["largest difference, all visible triangles"] = largest;
 }
 
