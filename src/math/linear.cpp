@@ -66,4 +66,12 @@ dmat4 look_at(dvec3 eye, dvec3 target, dvec3 up) {
     return {{extended(right, 0), extended(cross(back, right), 0), extended(back, 0), extended(eye, 1)}};
 }
 
+dmat4 orthographic(double half_height, double aspect, double near, double far) {
+    const double depth = far - near;
+    return {{{1 / (half_height * aspect), 0, 0, 0},
+             {0, 1 / half_height, 0, 0},
+             {0, 0, -2 / depth, 0},
+             {0, 0, -(far + near) / depth, 1}}};
+}
+
 }  // namespace rakelight

@@ -15,12 +15,4 @@ dmat4 perspective(double vertical_fov_rad, double aspect, double near, double fa
              {0, 0, -2 * near / (1 - ratio), 0}}};
 }
 
-dmat4 orthographic(double half_height, double aspect, double near, double far) {
-    const double depth = far - near;
-    return {{{1 / (half_height * aspect), 0, 0, 0},
-             {0, 1 / half_height, 0, 0},
-             {0, 0, -2 / depth, 0},
-             {0, 0, -(far + near) / depth, 1}}};
-}
-
 }  // namespace rakelight
