@@ -7,13 +7,16 @@
 #     EXTERNAL TBB::tbb             libraries of this module alone, never in include/
 #     TESTS weld_test.cpp ...)      in tests/unit/<name>/
 #
-# It makes the static library rakelight_<name> (alias rakelight::<name>) and the test program test_<name>.
+# It makes the static library rakelight_<name> (alias rakelight::<name>) and the test program test_<name>. These libraries are
+# for tests; RakelightPackage.cmake puts their objects together as the one that is installed.
 
 # Flags of every C++ source. Bits must not depend on the machine: no contraction, no fast-math; sqrt without errno.
 add_library(rl_flags INTERFACE)
 target_compile_features(rl_flags INTERFACE cxx_std_20)
 target_compile_options(rl_flags INTERFACE -Wall -Wextra $<IF:$<CXX_COMPILER_ID:GNU>,-Wshadow=local,-Wshadow> -Wno-missing-field-initializers
-  -ffp-contract=off -fno-math-errno -fno-strict-aliasing)
+  -ffp-contract=off -fno-math-errno -fno-strict-aliasing
+  # Only what has RL_API (include/rakelight/export.h) is seen outside of a shared library, and nobody puts another in its place.
+  -fvisibility=hidden -fvisibility-inlines-hidden -fno-semantic-interposition)
 if(RAKELIGHT_WERROR)
   target_compile_options(rl_flags INTERFACE -Werror)
 endif()
@@ -21,6 +24,13 @@ if(RAKELIGHT_SANITIZE)
   target_compile_options(rl_flags INTERFACE -fsanitize=${RAKELIGHT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC says false things of instrumented code: std::regex
   target_link_options(rl_flags INTERFACE -fsanitize=${RAKELIGHT_SANITIZE})
+endif()
+if(RAKELIGHT_LTO)  # archives hold machine code too; what is compiled per instruction set stays as it is
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    message(FATAL_ERROR "RAKELIGHT_LTO needs GCC: archives would hold no machine code")
+  endif()
+  target_compile_options(rl_flags INTERFACE -flto=auto -ffat-lto-objects)
+  target_link_options(rl_flags INTERFACE -flto=auto)
 endif()
 if(RAKELIGHT_FUZZ)
   target_compile_options(rl_flags INTERFACE -fsanitize=fuzzer-no-link)
@@ -34,6 +44,13 @@ set(RL_ISA_FLAGS_sse2 "-msse2")
 set(RL_ISA_FLAGS_avx2 "-mavx2;-mno-fma")
 set(RL_ISA_FLAGS_avx512 "-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl;-mavx512cd;-mprefer-vector-width=512")
 
+# rl_add_objects(TARGET OBJECTS): objects compiled per instruction set become part of a target.
+function(rl_add_objects target objects)
+  target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
+  set_property(TARGET ${target} APPEND PROPERTY RL_OBJECTS ${objects})
+  set_property(GLOBAL APPEND PROPERTY RL_ISA_OBJECTS ${objects})
+endfunction()
+
 # rl_add_flavour(TARGET ISA FLAVOUR DEFINITIONS SOURCES): objects for one set, whose symbols carry the flavour's name.
 function(rl_add_flavour target isa flavour definitions)
   set(objects ${target}_${flavour})
@@ -44,10 +61,9 @@ function(rl_add_flavour target isa flavour definitions)
   target_link_libraries(${objects} PRIVATE rl_flags)
   target_include_directories(${objects} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
   target_compile_definitions(${objects} PRIVATE RL_ISA=${flavour} RL_ISA_${isa}=1 xsimd=xsimd_${flavour} ${definitions})
-  target_compile_options(${objects} PRIVATE -O3 -fno-exceptions ${RL_ISA_FLAGS_${isa}}
+  target_compile_options(${objects} PRIVATE -O3 -fno-exceptions $<$<BOOL:${RAKELIGHT_LTO}>:-fno-lto> ${RL_ISA_FLAGS_${isa}}
     $<$<CXX_COMPILER_ID:GNU>:-fschedule-insns;-fsched-pressure>)
-  target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
-  set_property(GLOBAL APPEND PROPERTY RL_ISA_OBJECTS ${objects})
+  rl_add_objects(${target} ${objects})
 endfunction()
 
 function(rl_add_isa_sources target)

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks every #include against the tables below: modules, and the rooms of the soft engine, include only downwards, a library appears in one module only,
 public headers name no library, sources that are compiled per instruction set include only what those may, the shared
-lighting text uses no word that GLSL reserves, no hash table takes std::hash, for which a file can choose its names, and tests
-have temporary files in one way. --compile also compiles every header alone. Exit code 1 when something is wrong, one line each."""
+lighting text uses no word that GLSL reserves, no hash table takes std::hash, for which a file can choose its names, tests
+have temporary files in one way, and functions of public headers are seen outside of the shared library. --compile also compiles every header alone. Exit code 1 when something is wrong, one line each."""
 import argparse
 import concurrent.futures
 import os
@@ -61,7 +61,7 @@ DOORS = {
 
 # Public header -> the module that implements it (and whose layer it belongs to).
 PUBLIC = {
-    "error": "base", "current_error": "base", "report": "base", "context": "base", "memory_budget": "base", "rare": "base",
+    "export": "base", "error": "base", "current_error": "base", "report": "base", "context": "base", "memory_budget": "base", "rare": "base",
     "vector": "math", "linear": "math", "joint_influence": "math",
     "block": "image", "image": "image", "colormap": "image",
     "attributes": "geometry", "seams": "geometry", "matching_borders": "geometry",
@@ -199,6 +199,19 @@ def check_temporary_files(path, wrong):
         wrong.append(f"{path}: tests have their files in a TemporaryFolder (tests/support/temporary_folder.h)")
 
 
+# A function of a namespace, declared in a public header: what the shared library must show.
+DECLARATION = re.compile(r"^(?!\s|RL_API\b|(?:inline|constexpr|template|class|struct|enum|using|namespace|static_assert)\b)(?:\[\[\w+\]\] )?"
+                         r"(?!RL_API\b)[\w:<>,&* ]+[ &*](\w+)\(", re.M)
+
+
+def check_export(path, wrong):
+    text = (ROOT / path).read_text()
+    for found in DECLARATION.finditer(text):
+        above = text[:found.start()].rstrip("\n").rpartition("\n")[2]
+        if not above.startswith("template"):
+            wrong.append(f"{path}: {found.group(1)}() has no RL_API (rakelight/export.h): the shared library would hide it")
+
+
 def check_glsl(path, wrong):
     code = re.sub(r"//[^\n]*", "", (ROOT / path).read_text())
     for word in sorted(set(re.findall(r"\b[a-z]\w*\b", code)) & GLSL_RESERVED):
@@ -248,6 +261,8 @@ def main():
     wrong = []
     for path in sources("src", "include", "apps", "examples"):
         check_file(path, wrong)
+        if path.parts[0] == "include":
+            check_export(path, wrong)
         if path.parts[0] != "examples":
             check_hash_tables(path, wrong)
         if path.suffix == ".glsl":

@@ -19,7 +19,8 @@ std::string version_text() {
     return "rakelight " + info.version + "\n" + "engines:          " + list(info.engines) + "\n" +
            "model formats:    " + info.model_formats + "\n" + "textures read:    " + info.image_formats_read + "\n" +
            "pictures written: " + info.image_formats_written + "\n" + "instruction set:  " + info.isa +
-           " (available: " + list(info.isas) + ")\n" + "threads:          " + std::to_string(info.threads) + "\n";
+           " (available: " + list(info.isas) + ")\n" + "threads:          " + std::to_string(info.threads) + "\n" +
+           (info.left_out.empty() ? "" : "left out:         " + list(info.left_out) + "\n");
 }
 
 }  // namespace rakelight::cli

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <rakelight/context.h>
+#include <rakelight/export.h>
 #include <rakelight/vector.h>
 
 namespace rakelight {
@@ -109,7 +110,7 @@ struct MeshAttributes {
 
 /// Which corners share a normal: made once, used for any positions of the same meshes (poses, morphs), and the start of the next
 /// one when the crease angle moves. Immutable; cheap to copy. Holds about 45 bytes a triangle.
-class AttributePlan {
+class RL_API AttributePlan {
 public:
     struct Impl;
     explicit AttributePlan(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
@@ -124,7 +125,7 @@ private:
 /// angle and smoothing groups, vertices that must split. Expected O(n), deterministic for any number of threads.
 /// Sums are made only where the faces of a group look so far away from one another that their normals may cancel.
 /// @throws Error bad_file: sizes that do not fit, an index out of range (first one in the message), a matrix that is not finite.
-AttributePlan group(std::span<const AttributeMesh> meshes, const AttributeOptions& options, Context& context);
+RL_API AttributePlan group(std::span<const AttributeMesh> meshes, const AttributeOptions& options, Context& context);
 
 /// The first step again, for other options (a crease slider): the same plan as group(meshes, options, context), sooner. What does not
 /// change with the crease angle is taken from the old plan: places, face normals and the faces around each place. Another
@@ -132,15 +133,15 @@ AttributePlan group(std::span<const AttributeMesh> meshes, const AttributeOption
 /// @param plan    of group() or regroup()
 /// @param meshes  as they were given to group(), unmoved; only their smoothing groups, hints and locks may have changed
 /// @throws Error bad_file: other counts than were grouped, and what group() throws
-AttributePlan regroup(const AttributePlan& plan, std::span<const AttributeMesh> meshes, const AttributeOptions& options,
-                      Context& context);
+RL_API AttributePlan regroup(const AttributePlan& plan, std::span<const AttributeMesh> meshes,
+                             const AttributeOptions& options, Context& context);
 
 /// Second step: the sums, over the same meshes (positions may have moved; counts may not). The same vectors, to the bit, as
 /// compute_attributes() where nothing has moved and the crease angle is below pi or the weight is not uniform (else compute_attributes()
 /// sums in float).
 /// @return one entry a mesh, in the order of the input
-std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<const AttributeMesh> meshes,
-                                       Context& context);
+RL_API std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<const AttributeMesh> meshes,
+                                              Context& context);
 
 /// The second step for what faces have in place of normals (light, measurements): each vertex gets the mean of its group's
 /// faces with the plan's weights. Smooth wherever normals are, over borders of objects too, and sharp at creases. A mean lies
@@ -149,12 +150,12 @@ std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<cons
 /// @param values  [meshes][T] finite; those of faces without a vote do not count
 /// @return [meshes][V'] by the vertex numbers of accumulate()'s result; 0 where no face with a vote touches a vertex's group
 /// @throws Error bad_file: other counts than were grouped
-std::vector<std::vector<vec3>> average(const AttributePlan& plan, std::span<const AttributeMesh> meshes,
-                                       std::span<const std::span<const vec3>> values, Context& context);
+RL_API std::vector<std::vector<vec3>> average(const AttributePlan& plan, std::span<const AttributeMesh> meshes,
+                                              std::span<const std::span<const vec3>> values, Context& context);
 
 /// Both steps. All corners of a group get bit-equal vectors (in the world; each object's own space after its matrix).
-std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
-                                               Context& context);
+RL_API std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> meshes,
+                                                      const AttributeOptions& options, Context& context);
 
 /// Where compute_attributes_into() writes for one mesh, by the input's vertex numbers; entries beyond V are left alone.
 struct AttributeBuffers {
@@ -181,7 +182,7 @@ struct SplitAttributes {
 
 /// Scratch memory of compute_attributes_into(), kept for the next call (of any sizes): 16 bytes a vertex for normals, 32 for
 /// normals and tangents, 8 more for the weld; where the general path runs, about 42 bytes a triangle. For one call at a time.
-class AttributeWorkspace {
+class RL_API AttributeWorkspace {
 public:
     AttributeWorkspace();
     AttributeWorkspace(AttributeWorkspace&&) noexcept;
@@ -203,9 +204,9 @@ private:
 /// @return what was split and counted, one entry a mesh; the same values as compute_attributes() gives
 /// @throws Error usage: a buffer too small (mesh and sizes in the message), and what compute_attributes() throws; then the
 ///         buffers hold anything
-std::vector<SplitAttributes> compute_attributes_into(std::span<const AttributeMesh> meshes,
-                                                     const AttributeOptions& options,
-                                                     std::span<const AttributeBuffers> out,
-                                                     AttributeWorkspace& workspace, Context& context);
+RL_API std::vector<SplitAttributes> compute_attributes_into(std::span<const AttributeMesh> meshes,
+                                                            const AttributeOptions& options,
+                                                            std::span<const AttributeBuffers> out,
+                                                            AttributeWorkspace& workspace, Context& context);
 
 }  // namespace rakelight

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <rakelight/context.h>
+#include <rakelight/export.h>
 #include <rakelight/image.h>
 #include <rakelight/radiosity.h>
 #include <rakelight/scene.h>
@@ -24,11 +25,11 @@ enum class BakeMap : std::uint8_t {
 };
 
 /// What a map is called, in file names too: "normal".
-const char* name_of(BakeMap map) noexcept;
+RL_API const char* name_of(BakeMap map) noexcept;
 /// Of pictures of integers: heights 16 bits, else 8.
-Component component_of(BakeMap map) noexcept;
+RL_API Component component_of(BakeMap map) noexcept;
 /// All, in their order.
-std::span<const BakeMap> all_bake_maps() noexcept;
+RL_API std::span<const BakeMap> all_bake_maps() noexcept;
 
 /// In what a normal is written: the frame of LOW's interpolated normal and MikkTSpace tangent, or LOW's object space.
 enum class BakeSpace : std::uint8_t { tangent, object };
@@ -98,15 +99,15 @@ struct BakeResult {
 /// @throws Error usage: options out of their range, no room for the charts; bad_file: see validate(), no triangles, over
 ///         the memory budget; light: HIGH gives no light, and see with_radiosity(); failed: built without rays or Embree
 ///         not installed, cancelled
-BakeResult bake_maps(const Scene& high, const Scene& low, const BakeOptions& options, Context& context);
+RL_API BakeResult bake_maps(const Scene& high, const Scene& low, const BakeOptions& options, Context& context);
 
 /// Whether this build can.
-bool can_bake() noexcept;
+RL_API bool can_bake() noexcept;
 
 /// A map as a picture. Normals: 0.5 + 0.5 n. Integers: height: 0.5 at LOW, 0 and 1 at the cage; curvature: 0.5 where flat, 0 and 1
 /// at 1 / curvature_radius; light: sRGB, 1 at most. Floats: height, curvature, occlusion and light as they are.
 /// @throws Error bad_file: over the memory budget
-Pixels picture_of(const BakeResult& result, const BakedMap& map, const BakeOptions& options, Component component,
-                  Context& context);
+RL_API Pixels picture_of(const BakeResult& result, const BakedMap& map, const BakeOptions& options, Component component,
+                         Context& context);
 
 }  // namespace rakelight

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 
+#include <rakelight/export.h>
 #include <rakelight/vector.h>
 
 namespace rakelight {
@@ -11,6 +12,6 @@ enum class ColorMap : std::uint8_t { viridis, magma, inferno, plasma, turbo, coo
 
 /// @param t  0..1; outside it is clamped, NaN gives gray
 /// @return   linear RGB
-vec3 color_of(ColorMap map, double t);
+RL_API vec3 color_of(ColorMap map, double t);
 
 }  // namespace rakelight

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <rakelight/context.h>
+#include <rakelight/export.h>
 #include <rakelight/image.h>
 #include <rakelight/inspect.h>
 
@@ -44,7 +45,7 @@ enum class DifferenceKind : std::uint8_t {
 };
 
 /// Two pictures that were compared.
-class ComparedPictures {
+class RL_API ComparedPictures {
 public:
     /// Where one has more channels than the other, gray is copied to RGB, and missing alpha is 1. Where one holds linear light, the
     /// other's sRGB colors are decoded.
@@ -66,16 +67,17 @@ private:
 };
 
 /// A picture file, decoded. @throws Error not_found, bad_file
-Pixels read_picture(const std::string& path, Context& context);
+RL_API Pixels read_picture(const std::string& path, Context& context);
 
 /// Whether a name's ending is that of a picture format which read_picture() reads.
-bool has_picture_ending(const std::string& path);
+RL_API bool has_picture_ending(const std::string& path);
 
 /// Whether a name means something that is drawn: a world file, "builtin:...", an ending of a model format that this build reads.
-bool is_scene(const std::string& name);
+RL_API bool is_scene(const std::string& name);
 
 /// Writes a difference picture; its name's ending says the format. @throws Error usage: unknown ending; failed
-void save_difference(const ComparedPictures& pictures, DifferenceKind kind, double gain, const std::string& path);
+RL_API void save_difference(const ComparedPictures& pictures, DifferenceKind kind, double gain,
+                            const std::string& path);
 
 /// Limits of a comparison; those absent hold for any.
 struct CompareLimits {
@@ -86,12 +88,12 @@ struct CompareLimits {
 };
 
 /// One entry for each limit that is passed, in the order of CompareLimits; a picture that has no SSIM passes its limit.
-std::vector<CheckFailure> check_limits(const PictureComparison& comparison, const CompareLimits& limits);
+RL_API std::vector<CheckFailure> check_limits(const PictureComparison& comparison, const CompareLimits& limits);
 
 /// Whether a name means a page (.html, .htm); others mean a difference picture.
-bool is_page(const std::string& path);
+RL_API bool is_page(const std::string& path);
 /// What is wrong with the name of a difference picture or a page before anything is compared. @throws Error usage, failed
-void check_comparison_output(const std::string& path);
+RL_API void check_comparison_output(const std::string& path);
 
 /// What is written above two pictures of a page.
 struct PageTitles {
@@ -100,7 +102,7 @@ struct PageTitles {
 
 /// A page with the pictures of comparisons, one after the other: a wipe slider between the two, their differences, the numbers. One
 /// file of HTML that refers to nothing outside of it.
-class ComparisonPage {
+class RL_API ComparisonPage {
 public:
     void add(const PageTitles& titles, const ComparedPictures& pictures, const CompareOptions& options, double gain);
     /// The whole page. @throws Error failed

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <rakelight/error.h>
+#include <rakelight/export.h>
 #include <rakelight/memory_budget.h>
 #include <rakelight/report.h>
 
@@ -24,10 +25,13 @@ struct ContextOptions {
     /// Called now and then with a stage ("load", "render") and how far it is, 0..1. From any thread, one call at a time.
     std::function<void(std::string_view stage, double fraction)> progress{};
     const Context* parent = nullptr;  ///< cancelling it cancels this one too; must outlive it
+    /// Path of the program rakelight-import, which reads FBX, DAE, STL and other rare formats. Empty: that of the parent; else
+    /// the environment's RAKELIGHT_IMPORT; else it is looked for beside the running program and where the library was installed.
+    std::string import_helper{};
 };
 
 /// One per run; not copyable; every long function takes it by reference. Results never depend on the number of threads.
-class Context {
+class RL_API Context {
 public:
     explicit Context(ContextOptions options = {});
     ~Context();
@@ -44,6 +48,10 @@ public:
     void cancel() noexcept { cancelled_ = true; }
     bool cancelled() const noexcept { return cancelled_ || (options_.parent && options_.parent->cancelled()); }
     void throw_if_cancelled() const;  ///< @throws Error failed "cancelled"
+    /// Takes cancel() back, so that the next run can use this context. Only while nothing runs on it.
+    void reset_cancel() noexcept { cancelled_ = false; }
+    /// ContextOptions::import_helper, or that of the parent.
+    const std::string& import_helper() const noexcept;
 
     /// Loaders tell of each file that they open. Textures are opened when they are decoded: EncodedImage::path names them.
     void note_file(const std::string& path);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <rakelight/context.h>
+#include <rakelight/export.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
@@ -233,7 +234,7 @@ struct Tile {
 };
 
 /// Takes finished tiles. Bit-equal results whatever the order of the tiles. Progressive engines deliver passes.
-class Sink {
+class RL_API Sink {
 public:
     virtual ~Sink() = default;
     /// Before the first tile: size of the whole picture, the window, the channels that will come.
@@ -258,7 +259,7 @@ struct ChannelArrays {
 };
 
 /// The sink that keeps everything of a window. Pixel (x, y) of the picture is at (y - window.y) * window.width + x - window.x.
-class Frame final : public Sink, public ChannelArrays {
+class RL_API Frame final : public Sink, public ChannelArrays {
 public:
     void begin(int width, int height, Window window, std::uint32_t channels) override;  ///< @throws Error: too large
     void tile(const Tile& tile) override;  ///< @throws Error usage: out of the window, an array of another size
@@ -342,7 +343,7 @@ struct EngineAbilities {
 
 /// One way of making pictures. prepare() takes a scene up (again after an edit: only new blocks cost), render() draws it
 /// any number of times. Not reentrant; different engines are independent.
-class Engine {
+class RL_API Engine {
 public:
     virtual ~Engine() = default;
     virtual std::string name() const = 0;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/export.h>
+
 namespace rakelight {
 
 /// What went wrong, in the classes that callers tell apart; the program ends with their numbers.
@@ -18,7 +20,7 @@ enum class ErrorCode {
 
 /// Bad input or environment. `what()` is one printable line: "FILE: PLACE: SETTING: REASON; ADVICE", absent parts left out,
 /// control characters replaced, at most 600 bytes. Never thrown for programming mistakes (those assert).
-class Error : public std::exception {
+class RL_API Error : public std::exception {
 public:
     /// @param reason  for people, one sentence without a full stop: "accessor 7 reads past the end of buffer 0 (needs 1200 bytes, has 960)"
     /// @param place   where in the file: "line 12", "accessor 7", "node 3"; may be empty
@@ -58,6 +60,6 @@ private:
 };
 
 /// Text made safe for one line of a terminal: control characters and invalid UTF-8 become '?', cut to `max_bytes` with "...".
-std::string one_line(const std::string& text, std::size_t max_bytes = 240);
+RL_API std::string one_line(const std::string& text, std::size_t max_bytes = 240);
 
 }  // namespace rakelight

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/export.h>
 #include <rakelight/picture.h>
 
 namespace rakelight {
@@ -19,25 +20,25 @@ struct ExplainedPixel;
 /// numbers are those of the soft engine: the sum of the terms is the picture's pixel to the bit.
 /// @param x,y  [px] of the whole picture; 0,0 is the top left one
 /// @throws Error usage: the pixel is not in the picture, impossible settings or camera; not_found, bad_file, failed
-std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int x, int y, Context& context);
+RL_API std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int x, int y, Context& context);
 /// The same of a scene that is there, as render_picture() draws it; `request.input` is its name in what is returned.
-std::shared_ptr<const ExplainedPixel> explain(const Scene& scene, const PictureRequest& request, int x, int y,
-                                              Context& context);
+RL_API std::shared_ptr<const ExplainedPixel> explain(const Scene& scene, const PictureRequest& request, int x, int y,
+                                                     Context& context);
 
 /// The pixel's color as a PNG file holds it: 3 values, or 4 with alpha where the background is transparent.
-std::vector<std::uint8_t> codes_of(const ExplainedPixel& pixel);
+RL_API std::vector<std::uint8_t> codes_of(const ExplainedPixel& pixel);
 /// Linear RGB and alpha.
-vec4 color_of(const ExplainedPixel& pixel);
+RL_API vec4 color_of(const ExplainedPixel& pixel);
 
 /// A pixel of a picture: 0,0 is the top left one.
 struct PixelPlace {
     int x = 0, y = 0;
 };
 /// Several pixels of one picture, which is loaded and prepared once. In their order.
-std::vector<std::shared_ptr<const ExplainedPixel>> explain(const PictureRequest& request,
-                                                           std::span<const PixelPlace> pixels, Context& context);
+RL_API std::vector<std::shared_ptr<const ExplainedPixel>> explain(const PictureRequest& request,
+                                                                  std::span<const PixelPlace> pixels, Context& context);
 
 /// For people: lines that end with line feeds. Numbers are written with as many digits as tell the float apart.
-std::string to_text(const ExplainedPixel& pixel);
+RL_API std::string to_text(const ExplainedPixel& pixel);
 
 }  // namespace rakelight

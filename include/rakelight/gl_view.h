@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include <rakelight/export.h>
 #include <rakelight/line.h>
 #include <rakelight/session.h>
 
@@ -17,7 +18,7 @@ namespace rakelight {
 /// there, too. OpenGL 3.3 core or ES 3.0.
 /// @throws Error failed: too old a context, no memory on the GPU, a context that is lost: then its owner makes a new one,
 /// and a new view
-class GlView {
+class RL_API GlView {
 public:
     GlView();
     ~GlView();

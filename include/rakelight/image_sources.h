@@ -5,16 +5,17 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/export.h>
 #include <rakelight/image.h>
 
 namespace rakelight {
 
 /// A picture that is a file of its own; it is opened when it is decoded. @param path  names it in messages too
-ImageHandle image_from_file(const std::string& path);
+RL_API ImageHandle image_from_file(const std::string& path);
 /// A picture whose file is in memory: PNG, JPEG, WebP, EXR, HDR, TGA or BMP, by content. @param name  for messages
-ImageHandle image_from_bytes(std::vector<std::byte> bytes, const std::string& name);
+RL_API ImageHandle image_from_bytes(std::vector<std::byte> bytes, const std::string& name);
 /// A picture made of pixels that are there. Code values are what the role of the texture makes of them, sRGB for colors.
 /// @throws Error usage: a size that no picture has, or another number of bytes than the size needs
-ImageHandle image_from_pixels(Pixels pixels, const std::string& name);
+RL_API ImageHandle image_from_pixels(Pixels pixels, const std::string& name);
 
 }  // namespace rakelight

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/export.h>
 #include <rakelight/matching_borders.h>
 #include <rakelight/picture.h>
 #include <rakelight/prepare.h>
@@ -111,7 +112,7 @@ struct MatchedPair {
 /// normals as they are (as BorderSummary::before) of both sides, along the curve: a *seam* that no shared position shows.
 /// `after`: smoothed over the whole model, then joined by join_borders(). A *seam* is an angle before of more than a quarter of
 /// the turn of the normals along one edge there: so far straight interpolation may be off where normals are joined.
-struct MatchedSeams {
+struct RL_API MatchedSeams {
     double distance = 0;  ///< [m] InspectOptions::border_distance; 0: nobody asked
     double open_length = 0, matched_length = 0;
     double unmatched_length() const;
@@ -197,10 +198,10 @@ struct InspectOptions {
 /// Looks a loaded scene over. Decodes no texture. Skinned models in bind pose. Expected O(n log n) at borders, O(n)
 /// elsewhere.
 /// @throws Error bad_file: too large for the memory that files may ask for, or more than 2^32 vertices and corners
-Inspection inspect(const Scene& scene, const InspectOptions& options, Context& context);
+RL_API Inspection inspect(const Scene& scene, const InspectOptions& options, Context& context);
 
 /// The line that proposes a border distance, for people; empty: none is proposed.
-std::string proposal_text(const Inspection& inspection);
+RL_API std::string proposal_text(const Inspection& inspection);
 
 /// What a model must keep to. The seam limit needs InspectOptions::borders, the others InspectOptions::surfaces. Seams along
 /// matched borders count like those at shared positions.
@@ -211,10 +212,10 @@ struct CheckLimits {
 };
 
 /// The names of the limits that are set, in their order: "max-seam", "closed".
-std::vector<std::string> names_of(const CheckLimits& limits);
+RL_API std::vector<std::string> names_of(const CheckLimits& limits);
 
 /// The options that were set, for people: "max-seam 1, closed".
-std::string to_text(const CheckLimits& limits);
+RL_API std::string to_text(const CheckLimits& limits);
 
 /// A limit that was passed.
 struct CheckFailure {
@@ -223,7 +224,7 @@ struct CheckFailure {
 };
 
 /// One entry for each limit that is passed, in the order of CheckLimits; empty: all is well.
-std::vector<CheckFailure> check_limits(const Inspection& inspection, const CheckLimits& limits);
+RL_API std::vector<CheckFailure> check_limits(const Inspection& inspection, const CheckLimits& limits);
 
 /// What is written on a heat map.
 enum class SeamMarks : std::uint8_t {
@@ -234,15 +235,15 @@ enum class SeamMarks : std::uint8_t {
 /// The model in plain gray with the normals `before`, and its seams over it, as wide as 0.6 % of the picture's height,
 /// in colors by their angle: heat_color(). Lights and textures of the scene are not used. Needs Inspection::seam_lines.
 /// @throws Error usage: an impossible camera; bad_file "nothing to draw"
-Frame draw_seams(const Scene& scene, const Inspection& inspection, const InspectOptions& options,
-                 const ViewRequest& view, const RenderSettings& settings, Context& context,
-                 SeamMarks marks = SeamMarks::none);
+RL_API Frame draw_seams(const Scene& scene, const Inspection& inspection, const InspectOptions& options,
+                        const ViewRequest& view, const RenderSettings& settings, Context& context,
+                        SeamMarks marks = SeamMarks::none);
 
 /// The color of a seam angle, linear RGB; from dark to light: 0.01 degrees dark blue, 1 violet, 5 red, 20 orange, 60
 /// and more light yellow; linear between them.
-vec3 heat_color(double seam_deg);
+RL_API vec3 heat_color(double seam_deg);
 
 /// A table for people, lines ending with line feeds; long lists are cut with "... N more".
-std::string to_text(const Inspection& inspection);
+RL_API std::string to_text(const Inspection& inspection);
 
 }  // namespace rakelight

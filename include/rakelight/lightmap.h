@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include <rakelight/context.h>
+#include <rakelight/export.h>
 #include <rakelight/image.h>
 #include <rakelight/radiosity.h>
 #include <rakelight/scene.h>
@@ -36,7 +37,7 @@ struct Lightmap {
 /// What with_radiosity() shows, as a texture. The same bits for any number of threads.
 /// @param scene  valid, posed and prepared, with normals, with the lights of the picture
 /// @throws Error usage: impossible options or settings, no room for the charts; and as with_radiosity()
-Lightmap with_lightmap(Scene scene, const RadiositySettings& settings, const LightmapOptions& options,
-                       RadiosityReport& solution, LightmapReport& report, Context& context);
+RL_API Lightmap with_lightmap(Scene scene, const RadiositySettings& settings, const LightmapOptions& options,
+                              RadiosityReport& solution, LightmapReport& report, Context& context);
 
 }  // namespace rakelight

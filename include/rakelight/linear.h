@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <rakelight/export.h>
 #include <rakelight/vector.h>
 
 namespace rakelight {
@@ -184,18 +185,18 @@ constexpr Matrix4<T> scaling(Vector3<T> s) {
 }
 
 /// Translation * rotation * scale. A quaternion that is not of unit length is normalized; a zero one is no rotation.
-dmat4 compose(dvec3 translation, dquat rotation, dvec3 scale);
+RL_API dmat4 compose(dvec3 translation, dquat rotation, dvec3 scale);
 
 /// Inverse of an affine matrix; a singular one gives false and leaves `out` alone.
-bool inverse_affine(const dmat4& m, dmat4& out);
+RL_API bool inverse_affine(const dmat4& m, dmat4& out);
 
 /// Camera to world: at `eye`, looking at `target` along -Z. A target at the eye, or an `up` along the view, is replaced by a
 /// fixed other direction, so the result is always a rotation and a translation.
-dmat4 look_at(dvec3 eye, dvec3 target, dvec3 up);
+RL_API dmat4 look_at(dvec3 eye, dvec3 target, dvec3 up);
 
 /// Clip space with -w <= x, y, z <= w, camera looking along -Z. `z_far` may be infinity. z_near > 0, fov in (0, pi), aspect = width / height.
-dmat4 perspective(double vertical_fov_rad, double aspect, double z_near, double z_far);
+RL_API dmat4 perspective(double vertical_fov_rad, double aspect, double z_near, double z_far);
 /// The same for parallel projection; half_height > 0 is half of the visible height.
-dmat4 orthographic(double half_height, double aspect, double z_near, double z_far);
+RL_API dmat4 orthographic(double half_height, double aspect, double z_near, double z_far);
 
 }  // namespace rakelight

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <rakelight/context.h>
+#include <rakelight/export.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
@@ -33,13 +34,13 @@ struct LoadOptions {
 /// Loads a model file, a world file, or one of builtin:teapot, sphere, cylinder, cone, torus, plane, with what shape_of_words() takes
 /// behind it. What was changed, guessed or dropped goes to context.report().
 /// @throws Error not_found, bad_file
-Scene load(const std::string& path, const LoadOptions& options, Context& context);
+RL_API Scene load(const std::string& path, const LoadOptions& options, Context& context);
 
 /// The same of a file that is in memory.
 /// @param bytes  the whole file
 /// @param path   where it would lie: its ending says the format as a file's does, what it names is looked for in its folder (the
 ///               working folder where it has none), and messages call it so
 /// @throws Error not_found: what it names; bad_file; failed: formats that the import helper reads need room for a temporary file
-Scene load(std::vector<std::byte> bytes, const std::string& path, const LoadOptions& options, Context& context);
+RL_API Scene load(std::vector<std::byte> bytes, const std::string& path, const LoadOptions& options, Context& context);
 
 }  // namespace rakelight

@@ -9,6 +9,7 @@
 
 #include <rakelight/attributes.h>
 #include <rakelight/context.h>
+#include <rakelight/export.h>
 #include <rakelight/seams.h>
 #include <rakelight/vector.h>
 
@@ -37,7 +38,7 @@ struct MatchReport {
 
 /// Which border vertices follow which edges: found once, used for any pose of the same meshes. Immutable; cheap to copy.
 /// Its size is that of the borders.
-class BorderMatch {
+class RL_API BorderMatch {
 public:
     struct Impl;
     explicit BorderMatch(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
@@ -65,7 +66,7 @@ private:
 /// Expected O(n) + O(b log b) for b border edges. The same bits for any number of threads.
 /// @param meshes  each with `normals`; smoothing groups, hints, locks and texture coordinates are not read
 /// @throws Error usage: options out of range; bad_file: as group()
-BorderMatch match_borders(std::span<const AttributeMesh> meshes, const MatchOptions& options, Context& context);
+RL_API BorderMatch match_borders(std::span<const AttributeMesh> meshes, const MatchOptions& options, Context& context);
 
 /// The normals: a leading vertex gets the sum of its own votes (unit normal times the weights of its corners) and of
 /// those of the vertices that follow its edges, shared out by hat weights along the edge; a following vertex gets the
@@ -80,9 +81,9 @@ BorderMatch match_borders(std::span<const AttributeMesh> meshes, const MatchOpti
 /// @param tangents  [meshes] [V] each or empty; or none at all
 /// @return one entry a mesh
 /// @throws Error bad_file: other counts than were matched
-std::vector<MeshSeams> join_borders(const BorderMatch& match, std::span<const AttributeMesh> meshes,
-                                    std::span<const std::span<const vec4>> tangents, MatchReport& report,
-                                    Context& context);
+RL_API std::vector<MeshSeams> join_borders(const BorderMatch& match, std::span<const AttributeMesh> meshes,
+                                           std::span<const std::span<const vec4>> tangents, MatchReport& report,
+                                           Context& context);
 
 /// An angle along borders, weighted by length; p95: 95 % of the length are at most this.
 struct CurveAngles {
@@ -109,13 +110,15 @@ struct BorderMeasure {
 
 /// Measures along the curve how far the normals of both sides are apart, at four places of every open edge, by the rule
 /// of match_borders() for points of edges in place of vertices.
-BorderMeasure measure_borders(std::span<const AttributeMesh> meshes, const MatchOptions& options, Context& context);
+RL_API BorderMeasure measure_borders(std::span<const AttributeMesh> meshes, const MatchOptions& options,
+                                     Context& context);
 
 /// A distance for MatchOptions from the gaps that there are: open edges of different meshes that run along one other mesh from
 /// end to end by the rule of match_borders(), no farther away than half of the edge, with gaps that differ by at most a
 /// quarter of it. A little more than the gap that 98 % of their length keep to, in two digits. 0: no borders do. Of
 /// more than 4096 open edges as many are asked, spread over all.
 /// @param options  `distance` is not read
-double proposed_border_distance(std::span<const AttributeMesh> meshes, const MatchOptions& options, Context& context);
+RL_API double proposed_border_distance(std::span<const AttributeMesh> meshes, const MatchOptions& options,
+                                       Context& context);
 
 }  // namespace rakelight

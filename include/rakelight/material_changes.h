@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <rakelight/context.h>
+#include <rakelight/export.h>
 #include <rakelight/scene.h>
 #include <rakelight/world.h>
 
@@ -27,10 +28,10 @@ struct MaterialChanges {
 /// The scene with keys of [[material]] set, as a world file sets them: those of all objects first, then those of single
 /// objects, which get materials and meshes of their own behind the scene's.
 /// @throws Error usage; bad_file: see validate(); not_found, bad_file: a picture
-Scene with_material_changes(Scene scene, std::span<const MaterialChanges> changes, Context& context);
+RL_API Scene with_material_changes(Scene scene, std::span<const MaterialChanges> changes, Context& context);
 
 /// The same of all materials of a name.
-Scene with_material_values(Scene scene, const std::string& name, const std::vector<WorldValue>& values,
-                           Context& context);
+RL_API Scene with_material_values(Scene scene, const std::string& name, const std::vector<WorldValue>& values,
+                                  Context& context);
 
 }  // namespace rakelight

@@ -6,10 +6,12 @@
 #include <memory>
 #include <string_view>
 
+#include <rakelight/export.h>
+
 namespace rakelight {
 
 /// The limit: 2 GiB, or 64 bytes for each byte read where that is more, or what the user allows. Thread-safe.
-class MemoryBudget {
+class RL_API MemoryBudget {
 public:
     explicit MemoryBudget(std::uint64_t max_bytes = 0);
     MemoryBudget(const MemoryBudget&) = delete;
@@ -34,7 +36,7 @@ private:
 
 /// Bytes that stay charged while this lives. It belongs beside what it pays for, so that both end together, by an
 /// exception too; it may outlive the budget. The empty charge pays for nothing.
-class MemoryCharge {
+class RL_API MemoryCharge {
 public:
     MemoryCharge() = default;
     /// An empty charge that can grow.

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include <rakelight/export.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
@@ -22,14 +23,14 @@ struct ClipSpan {
     double begin_s = 0, end_s = 0;
     double length() const { return end_s - begin_s; }
 };
-ClipSpan clip_span(const Animation& animation);
+RL_API ClipSpan clip_span(const Animation& animation);
 
 /// The scene with its clips at a moment: Scene::pose says where nodes and morph weights are then; numbers of materials,
 /// lights and cameras are replaced. Without clips: the scene as its file has it, pose or none.
 /// Interpolation as glTF 2.0, appendix C: step, linear (rotations along the shorter arc), cubic Hermite splines. Of
 /// several clips that move one thing the last counts. Meshes are shared: costs what the channels do.
 /// @throws Error usage: no such clip, a time that is not finite; bad_file: see validate()
-Scene scene_at(Scene scene, std::span<const ClipTime> clips);
+RL_API Scene scene_at(Scene scene, std::span<const ClipTime> clips);
 
 /// The clip of a world's own keys, the last of its scene. Animation::goes_with_all marks it.
 inline constexpr std::string_view world_clip_name = "world";
@@ -40,8 +41,8 @@ struct AnimatedProperty {
     std::string_view name;  ///< AnimationChannel::property
     std::uint32_t width;    ///< numbers a key: 1..4
 };
-std::span<const AnimatedProperty> animated_properties();
+RL_API std::span<const AnimatedProperty> animated_properties();
 /// The row of that name; null: there is none.
-const AnimatedProperty* animated_property(AnimationPath path, std::string_view name);
+RL_API const AnimatedProperty* animated_property(AnimationPath path, std::string_view name);
 
 }  // namespace rakelight

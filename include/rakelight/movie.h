@@ -5,11 +5,12 @@
 #include <string>
 
 #include <rakelight/context.h>
+#include <rakelight/export.h>
 
 namespace rakelight {
 
 /// Whether a name ends as one of a movie: .mp4, .webm, .gif, .apng, .webp (which may be a picture, too).
-bool is_movie(const std::string& path);
+RL_API bool is_movie(const std::string& path);
 
 /// What is to become a movie.
 struct MovieSize {
@@ -18,7 +19,7 @@ struct MovieSize {
 };
 /// Says what is wrong with a movie before there are pictures of it. @throws Error usage: no ending of a movie, MP4 with alpha, a size
 /// that the format does not have
-void check_movie(const std::string& path, const MovieSize& size);
+RL_API void check_movie(const std::string& path, const MovieSize& size);
 
 /// Writes a movie of 8-bit PNG files that have one size and color type, each shown for 1 / fps seconds; APNG, WebP and GIF begin
 /// anew at their end. It appears whole or not at all. The same pictures give the same bytes, with one version of the encoder.
@@ -26,6 +27,6 @@ void check_movie(const std::string& path, const MovieSize& size);
 /// @param fps  pictures a second, 0.01..1000
 /// @throws Error usage: as check_movie(), no pictures; not_found, bad_file: of the pictures, with the name; failed: ffmpeg is not
 ///         there or fails, the movie cannot be written
-void write_movie(const std::string& path, std::span<const std::string> pictures, double fps, Context& context);
+RL_API void write_movie(const std::string& path, std::span<const std::string> pictures, double fps, Context& context);
 
 }  // namespace rakelight

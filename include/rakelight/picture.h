@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <rakelight/engine.h>
+#include <rakelight/export.h>
 #include <rakelight/prepare.h>
 #include <rakelight/render.h>
 #include <rakelight/request.h>
@@ -20,7 +21,7 @@ namespace rakelight {
 /// the model. A camera of the file that cannot see any of the model's bounding box is replaced by the fitted one, with
 /// a warning.
 /// @throws Error usage: no such side or camera, impossible angle or position; bad_file "nothing to draw".
-Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context);
+RL_API Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context);
 
 /// What the ends of the gray and color scales of PNG channels mean: the model's bounding box, whatever of it is in the
 /// picture, so that windows fit together.
@@ -50,27 +51,27 @@ struct PictureResult {
 /// Makes a picture and its channel files. Memory: a strip of rows of at most 64 MiB, or 64 rows, beside the engine's
 /// own. Either all files appear, whole, or none. Remarks go to context.report().
 /// @throws Error usage, not_found, bad_file, failed; those about the model carry its name.
-PictureResult render_picture(const PictureRequest& request, Context& context);
+RL_API PictureResult render_picture(const PictureRequest& request, Context& context);
 /// The same of a scene that is there; `request.input` is its name in what is returned. @throws Error as above; bad_file: see validate()
-PictureResult render_picture(const Scene& scene, const PictureRequest& request, Context& context);
+RL_API PictureResult render_picture(const Scene& scene, const PictureRequest& request, Context& context);
 
 /// The same into memory: the bytes of the file that `request.output` names, by its ending; nothing is written.
 /// @throws Error as above; usage: data channels in files of their own
-PictureResult render_picture(const PictureRequest& request, std::vector<std::byte>& file, Context& context);
+RL_API PictureResult render_picture(const PictureRequest& request, std::vector<std::byte>& file, Context& context);
 
 /// The color alone, in memory: what the PNG file would hold, RGB, or RGBA where background.w < 1. `request.output` and the data channels
 /// count for nothing.
 /// @throws Error as above
-PictureResult render_picture(const PictureRequest& request, Pixels& color, Context& context);
+RL_API PictureResult render_picture(const PictureRequest& request, Pixels& color, Context& context);
 
 /// Linear light of a display value (sRGB, 0..1), for backgrounds and light colors that people write as they see them.
-vec3 linear_from_srgb(vec3 s);
+RL_API vec3 linear_from_srgb(vec3 s);
 
 /// Says what is wrong with a request before anything is loaded: ending, size, window, engine, missing output folder.
 /// render_picture() calls it; callers with many pictures call it for all before they make the first.
 /// @throws Error usage or failed
-void check_request(const PictureRequest& request);
+RL_API void check_request(const PictureRequest& request);
 /// The same of a picture in memory.
-void check_drawing(const PictureRequest& request);
+RL_API void check_drawing(const PictureRequest& request);
 
 }  // namespace rakelight

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <rakelight/attributes.h>
+#include <rakelight/export.h>
 #include <rakelight/matching_borders.h>
 #include <rakelight/scene.h>
 #include <rakelight/seams.h>
@@ -59,7 +60,7 @@ struct PrepareOptions {
 
 /// A scene that an engine can draw: every triangle mesh has finite unit normals, and tangents where a normal or height
 /// map needs them. Says in the report what it replaced (zero or non-finite normals of the file, w = 0 tangents, ...).
-Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context);
+RL_API Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context);
 
 /// The scene as it stands, with nothing left in it that could move: nodes by Scene::pose, each placement of a mesh that
 /// follows a skin or has morph targets as vertices of its own (glTF 2.0, sections 3.7.2.2 and 3.7.3). Positions, and the
@@ -67,25 +68,25 @@ Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context
 /// placement stands in the world itself: its node has no parent and no transform, what hung from it stays where it was.
 /// Skins, clips, targets and pose are gone. Other meshes share their arrays with the input.
 /// Same bits for any number of threads. @throws Error bad_file: see validate(), over the memory budget
-Scene posed_scene(const Scene& scene, Context& context);
+RL_API Scene posed_scene(const Scene& scene, Context& context);
 
 /// Whether posed_scene() changes anything.
-bool is_posable(const Scene& scene);
+RL_API bool is_posable(const Scene& scene);
 
 /// The rule of <rakelight/seams.h> over all drawn triangle meshes that have normals: placed in the world, skinned ones in
 /// bind pose. Tangents and the offsets of morph targets turn with their normals; every other number keeps its bits, and
 /// arrays in which nothing turns stay shared. Placements of one mesh that come out differently get a mesh of their own.
 /// @param keep_instances  they go on sharing it, with the normals of the first; said in the report
 /// @param seams  not null: what was done
-Scene repair_seams(const Scene& scene, const SeamOptions& options, Context& context, SeamReport* seams = nullptr,
-                   bool keep_instances = false);
+RL_API Scene repair_seams(const Scene& scene, const SeamOptions& options, Context& context, SeamReport* seams = nullptr,
+                          bool keep_instances = false);
 
 /// The rule of <rakelight/matching_borders.h> over the same meshes: normals made to agree along borders that run along each
 /// other without sharing vertices. Tangents and the offsets of morph targets turn with their normals; every other number keeps
 /// its bits. Shared arrays and instances as above. Of a scene at rest: prepare_scene() does it for poses.
 /// @param keep_instances  as above
 /// @param borders  not null: what was done
-Scene repair_borders(const Scene& scene, const MatchOptions& options, Context& context, MatchReport* borders = nullptr,
-                     bool keep_instances = false);
+RL_API Scene repair_borders(const Scene& scene, const MatchOptions& options, Context& context,
+                            MatchReport* borders = nullptr, bool keep_instances = false);
 
 }  // namespace rakelight

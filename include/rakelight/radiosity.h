@@ -5,6 +5,7 @@
 
 #include <rakelight/context.h>
 #include <rakelight/engine.h>
+#include <rakelight/export.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
@@ -34,7 +35,7 @@ enum class LitColors : std::uint8_t { leaving, arriving };
 /// @param scene  valid, posed and prepared, with normals, with the lights of the picture
 /// @throws Error usage: impossible settings; bad_file: more than most_radiosity_elements triangles, counted with their sides,
 ///         over the memory budget; failed: the library is built without engine trace, Embree is not installed, cancelled
-Scene with_radiosity(Scene scene, const RadiositySettings& settings, RadiosityReport& report, Context& context,
-                     LitColors colors = LitColors::leaving);
+RL_API Scene with_radiosity(Scene scene, const RadiositySettings& settings, RadiosityReport& report, Context& context,
+                            LitColors colors = LitColors::leaving);
 
 }  // namespace rakelight

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/export.h>
+
 namespace rakelight {
 
 /// What kind of remark an entry is. `changed`, `guessed` and `dropped` are about the model's data; they and `warning` are
@@ -14,7 +16,7 @@ namespace rakelight {
 enum class Remark { note, changed, guessed, dropped, warning };
 
 /// The name of a remark in JSON: "note", "changed", "guessed", "dropped", "warning".
-const char* name_of(Remark remark) noexcept;
+RL_API const char* name_of(Remark remark) noexcept;
 
 struct ReportEntry {
     Remark remark = Remark::note;
@@ -29,7 +31,7 @@ struct ReportEntry {
 /// Collects remarks. Thread-safe. Equal remarks (kind, file, message) are counted, not repeated; at most 1000 distinct notes
 /// and 1000 others are kept, the rest only counted, so that a hostile file cannot fill memory with warnings. Entries keep the order in
 /// which they were first made.
-class Report {
+class RL_API Report {
 public:
     void add(Remark remark, std::string file, std::string place, std::string message,
              std::vector<std::string> settings = {});

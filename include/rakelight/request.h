@@ -12,6 +12,7 @@
 
 #include <rakelight/colormap.h>
 #include <rakelight/engine.h>
+#include <rakelight/export.h>
 #include <rakelight/image.h>
 #include <rakelight/load.h>
 #include <rakelight/motion.h>
@@ -73,7 +74,7 @@ struct MaterialOverrides {
 
 /// The scene with its materials so changed; meshes without a material get one.
 /// @throws Error not_found: a picture file that is not there, or a folder; bad_file: one that cannot be decoded
-Scene override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context);
+RL_API Scene override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context);
 
 /// Colors by the numbers of one array of the vertices (Mesh::arrays), not lit.
 struct Coloring {
@@ -88,7 +89,7 @@ struct Coloring {
 
 /// The scene in these colors, which take the place of materials and vertex colors; what has no such numbers is gray.
 /// @throws Error usage: no vertices have such numbers, or such a component; the message lists what there is
-Scene color_by_array(Scene scene, const Coloring& coloring, Context& context);
+RL_API Scene color_by_array(Scene scene, const Coloring& coloring, Context& context);
 
 /// Which clips of a scene are shown, and when. With nothing said nodes stand as the file has them.
 struct MotionRequest {
@@ -103,7 +104,7 @@ struct MotionRequest {
 /// The clips of a scene that a request names, at their moments; and those that go with all
 /// (Animation::goes_with_all), at the moment of the others. Empty: it asks for none.
 /// @throws Error usage: the scene has no clips, or no such one; the message lists them
-std::vector<ClipTime> clips_of(const Scene& scene, const MotionRequest& motion);
+RL_API std::vector<ClipTime> clips_of(const Scene& scene, const MotionRequest& motion);
 
 /// How data channels are written, as bits.
 enum ChannelFiles : std::uint32_t {
@@ -115,7 +116,7 @@ enum ChannelFiles : std::uint32_t {
 };
 
 /// The Channel bits of "depth", "face-normal", ..., of "lighting", of "all" or of "none". @throws Error usage
-std::uint32_t channels_by_name(std::string_view name);
+RL_API std::uint32_t channels_by_name(std::string_view name);
 
 /// What a picture is like in what nobody names: docs/default-look.md.
 enum class Look : std::uint8_t {
@@ -129,9 +130,9 @@ enum class Preset : std::uint8_t {
     fixed_function  ///< what OpenGL 1.x could do without a program
 };
 /// Keys of [render] that a preset decides where nobody gives them; given beside it they go before it.
-bool is_of_preset(std::string_view key);
+RL_API bool is_of_preset(std::string_view key);
 /// Whether settings ask for a preset. Given from outside it takes the place of what a world says of its keys.
-bool asks_for_preset(std::span<const WorldValue> settings);
+RL_API bool asks_for_preset(std::span<const WorldValue> settings);
 
 /// What is drawn over the finished picture, beside the model: docs/overlays.md.
 struct Overlays {
@@ -190,7 +191,7 @@ struct PictureRequest {
 
 /// Whether settings say how all of a picture is shaded. Given from outside they take the shading of materials and parts of a world away
 /// (RenderSettings::own_shading).
-bool shades_the_whole(std::span<const WorldValue> settings);
+RL_API bool shades_the_whole(std::span<const WorldValue> settings);
 
 /// Settings that go before those of a world file.
 struct RenderOverrides {
@@ -209,12 +210,12 @@ struct WorldRequest {
 /// What [render] of a world file says, files from the world's folder, behind `overrides`. Where to write the picture is the caller's.
 /// @throws Error not_found, bad_file: with the file, line and column of what is wrong; usage: an override is wrong, or excludes
 ///         a setting of the file
-WorldRequest read_world_request(const std::string& path, const LoadOptions& options, const RenderOverrides& overrides,
-                                Context& context);
+RL_API WorldRequest read_world_request(const std::string& path, const LoadOptions& options,
+                                       const RenderOverrides& overrides, Context& context);
 /// The same without overrides.
-PictureRequest request_of_world(const std::string& path, const LoadOptions& options, Context& context);
+RL_API PictureRequest request_of_world(const std::string& path, const LoadOptions& options, Context& context);
 
 /// An error about a setting that the file gave, with its place there; another as it is.
-Error at_world_value(const Error& error, const WorldRequest& world);
+RL_API Error at_world_value(const Error& error, const WorldRequest& world);
 
 }  // namespace rakelight

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <rakelight/block.h>
+#include <rakelight/export.h>
 #include <rakelight/image.h>
 #include <rakelight/joint_influence.h>
 #include <rakelight/rare.h>
@@ -356,7 +357,7 @@ enum class LightUnits : std::uint8_t { classical, photometric };
 
 /// A light at its node (position: the node's origin, direction: along its -Z), or at `position` / `direction` in the
 /// world. Classical: color 1 at attenuation 1 means irradiance pi, so a white Lambert surface facing it has radiance 1.
-struct Light {
+struct RL_API Light {
     std::string name{};
     LightType type = LightType::point;
     LightUnits units = LightUnits::classical;
@@ -402,7 +403,7 @@ struct Environment {
 enum class Projection : std::uint8_t { perspective, orthographic };
 
 /// A camera at its node (looking along -Z, up +Y), or placed by `to_world`.
-struct Camera {
+struct RL_API Camera {
     std::string name{};
     Projection projection = Projection::perspective;
     std::uint32_t node = no_index;

@@ -3,12 +3,13 @@
 #pragma once
 #include <vector>
 
+#include <rakelight/export.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
 
 /// An axis-aligned box.
-struct Bounds {
+struct RL_API Bounds {
     dvec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
     bool empty() const { return !(low.x <= high.x); }
     dvec3 center() const;
@@ -19,12 +20,12 @@ struct Bounds {
 
 /// Box of all drawn vertices of all objects, in the world [m]; vertices that are not finite are left out. Empty when nothing
 /// is drawn. @throws Error bad_file: see validate()
-Bounds bounds(const Scene& scene);
+RL_API Bounds bounds(const Scene& scene);
 
 /// The default light rig, fixed to the camera's frame so that what is looked at is lit: ambient 0.12, a key light (0.68) from
 /// above left and a fill (0.2) from the right, both directional and white, classical units: a white surface stays just below 1.
-std::vector<Light> default_lights(const dmat4& camera_to_world);
+RL_API std::vector<Light> default_lights(const dmat4& camera_to_world);
 /// The key light that goes with the built-in studio, from the left above the camera.
-std::vector<Light> studio_lights(const dmat4& camera_to_world);
+RL_API std::vector<Light> studio_lights(const dmat4& camera_to_world);
 
 }  // namespace rakelight

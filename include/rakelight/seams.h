@@ -8,6 +8,7 @@
 
 #include <rakelight/attributes.h>
 #include <rakelight/context.h>
+#include <rakelight/export.h>
 #include <rakelight/vector.h>
 
 namespace rakelight {
@@ -62,14 +63,14 @@ struct MeshSeams {
 /// @param meshes  each with `normals`; smoothing groups, hints, locks and texture coordinates are not read
 /// @return one entry a mesh
 /// @throws Error bad_file: as group()
-std::vector<MeshSeams> join_seams(std::span<const AttributeMesh> meshes, const SeamOptions& options, SeamReport& report,
-                                  Context& context);
+RL_API std::vector<MeshSeams> join_seams(std::span<const AttributeMesh> meshes, const SeamOptions& options,
+                                         SeamReport& report, Context& context);
 
 /// A tangent [xyz unit, w] that turns with its normal: by the smallest rotation from `from` to `to` (unit), then made
 /// perpendicular to `to`; w stays. Where the normal turns to its opposite, or the tangent lies along it: some
 /// perpendicular.
-vec4 turned_tangent(vec4 tangent, vec3 from, vec3 to);
+RL_API vec4 turned_tangent(vec4 tangent, vec3 from, vec3 to);
 /// A vector by the same rotation.
-vec3 turned_along(vec3 vector, vec3 from, vec3 to);
+RL_API vec3 turned_along(vec3 vector, vec3 from, vec3 to);
 
 }  // namespace rakelight

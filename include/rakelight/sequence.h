@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/export.h>
 #include <rakelight/picture.h>
 
 namespace rakelight {
@@ -52,15 +53,15 @@ inline constexpr std::int64_t most_frames = 100'000;  ///< of one sequence
 /// @return how many pictures the whole sequence has
 /// @throws Error as render_picture(); usage: neither clip nor turntable, a range outside of the sequence, more than `most_frames`, no
 ///         {frame} in the output; failed: cancelled, what is written stays
-std::int64_t render_sequence(const SequenceRequest& request, Context& context,
-                             const std::function<void(const SequenceFrame&)>& done = {});
+RL_API std::int64_t render_sequence(const SequenceRequest& request, Context& context,
+                                    const std::function<void(const SequenceFrame&)>& done = {});
 
 /// What is wrong with a request before anything is loaded. @throws Error usage or failed
-void check_sequence(const SequenceRequest& request);
+RL_API void check_sequence(const SequenceRequest& request);
 
 /// The name of a picture: {frame:4} becomes its number of at least four digits. All other braces stay.
-std::string frame_name(const std::string& output, std::int64_t frame);
+RL_API std::string frame_name(const std::string& output, std::int64_t frame);
 /// Whether there is a {frame} in it.
-bool has_frame_number(const std::string& output);
+RL_API bool has_frame_number(const std::string& output);
 
 }  // namespace rakelight

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <rakelight/engine.h>
+#include <rakelight/export.h>
 #include <rakelight/prepare.h>
 
 namespace rakelight {
@@ -20,7 +21,7 @@ class PreparedScene;
 ///     Session session;
 ///     session.set(load("helmet.glb", {}, context));
 ///     for (const Camera& camera : cameras) session.render(camera, settings, frame, context);
-class Session {
+class RL_API Session {
 public:
     /// @throws Error usage: no such engine
     explicit Session(const std::string& engine = "soft");
@@ -60,8 +61,8 @@ private:
 
 /// The scene that was made ready; it lives as long as the prepared one. Vertices that move are posed when this is first
 /// asked. @throws Error bad_file: over the memory budget
-const Scene& scene_of(const PreparedScene& prepared);
+RL_API const Scene& scene_of(const PreparedScene& prepared);
 /// The same, but that vertices which move may be in bind pose: for questions about all else, at no cost.
-const Scene& unposed_scene_of(const PreparedScene& prepared);
+RL_API const Scene& unposed_scene_of(const PreparedScene& prepared);
 
 }  // namespace rakelight

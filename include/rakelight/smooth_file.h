@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <rakelight/attributes.h>
+#include <rakelight/export.h>
 #include <rakelight/inspect.h>
 #include <rakelight/matching_borders.h>
 #include <rakelight/render.h>
@@ -73,8 +74,8 @@ struct SmoothedFile {
 /// are not decoded. `output` may be `input`; in another folder the files that the model names are copied beside it, none is
 /// replaced. A second run over the output changes nothing. The output appears when it is whole.
 /// @throws Error usage (no way from the one format to the other), not_found, bad_file, failed (cannot write)
-SmoothedFile smooth_file(const std::string& input, const std::string& output, const SmoothFileOptions& options,
-                         Context& context);
+RL_API SmoothedFile smooth_file(const std::string& input, const std::string& output, const SmoothFileOptions& options,
+                                Context& context);
 
 /// Where the pages of a preview go.
 struct PreviewPlace {
@@ -85,10 +86,11 @@ struct PreviewPlace {
 /// What smooth_file() would do to `input`, written as a page: heat maps of the seams before and after (draw_seams()), one view
 /// and size, and the borders with the largest seams. No model is written.
 /// @return as smooth_file(); `output` is the page
-SmoothedFile preview_smooth(const std::string& input, const PreviewPlace& place, const SmoothFileOptions& options,
-                            const ViewRequest& view, const RenderSettings& settings, Context& context);
+RL_API SmoothedFile preview_smooth(const std::string& input, const PreviewPlace& place,
+                                   const SmoothFileOptions& options, const ViewRequest& view,
+                                   const RenderSettings& settings, Context& context);
 
 /// One line for people: what was written and how much of it changed.
-std::string summary(const SmoothedFile& result);
+RL_API std::string summary(const SmoothedFile& result);
 
 }  // namespace rakelight

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/export.h>
 #include <rakelight/picture.h>
 
 namespace rakelight {
@@ -28,6 +29,6 @@ enum class StagesForm : std::uint8_t {
 /// at all; a folder that exists is replaced when it is empty or holds nothing but what this function once wrote.
 /// @throws Error usage: more than 16 million pixels, impossible settings; failed: the folder holds other things or cannot be
 ///         written; not_found, bad_file
-StagesResult write_stages(const PictureRequest& request, Context& context, StagesForm form = StagesForm::folder);
+RL_API StagesResult write_stages(const PictureRequest& request, Context& context, StagesForm form = StagesForm::folder);
 
 }  // namespace rakelight

@@ -2,6 +2,7 @@
 // Whether a scene that was made in memory is whole.
 #pragma once
 #include <rakelight/error.h>
+#include <rakelight/export.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
@@ -12,6 +13,6 @@ namespace rakelight {
 /// a scene begins with this check, as load() ends with it; whoever builds a scene may ask for it sooner. One pass over
 /// the indices: about 2 ms for a million triangles.
 /// @throws Error bad_file with the place ("mesh 3 'body'") of the first fault
-void validate(const Scene& scene);
+RL_API void validate(const Scene& scene);
 
 }  // namespace rakelight

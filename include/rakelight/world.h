@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rakelight/export.h>
 #include <rakelight/report.h>
 #include <rakelight/scene.h>
 
@@ -19,7 +20,7 @@ struct WorldPlace {
     bool operator==(const WorldPlace&) const = default;
 };
 /// "line 3, column 7"
-std::string to_text(WorldPlace place);
+RL_API std::string to_text(WorldPlace place);
 
 /// A key with its value: words as people write them ("1.5", "on", "red"), and numbers where they are such.
 struct WorldValue {
@@ -120,40 +121,40 @@ struct WorldFile {
 };
 
 /// Whether a file is named as a world: "*.scene.toml" in any case.
-bool is_world_file(std::string_view path);
+RL_API bool is_world_file(std::string_view path);
 
 /// @param text  of the whole file, UTF-8. At most 10 000 entries of a kind, and 4 MiB.
 /// @throws Error bad_file: what is wrong, with line and column; unknown keys with the nearest that there is, but for those of [render]:
 ///         read_world_request() looks at them
-WorldFile parse_world(std::string_view text);
+RL_API WorldFile parse_world(std::string_view text);
 
 /// Reads and parses. @throws Error not_found; and as parse_world(), with the file's name
-WorldFile read_world(const std::string& path, Context& context);
+RL_API WorldFile read_world(const std::string& path, Context& context);
 
 /// The text of a world file that parse_world() reads as this world (of cameras with the rounding of one look_at()), without comments.
 /// Names of files are written as they are: from the folder of the world that is to be.
 /// @throws Error usage: what no world file can have, such as lights on a node, an environment's picture without a file, unknown or wrong
 ///         settings; bad_file: what parse_world() refuses
-std::string to_toml(const WorldFile& world);
+RL_API std::string to_toml(const WorldFile& world);
 /// Writes it; the file appears when it is whole. @throws Error as to_toml(); usage: another ending; failed: cannot be written
-void save_world(const WorldFile& world, const std::string& path);
+RL_API void save_world(const WorldFile& world, const std::string& path);
 
 /// Where a file that a world names lies. @param path  of the world
 /// @throws Error bad_file: it would leave the world's folder, unless `allow_outside`
-std::string resolve_in_world(const std::string& path, const std::string& name, bool allow_outside);
+RL_API std::string resolve_in_world(const std::string& path, const std::string& name, bool allow_outside);
 
 /// What "KEY=VALUE" says of a material: keys of [[material]] with their checks, numbers of a list
 /// separated by commas, flags on or off. Colors are linear or "#rrggbb".
 /// @throws Error usage
-std::vector<WorldValue> material_values(std::span<const std::string> words);
+RL_API std::vector<WorldValue> material_values(std::span<const std::string> words);
 
 /// A shape as "sphere" or "sphere:tolerance=0.01:radius=2" says it: keys of [[primitive]] that make the shape, with
 /// their checks.
 /// @throws Error usage
-WorldPrimitive shape_of_words(std::string_view words);
+RL_API WorldPrimitive shape_of_words(std::string_view words);
 
 /// The JSON schema of world files (draft 2020-12), for editors that check TOML: data/world.schema.json.
-std::string world_schema();
+RL_API std::string world_schema();
 
 struct PictureRequest;
 
@@ -175,25 +176,25 @@ struct RenderKey {
 };
 
 /// All, in the order in which they are read.
-std::span<const RenderKey> render_keys();
+RL_API std::span<const RenderKey> render_keys();
 /// Null: there is none of that name.
-const RenderKey* find_render_key(std::string_view name);
+RL_API const RenderKey* find_render_key(std::string_view name);
 /// @throws Error usage with the nearest name: there is none
-const RenderKey& require_render_key(const std::string& name);
+RL_API const RenderKey& require_render_key(const std::string& name);
 /// Whether a key of [render] says where the camera stands, so that one takes the place of another: a side, a camera of the
 /// file, a position, a direction.
-bool places_camera(std::string_view key);
+RL_API bool places_camera(std::string_view key);
 
 /// Whether the words of a value of [render] are names of files: those of a world count from its folder.
-bool names_files(const WorldValue& value);
+RL_API bool names_files(const WorldValue& value);
 
 /// Sets what the values say, each key once, and checks what only several of them together can get wrong. Files are taken as
 /// they are named. @throws Error usage about the key: an unknown one, a wrong value, or keys that exclude each other
-void read_render_keys(std::span<const WorldValue> values, PictureRequest& to);
+RL_API void read_render_keys(std::span<const WorldValue> values, PictureRequest& to);
 
 /// What read_render_keys() makes the same request of: the keys whose fields are not as by default. Colors come back as near as their
 /// display values are (1e-6), directions of lights at length 1, their names not at all; files and LoadOptions are no keys.
 /// @throws Error usage: the request asks for what no key says, such as no lights at all or one on a node
-std::vector<WorldValue> written_render_keys(const PictureRequest& of);
+RL_API std::vector<WorldValue> written_render_keys(const PictureRequest& of);
 
 }  // namespace rakelight

@@ -98,6 +98,11 @@ std::vector<std::string> Context::files() const {
     return files_->in_order;
 }
 
+const std::string& Context::import_helper() const noexcept {
+    return options_.import_helper.empty() && options_.parent ? options_.parent->import_helper()
+                                                             : options_.import_helper;
+}
+
 void Context::throw_if_cancelled() const {
     if (cancelled()) throw Error(ErrorCode::failed, "cancelled");
 }

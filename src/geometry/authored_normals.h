@@ -3,7 +3,7 @@
 #pragma once
 #include <rakelight/seams.h>
 
-#include "math/functions.h"
+#include "math/angles.h"
 #include "math/linear.h"
 
 namespace rakelight::geometry {
@@ -16,6 +16,6 @@ static_assert(authored_flat_deg == 1);
 inline bool are_one_normal(dvec3 a, dvec3 b) { return dot(a - b, a - b) <= authored_equality * authored_equality; }
 
 /// [rad] 0..pi; right for small angles too.
-inline double angle_between(dvec3 a, dvec3 b) { return math::atan2(length(cross(a, b)), dot(a, b)); }
+inline double angle_between(dvec3 a, dvec3 b) { return math::arc_tangent(length(cross(a, b)), dot(a, b)); }
 
 }  // namespace rakelight::geometry

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/left_out.h"
 #include "io/content_kind.h"
 #include "io/file.h"
 #include "io/gltf/read_gltf.h"
@@ -94,6 +95,12 @@ bool may_hold(const Format& format, const ContentKind& kind) {
            (format.reader == Reader::gltf && (kind.ending == "glb" || kind.ending == "gltf"));
 }
 
+/// Endings of formats that the import helper would read.
+bool is_left_out(const std::string& ending) {
+    constexpr std::array<std::string_view, 8> endings{"fbx", "dae", "3ds", "ase", "blend", "stl", "off", "x"};
+    return !RL_IMPORT && std::ranges::find(endings, ending) != endings.end();
+}
+
 /// @param head  the first bytes of the file
 const Format& choose_format(const std::string& path, std::span<const std::byte> head, Context& context) {
     const std::string ending = ending_of(path);
@@ -109,6 +116,8 @@ const Format& choose_format(const std::string& path, std::span<const std::byte> 
     }
     if (kind.ending == "max") refuse_max();
     format = format_of(kind.ending);
+    if (!format && is_left_out(ending))
+        throw left_out("files with the ending ." + ending, "Assimp", "RAKELIGHT_IMPORT");
     if (!format && ending == "toml")
         throw Error(ErrorCode::bad_file, "files with the ending .toml are not supported", {},
                     "world files end in .scene.toml");

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "math/functions.h"
-
 namespace rakelight {
 
 namespace {
@@ -66,17 +64,6 @@ dmat4 look_at(dvec3 eye, dvec3 target, dvec3 up) {
     }
     right = normalize_or(right, dvec3{1, 0, 0});
     return {{extended(right, 0), extended(cross(back, right), 0), extended(back, 0), extended(eye, 1)}};
-}
-
-dmat4 perspective(double vertical_fov_rad, double aspect, double near, double far) {
-    const double half = vertical_fov_rad / 2;
-    const double f = math::cos(half) / math::sin(half);
-    // Written with near / far, so that an infinite far plane is no special case: its ratio is 0.
-    const double ratio = near / far;
-    return {{{f / aspect, 0, 0, 0},
-             {0, f, 0, 0},
-             {0, 0, -(1 + ratio) / (1 - ratio), -1},
-             {0, 0, -2 * near / (1 - ratio), 0}}};
 }
 
 dmat4 orthographic(double half_height, double aspect, double near, double far) {

@@ -2,6 +2,11 @@
 #include <rakelight/context.h>
 #include <rakelight/version.h>
 
+#include <algorithm>
+#include <initializer_list>
+#include <iterator>
+#include <sstream>
+
 #include "io/reader.h"
 #include "math/isa.h"
 #include "render/engines.h"
@@ -16,6 +21,22 @@ std::vector<std::string> usable_isas() {
     return names;
 }
 
+/// The words of RL_LEFT_OUT (CMakeLists.txt).
+std::vector<std::string> left_out_parts() {
+    std::istringstream words(RL_LEFT_OUT);
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+/// "PNG, JPEG", without the formats of parts that are left out.
+std::string list_of_formats(const BuildInfo& info, std::initializer_list<std::string> names) {
+    std::string list;
+    for (const std::string& name : names) {
+        const std::string part = name == "WebP" ? "webp" : name == "EXR" ? "exr" : "";
+        if (std::ranges::find(info.left_out, part) == info.left_out.end()) list += (list.empty() ? "" : ", ") + name;
+    }
+    return list;
+}
+
 }  // namespace
 
 BuildInfo build_info() {
@@ -23,8 +44,10 @@ BuildInfo build_info() {
     info.version = RAKELIGHT_VERSION;
     info.engines = engine_names();
     info.model_formats = io::supported_formats();
-    info.image_formats_read = "PNG, JPEG, WebP, EXR, HDR, TGA, BMP";  // what io/image_io.h promises
-    info.image_formats_written = "PNG, JPEG, WebP, PPM, EXR, HDR";
+    info.left_out = left_out_parts();
+    info.image_formats_read =  // what io/image_io.h promises
+        list_of_formats(info, {"PNG", "JPEG", "WebP", "EXR", "HDR", "TGA", "BMP"});
+    info.image_formats_written = list_of_formats(info, {"PNG", "JPEG", "WebP", "PPM", "EXR", "HDR"});
     info.isas = usable_isas();
     info.isa = engine_isa(info.engines.front());
     info.threads = Context().threads();

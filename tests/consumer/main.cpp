@@ -8,8 +8,14 @@
 
 using namespace rakelight;
 
-int main() {
+// consumer [MODEL]: a model of a rare format, for which the installed library must find its helper.
+int main(int argc, char** argv) {
+#ifdef IMPORT_HELPER
+    Context context({.import_helper = IMPORT_HELPER});
+#else
     Context context;
+#endif
+    if (argc > 1 && load(argv[1], {}, context).meshes.size() != 1) return std::puts("the model has no mesh"), 1;
     const std::vector<vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const std::vector<std::uint32_t> indices{0, 1, 2};
     AttributeMesh mesh;

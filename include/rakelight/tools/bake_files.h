@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <rakelight/bake.h>
+#include <rakelight/export.h>
 #include <rakelight/load.h>
 
 namespace rakelight {
@@ -36,9 +37,9 @@ struct BakeFilesResult {
 /// of normals (tangent space) and occlusion in its materials, 8 bits, in place of those it had. Outputs appear whole.
 /// @throws Error usage: no picture that can hold a map, one name for several maps; what load() and bake_maps() throw;
 ///         failed: cannot write
-BakeFilesResult bake_files(const BakeRequest& request, Context& context);
+RL_API BakeFilesResult bake_files(const BakeRequest& request, Context& context);
 
 /// For people: what was written, and how far the cage stands off.
-std::string summary(const BakeFilesResult& result);
+RL_API std::string summary(const BakeFilesResult& result);
 
 }  // namespace rakelight

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <rakelight/attributes.h>
+#include <rakelight/export.h>
 #include <rakelight/picture.h>
 
 namespace rakelight {
@@ -57,12 +58,12 @@ struct SmoothBenchReport {
 /// normalized: what everybody writes, with seams), then normals, and normals and tangents, by compute_attributes_into()
 /// with buffers and a workspace that were used before, scope model. Rows that are asked for besides: see SmoothBenchOptions.
 /// @throws Error usage: options out of range; bad_file where the context's memory budget is too small
-SmoothBenchReport bench_smooth(const SmoothBenchOptions& options, Context& context);
+RL_API SmoothBenchReport bench_smooth(const SmoothBenchOptions& options, Context& context);
 
 /// Schema rakelight.bench/1: {"schema", "rows": [{"what", "ns_per_triangle", ...}], and the model}.
-std::string to_json(const SmoothBenchReport& report);
+RL_API std::string to_json(const SmoothBenchReport& report);
 /// A table for people.
-std::string to_text(const SmoothBenchReport& report);
+RL_API std::string to_text(const SmoothBenchReport& report);
 
 /// A character, or the first clip of a model file, and how often it is posed.
 struct PoseBenchOptions {
@@ -95,9 +96,9 @@ struct PoseBenchReport {
 /// same by the skin alone; the whole pose with given normals; with normals and tangents made again of the moved vertices
 /// by the groups of the bind pose; and pictures of it, from the moment of the clip to display values.
 /// @throws Error usage: options out of range, a scene in which nothing moves
-PoseBenchReport bench_pose(const PoseBenchOptions& options, Context& context);
-std::string to_json(const PoseBenchReport& report);
-std::string to_text(const PoseBenchReport& report);
+RL_API PoseBenchReport bench_pose(const PoseBenchOptions& options, Context& context);
+RL_API std::string to_json(const PoseBenchReport& report);
+RL_API std::string to_text(const PoseBenchReport& report);
 
 /// What to draw, how, and how often.
 struct RenderBenchOptions {
@@ -152,10 +153,10 @@ struct RenderBenchReport {
 /// display values as a picture file takes them. A model file is prepared as a picture of it would be; where it has no
 /// lights, the default rig lights it.
 /// @throws Error usage: options out of range, an engine that is not there; what load() and make_engine() throw
-RenderBenchReport bench_render(const RenderBenchOptions& options, Context& context);
+RL_API RenderBenchReport bench_render(const RenderBenchOptions& options, Context& context);
 
 /// Schema rakelight.bench/1: {"schema", "rows": [{"engine", "median_ms", ...}], and the scene}.
-std::string to_json(const RenderBenchReport& report);
-std::string to_text(const RenderBenchReport& report);
+RL_API std::string to_json(const RenderBenchReport& report);
+RL_API std::string to_text(const RenderBenchReport& report);
 
 }  // namespace rakelight

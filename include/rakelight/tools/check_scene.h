@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <rakelight/error.h>
+#include <rakelight/export.h>
 #include <rakelight/picture.h>
 #include <rakelight/report.h>
 #include <rakelight/scene.h>
@@ -24,13 +25,13 @@ struct SceneSummary {
     bool has_fog = false, has_environment = false;
 };
 
-SceneSummary summarize(const Scene& scene);
+RL_API SceneSummary summarize(const Scene& scene);
 
 /// Whether the picture that is asked of a loaded scene can be drawn, as far as can be told without drawing it.
 /// @throws Error usage: its shadow maps are too large for the context's memory
-void check_picture(const Scene& scene, const PictureRequest& request, Context& context);
+RL_API void check_picture(const Scene& scene, const PictureRequest& request, Context& context);
 
 /// A few lines for people. @param file  as the caller named it
-std::string to_text(const std::string& file, const SceneSummary& summary);
+RL_API std::string to_text(const std::string& file, const SceneSummary& summary);
 
 }  // namespace rakelight

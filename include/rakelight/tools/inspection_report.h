@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/export.h>
 #include <rakelight/image.h>
 #include <rakelight/inspect.h>
 #include <rakelight/tools/rows.h>
@@ -16,11 +17,11 @@ struct ReportPicture {
     std::string caption{};
     Pixels pixels{};
 };
-ReportPicture report_picture(std::string caption, const Frame& frame);
+RL_API ReportPicture report_picture(std::string caption, const Frame& frame);
 
 /// Models on one page, one after the other: whether they pass, heat maps, seams, faults, objects. One file of HTML that refers to nothing
 /// outside of it and has no script.
-class InspectionPage {
+class RL_API InspectionPage {
 public:
     void add(const InspectionRow& row, std::span<const ReportPicture> pictures);
     /// The whole page. @throws Error failed
@@ -34,6 +35,6 @@ private:
 /// A test suite for each model, with a test case "load" and one for each limit: failures say which object is worst. A model that
 /// cannot be read is an error of "load".
 /// Format: https://github.com/testmoapp/junitxml
-std::string to_junit(std::span<const InspectionRow> rows, const CheckLimits& limits);
+RL_API std::string to_junit(std::span<const InspectionRow> rows, const CheckLimits& limits);
 
 }  // namespace rakelight

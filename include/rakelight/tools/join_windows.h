@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <rakelight/context.h>
+#include <rakelight/export.h>
 
 namespace rakelight {
 
@@ -35,6 +36,6 @@ struct JoinResult {
 /// @throws Error usage: no parts, a part or all do not say where they lie, the output is of another format; not_found;
 ///         bad_file: parts of different kinds or pictures, a part that reaches out of the picture, pixels that no part
 ///         covers, parts that differ where they overlap, a broken part; failed: the output cannot be written, cancelled
-JoinResult join_windows(const JoinRequest& request, Context& context);
+RL_API JoinResult join_windows(const JoinRequest& request, Context& context);
 
 }  // namespace rakelight

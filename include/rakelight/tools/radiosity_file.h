@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include <rakelight/export.h>
 #include <rakelight/lightmap.h>
 #include <rakelight/picture.h>
 #include <rakelight/radiosity.h>
@@ -24,16 +25,16 @@ struct RadiosityFile {
 /// @param request  input, output, lights, normals, the moment of a clip and settings.radiosity count
 /// @param lightmap  none: colors of vertices
 /// @throws Error usage: the output has another ending; what loading, with_radiosity() and writing throw
-RadiosityFile radiosity_file(const PictureRequest& request, const std::optional<LightmapOptions>& lightmap,
-                             Context& context);
+RL_API RadiosityFile radiosity_file(const PictureRequest& request, const std::optional<LightmapOptions>& lightmap,
+                                    Context& context);
 
 /// "room.glb: 19876 elements, 840 patches, 929 shots in 8.1 s; lightmap of 96 charts, 612.4 pixels a meter"
-std::string summary(const RadiosityFile& result);
+RL_API std::string summary(const RadiosityFile& result);
 
 struct RadiosityRow : ReportRow {
     RadiosityFile result{};  ///< at least `file` and `output`
 };
 /// {"schema": "rakelight.radiosity/1", "rows": [...]}
-std::string to_json(std::span<const RadiosityRow> rows);
+RL_API std::string to_json(std::span<const RadiosityRow> rows);
 
 }  // namespace rakelight

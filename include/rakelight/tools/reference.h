@@ -6,6 +6,7 @@
 #include <string>
 
 #include <rakelight/compare.h>
+#include <rakelight/export.h>
 #include <rakelight/tools/words.h>
 
 namespace rakelight {
@@ -18,7 +19,7 @@ inline constexpr Word<ReferenceMeasure> reference_measure_words[] = {{"flip", Re
                                                                      {"ssim", ReferenceMeasure::ssim}};
 
 /// What passes where nobody says: a mean FLIP or an RMSE of at most 0.01, a PSNR of at least 40 dB, an SSIM of at least 0.99.
-double usual_threshold(ReferenceMeasure measure);
+RL_API double usual_threshold(ReferenceMeasure measure);
 
 struct ReferenceRequest {
     std::string picture{};  ///< file of the reference
@@ -40,10 +41,10 @@ struct ReferenceResult {
 /// Compares a picture file with its reference.
 /// @param page  takes the comparison up where it is not null
 /// @throws Error not_found: no such reference, with the advice how to make it; check_failed: their sizes differ; bad_file, failed
-ReferenceResult compare_with_reference(const std::string& picture, const ReferenceRequest& request,
-                                       ComparisonPage* page, Context& context);
+RL_API ReferenceResult compare_with_reference(const std::string& picture, const ReferenceRequest& request,
+                                              ComparisonPage* page, Context& context);
 
 /// "FLIP 0.0312, more than 0.01": a line without its end. @return what is said of a result, whether it passed or not
-std::string to_text(const ReferenceResult& result);
+RL_API std::string to_text(const ReferenceResult& result);
 
 }  // namespace rakelight

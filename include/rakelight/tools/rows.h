@@ -12,6 +12,7 @@
 #include <rakelight/compare.h>
 #include <rakelight/error.h>
 #include <rakelight/explain.h>
+#include <rakelight/export.h>
 #include <rakelight/inspect.h>
 #include <rakelight/picture.h>
 #include <rakelight/report.h>
@@ -90,29 +91,29 @@ struct BakeRow : ReportRow {
 };
 
 /// {"schema": "rakelight.render/1", "rows": [...]}
-std::string to_json(std::span<const PictureRow> rows);
+RL_API std::string to_json(std::span<const PictureRow> rows);
 /// {"schema": "rakelight.check/1", "rows": [...]}
-std::string to_json(std::span<const CheckRow> rows);
+RL_API std::string to_json(std::span<const CheckRow> rows);
 /// {"schema": "rakelight.inspect/1", "rows": [...]}
-std::string to_json(std::span<const InspectionRow> rows);
+RL_API std::string to_json(std::span<const InspectionRow> rows);
 /// {"schema": "rakelight.compare/1", "rows": [...]}; numbers that are not finite are null.
-std::string to_json(std::span<const ComparisonRow> rows);
+RL_API std::string to_json(std::span<const ComparisonRow> rows);
 /// {"schema": "rakelight.explain/1", "rows": [...]}; docs/explain.md says what is in it.
-std::string to_json(std::span<const ExplainRow> rows);
+RL_API std::string to_json(std::span<const ExplainRow> rows);
 /// {"schema": "rakelight.stages/1", "rows": [...]}
-std::string to_json(std::span<const StagesRow> rows);
+RL_API std::string to_json(std::span<const StagesRow> rows);
 /// {"schema": "rakelight.smooth/1", "rows": [...]}
-std::string to_json(std::span<const SmoothedFileRow> rows);
+RL_API std::string to_json(std::span<const SmoothedFileRow> rows);
 
 /// {"schema": "rakelight.join-windows/1", "rows": [...]}
-std::string to_json(std::span<const JoinRow> rows);
+RL_API std::string to_json(std::span<const JoinRow> rows);
 
 /// {"schema": "rakelight.bake/1", "rows": [...]}
-std::string to_json(std::span<const BakeRow> rows);
+RL_API std::string to_json(std::span<const BakeRow> rows);
 
 /// A table for people; rows with an error are left out. Empty: there are none.
-std::string to_text(std::span<const ComparisonRow> rows);
+RL_API std::string to_text(std::span<const ComparisonRow> rows);
 /// "NAME", or "NAME (ENGINE)" where an engine is named.
-std::string title_of(const std::string& name, const std::string& engine);
+RL_API std::string title_of(const std::string& name, const std::string& engine);
 
 }  // namespace rakelight

@@ -7,6 +7,7 @@
 #include <span>
 
 #include <rakelight/engine.h>
+#include <rakelight/export.h>
 
 namespace rakelight {
 
@@ -16,7 +17,7 @@ struct DisplayRows {
     std::size_t stride = 0;          ///< [px] from row to row
 };
 
-class StripSink : public Sink {
+class RL_API StripSink : public Sink {
 public:
     /// How many rows this sink holds at once: 0 all of the window, else 64 or more. Asked after begin(). Engines
     /// deliver the window in strips of at most so many rows, from the top: all tiles of a strip, rows_done(), then the

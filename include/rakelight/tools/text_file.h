@@ -3,12 +3,14 @@
 #pragma once
 #include <string>
 
+#include <rakelight/export.h>
+
 namespace rakelight {
 
 /// What is in the way of a file, before any work. @throws Error failed, with the file
-void check_text_output(const std::string& path);
+RL_API void check_text_output(const std::string& path);
 
 /// @throws Error failed, with the file
-void save_text(const std::string& path, const std::string& text);
+RL_API void save_text(const std::string& path, const std::string& text);
 
 }  // namespace rakelight

@@ -9,54 +9,55 @@
 #include <vector>
 
 #include <rakelight/error.h>
+#include <rakelight/export.h>
 #include <rakelight/tools/words.h>
 
 namespace rakelight::values {
 
 /// Error usage about a setting.
-Error wrong(const std::string& setting, std::string reason, std::string advice = {});
+RL_API Error wrong(const std::string& setting, std::string reason, std::string advice = {});
 
 /// Finite numbers separated by commas, exactly `count` of them.
-std::vector<double> numbers(const std::string& setting, std::string_view text, std::size_t count);
-double number(const std::string& setting, std::string_view text);
+RL_API std::vector<double> numbers(const std::string& setting, std::string_view text, std::size_t count);
+RL_API double number(const std::string& setting, std::string_view text);
 /// One in low..high.
-double number(const std::string& setting, std::string_view text, double low, double high);
-dvec3 vector3(const std::string& setting, std::string_view text);
+RL_API double number(const std::string& setting, std::string_view text, double low, double high);
+RL_API dvec3 vector3(const std::string& setting, std::string_view text);
 
 /// An integer in low..high.
-int integer(const std::string& setting, std::string_view text, int low, int high);
+RL_API int integer(const std::string& setting, std::string_view text, int low, int high);
 /// Integers separated by commas ("1280,720"; a resolution may also be written "1280x720").
-std::vector<int> integers(const std::string& setting, std::string_view text, std::size_t count);
+RL_API std::vector<int> integers(const std::string& setting, std::string_view text, std::size_t count);
 
 /// "500M", "1.5G", "1073741824": bytes, powers of 1024.
-std::uint64_t byte_size(const std::string& setting, std::string_view text);
+RL_API std::uint64_t byte_size(const std::string& setting, std::string_view text);
 
 /// Display color "0.2,0.2,0.2", "#ff8000", "ff8000", "#f80", a name of CSS ("white"), or "transparent": linear RGB and alpha.
-vec4 background(const std::string& setting, std::string_view text);
+RL_API vec4 background(const std::string& setting, std::string_view text);
 /// The same without "transparent". `advice` says what may be written.
-vec4 display_color(const std::string& setting, std::string_view text,
-                   const char* advice = "write r,g,b from 0 to 1, '#rrggbb' or a name such as white");
+RL_API vec4 display_color(const std::string& setting, std::string_view text,
+                          const char* advice = "write r,g,b from 0 to 1, '#rrggbb' or a name such as white");
 
 /// Linear light "1,0.9,0.8", none of it negative, or a display color by code or name.
-vec3 light_color(const std::string& setting, std::string_view text);
+RL_API vec3 light_color(const std::string& setting, std::string_view text);
 /// A direction of length 1.
-dvec3 unit(const std::string& setting, dvec3 direction);
+RL_API dvec3 unit(const std::string& setting, dvec3 direction);
 
 /// "point:0,2,3:color=1,0.9,0.8:attenuation=1,0,0.1", "directional:0,-1,-1", "spot:...", "ambient:0.1,0.1,0.1";
 /// "photometric-point:0,2,3:intensity=100" and the like.
-Light light(const std::string& setting, std::string_view text);
+RL_API Light light(const std::string& setting, std::string_view text);
 
 /// "none", "linear:2,30:color=#c0c8d0", "exp:0.1", "exp2:0.1".
-Fog fog(const std::string& setting, std::string_view text);
+RL_API Fog fog(const std::string& setting, std::string_view text);
 
 /// "on", "off"; also "true", "false", "1", "0".
-bool switched(const std::string& setting, std::string_view text);
+RL_API bool switched(const std::string& setting, std::string_view text);
 
 /// Whether a text is meant as a number, for which no word is near.
-bool is_number(std::string_view text);
+RL_API bool is_number(std::string_view text);
 
 /// Which of some words a text is. @throws Error usage with the nearest, and all of them
-std::size_t word_number(const std::string& setting, std::string_view text, std::span<const char* const> names);
+RL_API std::size_t word_number(const std::string& setting, std::string_view text, std::span<const char* const> names);
 
 /// The value of a word out of a fixed list.
 template <class T>
@@ -75,6 +76,6 @@ T word(const std::string& setting, std::string_view text, std::initializer_list<
 }
 
 /// Parts between separators; "a,,b" has an empty one.
-std::vector<std::string_view> split(std::string_view text, char separator);
+RL_API std::vector<std::string_view> split(std::string_view text, char separator);
 
 }  // namespace rakelight::values

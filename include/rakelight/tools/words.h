@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rakelight/export.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
@@ -62,18 +63,19 @@ inline constexpr Word<ToneMapping> tone_mapping_words[] = {{"none", ToneMapping:
                                                            {"agx", ToneMapping::agx}};
 
 /// Whether two words are equal but for the case of ASCII letters, which means nothing in words that name choices.
-bool same_word(std::string_view a, std::string_view b);
+RL_API bool same_word(std::string_view a, std::string_view b);
 
 /// How many letters have to be put in, left out, replaced or swapped with their neighbor to make one word the other.
 /// Source: Damerau 1964, "A technique for computer detection and correction of spelling errors".
-std::size_t spelling_distance(std::string_view a, std::string_view b);
+RL_API std::size_t spelling_distance(std::string_view a, std::string_view b);
 
 /// The word that a misspelt one is likely to mean; empty: none is near, or the misspelt one is longer than 64 bytes.
-std::string nearest_word(std::string_view word, const std::vector<std::string_view>& words);
+RL_API std::string nearest_word(std::string_view word, const std::vector<std::string_view>& words);
 
 /// "a, b, c, d, e and 4 more": names of a file in a message, each once, in the order given and through one_line().
 /// @param most       so many are written, the others counted
 /// @param max_bytes  of each name
-std::string list_of_names(const std::vector<std::string>& names, std::size_t most = 5, std::size_t max_bytes = 40);
+RL_API std::string list_of_names(const std::vector<std::string>& names, std::size_t most = 5,
+                                 std::size_t max_bytes = 40);
 
 }  // namespace rakelight

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/import/helper_process.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -23,11 +24,22 @@ namespace {
 
 constexpr const char* helper_name = "rakelight-import";
 
+std::string folder_of(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    return path.substr(0, slash == std::string::npos ? 0 : slash);
+}
+
 std::string folder_of_this_program() {
     char path[PATH_MAX];
     const ssize_t size = readlink("/proc/self/exe", path, sizeof path);
-    const std::string program(path, size > 0 ? std::size_t(size) : 0);
-    return program.substr(0, program.rfind('/') == std::string::npos ? 0 : program.rfind('/'));
+    return folder_of(std::string(path, size > 0 ? std::size_t(size) : 0));
+}
+
+/// Of the shared library that holds this code, or of the program.
+std::string folder_of_this_library() {
+    Dl_info info{};
+    const bool is_known = dladdr(reinterpret_cast<const void*>(&folder_of_this_program), &info) != 0 && info.dli_fname;
+    return folder_of(is_known ? info.dli_fname : "");
 }
 
 bool is_program(const std::string& path) { return is_regular_file(path) && access(path.c_str(), X_OK) == 0; }
@@ -101,15 +113,21 @@ const char* name_of_signal(int number) {
 
 }  // namespace
 
-std::string find_import_helper() {
+std::string find_import_helper(const std::string& asked) {
+    if (!asked.empty()) {
+        if (is_program(asked)) return asked;
+        throw Error(ErrorCode::failed, "the import helper '" + one_line(asked, 100) + "' is no program");
+    }
     if (const char* named = std::getenv("RAKELIGHT_IMPORT")) {
         if (is_program(named)) return named;
         throw Error(ErrorCode::failed, std::string("RAKELIGHT_IMPORT names '") + named + "', which is no program", {},
                     "correct or unset it");
     }
-    const std::string folder = folder_of_this_program();
-    for (const std::string& candidate : {folder + "/" + helper_name, folder + "/../libexec/rakelight/" + helper_name})
-        if (is_program(candidate)) return candidate;
+    const std::string program = folder_of_this_program(), library = folder_of_this_library();
+    // RL_LIBEXEC_*: where it is installed, counted from programs, from the library, and from the root (CMakeLists.txt of io).
+    for (const std::string& folder : {program, program + "/" RL_LIBEXEC_FROM_BIN, library,
+                                      library + "/" RL_LIBEXEC_FROM_LIB, std::string(RL_LIBEXEC)})
+        if (const std::string candidate = folder + "/" + helper_name; is_program(candidate)) return candidate;
     throw Error(ErrorCode::failed, "this format needs the program rakelight-import, which is not there", {},
                 "put it beside the program, set RAKELIGHT_IMPORT, or export glTF");
 }

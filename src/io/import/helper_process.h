@@ -10,9 +10,11 @@
 
 namespace rakelight::io {
 
-/// RAKELIGHT_IMPORT, else `rakelight-import` beside the running program, else in ../libexec/rakelight of it.
+/// `asked`, else RAKELIGHT_IMPORT, else `rakelight-import` beside the running program or this library, or where it is installed
+/// as counted from either.
+/// @param asked  Context::import_helper()
 /// @throws Error failed with advice when there is none.
-std::string find_import_helper();
+std::string find_import_helper(const std::string& asked);
 
 struct HelperLimits {
     double seconds = 8;              ///< wall clock and processor time, > 0

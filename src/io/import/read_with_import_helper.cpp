@@ -50,7 +50,7 @@ Checked checked(const std::string& path, std::span<const std::byte> bytes, const
 /// @param file  what the helper reads, with the same ending as `path`
 Scene import_file(const std::string& path, const std::string& file, const Checked& known, const ReadOptions& options,
                   Context& context) {
-    HelperProcess helper(find_import_helper(), file, known.limits, context);
+    HelperProcess helper(find_import_helper(context.import_helper()), file, known.limits, context);
     import_stream::Import import = import_stream::read_import(helper, context);
     complete_views(known.cameras, import.document.views);
     Scene scene = scene_from_import(std::move(import), path, known.ending, options, context);

@@ -65,6 +65,25 @@ TEST(Context, CancelIsSeen) {
     EXPECT_THROW(context.throw_if_cancelled(), Error);
 }
 
+TEST(Context, IsUsableAgainAfterItsCancelIsTakenBack) {
+    Context context;
+    context.cancel();
+    EXPECT_THROW(context.parallel_for(3, [](std::size_t) {}), Error);
+    context.reset_cancel();
+    EXPECT_FALSE(context.cancelled());
+    std::atomic<int> calls{0};
+    context.parallel_for(3, [&](std::size_t) { ++calls; });
+    EXPECT_EQ(calls, 3);
+}
+
+TEST(Context, TakesTheImportHelperOfItsParentWhereItHasNone) {
+    const Context parent({.import_helper = "/opt/helper"}), child({.parent = &parent}),
+        own({.parent = &parent, .import_helper = "/usr/helper"}), none;
+    EXPECT_EQ(child.import_helper(), "/opt/helper");
+    EXPECT_EQ(own.import_helper(), "/usr/helper");
+    EXPECT_EQ(none.import_helper(), "");
+}
+
 TEST(Context, CancellingAParentCancelsItsChildrenAndNotTheOtherWay) {
     Context parent;
     Context child({.threads = 1, .parent = &parent}), grandchild({.threads = 1, .parent = &child});

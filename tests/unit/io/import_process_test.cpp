@@ -44,6 +44,30 @@ TEST_F(ImportProcess, ACrashIsABadFileAndNamesTheSignal) {
     EXPECT_NE(outcome.what().find("model.stl"), std::string::npos);
 }
 
+TEST_F(ImportProcess, TheHelperOfTheContextGoesBeforeThatOfTheEnvironment) {
+    const EnvironmentVariable helper("RAKELIGHT_IMPORT", "/bin/false");
+    const std::string named = script("kill -SEGV $$");
+    Context context({.import_helper = named});
+    EXPECT_EQ(find_import_helper(context.import_helper()), named);
+    try {
+        read_with_import_helper(model_, {}, context);
+        ADD_FAILURE() << "the model was read";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("SIGSEGV"), std::string::npos) << error.what();
+    }
+}
+
+TEST_F(ImportProcess, AHelperThatIsNoProgramIsNamed) {
+    Context context({.import_helper = model_});
+    try {
+        read_with_import_helper(model_, {}, context);
+        ADD_FAILURE() << "the model was read";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::failed);
+        EXPECT_NE(std::string(error.what()).find("is no program"), std::string::npos) << error.what();
+    }
+}
+
 TEST_F(ImportProcess, AHangEndsAtTheTimeLimit) {
     const auto begin = std::chrono::steady_clock::now();
     const Outcome outcome = read_by("exec sleep 60", {.import_seconds = 0.3});

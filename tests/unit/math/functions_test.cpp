@@ -8,6 +8,9 @@
 #include <functional>
 #include <limits>
 
+#include <rakelight/vector.h>
+
+#include "math/angles.h"
 #include "math/functions.h"
 
 namespace rakelight {
@@ -40,6 +43,54 @@ TEST(Functions, AgreeWithTheStandardLibraryToAFewUlps) {
             ASSERT_NEAR(f.ours(x), exact, 3e-16 * std::max(std::fabs(exact), 1e-3) + 1e-300)
                 << f.name << "(" << x << ")";
         }
+}
+
+const Named angle_functions[] = {
+    {"cosine", math::cosine, [](double x) { return std::cos(x); }, -pi, pi},
+    {"arc cosine", math::arc_cosine, [](double x) { return std::acos(x); }, -1, 1},
+    {"arc cosine", [](double x) { return math::arc_cosine(1 - x); }, [](double x) { return std::acos(1 - x); }, 0,
+     1e-9},
+    {"arc tangent", [](double x) { return math::arc_tangent(x, 0.7); }, [](double x) { return std::atan2(x, 0.7); }, -5,
+     5},
+    {"arc tangent", [](double x) { return math::arc_tangent(x, -1e-9); }, [](double x) { return std::atan2(x, -1e-9); },
+     -1e-8, 1e-8},
+};
+
+TEST(Angles, AgreeWithTheStandardLibraryToTwoUlps) {
+    for (const Named& f : angle_functions)
+        for (int i = 0; i <= 4000; ++i) {
+            const double x = f.from + (f.to - f.from) * i / 4000, exact = f.reference(x);
+            ASSERT_NEAR(f.ours(x), exact, 2 * (std::nextafter(std::fabs(exact), 9) - std::fabs(exact)))
+                << f.name << "(" << x << ")";
+        }
+}
+
+TEST(Angles, KnowTheirEdges) {
+    constexpr double inf = std::numeric_limits<double>::infinity(), tiny = 5e-324, large = 1.7e308;
+    EXPECT_EQ(math::cosine(0), 1);
+    EXPECT_EQ(math::cosine(pi), -1);
+    EXPECT_EQ(math::arc_cosine(1), 0);
+    EXPECT_EQ(math::arc_cosine(-1), pi);
+    EXPECT_TRUE(std::isnan(math::arc_cosine(1.0000001)));
+    EXPECT_TRUE(std::isnan(math::arc_cosine(-1.0000001)));
+    EXPECT_EQ(math::arc_tangent(0, 0), 0);
+    EXPECT_EQ(math::arc_tangent(0, -1), pi);
+    EXPECT_EQ(math::arc_tangent(-1, 0), -pi / 2);
+    EXPECT_EQ(math::arc_tangent(tiny, tiny), pi / 4);
+    EXPECT_EQ(math::arc_tangent(large, large), pi / 4);
+    EXPECT_EQ(math::arc_tangent(large, tiny), pi / 2);
+    EXPECT_EQ(math::arc_tangent(tiny, large), 0);
+    EXPECT_TRUE(std::isnan(math::arc_tangent(inf, 1)));
+    EXPECT_TRUE(std::isnan(math::arc_tangent(1, std::nan(""))));
+}
+
+TEST(Angles, HashToTheNumberOfEveryOtherMachine) {
+    std::uint64_t hash = 1469598103934665603ull;
+    for (const Named& f : angle_functions)
+        for (int i = 0; i <= 4000; ++i)
+            hash =
+                (hash ^ std::bit_cast<std::uint64_t>(f.ours(f.from + (f.to - f.from) * i / 4000))) * 1099511628211ull;
+    EXPECT_EQ(hash, 11298791658227709587u);
 }
 
 TEST(Functions, HashToTheNumberOfEveryOtherMachine) {

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Angles between vectors, by arithmetic alone: what the attributes need of elementary functions, so that they can be linked without
+// the library behind functions.h. The same bits everywhere; right to 2 ulps.
+#pragma once
+
+namespace rakelight::math {
+
+double arc_tangent(double y,
+                   double x);  ///< [rad] -pi..pi: of the direction (x, y); 0 for (0, 0), NaN where one is not finite
+double arc_cosine(double x);   ///< [rad] 0..pi; NaN outside -1..1
+double cosine(double angle);   ///< @param angle  [rad] -pi..pi
+
+}  // namespace rakelight::math
