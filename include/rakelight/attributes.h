@@ -29,6 +29,7 @@ enum class CornerWeight : std::uint8_t { uniform, area, angle, angle_area };
 /// coordinates run backwards along u. `published_no_handedness`: the same without that last step; w says on which side
 /// the bitangent lies.
 enum class TangentMode : std::uint8_t { averaged, published, mikktspace, published_no_handedness };
+/// Whether bitangents are attributes of their own.
 inline bool is_published(TangentMode mode) {
     return mode == TangentMode::published || mode == TangentMode::published_no_handedness;
 }
@@ -36,6 +37,7 @@ inline bool is_published(TangentMode mode) {
 /// Whether tangents are made perpendicular to the normals here (`attribute`) or left as summed (`off`).
 enum class Orthogonalize : std::uint8_t { attribute, off };
 
+/// What compute_attributes() makes, and how.
 struct AttributeOptions {
     Scope scope = Scope::model;
     CornerWeight weight = CornerWeight::angle;
@@ -67,7 +69,7 @@ enum class GroupKind : std::uint8_t { none, masks, numbers };
 
 /// One mesh, placed in the world. Meshes with the same `object` number form one object (scope `object` smooths over them).
 struct AttributeMesh {
-    std::uint32_t object = 0;
+    std::uint32_t object = 0;                    ///< meshes of one number are one object
     std::span<const vec3> positions{};           ///< [V] about `origin`; a face with a non-finite corner has no vote
     std::span<const std::uint32_t> indices{};    ///< [3T] each < V; counter-clockwise seen from outside
     std::span<const vec2> texcoords{};           ///< [V] or empty; v down
@@ -113,6 +115,7 @@ struct MeshAttributes {
 class RL_API AttributePlan {
 public:
     struct Impl;
+    /// Of the library itself.
     explicit AttributePlan(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
     /// @throws Error usage: nothing was grouped, or the plan was moved away
     const Impl& impl() const;
@@ -165,7 +168,7 @@ struct AttributeBuffers {
 
 /// A corner (3 * triangle + 0, 1 or 2) that uses another vertex than the input's index says.
 struct CornerVertex {
-    std::uint32_t corner, vertex;
+    std::uint32_t corner, vertex;  ///< the corner; the vertex that it uses
     bool operator==(const CornerVertex&) const = default;
 };
 
@@ -177,7 +180,7 @@ struct SplitAttributes {
     std::vector<vec4> tangents{};                ///< [V' - V], or empty as the mesh has none
     std::vector<CornerVertex> corners{};         ///< ascending; each vertex is >= V
     std::uint32_t degenerate_faces = 0;          ///< as in MeshAttributes
-    std::uint32_t isolated_vertices = 0;
+    std::uint32_t isolated_vertices = 0;         ///< as in MeshAttributes
 };
 
 /// Scratch memory of compute_attributes_into(), kept for the next call (of any sizes): 16 bytes a vertex for normals, 32 for

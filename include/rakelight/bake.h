@@ -16,6 +16,7 @@
 
 namespace rakelight {
 
+/// What a map holds.
 enum class BakeMap : std::uint8_t {
     normal,     ///< HIGH's shading normal, its own normal map included
     height,     ///< [m] from LOW along its smooth normal
@@ -34,6 +35,7 @@ RL_API std::span<const BakeMap> all_bake_maps() noexcept;
 /// In what a normal is written: the frame of LOW's interpolated normal and MikkTSpace tangent, or LOW's object space.
 enum class BakeSpace : std::uint8_t { tangent, object };
 
+/// What bake() makes of LOW.
 struct BakeOptions {
     std::vector<BakeMap> maps{BakeMap::normal};
     int width = 1024, height = 1024;  ///< [px] 1..16384
@@ -60,6 +62,7 @@ struct BakeOptions {
     double curvature_radius = 0;  ///< [m] >= 0: its curvature is white (concave: black); 0: a 50th of HIGH's diagonal
 };
 
+/// What bake() found.
 struct BakeReport {
     double distance = 0;            ///< [m] of the cage
     bool is_proposed = false;       ///< it was not given
@@ -83,8 +86,9 @@ struct BakedMap {
     std::vector<float> values{};  ///< [height * width * channels]
 };
 
+/// What bake() made.
 struct BakeResult {
-    int width = 0, height = 0;
+    int width = 0, height = 0;     ///< [px]
     std::vector<BakedMap> maps{};  ///< in the order of the options
     BakeReport report{};
     /// LOW as the maps fit it: its coordinates (made, where it had none), normals, tangents; no normal or height maps.

@@ -43,8 +43,11 @@ public:
     const T& operator[](std::size_t i) const { return storage_->values[i]; }
     const T* begin() const { return data(); }
     const T* end() const { return data() + size(); }
+    /// All of it.
     std::span<const T> span() const { return {data(), size()}; }
+    /// All of it.
     operator std::span<const T>() const { return span(); }
+    /// Equal for blocks that share one array; null: empty.
     const void* identity() const { return storage_; }
     /// Whether a charge pays for the array; the empty block needs none.
     bool is_paid() const { return !storage_ || storage_->charge.bytes() > 0; }

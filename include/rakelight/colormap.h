@@ -8,6 +8,7 @@
 
 namespace rakelight {
 
+/// Colors for numbers.
 enum class ColorMap : std::uint8_t { viridis, magma, inferno, plasma, turbo, coolwarm, gray };
 
 /// @param t  0..1; outside it is clamped, NaN gives gray

@@ -14,6 +14,7 @@
 
 namespace rakelight {
 
+/// How pictures are compared.
 struct CompareOptions {
     double tolerance = 0;  ///< >= 0; pixels any component of which differs by more count as different
     double pixels_per_degree =
@@ -26,15 +27,16 @@ struct CompareOptions {
 struct PictureComparison {
     int width = 0, height = 0;  ///< [px] of both
     double max_error = 0;       ///< infinity where a NaN or an infinity meets anything but itself
-    double rmse = 0;
-    double psnr_db = 0;  ///< -20 log10(rmse), peak 1; +infinity where rmse is 0
+    double rmse = 0;            ///< root of the mean squared difference of all components
+    double psnr_db = 0;         ///< -20 log10(rmse), peak 1; +infinity where rmse is 0
     /// Of luma, -1..1; 1 for equal pictures. Absent: a side is under 11 pixels. Wang et al. 2004, "Image Quality Assessment: From
     /// Error Visibility to Structural Similarity", windows that lie whole in the picture, no downsampling.
     std::optional<double> ssim{};
     /// Mean over all pixels, 0..1; 0 for equal pictures. Andersson et al. 2020, "FLIP: A Difference Evaluator for Alternating Images".
     double flip = 0;
-    std::uint64_t differing_pixels = 0;
-    double differing_share = 0;  ///< 0..1 of all pixels
+    std::uint64_t differing_pixels = 0;  ///< pixels off by more than the tolerance
+    double differing_share = 0;          ///< 0..1 of all pixels
+    /// Whether no component differs.
     bool is_equal() const { return max_error == 0; }
 };
 
@@ -55,6 +57,7 @@ public:
     ComparedPictures(ComparedPictures&&) noexcept;
     ComparedPictures& operator=(ComparedPictures&&) noexcept;
 
+    /// The numbers.
     const PictureComparison& comparison() const;
     /// RGB. @param gain  of DifferenceKind::absolute, > 0. @param component  u8, or f32 for numbers as they are
     Pixels difference(DifferenceKind kind, double gain, Component component = Component::u8) const;
@@ -81,6 +84,7 @@ RL_API void save_difference(const ComparedPictures& pictures, DifferenceKind kin
 
 /// Limits of a comparison; those absent hold for any.
 struct CompareLimits {
+    /// Of the fields of PictureComparison.
     std::optional<double> max_error{}, max_rmse{}, min_psnr_db{}, min_ssim{}, max_flip{}, max_differing_share{};
     bool empty() const {
         return !max_error && !max_rmse && !min_psnr_db && !min_ssim && !max_flip && !max_differing_share;
@@ -97,13 +101,14 @@ RL_API void check_comparison_output(const std::string& path);
 
 /// What is written above two pictures of a page.
 struct PageTitles {
-    std::string title{}, a{}, b{};
+    std::string title{}, a{}, b{};  ///< the heading; what A and B are called
 };
 
 /// A page with the pictures of comparisons, one after the other: a wipe slider between the two, their differences, the numbers. One
 /// file of HTML that refers to nothing outside of it.
 class RL_API ComparisonPage {
 public:
+    /// Adds a comparison below those that are there. @param gain  of DifferenceKind::absolute, > 0
     void add(const PageTitles& titles, const ComparedPictures& pictures, const CompareOptions& options, double gain);
     /// The whole page. @throws Error failed
     void save(const std::string& path) const;

@@ -19,6 +19,7 @@ namespace rakelight {
 
 class Context;
 
+/// What a run may take, and who is told.
 struct ContextOptions {
     int threads = 0;               ///< worker threads, the calling one included; 0: as many as the machine has. 1..1024
     std::uint64_t max_memory = 0;  ///< [bytes] limit for data that files ask for; 0: the default rule of MemoryBudget
@@ -33,19 +34,24 @@ struct ContextOptions {
 /// One per run; not copyable; every long function takes it by reference. Results never depend on the number of threads.
 class RL_API Context {
 public:
-    explicit Context(ContextOptions options = {});
+    explicit Context(ContextOptions options = {});  ///< @throws Error usage: threads out of range
     ~Context();
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 
     int threads() const noexcept;  ///< >= 1
+    /// What was changed, guessed or left out so far.
     Report& report() noexcept { return report_; }
+    /// What files may ask for.
     MemoryBudget& memory() noexcept { return memory_; }
 
+    /// Tells ContextOptions::progress. @param fraction  0..1 of the stage
     void progress(std::string_view stage, double fraction);
     /// What is reported from now on, 0..1, stands for this part of its stage. For work that is done in several goes.
     void set_progress_part(double from, double to);
+    /// Ends each loop at its next item; from any thread.
     void cancel() noexcept { cancelled_ = true; }
+    /// Whether it or its parent was cancelled.
     bool cancelled() const noexcept { return cancelled_ || (options_.parent && options_.parent->cancelled()); }
     void throw_if_cancelled() const;  ///< @throws Error failed "cancelled"
     /// Takes cancel() back, so that the next run can use this context. Only while nothing runs on it.

@@ -25,17 +25,20 @@ inline constexpr double automatic_gouraud_px = 2;
 
 /// Shading of the objects or materials of a name.
 struct ShadingRule {
+    /// What the name is of.
     enum class Of : std::uint8_t { object, material };  ///< object: a node of this name and all that hangs from it
     Of of = Of::object;
-    std::string name{};
+    std::string name{};  ///< of the objects or materials
     Shading shading = Shading::phong;
     bool operator==(const ShadingRule&) const = default;
 };
+/// How fronts of triangles turn on the picture.
 enum class FrontFace : std::uint8_t { counter_clockwise, clockwise };
 /// Where the lighting of normal maps is evaluated: with the mapped normal in the world; with light and view taken into
 /// the tangent space of the pixel (the same picture); of the vertex, and interpolated; the same by the transposed in
 /// place of the inverse matrix (right for orthonormal frames only).
 enum class TangentSpace : std::uint8_t { world, pixel, vertex, transposed };
+/// Which faces are left out; `automatic`: as the material says.
 enum class Cull : std::uint8_t {
     automatic,
     none,
@@ -104,20 +107,24 @@ enum Channel : std::uint32_t {
     /// where there is no surface.
     channel_ambient_occlusion = 1u << 22,
 };
+/// The parts of the light.
 inline constexpr std::uint32_t channels_lighting =
     channel_ambient | channel_diffuse | channel_specular | channel_emission;
+/// Channels of path tracing alone.
 inline constexpr std::uint32_t channels_of_paths =
     channel_albedo | channel_direct | channel_indirect | channel_variance;
 inline constexpr std::uint32_t channels_all = (channel_emission << 1) - 1;  ///< of every engine: not those of paths
 
 /// The defaults of RenderSettings::ambient_occlusion.
 inline constexpr double usual_occlusion_share = 0.1;  ///< of the radius of the sphere about the scene
+/// Places asked for each pixel.
 inline constexpr int least_occlusion_samples = 8, usual_occlusion_samples = 32, most_occlusion_samples = 256;
 
 /// How paths find what shines: surfaces and environment are asked at every surface, and met by chance, each by the weight of the
 /// balance heuristic (Veach 1997, section 9.2.2); only asked; only met. All have the same mean.
 enum class LightSampling : std::uint8_t { both, lights, materials };
 
+/// RenderSettings::samples of path tracing, at most
 inline constexpr int most_paths_a_pixel = 1 << 20;
 
 /// Of path tracing.
@@ -134,6 +141,7 @@ struct PathSettings {
     bool operator==(const PathSettings&) const = default;
 };
 
+/// RadiositySettings::elements: the default, and the most
 inline constexpr int usual_radiosity_elements = 20000, most_radiosity_elements = 200000;
 
 /// Of the method radiosity: docs/radiosity.md.
@@ -144,6 +152,7 @@ struct RadiositySettings {
     bool operator==(const RadiositySettings&) const = default;
 };
 
+/// What a picture is like, but for its camera.
 struct RenderSettings {
     int width = 1280, height = 720;  ///< [px] of the whole picture, 1..65536
     Window window{};                 ///< what to render of it; default all
@@ -267,7 +276,7 @@ public:
 
     int width = 0, height = 0;  ///< of the whole picture
     Window window;
-    std::vector<vec4> color;
+    std::vector<vec4> color;  ///< [window.width * window.height] linear RGB and alpha, as in Tile
 };
 
 /// Where the time of one render() call went [s]. The front end is measured from outside, on all threads; what is done tile by
@@ -277,8 +286,8 @@ struct StageTimes {
         0;             ///< transformation, clipping, culling, set-up, sorting into tiles; lighting of faces or vertices
     double tiles = 0;  ///< from outside: all that follows
     double occlusion = 0;  ///< from outside: depths for RenderSettings::ambient_occlusion; the rest of it is shading
-    double visibility = 0, shading = 0, blending = 0;
-    double delivery = 0;  ///< what the sink does with the tiles, tone mapping included
+    double visibility = 0, shading = 0, blending = 0;  ///< tile by tile: coverage and depth; kernels; blended surfaces
+    double delivery = 0;                               ///< what the sink does with the tiles, tone mapping included
 };
 
 /// A pass of an engine that draws on a GPU.
@@ -289,6 +298,7 @@ struct GpuPass {
 
 /// Rays of one render() call, by what they are for. All 0: the engine follows none.
 struct RayStats {
+    /// From the eye; towards lights; by mirrors; through glass.
     std::uint64_t primary = 0, shadow = 0, reflected = 0, refracted = 0;
     std::uint64_t dropped = 0;         ///< reflections and refractions that were too many for one pixel
     std::uint64_t triangle_tests = 0;  ///< RenderSettings::naive
@@ -296,6 +306,7 @@ struct RayStats {
     std::uint64_t scene_bytes = 0;     ///< of the tree that rays are followed in, kept from picture to picture
     int passes = 0, samples = 0;       ///< of path tracing: that were delivered, and paths a pixel in them
     double noise = 0;                  ///< likewise: as PathSettings::noise has it
+    /// All rays together.
     std::uint64_t all() const { return primary + shadow + reflected + refracted; }
 };
 
@@ -304,6 +315,7 @@ struct RenderStats {
     /// Culled ones are counted once, by the first reason that applies. `clipped`: those that were cut; each of their pieces counts as
     /// drawn or culled.
     std::uint64_t objects_outside = 0;  ///< dropped whole, because their boxes lie outside of the picture
+    /// Triangles, as said above.
     std::uint64_t triangles_in = 0, culled_back = 0, culled_degenerate = 0, culled_outside = 0, clipped = 0, drawn = 0;
     /// Covered: by something opaque, at one sample or more. Shaded: those, once for each triangle that its samples
     /// show, and each blended surface over each pixel.
@@ -316,6 +328,7 @@ struct RenderStats {
     /// Opaque samples that were nearer than what stood there. Over samples_covered it is the overdraw that visibility
     /// works for: 1 where every one was written once. Depends on the order of the triangles.
     std::uint64_t depth_passes = 0;
+    /// See depth_passes.
     double overdraw() const { return samples_covered > 0 ? double(depth_passes) / double(samples_covered) : 0; }
     std::uint64_t pixels_marked = 0;      ///< pixels that lines or points cover, each color of them counted
     std::uint64_t pixels_not_finite = 0;  ///< shaded values that were NaN or infinite and became 0; a warning says so
@@ -346,7 +359,9 @@ struct EngineAbilities {
 class RL_API Engine {
 public:
     virtual ~Engine() = default;
+    /// As make_engine() takes it.
     virtual std::string name() const = 0;
+    /// What it can do.
     virtual EngineAbilities abilities() const = 0;
     /// Of a posed scene, which the engine keeps: who needs it no more moves it in. Textures that cannot be decoded become a
     /// warning. @throws Error bad_file, see validate(): the engine keeps what it had; failed: cancelled: it has nothing then

@@ -27,16 +27,22 @@ public:
     /// @param advice  what to do: "export FBX or glTF instead"; may be empty
     explicit Error(ErrorCode code, std::string reason, std::string place = {}, std::string advice = {});
 
+    /// The class, which is the exit code too.
     ErrorCode code() const noexcept { return code_; }
+    /// For people, without file and place.
     const std::string& reason() const noexcept { return reason_; }
+    /// Where in the file; may be empty.
     const std::string& place() const noexcept { return place_; }
+    /// The file; may be empty.
     const std::string& file() const noexcept { return file_; }
+    /// What to do; may be empty.
     const std::string& advice() const noexcept { return advice_; }
     /// The setting that it is about, by its key in [render] of world files: "crease-angle"; empty: none. A part of it may
     /// follow: "light color".
     const std::string& setting() const noexcept { return setting_; }
     /// Other settings that are part of it, or that help.
     const std::vector<std::string>& related() const noexcept { return related_; }
+    /// The whole line.
     const char* what() const noexcept override { return text_.c_str(); }
 
     /// The same error with the file's name added on the way out; a name that is already there stays.

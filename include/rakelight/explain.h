@@ -32,7 +32,7 @@ RL_API vec4 color_of(const ExplainedPixel& pixel);
 
 /// A pixel of a picture: 0,0 is the top left one.
 struct PixelPlace {
-    int x = 0, y = 0;
+    int x = 0, y = 0;  ///< [px] from the left, from the top
 };
 /// Several pixels of one picture, which is loaded and prepared once. In their order.
 RL_API std::vector<std::shared_ptr<const ExplainedPixel>> explain(const PictureRequest& request,

@@ -12,7 +12,9 @@
 
 namespace rakelight {
 
+/// The type of a component of a pixel.
 enum class Component : std::uint8_t { u8, u16, f32 };
+/// [bytes] of a component
 constexpr std::size_t size_of(Component c) { return c == Component::u8 ? 1 : c == Component::u16 ? 2 : 4; }
 
 /// Decoded pixels: row 0 on top, rows tightly packed, `channels` interleaved components a pixel (1 gray, 2 gray +
@@ -21,14 +23,17 @@ struct Pixels {
     int width = 0, height = 0;  ///< [px] >= 0
     int channels = 0;           ///< 1..4
     Component component = Component::u8;
-    bool is_linear = false;  ///< the file holds linear light (EXR, HDR); else the role of the texture decides
-    std::vector<std::byte> bytes{};
+    bool is_linear = false;          ///< the file holds linear light (EXR, HDR); else the role of the texture decides
+    std::vector<std::byte> bytes{};  ///< [height * row_bytes()]
     /// The file says that its numbers are sRGB codes (PNG's sRGB chunk, or gAMA of 45455): normal maps are warned of.
     bool is_tagged_srgb = false;
     SharedCharge charge{};  ///< pays for `bytes`; null: nobody counts them
 
+    /// [bytes] from row to row
     std::size_t row_bytes() const { return std::size_t(width) * std::size_t(channels) * size_of(component); }
+    /// Row y, from the top.
     const std::byte* row(int y) const { return bytes.data() + std::size_t(y) * row_bytes(); }
+    /// Row y, from the top.
     std::byte* row(int y) { return bytes.data() + std::size_t(y) * row_bytes(); }
 };
 
@@ -48,12 +53,14 @@ struct EncodedImage {
     /// by decoded(). Reentrant. @throws Error as decode()
     std::function<Pixels(const EncodedImage&, Context&)> measure{};
 };
+/// A picture that several textures may share.
 using ImageHandle = std::shared_ptr<const EncodedImage>;
 
 /// Linear light -> 0..1 of a display. none: clamp; Reinhard et al. 2002, "Photographic Tone Reproduction for Digital
 /// Images", eq. 3, on the luminance; Khronos PBR Neutral; the fit of ACES by Hill; AgX.
 enum class ToneMapping : std::uint8_t { none, reinhard, neutral, aces, agx };
 
+/// From linear light to a display.
 struct ToneSettings {
     ToneMapping mapping = ToneMapping::none;
     double exposure_ev = 0;  ///< light is multiplied by 2^exposure_ev first

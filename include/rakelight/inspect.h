@@ -18,8 +18,8 @@ namespace rakelight {
 /// One node that owns meshes.
 struct ObjectSummary {
     std::string name{};  ///< of the node; of what a world file places "NAME/name" with its name there, or that alone
-    std::uint32_t node = no_index;
-    std::uint64_t meshes = 0, triangles = 0, vertices = 0, lines = 0, points = 0;
+    std::uint32_t node = no_index;                                                 ///< into Scene::nodes
+    std::uint64_t meshes = 0, triangles = 0, vertices = 0, lines = 0, points = 0;  ///< of all its meshes together
     /// What its meshes have: yes on all, on some, on none of them.
     enum class Has : std::uint8_t { no, some, yes };
     Has normals = Has::no, tangents = Has::no, texcoords = Has::no, colors = Has::no, smoothing_groups = Has::no,
@@ -30,7 +30,7 @@ struct ObjectSummary {
 /// The surface of one object as its triangles make it, over positions welded as AttributeOptions::weld_distance < 0
 /// says.
 struct SurfaceSummary {
-    std::uint64_t edges = 0;
+    std::uint64_t edges = 0;               ///< of its welded triangles
     std::uint64_t open_edges = 0;          ///< of one face
     std::uint64_t inconsistent_edges = 0;  ///< of two faces that go along it the same way: one of them is inside out
     std::uint64_t non_manifold_edges = 0;  ///< of three or more faces
@@ -51,7 +51,7 @@ struct TJunctionPlace {
 
 /// Angles over some positions. p95: 95 of 100 are at most this (nearest rank).
 struct AngleSummary {
-    double max_deg = 0, mean_deg = 0, p95_deg = 0;
+    double max_deg = 0, mean_deg = 0, p95_deg = 0;  ///< [degrees]
 };
 
 /// Normals at most this far apart are continuous [degrees]: more than rounding through matrices, less than any eye
@@ -78,14 +78,14 @@ struct BorderSummary {
 /// Two objects of which one is inside out at common edges.
 struct InconsistentPair {
     std::uint32_t object_a = 0, object_b = 0;  ///< into Inspection::objects, a < b
-    std::uint64_t edges = 0;
+    std::uint64_t edges = 0;                   ///< common edges along which both go the same way
 };
 
 /// Over all positions that objects share; where several pairs meet, the pair with the largest angle counts.
 struct SeamTotals {
-    std::uint64_t positions = 0, continuous = 0, joined = 0;
+    std::uint64_t positions = 0, continuous = 0, joined = 0;  ///< of BorderSummary, each position once
     AngleSummary before{}, after{};
-    double seam_deg = 0;
+    double seam_deg = 0;      ///< the largest of all
     std::uint64_t pairs = 0;  ///< of objects, that were looked at
     /// Where more than 8 objects meet, only the 7 whose normals turn farthest from the mean and the nearest one are
     /// paired.
@@ -113,14 +113,14 @@ struct MatchedPair {
 /// `after`: smoothed over the whole model, then joined by join_borders(). A *seam* is an angle before of more than a quarter of
 /// the turn of the normals along one edge there: so far straight interpolation may be off where normals are joined.
 struct RL_API MatchedSeams {
-    double distance = 0;  ///< [m] InspectOptions::border_distance; 0: nobody asked
-    double open_length = 0, matched_length = 0;
-    double unmatched_length() const;
-    double seam_deg = 0;  ///< the largest of the pairs'
-    double gap_max = 0, gap_mean = 0;
+    double distance = 0;                         ///< [m] InspectOptions::border_distance; 0: nobody asked
+    double open_length = 0, matched_length = 0;  ///< [m] of all open borders; of these, what is matched
+    double unmatched_length() const;             ///< [m] the rest of open_length
+    double seam_deg = 0;                         ///< the largest of the pairs'
+    double gap_max = 0, gap_mean = 0;            ///< [m] along what is matched
     CurveAngles before{}, after{};
-    std::vector<MatchedPair> pairs{};  ///< the largest seam first, then the largest angle before; at most 10,000
-    std::uint64_t pairs_left_out = 0;
+    std::vector<MatchedPair> pairs{};      ///< the largest seam first, then the largest angle before; at most 10,000
+    std::uint64_t pairs_left_out = 0;      ///< pairs beyond the first 10,000
     std::uint64_t edges_not_searched = 0;  ///< BorderMeasure::edges_not_searched
 };
 
@@ -135,26 +135,28 @@ struct BorderProposal {
 
 /// A piece of a border with a seam; a == b where objects share a position but no edge.
 struct SeamLine {
-    dvec3 a{}, b{};  ///< [m] world
-    float deg_a = 0, deg_b = 0;
+    dvec3 a{}, b{};              ///< [m] world
+    float deg_a = 0, deg_b = 0;  ///< [degrees] angle between the normals at a, at b
 };
 
 /// A closed body, of one object or of several whose parts close together, all of whose faces look inwards.
 struct InsideOutBody {
-    std::uint64_t triangles = 0;
+    std::uint64_t triangles = 0;           ///< of the body
     std::vector<std::uint32_t> objects{};  ///< that it is made of, into Inspection::objects
 };
 
 /// The numbers that vertices have under one name (Mesh::arrays).
 struct ArraySummary {
-    std::string name{};
-    std::uint32_t components = 1;
+    std::string name{};            ///< as the file has it
+    std::uint32_t components = 1;  ///< numbers a vertex
     double low = 0, high = 0;      ///< of the finite numbers of all components; 0 where there are none
     std::uint64_t vertices = 0;    ///< that have it
     std::uint64_t not_finite = 0;  ///< numbers
 };
 
+/// What inspect() found.
 struct Inspection {
+    /// Scene::source
     std::string file{};
     /// Of all lengths: "m", or "units" where the file's format knows none (OBJ, STL, PLY, 3DS, ASE, OFF, X).
     std::string unit = "m";
@@ -173,7 +175,7 @@ struct Inspection {
     std::uint64_t shared_positions = 0;  ///< world positions that two or more objects draw
     SeamTotals seams{};
     std::vector<BorderSummary> borders{};  ///< the largest seam first, then the largest angle; at most 10,000
-    std::uint64_t borders_left_out = 0;
+    std::uint64_t borders_left_out = 0;    ///< pairs beyond the first 10,000
     std::vector<InconsistentPair> inconsistent_pairs{};  ///< the most edges first; at most 10,000
     MatchedSeams matched{};                              ///< with InspectOptions::border_distance
     BorderProposal proposal{};                           ///< without it, of surfaces and borders that were looked at
@@ -181,6 +183,7 @@ struct Inspection {
     Scene scene{};  ///< as loaded, but without its nodes and meshes: materials, textures, lights, cameras, animations
 };
 
+/// What inspect() looks at.
 struct InspectOptions {
     bool borders = true;        ///< look for shared positions and their seam angles
     bool surfaces = true;       ///< look at edges, faces and normals of each object
@@ -207,6 +210,7 @@ RL_API std::string proposal_text(const Inspection& inspection);
 /// matched borders count like those at shared positions.
 struct CheckLimits {
     std::optional<double> max_seam_deg = 1;  ///< [degrees] 8-bit normals are off by up to half a degree each
+    /// What must not be, or must be: docs/inspect.md.
     bool no_degenerate = false, no_t_junctions = false, no_non_manifold = false, consistent_winding = false,
          no_inside_out = false, closed = false, unit_normals = false;
 };

@@ -11,6 +11,7 @@
 
 namespace rakelight {
 
+/// How a lightmap is laid out.
 struct LightmapOptions {
     int width = 1024, height = 1024;  ///< [px] 1..16384
     int samples = 4;                  ///< a texel: 1, 4 or 16, on a regular grid
@@ -18,14 +19,16 @@ struct LightmapOptions {
     int chart_margin = 8;             ///< [px] 1..1024: left free between charts
 };
 
+/// What became of a lightmap.
 struct LightmapReport {
-    std::uint32_t charts = 0;
+    std::uint32_t charts = 0;       ///< pieces of the surface that are connected on the map
     std::uint32_t overlapping = 0;  ///< of them: lie on themselves somewhere
     std::uint64_t texels = 0;       ///< that charts cover or touch
-    double texels_per_meter = 0;
-    double brightest = 0;  ///< radiance of the brightest component of a texel
+    double texels_per_meter = 0;    ///< of the charts
+    double brightest = 0;           ///< radiance of the brightest component of a texel
 };
 
+/// A scene that shows its light by a texture.
 struct Lightmap {
     /// Its own triangles, black, with the map as the emission texture of every lit material: the last texture of the scene, on
     /// the last set of texture coordinates (set 1, unless the model has several itself). Emission is the brightest that a

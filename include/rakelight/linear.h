@@ -67,34 +67,42 @@ constexpr Vector4<T> operator*(Vector4<T> a, T s) {
     return {a.x * s, a.y * s, a.z * s, a.w * s};
 }
 
+/// Scalar product.
 template <class T>
 constexpr T dot(Vector2<T> a, Vector2<T> b) {
     return a.x * b.x + a.y * b.y;
 }
+/// Scalar product.
 template <class T>
 constexpr T dot(Vector3<T> a, Vector3<T> b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+/// Scalar product.
 template <class T>
 constexpr T dot(Vector4<T> a, Vector4<T> b) {
     return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 }
+/// Vector product.
 template <class T>
 constexpr Vector3<T> cross(Vector3<T> a, Vector3<T> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+/// Euclidean length.
 template <class T>
 T length(Vector3<T> a) {
     return std::sqrt(dot(a, a));
 }
+/// The lesser of each component.
 template <class T>
 Vector3<T> min(Vector3<T> a, Vector3<T> b) {
     return {a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.z < b.z ? a.z : b.z};
 }
+/// The greater of each component.
 template <class T>
 Vector3<T> max(Vector3<T> a, Vector3<T> b) {
     return {a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y, a.z > b.z ? a.z : b.z};
 }
+/// Whether all components are finite.
 template <class T>
 bool is_finite(Vector3<T> a) {
     return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
@@ -109,14 +117,17 @@ Vector3<T> normalize_or(Vector3<T> a, Vector3<T> fallback) {
     return scaled / length(scaled);
 }
 
+/// Another type of number.
 template <class To, class From>
 constexpr Vector3<To> cast(Vector3<From> a) {
     return {To(a.x), To(a.y), To(a.z)};
 }
+/// Another type of number.
 template <class To, class From>
 constexpr Vector4<To> cast(Vector4<From> a) {
     return {To(a.x), To(a.y), To(a.z), To(a.w)};
 }
+/// Another type of number.
 template <class To, class From>
 constexpr Matrix4<To> cast(const Matrix4<From>& m) {
     return {{cast<To>(m[0]), cast<To>(m[1]), cast<To>(m[2]), cast<To>(m[3])}};
@@ -145,16 +156,19 @@ constexpr Vector3<T> transform_point(const Matrix4<T>& m, Vector3<T> p) {
     return {m[0].x * p.x + m[1].x * p.y + m[2].x * p.z + m[3].x, m[0].y * p.x + m[1].y * p.y + m[2].y * p.z + m[3].y,
             m[0].z * p.x + m[1].z * p.y + m[2].z * p.z + m[3].z};
 }
+/// Without the translation.
 template <class T>
 constexpr Vector3<T> transform_direction(const Matrix4<T>& m, Vector3<T> d) {
     return {m[0].x * d.x + m[1].x * d.y + m[2].x * d.z, m[0].y * d.x + m[1].y * d.y + m[2].y * d.z,
             m[0].z * d.x + m[1].z * d.y + m[2].z * d.z};
 }
 
+/// The first three rows and columns.
 template <class T>
 constexpr Matrix3<T> upper_left(const Matrix4<T>& m) {
     return {{m[0].xyz(), m[1].xyz(), m[2].xyz()}};
 }
+/// Its sign says whether it mirrors.
 template <class T>
 constexpr T determinant(const Matrix3<T>& m) {
     return dot(m[0], cross(m[1], m[2]));
@@ -175,10 +189,12 @@ constexpr Matrix4<T> transpose(const Matrix4<T>& m) {
     return r;
 }
 
+/// A matrix that moves.
 template <class T>
 constexpr Matrix4<T> translation(Vector3<T> t) {
     return {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {t.x, t.y, t.z, 1}}};
 }
+/// A matrix that scales along the axes.
 template <class T>
 constexpr Matrix4<T> scaling(Vector3<T> s) {
     return {{{s.x, 0, 0, 0}, {0, s.y, 0, 0}, {0, 0, s.z, 0}, {0, 0, 0, 1}}};

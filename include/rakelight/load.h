@@ -15,10 +15,11 @@ namespace rakelight {
 /// A file that lies in memory: load() takes its bytes where its name is asked for.
 struct MemoryFile {
     std::string name{};  ///< its ending says the format; what it names is looked for in its folder
-    std::shared_ptr<const std::vector<std::byte>> bytes{};
+    std::shared_ptr<const std::vector<std::byte>> bytes{};  ///< the whole file
     bool operator==(const MemoryFile&) const = default;
 };
 
+/// What load() may read.
 struct LoadOptions {
     bool allow_outside = false;  ///< references may leave the model's own folder tree
     std::vector<MemoryFile> memory_files{};

@@ -15,6 +15,7 @@
 
 namespace rakelight {
 
+/// Which borders match.
 struct MatchOptions {
     double distance = 0;                        ///< [m] in the world, > 0: how far borders may be from one another
     Scope scope = Scope::model;                 ///< `object`: only meshes of one object match; `face`: none
@@ -41,7 +42,9 @@ struct MatchReport {
 class RL_API BorderMatch {
 public:
     struct Impl;
+    /// Of the library itself.
     explicit BorderMatch(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+    /// Of the library itself.
     const Impl& impl() const { return *impl_; }
     bool is_empty() const;  ///< no borders match
 
@@ -87,7 +90,7 @@ RL_API std::vector<MeshSeams> join_borders(const BorderMatch& match, std::span<c
 
 /// An angle along borders, weighted by length; p95: 95 % of the length are at most this.
 struct CurveAngles {
-    double max_deg = 0, mean_deg = 0, p95_deg = 0;
+    double max_deg = 0, mean_deg = 0, p95_deg = 0;  ///< [degrees]
 };
 
 /// A piece of an open edge that runs along another mesh's.
@@ -96,9 +99,10 @@ struct BorderSample {
     double turn_deg = 0;  ///< by which normals turn along the edge, the other one and their neighbors, at most
     double deg = 0;       ///< between the interpolated normals of both sides in its middle
     double gap = 0;       ///< [m]
-    std::uint32_t mesh = 0, other_mesh = 0;
+    std::uint32_t mesh = 0, other_mesh = 0;  ///< the edge's mesh; the other one: numbers of `meshes`
 };
 
+/// What measure_borders() found.
 struct BorderMeasure {
     double open_length = 0;                ///< [m] of all open edges
     double matched_length = 0;             ///< of these

@@ -13,7 +13,7 @@ namespace rakelight {
 /// The limit: 2 GiB, or 64 bytes for each byte read where that is more, or what the user allows. Thread-safe.
 class RL_API MemoryBudget {
 public:
-    explicit MemoryBudget(std::uint64_t max_bytes = 0);
+    explicit MemoryBudget(std::uint64_t max_bytes = 0);  ///< @param max_bytes  [bytes]; 0: the rule above
     MemoryBudget(const MemoryBudget&) = delete;
     MemoryBudget& operator=(const MemoryBudget&) = delete;
 
@@ -58,6 +58,7 @@ public:
     void shrink(std::uint64_t bytes) noexcept;
     /// Part of it, or all where it has less, as a charge of its own.
     MemoryCharge split(std::uint64_t bytes) noexcept;
+    /// [bytes] that it pays for
     std::uint64_t bytes() const noexcept { return bytes_; }
 
 private:
@@ -67,6 +68,7 @@ private:
 
 /// A charge with several owners: the last one gives it back.
 using SharedCharge = std::shared_ptr<const MemoryCharge>;
+/// Makes a charge one of several owners.
 inline SharedCharge share(MemoryCharge charge) { return std::make_shared<const MemoryCharge>(std::move(charge)); }
 
 }  // namespace rakelight

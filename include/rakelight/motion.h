@@ -20,9 +20,11 @@ struct ClipTime {
 
 /// [s] From the first to the last key of a clip; 0 to 0 for one that has no keys.
 struct ClipSpan {
-    double begin_s = 0, end_s = 0;
+    double begin_s = 0, end_s = 0;  ///< [s]
+    /// [s]
     double length() const { return end_s - begin_s; }
 };
+/// From the first to the last key of all channels.
 RL_API ClipSpan clip_span(const Animation& animation);
 
 /// The scene with its clips at a moment: Scene::pose says where nodes and morph weights are then; numbers of materials,
@@ -41,6 +43,7 @@ struct AnimatedProperty {
     std::string_view name;  ///< AnimationChannel::property
     std::uint32_t width;    ///< numbers a key: 1..4
 };
+/// All properties that a channel can move.
 RL_API std::span<const AnimatedProperty> animated_properties();
 /// The row of that name; null: there is none.
 RL_API const AnimatedProperty* animated_property(AnimationPath path, std::string_view name);

@@ -15,7 +15,7 @@ RL_API bool is_movie(const std::string& path);
 /// What is to become a movie.
 struct MovieSize {
     int width = 0, height = 0;  ///< [px]
-    bool has_alpha = false;
+    bool has_alpha = false;     ///< pixels may be transparent
 };
 /// Says what is wrong with a movie before there are pictures of it. @throws Error usage: no ending of a movie, MP4 with alpha, a size
 /// that the format does not have

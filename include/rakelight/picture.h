@@ -32,15 +32,15 @@ struct ViewRange {
 
 /// What was made of one PictureRequest.
 struct PictureResult {
-    std::string file{}, output{};
+    std::string file{}, output{};  ///< the model; the picture that was written
     std::vector<std::string>
         channel_files{};        ///< EXR files in the order of the Channel bits, the one of layers, PNG files
     ViewRange view_range{};     ///< of PNG channels
     int width = 0, height = 0;  ///< [px] of the file
-    std::uint64_t triangles = 0, objects = 0;
-    std::string engine{}, isa{};  ///< the instruction set is empty for engines that do not choose one
-    int threads = 0;
-    double load_ms = 0, prepare_ms = 0, render_ms = 0, write_ms = 0;
+    std::uint64_t triangles = 0, objects = 0;  ///< that were drawn, instances counted each time
+    std::string engine{}, isa{};               ///< the instruction set is empty for engines that do not choose one
+    int threads = 0;                           ///< worker threads
+    double load_ms = 0, prepare_ms = 0, render_ms = 0, write_ms = 0;  ///< [ms] wall clock
     RenderStats stats{};
     /// Of 8-bit pictures: pixels whose red, green and blue are all 0, or all 255, the background's too.
     std::uint64_t black_pixels = 0, white_pixels = 0;

@@ -13,6 +13,7 @@
 
 namespace rakelight {
 
+/// How texture coordinates are made where there are none.
 enum class UvProjection : std::uint8_t { none, box, sphere, cylinder };
 
 /// Height maps as geometry.
@@ -24,6 +25,7 @@ struct Displacement {
     bool operator==(const Displacement&) const = default;
 };
 
+/// What prepare_scene() makes of a scene before it is drawn.
 struct PrepareOptions {
     NormalSource normals = NormalSource::automatic;  ///< `automatic`: Mesh::normal_choice counts where there is one
     CornerWeight weight = CornerWeight::angle;

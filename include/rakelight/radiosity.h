@@ -13,14 +13,14 @@ namespace rakelight {
 /// What came of a solution. Powers are luminances of [W], of Rec. 709 primaries; their sum holds:
 /// emitted = absorbed + unshot + left.
 struct RadiosityReport {
-    std::uint32_t elements = 0;  ///< that the light is shown on, sides counted
-    std::uint32_t patches = 0;   ///< that shoot
-    std::uint32_t shots = 0;
-    int rounds = 0;      ///< of subdivision at shadow borders
-    double emitted = 0;  ///< by surfaces, and by lights onto surfaces
-    double absorbed = 0, unshot = 0;
-    double left = 0;  ///< went out of the scene, or onto the backs of one-sided surfaces
-    double seconds = 0;
+    std::uint32_t elements = 0;       ///< that the light is shown on, sides counted
+    std::uint32_t patches = 0;        ///< that shoot
+    std::uint32_t shots = 0;          ///< times that a patch has sent its light out
+    int rounds = 0;                   ///< of subdivision at shadow borders
+    double emitted = 0;               ///< by surfaces, and by lights onto surfaces
+    double absorbed = 0, unshot = 0;  ///< by surfaces; still to be shot
+    double left = 0;                  ///< went out of the scene, or onto the backs of one-sided surfaces
+    double seconds = 0;               ///< [s] wall clock
 };
 
 /// What the colors of the result are. `leaving`: radiance, as pictures show it. `arriving`: irradiance / pi, as if

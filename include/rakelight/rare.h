@@ -15,6 +15,7 @@ template <class T>
 class Rare {
 public:
     Rare() = default;
+    /// Holds a copy.
     Rare(const T& value)
         : value_(std::make_unique<T>(value)) {}  // NOLINT(google-explicit-constructor): as std::optional
     Rare(const Rare& other) : value_(other.value_ ? std::make_unique<T>(*other.value_) : nullptr) {}
@@ -43,6 +44,7 @@ template <class T>
 class RareList {
 public:
     RareList() = default;
+    /// Holds copies.
     RareList(std::initializer_list<T> values) : list_(std::vector<T>(values)) {}
     bool empty() const noexcept { return size() == 0; }
     std::size_t size() const noexcept { return list_ ? list_->size() : 0; }

@@ -26,6 +26,7 @@ RL_API std::unique_ptr<Engine> make_engine(const std::string& name);
 /// none, the default rig. The second form looks through the scene's first camera, or one fitted to its bounding box.
 /// @throws Error usage, bad_file "nothing to draw"
 RL_API Frame render(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context);
+/// Through the scene's first camera, or one fitted to it.
 RL_API Frame render(const Scene& scene, const RenderSettings& settings, Context& context);
 
 /// Writes a frame's color: sRGB 8 bit, tone-mapped, for PNG, JPEG and WebP, linear float for EXR and HDR.

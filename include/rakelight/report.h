@@ -18,6 +18,7 @@ enum class Remark { note, changed, guessed, dropped, warning };
 /// The name of a remark in JSON: "note", "changed", "guessed", "dropped", "warning".
 RL_API const char* name_of(Remark remark) noexcept;
 
+/// A remark, as it was made first.
 struct ReportEntry {
     Remark remark = Remark::note;
     std::string file{};       ///< as the caller named it; may be empty
@@ -33,11 +34,14 @@ struct ReportEntry {
 /// which they were first made.
 class RL_API Report {
 public:
+    /// Adds a remark, or counts it where it is there.
     void add(Remark remark, std::string file, std::string place, std::string message,
              std::vector<std::string> settings = {});
+    /// A copy of those so far.
     std::vector<ReportEntry> entries() const;
     std::uint64_t left_out() const;        ///< remarks beyond the first 1000 distinct ones of notes, and of others
     std::uint64_t notes_left_out() const;  ///< how many of them are notes, which are no warnings
+    /// Forgets all.
     void clear();
 
 private:

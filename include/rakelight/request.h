@@ -47,10 +47,12 @@ struct ViewRequest {
     std::optional<double> z_near{}, z_far{};
     bool orthographic = false;  ///< parallel projection that shows what the perspective one shows at the focal point
 
+    /// Whether anything says where the camera stands, or what it sees.
     bool is_placed() const {
         return position || focal_point || up || vertical_fov_rad || horizontal_fov_rad || orthographic || direction ||
                zoom_factor;
     }
+    /// Whether the camera goes round what it looks at.
     bool is_orbited() const { return azimuth_rad || elevation_rad; }
     bool operator==(const ViewRequest&) const = default;
 };
@@ -78,7 +80,7 @@ RL_API Scene override_materials(const Scene& scene, const MaterialOverrides& ove
 
 /// Colors by the numbers of one array of the vertices (Mesh::arrays), not lit.
 struct Coloring {
-    bool is_on = false;
+    bool is_on = false;              ///< false: colors as the materials say
     std::string array{};             ///< its name; empty: the first that there is
     std::optional<int> component{};  ///< from 0; absent: the length of all components
     std::optional<dvec2> range{};    ///< values at the ends of the colormap, x <= y; absent: the least and the greatest
@@ -97,6 +99,7 @@ struct MotionRequest {
     std::string name{};              ///< of a clip; empty: by `index`
     std::optional<double> time_s{};  ///< [s] absent: where the clip begins
     bool autoplay = false;           ///< the viewer plays from the start; a picture shows the clip
+    /// Whether any of it is set.
     bool asks() const { return index || !name.empty() || time_s || autoplay; }
     bool operator==(const MotionRequest&) const = default;
 };
@@ -140,15 +143,16 @@ struct Overlays {
     bool axis = false;      ///< which way the world's axes point, in a corner
     bool filename = false;  ///< the model's name
     bool metadata = false;  ///< how much there is of the model
+    /// Whether anything is drawn over the picture.
     bool any() const { return grid || axis || filename || metadata; }
     bool operator==(const Overlays&) const = default;
 };
 
 /// One picture to be made.
 struct PictureRequest {
-    std::string input{};   ///< model file, or builtin:teapot, sphere, cylinder, cone, torus, plane
-    std::string output{};  ///< ending .png, .jpg, .webp, .ppm (sRGB, 8 bit), .exr or .hdr (linear)
-    std::string engine = "soft";
+    std::string input{};          ///< model file, or builtin:teapot, sphere, cylinder, cone, torus, plane
+    std::string output{};         ///< ending .png, .jpg, .webp, .ppm (sRGB, 8 bit), .exr or .hdr (linear)
+    std::string engine = "soft";  ///< as make_engine() takes it
     LoadOptions load{};
     MaterialOverrides materials{};
     Coloring coloring{};

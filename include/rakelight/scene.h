@@ -31,10 +31,14 @@ inline constexpr std::uint32_t no_index = std::numeric_limits<std::uint32_t>::ma
 
 // --- textures and materials ----------------------------------------------------------------------------------------------
 
+/// What a texture shows where coordinates leave 0..1.
 enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
+/// How texels are filtered.
 enum class Filter : std::uint8_t { nearest, linear };
+/// How levels of the mip chain are filtered.
 enum class MipFilter : std::uint8_t { none, nearest, linear };
 
+/// How a texture is read.
 struct Sampler {
     Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
     Filter magnify = Filter::linear, minify = Filter::linear;
@@ -42,8 +46,9 @@ struct Sampler {
     bool operator==(const Sampler&) const = default;
 };
 
+/// A picture with how it is read.
 struct Texture {
-    std::string name{};
+    std::string name{};   ///< for people; may be empty
     ImageHandle image{};  ///< never null in a validated scene
     Sampler sampler{};
     bool operator==(const Texture&) const = default;
@@ -52,21 +57,23 @@ struct Texture {
 /// uv' = offset + rotate(rotation) * (scale * uv), as KHR_texture_transform (v down, rotation counter-clockwise as seen
 /// with v down, about the origin).
 struct TextureTransform {
-    vec2 offset{0, 0}, scale{1, 1};
-    float rotation_rad = 0;
+    vec2 offset{0, 0}, scale{1, 1};  ///< see above
+    float rotation_rad = 0;          ///< [rad] see above
     bool operator==(const TextureTransform&) const = default;
 };
 
 /// Use of a texture by a material. Its role (the member's name) decides the color space: colors sRGB, data linear.
 struct TextureUse {
     std::uint32_t texture = no_index;  ///< into Scene::textures
-    std::uint32_t texcoord_set = 0;
+    std::uint32_t texcoord_set = 0;    ///< into Mesh::texcoords
     TextureTransform transform{};
     explicit operator bool() const { return texture != no_index; }
     bool operator==(const TextureUse&) const = default;
 };
 
+/// Which parameters of a Material count.
 enum class MaterialModel : std::uint8_t { classical, metallic_roughness, unlit };
+/// What alpha does, as in glTF.
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
 /// The lighting model. `oren_nayar`: the qualitative model (Oren & Nayar 1994, eq. 30); `oren_nayar_full`: eq. 27 to 29, with
@@ -128,15 +135,15 @@ struct MetallicRoughnessParameters {
     TextureUse texture{};               ///< data: G roughness, B metallic
     float ior = 1.5f;                   ///< KHR_materials_ior
     float specular = 1;                 ///< KHR_materials_specular
-    vec3 specular_color{1, 1, 1};
+    vec3 specular_color{1, 1, 1};       ///< linear
     TextureUse specular_texture{}, specular_color_texture{};
     float anisotropy = 0, anisotropy_rotation_rad = 0;  ///< KHR_materials_anisotropy
     TextureUse anisotropy_texture{};
     float clearcoat = 0, clearcoat_roughness = 0;  ///< KHR_materials_clearcoat
     TextureUse clearcoat_texture{}, clearcoat_roughness_texture{}, clearcoat_normal_texture{};
-    float clearcoat_normal_scale = 1;
-    vec3 sheen_color{0, 0, 0};  ///< KHR_materials_sheen, linear
-    float sheen_roughness = 0;
+    float clearcoat_normal_scale = 1;  ///< of the clearcoat's normal map
+    vec3 sheen_color{0, 0, 0};         ///< KHR_materials_sheen, linear
+    float sheen_roughness = 0;         ///< 0..1
     TextureUse sheen_color_texture{}, sheen_roughness_texture{};
     float transmission = 0;             ///< KHR_materials_transmission, 0..1
     TextureUse transmission_texture{};  ///< data: R
@@ -146,7 +153,7 @@ struct MetallicRoughnessParameters {
     vec3 attenuation_color{1, 1, 1};    ///< linear
     float dispersion = 0;               ///< KHR_materials_dispersion: 20 / Abbe number of a body
     float iridescence = 0;              ///< KHR_materials_iridescence, 0..1: a thin film over the material
-    float iridescence_ior = 1.3f;
+    float iridescence_ior = 1.3f;       ///< refraction index of the film
     float iridescence_thickness_min_nm = 100,
           iridescence_thickness_max_nm = 400;                           ///< at texel 0; at 1, and without map
     TextureUse iridescence_texture{}, iridescence_thickness_texture{};  ///< data: R; G
@@ -157,23 +164,24 @@ struct MetallicRoughnessParameters {
 /// automatic_gouraud_px (engine.h) on the picture, else Phong; Phong also where normal or roughness maps act.
 enum class Shading : std::uint8_t { unlit, flat, gouraud, phong, automatic };
 
+/// What a surface is made of.
 struct Material {
-    std::string name{};
+    std::string name{};  ///< for people; may be empty
     MaterialModel model = MaterialModel::metallic_roughness;
     vec4 base_color{1, 1, 1, 1};      ///< linear RGB (k_d of classical materials) and alpha
     TextureUse base_color_texture{};  ///< sRGB color and alpha, multiplies base_color
     TextureUse normal_texture{};      ///< tangent space, green up
-    float normal_scale = 1;
-    TextureUse height_texture{};  ///< gray height (classical bump map)
-    float height_scale = 1;
-    TextureUse opacity_texture{};    ///< data: its first channel multiplies alpha (MTL map_d)
-    TextureUse occlusion_texture{};  ///< data: R multiplies ambient light
-    float occlusion_strength = 1;
-    vec3 emission{0, 0, 0};         ///< linear, already multiplied by its strength; may exceed 1
-    TextureUse emission_texture{};  ///< sRGB
+    float normal_scale = 1;           ///< of the normal map's x and y
+    TextureUse height_texture{};      ///< gray height (classical bump map)
+    float height_scale = 1;           ///< multiplies Relief::depth
+    TextureUse opacity_texture{};     ///< data: its first channel multiplies alpha (MTL map_d)
+    TextureUse occlusion_texture{};   ///< data: R multiplies ambient light
+    float occlusion_strength = 1;     ///< 0..1 of the occlusion map
+    vec3 emission{0, 0, 0};           ///< linear, already multiplied by its strength; may exceed 1
+    TextureUse emission_texture{};    ///< sRGB
     AlphaMode alpha_mode = AlphaMode::opaque;
-    float alpha_cutoff = 0.5f;
-    bool double_sided = false;
+    float alpha_cutoff = 0.5f;                ///< mask: less alpha is not drawn
+    bool double_sided = false;                ///< false: seen from the front alone
     Lighting lighting = Lighting::automatic;  ///< automatic: as the picture's settings say
     SpecularForm specular_form = SpecularForm::automatic;
     std::optional<WardForm> ward_form{};
@@ -193,6 +201,7 @@ struct Material {
 
 // --- meshes --------------------------------------------------------------------------------------------------------------
 
+/// What a mesh's indices make.
 enum class Topology : std::uint8_t { triangles, lines, points };
 
 /// What Mesh::smoothing means: 3DS/ASE bit masks join when AND != 0, OBJ numbers join when equal; 0 is flat in both.
@@ -216,8 +225,9 @@ struct Subdivision {
     bool operator==(const Subdivision&) const = default;
 };
 
+/// A shape that a mesh turns to by its weight.
 struct MorphTarget {
-    std::string name{};
+    std::string name{};                              ///< for people; may be empty
     Block<vec3> positions{}, normals{}, tangents{};  ///< [V] offsets; each may be empty
     bool operator==(const MorphTarget&) const = default;
 };
@@ -237,6 +247,7 @@ struct NormalChoice {
 
 /// A surface given by its formula, about the origin, axis +Y: what the triangles of a built-in shape stand for.
 struct ExactShape {
+    /// Which of the formulas.
     enum class Kind : std::uint8_t { sphere, cylinder, cone, torus, plane };
     Kind kind = Kind::sphere;
     double radius = 1;            ///< [m] sphere, cylinder, base of the cone; torus: of the middle of its tube
@@ -248,7 +259,7 @@ struct ExactShape {
 
 /// Numbers that a file has for every vertex and that mean nothing to a picture by themselves: measurements, labels.
 struct VertexArray {
-    std::string name{};
+    std::string name{};            ///< as the file has it
     std::uint32_t components = 1;  ///< 1..16
     Block<float> values{};         ///< [V * components]; may hold NaN
     bool operator==(const VertexArray&) const = default;
@@ -256,7 +267,7 @@ struct VertexArray {
 
 /// Primitives of one topology and one material. Vertex arrays are [V] or empty.
 struct Mesh {
-    std::string name{};
+    std::string name{};  ///< for people; may be empty
     Topology topology = Topology::triangles;
     SmoothingKind smoothing_kind = SmoothingKind::none;  ///< of `smoothing`
     dvec3 origin{0, 0,
@@ -291,6 +302,7 @@ struct Mesh {
     std::uint32_t material = no_index;  ///< into Scene::materials; none: the default material
     std::uint32_t source_mesh = no_index,
                   source_primitive = no_index;  ///< where the file has it (glTF mesh and primitive)
+    /// 0 for lines and points.
     std::uint64_t triangle_count() const { return topology == Topology::triangles ? indices.size() / 3 : 0; }
     bool operator==(const Mesh&) const = default;
 };
@@ -299,27 +311,29 @@ struct Mesh {
 
 /// Local placement: translation * rotation * scale, or any matrix. Kept apart so that animation can set the parts.
 struct Transform {
-    dvec3 translation{0, 0, 0};
-    dquat rotation{};
-    dvec3 scale{1, 1, 1};
-    Rare<dmat4> matrix{};  ///< when set, it alone counts
+    dvec3 translation{0, 0, 0};  ///< [m]
+    dquat rotation{};            ///< unit
+    dvec3 scale{1, 1, 1};        ///< along the axes
+    Rare<dmat4> matrix{};        ///< when set, it alone counts
     bool operator==(const Transform&) const = default;
 };
 
+/// A place in the scene, with or without meshes.
 struct Node {
-    std::string name{};
+    std::string name{};               ///< for people; may be empty
     std::uint32_t parent = no_index;  ///< always less than the node's own index in a validated scene
     Transform local{};
-    std::vector<std::uint32_t> meshes{};  ///< into Scene::meshes; empty: a group
-    std::uint32_t skin = no_index;
-    std::vector<float> morph_weights{};
+    std::vector<std::uint32_t> meshes{};   ///< into Scene::meshes; empty: a group
+    std::uint32_t skin = no_index;         ///< into Scene::skins
+    std::vector<float> morph_weights{};    ///< [targets]
     std::uint32_t source_node = no_index;  ///< index in the file (glTF)
     std::optional<Shading> shading{};      ///< of it and of all that hangs from it; absent: as its parent
     bool operator==(const Node&) const = default;
 };
 
+/// What moves vertices by joints.
 struct Skin {
-    std::string name{};
+    std::string name{};                   ///< for people; may be empty
     std::vector<std::uint32_t> joints{};  ///< nodes
     std::vector<dmat4> inverse_bind{};    ///< [joints]
     bool operator==(const Skin&) const = default;
@@ -328,8 +342,10 @@ struct Skin {
 /// What a channel moves: a node's placement or its morph weights; a number or color of a material, light or camera
 /// (KHR_animation_pointer).
 enum class AnimationPath : std::uint8_t { translation, rotation, scale, morph_weights, material, light, camera };
+/// Between two keys, as in glTF.
 enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
 
+/// One thing that a clip moves.
 struct AnimationChannel {
     std::uint32_t element = no_index;  ///< into nodes, materials, lights or cameras, as `path` says
     AnimationPath path = AnimationPath::translation;
@@ -338,12 +354,14 @@ struct AnimationChannel {
     std::string property{};
     Block<float> times{};   ///< [K] seconds, ascending
     Block<float> values{};  ///< [K * width], times 3 for cubic splines (in-tangent, value, out-tangent)
+    /// Else it is of a material, light or camera.
     bool is_of_node() const { return path <= AnimationPath::morph_weights; }
     bool operator==(const AnimationChannel&) const = default;
 };
 
+/// A clip.
 struct Animation {
-    std::string name{};
+    std::string name{};  ///< for people; may be empty
     std::vector<AnimationChannel> channels{};
     bool goes_with_all = false;  ///< is shown whatever clip is: the paths of a world's cameras and lights
     bool operator==(const Animation&) const = default;
@@ -351,6 +369,7 @@ struct Animation {
 
 // --- lights and cameras --------------------------------------------------------------------------------------------------
 
+/// Where light comes from.
 enum class LightType : std::uint8_t { ambient, directional, point, spot };
 /// Two kinds of units, never mixed silently: classical colors and attenuation, or photometric lux and candela.
 enum class LightUnits : std::uint8_t { classical, photometric };
@@ -358,12 +377,12 @@ enum class LightUnits : std::uint8_t { classical, photometric };
 /// A light at its node (position: the node's origin, direction: along its -Z), or at `position` / `direction` in the
 /// world. Classical: color 1 at attenuation 1 means irradiance pi, so a white Lambert surface facing it has radiance 1.
 struct RL_API Light {
-    std::string name{};
+    std::string name{};  ///< for people; may be empty
     LightType type = LightType::point;
     LightUnits units = LightUnits::classical;
-    std::uint32_t node = no_index;
-    dvec3 position{0, 0, 0};
-    dvec3 direction{0, 0, -1};  ///< the way the light travels
+    std::uint32_t node = no_index;  ///< into Scene::nodes; none: in the world
+    dvec3 position{0, 0, 0};        ///< [m] world, without a node
+    dvec3 direction{0, 0, -1};      ///< the way the light travels
     vec3 ambient{0, 0, 0}, diffuse{1, 1, 1},
         specular{1, 1, 1};                          ///< classical, linear RGB; ambient light: only `ambient`
     float constant = 1, linear = 0, quadratic = 0;  ///< classical attenuation 1 / (c + l d + q d^2), d in meters
@@ -381,6 +400,7 @@ struct RL_API Light {
 /// Fog between the eye and the surface: factor f = (end - d) / (end - start), e^(-density d) or e^(-(density d)^2) of
 /// the distance d (OpenGL 2.1 specification, section 3.10); the color becomes f color + (1 - f) fog color.
 enum class FogKind : std::uint8_t { none, linear, exponential, exponential_squared };
+/// See FogKind.
 struct Fog {
     FogKind kind = FogKind::none;
     vec3 color{0.5f, 0.5f, 0.5f};  ///< linear
@@ -396,18 +416,19 @@ struct Environment {
     double rotation_rad = 0;  ///< about `up`
     dvec3 up{0, 1,
              0};  ///< where the picture's upper edge is, of length 1; the shortest turn from +Y takes the rest along
-    bool is_light = true, is_background = true;
+    bool is_light = true, is_background = true;  ///< it lights the scene; it is seen behind it
     bool operator==(const Environment&) const = default;
 };
 
+/// Central or parallel.
 enum class Projection : std::uint8_t { perspective, orthographic };
 
 /// A camera at its node (looking along -Z, up +Y), or placed by `to_world`.
 struct RL_API Camera {
-    std::string name{};
+    std::string name{};  ///< for people; may be empty
     Projection projection = Projection::perspective;
-    std::uint32_t node = no_index;
-    dmat4 to_world{};  ///< used when node is none: a rotation and a translation
+    std::uint32_t node = no_index;  ///< into Scene::nodes; none: `to_world`
+    dmat4 to_world{};               ///< used when node is none: a rotation and a translation
     double vertical_fov_rad =
         radians(40);  ///< perspective, 0..pi; of a scene, 0 beside a horizontal one: square pixels
     /// Perspective, 0..pi: the field of view across, whatever the picture's aspect: pixels need not be square then. Absent: square pixels.
@@ -429,6 +450,7 @@ struct ScenePose {
     bool operator==(const ScenePose&) const = default;
 };
 
+/// All that a picture is made of. Indices count from 0; validate() says what must hold.
 struct Scene {
     std::string source{};  ///< the file it came from, as the caller named it
     std::vector<Node> nodes{};

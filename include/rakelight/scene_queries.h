@@ -10,12 +10,12 @@ namespace rakelight {
 
 /// An axis-aligned box.
 struct RL_API Bounds {
-    dvec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    dvec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};  ///< [m]
     bool empty() const { return !(low.x <= high.x); }
-    dvec3 center() const;
+    dvec3 center() const;  ///< [m]
     /// @param i  0..7: bit 0, 1, 2 choose high x, y, z
     dvec3 corner(int i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}; }
-    double diagonal() const;
+    double diagonal() const;  ///< [m]
 };
 
 /// Box of all drawn vertices of all objects, in the world [m]; vertices that are not finite are left out. Empty when nothing

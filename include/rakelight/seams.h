@@ -19,6 +19,7 @@ inline constexpr double authored_equality = 1e-3;
 /// A corner's normal this near to its face's is that face's own, and faces this near to one another do not differ [degrees].
 inline constexpr double authored_flat_deg = 1;
 
+/// Where meshes are joined.
 struct SeamOptions {
     double crease_angle_rad = radians(60);  ///< as AttributeOptions::crease_angle_rad; that of a mesh goes before it
     double weld_distance = -1;              ///< as AttributeOptions::weld_distance

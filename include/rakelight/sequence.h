@@ -14,9 +14,9 @@ namespace rakelight {
 
 /// Which pictures of a sequence are drawn: first, first + step, ... up to last.
 struct FrameRange {
-    std::int64_t first = 0;
+    std::int64_t first = 0;              ///< number of a picture
     std::optional<std::int64_t> last{};  ///< inclusive; absent: the sequence's own last
-    std::int64_t step = 1;
+    std::int64_t step = 1;               ///< at least 1
     bool operator==(const FrameRange&) const = default;
 };
 
@@ -37,7 +37,7 @@ struct SequenceRequest {
 
 /// One picture of a sequence.
 struct SequenceFrame {
-    std::int64_t frame = 0;
+    std::int64_t frame = 0;   ///< its number
     double time_s = 0;        ///< of the clip; 0 without one
     bool is_skipped = false;  ///< it was there: `picture` has its names alone
     PictureResult picture{};

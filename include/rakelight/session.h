@@ -51,6 +51,7 @@ public:
     /// @throws Error as prepared(); what the engine throws: settings beyond its abilities
     RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context);
 
+    /// The engine that it draws with.
     const Engine& engine() const;
 
 private:

@@ -26,6 +26,7 @@ enum class TangentChoice : std::uint8_t { automatic, always, never };
 /// <rakelight/seams.h>; tangents turn along. `replaced`: they are made anew by SmoothFileOptions::attributes.
 enum class AuthoredNormals : std::uint8_t { seams, replaced };
 
+/// What smooth_file() does.
 struct SmoothFileOptions {
     /// `normals` and `tangents` are not read: tangents are made by the choice. Of these the crease angle and the weld distance hold
     /// for `seams` too; meshes without normals get them by all.
@@ -43,10 +44,11 @@ struct SmoothFileOptions {
 
 /// What happened to one mesh of the output (glTF: one primitive).
 struct SmoothedMesh {
-    std::string name{};
+    std::string name{};                                   ///< for people; may be empty
     std::uint32_t mesh = no_index, primitive = no_index;  ///< its numbers in the output where it is glTF
     std::uint64_t vertices = 0;                           ///< before
     std::uint64_t vertices_split = 0;  ///< copies that were added because corners of one vertex differ
+    /// What became of an attribute.
     enum class Change : std::uint8_t {
         none,
         kept,
@@ -58,8 +60,9 @@ struct SmoothedMesh {
     Change normals = Change::kept, tangents = Change::none;
 };
 
+/// What smooth_file() did.
 struct SmoothedFile {
-    std::string file{}, output{};
+    std::string file{}, output{};  ///< as they were named
     bool changed = false;  ///< false: the normals and tangents were these already; the file was copied byte by byte
     std::uint32_t meshes_added = 0;  ///< glTF: copies for placements that need normals of their own
     std::vector<SmoothedMesh> meshes{};

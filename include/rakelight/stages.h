@@ -14,10 +14,11 @@ namespace rakelight {
 
 /// What was written.
 struct StagesResult {
-    std::string file{}, folder{};
+    std::string file{}, folder{};      ///< the model; what was written
     std::vector<std::string> files{};  ///< names in the folder, index.html first; empty: `folder` is a page alone
 };
 
+/// A folder of files, or one page.
 enum class StagesForm : std::uint8_t {
     folder,
     single_file  ///< `request.output` names a page that holds its pictures and tables itself

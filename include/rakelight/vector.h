@@ -6,27 +6,31 @@
 
 namespace rakelight {
 
+/// Two numbers.
 template <class T>
 struct Vector2 {
-    T x{}, y{};
+    T x{}, y{};  ///< components
     constexpr T& operator[](std::size_t i) { return i == 0 ? x : y; }
     constexpr const T& operator[](std::size_t i) const { return i == 0 ? x : y; }
     bool operator==(const Vector2&) const = default;
 };
 
+/// Three numbers.
 template <class T>
 struct Vector3 {
-    T x{}, y{}, z{};
+    T x{}, y{}, z{};  ///< components
     constexpr T& operator[](std::size_t i) { return i == 0 ? x : i == 1 ? y : z; }
     constexpr const T& operator[](std::size_t i) const { return i == 0 ? x : i == 1 ? y : z; }
     bool operator==(const Vector3&) const = default;
 };
 
+/// Four numbers.
 template <class T>
 struct Vector4 {
-    T x{}, y{}, z{}, w{};
+    T x{}, y{}, z{}, w{};  ///< components
     constexpr T& operator[](std::size_t i) { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
     constexpr const T& operator[](std::size_t i) const { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+    /// The first three.
     constexpr Vector3<T> xyz() const { return {x, y, z}; }
     bool operator==(const Vector4&) const = default;
 };
@@ -52,7 +56,7 @@ struct Matrix3 {
 /// Rotation x i + y j + z k + w. The default is no rotation.
 template <class T>
 struct Quaternion {
-    T x{}, y{}, z{}, w{1};
+    T x{}, y{}, z{}, w{1};  ///< see above
     bool operator==(const Quaternion&) const = default;
 };
 
@@ -71,8 +75,10 @@ using dquat = Quaternion<double>;
 static_assert(sizeof(vec2) == 8 && sizeof(vec3) == 12 && sizeof(vec4) == 16 && sizeof(mat4) == 64);
 static_assert(sizeof(dvec3) == 24 && sizeof(dmat4) == 128);
 
-inline constexpr double pi = 3.14159265358979323846;
+inline constexpr double pi = 3.14159265358979323846;  ///< half a turn [rad]
+/// From degrees to radians.
 constexpr double radians(double degrees) { return degrees * (pi / 180.0); }
+/// From radians to degrees.
 constexpr double degrees(double radians) { return radians * (180.0 / pi); }
 
 }  // namespace rakelight

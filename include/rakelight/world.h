@@ -16,7 +16,7 @@ namespace rakelight {
 
 /// Where something stands in a file, from 1; 0: nowhere.
 struct WorldPlace {
-    int line = 0, column = 0;
+    int line = 0, column = 0;  ///< of its first character
     bool operator==(const WorldPlace&) const = default;
 };
 /// "line 3, column 7"
@@ -24,17 +24,17 @@ RL_API std::string to_text(WorldPlace place);
 
 /// A key with its value: words as people write them ("1.5", "on", "red"), and numbers where they are such.
 struct WorldValue {
-    std::string key{};
+    std::string key{};                 ///< as it is written
     std::vector<std::string> words{};  ///< one, or as many as the array has elements
     std::vector<double> numbers{};     ///< as many as `words`, or empty: some are no numbers
-    bool is_array = false;
-    WorldPlace place{};  ///< of the value; in [render] of the key
+    bool is_array = false;             ///< written in brackets
+    WorldPlace place{};                ///< of the value; in [render] of the key
     bool operator==(const WorldValue&) const = default;
 };
 
 /// Translation * rotation about x, then y, then z * scale.
 struct WorldPlacement {
-    dvec3 position{0, 0, 0}, rotation_deg{0, 0, 0}, scale{1, 1, 1};
+    dvec3 position{0, 0, 0}, rotation_deg{0, 0, 0}, scale{1, 1, 1};  ///< [m]; [degrees]; along the axes
 };
 
 /// A model file in the world.
@@ -44,7 +44,7 @@ struct WorldModel {
     WorldPlacement placement{};
     std::string material{};  ///< of the world, for all of it; empty: its own
     std::string normals{};   ///< "auto", "file", "flat", "object", "model"; empty: as the picture's options say
-    std::optional<double> crease_angle_rad{};
+    std::optional<double> crease_angle_rad{};  ///< 0..pi; absent: as the picture's options say
     std::optional<Subdivision> subdivision{};  ///< absent: as the picture's options say
     bool lights = false, cameras = false;      ///< whether the model's own come along
     std::optional<Shading> shading{};
@@ -59,11 +59,11 @@ struct WorldPrimitive {
     double width = 2, depth = 2;                        ///< [m] of the plane
     int divisions = 1;                                  ///< quads along a side of the plane or of the teapot's patches
     int objects = 1;                                    ///< it is cut into so many
-    double tolerance = 0;  ///< [m] farthest that a facet is from the surface; 0: a thousandth of the largest radius,
-                           ///< teapot: `divisions`
-    std::string material{};
-    std::string normals{};
-    std::optional<double> crease_angle_rad{};
+    double tolerance = 0;    ///< [m] farthest that a facet is from the surface; 0: a thousandth of the largest radius,
+                             ///< teapot: `divisions`
+    std::string material{};  ///< of the world; empty: the default material
+    std::string normals{};   ///< as WorldModel::normals
+    std::optional<double> crease_angle_rad{};  ///< 0..pi; absent: as the picture's options say
     std::optional<Subdivision> subdivision{};  ///< absent: as the picture's options say
     std::optional<Shading> shading{};
     WorldPlace place{}, material_place{}, objects_place{};
@@ -80,6 +80,7 @@ struct WorldMaterial {
     WorldPlace place{};
 };
 
+/// Light from all around, as a world file has it.
 struct WorldEnvironment {
     std::string file{};         ///< as written; empty: the built-in studio
     Environment environment{};  ///< without its picture
@@ -88,6 +89,7 @@ struct WorldEnvironment {
 
 /// A place, number or color of a camera or light of the world that `keys` move.
 struct WorldTrack {
+    /// Between two keys.
     enum class Between : std::uint8_t { linear, step, smooth };  ///< keys; smooth: a cubic spline through them
     AnimationPath path = AnimationPath::camera;                  ///< or light
     std::uint32_t element = 0;  ///< into WorldFile::cameras or lights; a track of one that is not there is left out
@@ -102,7 +104,7 @@ struct WorldTrack {
 struct WorldRemark {
     Remark kind = Remark::note;
     WorldPlace place{};
-    std::string message{};
+    std::string message{};  ///< for people
 };
 
 /// What a world file says, in its order. Numbers are finite and in range; files are not looked at.
@@ -160,6 +162,7 @@ struct PictureRequest;
 
 /// A key of [render] and what it sets.
 struct RenderKey {
+    /// How its value is written.
     enum class Kind : std::uint8_t {
         value,
         file,      ///< a file's name

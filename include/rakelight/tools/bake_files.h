@@ -10,6 +10,7 @@
 
 namespace rakelight {
 
+/// What bake_files() bakes.
 struct BakeRequest {
     std::string high{}, low{};  ///< what load() takes
     std::string output{};       ///< name of the pictures; {map} stands for the map's. PNG or EXR
@@ -22,14 +23,15 @@ struct BakeRequest {
 /// A picture that was written.
 struct BakedFile {
     BakeMap map = BakeMap::normal;
-    std::string file{};
+    std::string file{};  ///< that was written
 };
 
+/// What bake_files() wrote.
 struct BakeFilesResult {
-    std::string high{}, low{};
+    std::string high{}, low{};  ///< as they were named
     std::vector<BakedFile> files{};
-    std::string model{};
-    int width = 0, height = 0;
+    std::string model{};        ///< that was written, or empty
+    int width = 0, height = 0;  ///< [px]
     BakeReport report{};
 };
 

@@ -18,26 +18,26 @@ struct SmoothBenchOptions {
     bool shuffled = false;           ///< triangles and vertices of each object in random order, else as a grid has them
     std::uint32_t repetitions = 10;  ///< 1 to 1000, after one run that is not counted
     CornerWeight weight = CornerWeight::uniform;
-    double crease_angle_rad = pi;
-    double weld_distance = 0;  ///< [edge lengths of the model's grid] 0: exact
-    bool brute_force = false;  ///< also every vertex against every face, up to 50 000 triangles
-    bool crease = false;       ///< also crease_row_rad and the weight, whatever crease_angle_rad is
-    bool tolerance = false;    ///< also a weld within tolerance_row edge lengths
+    double crease_angle_rad = pi;  ///< 0..pi
+    double weld_distance = 0;      ///< [edge lengths of the model's grid] 0: exact
+    bool brute_force = false;      ///< also every vertex against every face, up to 50 000 triangles
+    bool crease = false;           ///< also crease_row_rad and the weight, whatever crease_angle_rad is
+    bool tolerance = false;        ///< also a weld within tolerance_row edge lengths
     bool order = false;  ///< also plain loop, normals, and normals and tangents of the other order (a second model)
     bool plan = false;   ///< also the steps apart, at crease_row_rad: group, accumulate, regroup
     bool borders =
         false;  ///< also a sphere whose neighbors do not share vertices (a third model), crease_row_rad: welded
                 ///< exactly, and then matched and joined within a quarter of an edge
-    static constexpr double crease_row_rad = radians(60);
-    static constexpr double tolerance_row = 0.1;
+    static constexpr double crease_row_rad = radians(60);  ///< of the rows `crease`, `plan` and `borders`
+    static constexpr double tolerance_row = 0.1;           ///< [edge lengths]
 };
 
 /// One thing measured. Times are wall clock; repetitions of all rows are interleaved.
 struct BenchRow {
-    std::string what{};
-    int threads = 1;
-    double ns_per_triangle = 0;  ///< median over the repetitions
-    double fastest_ns = 0, slowest_ns = 0;
+    std::string what{};                     ///< for people
+    int threads = 1;                        ///< that it ran on
+    double ns_per_triangle = 0;             ///< median over the repetitions
+    double fastest_ns = 0, slowest_ns = 0;  ///< [ns] a triangle
     double cpu_ns_per_triangle = 0;   ///< median of the processor time of all threads: less moved by a neighbor's load
     double cold_ns_per_triangle = 0;  ///< the first run, into memory never used before; 0: not measured
     double bytes_per_triangle = 0;    ///< held at most beyond input and output; 0: none or not measured
@@ -45,12 +45,13 @@ struct BenchRow {
     double ratio_to_brute_force = 0;  ///< the same, to the row "brute force, normals"; 0: none
 };
 
+/// What bench_smooth() measured.
 struct SmoothBenchReport {
-    std::uint64_t triangles = 0, vertices = 0;
-    std::uint32_t objects = 0;
-    std::string order{}, isa{};
-    double copy_gb_per_s = 0;  ///< bytes read plus bytes written by memcpy on all threads
-    bool huge_pages = false;   ///< asked for (madvise) for buffers and scratch
+    std::uint64_t triangles = 0, vertices = 0;  ///< of the model
+    std::uint32_t objects = 0;                  ///< of the model
+    std::string order{}, isa{};                 ///< of the model's triangles; instruction set
+    double copy_gb_per_s = 0;                   ///< bytes read plus bytes written by memcpy on all threads
+    bool huge_pages = false;                    ///< asked for (madvise) for buffers and scratch
     std::vector<BenchRow> rows{};
 };
 
@@ -78,17 +79,18 @@ struct PoseBenchOptions {
 
 /// One thing measured, of all vertices that move. Times are wall clock; repetitions of all rows are interleaved.
 struct PoseBenchRow {
-    std::string what{};
-    double median_ms = 0, fastest_ms = 0, slowest_ms = 0, cpu_ms = 0;
-    double ns_per_vertex = 0;  ///< by the median
-    double ratio_to_copy = 0;  ///< of medians, to the plain copy
+    std::string what{};                                                ///< for people
+    double median_ms = 0, fastest_ms = 0, slowest_ms = 0, cpu_ms = 0;  ///< [ms]
+    double ns_per_vertex = 0;                                          ///< by the median
+    double ratio_to_copy = 0;                                          ///< of medians, to the plain copy
 };
 
+/// What bench_pose() measured.
 struct PoseBenchReport {
-    std::string scene{};
+    std::string scene{};                        ///< what was posed, for people
     std::uint64_t triangles = 0, vertices = 0;  ///< of the meshes that move
-    std::uint32_t objects = 0, joints = 0;
-    int threads = 1;
+    std::uint32_t objects = 0, joints = 0;      ///< of the scene
+    int threads = 1;                            ///< that it ran on
     std::vector<PoseBenchRow> rows{};
 };
 
@@ -97,7 +99,9 @@ struct PoseBenchReport {
 /// by the groups of the bind pose; and pictures of it, from the moment of the clip to display values.
 /// @throws Error usage: options out of range, a scene in which nothing moves
 RL_API PoseBenchReport bench_pose(const PoseBenchOptions& options, Context& context);
+/// Schema rakelight.bench/1.
 RL_API std::string to_json(const PoseBenchReport& report);
+/// A table for people.
 RL_API std::string to_text(const PoseBenchReport& report);
 
 /// What to draw, how, and how often.
@@ -127,9 +131,9 @@ struct RenderBenchOptions {
 
 /// One engine's pictures. Times are wall clock; pictures of all engines are interleaved.
 struct RenderBenchRow {
-    std::string engine{}, isa{};
-    int threads = 0;
-    std::uint32_t lights = 0;
+    std::string engine{}, isa{};                           ///< its name; the instruction set, or empty
+    int threads = 0;                                       ///< that it ran on
+    std::uint32_t lights = 0;                              ///< of the scene
     double median_ms = 0, fastest_ms = 0, slowest_ms = 0;  ///< from vertices to 8-bit display values
     double cpu_ms = 0;      ///< median of the processor time of all threads: less moved by a neighbor's load
     double first_ms = 0;    ///< the picture that is not counted, into memory never used before
@@ -140,12 +144,13 @@ struct RenderBenchRow {
     RenderStats stats{};    ///< of the last picture
 };
 
+/// What bench_render() measured.
 struct RenderBenchReport {
-    std::string scene{};
-    std::uint64_t triangles = 0, vertices = 0;
-    std::uint32_t objects = 0, lights = 0;
-    int width = 0, height = 0;
-    std::uint32_t frames = 0;
+    std::string scene{};                        ///< what was drawn, for people
+    std::uint64_t triangles = 0, vertices = 0;  ///< of the scene
+    std::uint32_t objects = 0, lights = 0;      ///< of the scene
+    int width = 0, height = 0;                  ///< [px]
+    std::uint32_t frames = 0;                   ///< counted pictures of each engine
     std::vector<RenderBenchRow> rows{};
 };
 
@@ -157,6 +162,7 @@ RL_API RenderBenchReport bench_render(const RenderBenchOptions& options, Context
 
 /// Schema rakelight.bench/1: {"schema", "rows": [{"engine", "median_ms", ...}], and the scene}.
 RL_API std::string to_json(const RenderBenchReport& report);
+/// A table for people.
 RL_API std::string to_text(const RenderBenchReport& report);
 
 }  // namespace rakelight

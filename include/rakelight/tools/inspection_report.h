@@ -14,15 +14,17 @@ namespace rakelight {
 
 /// A heat map of a page.
 struct ReportPicture {
-    std::string caption{};
+    std::string caption{};  ///< below the picture
     Pixels pixels{};
 };
+/// A heat map with its caption, as 8-bit pixels.
 RL_API ReportPicture report_picture(std::string caption, const Frame& frame);
 
 /// Models on one page, one after the other: whether they pass, heat maps, seams, faults, objects. One file of HTML that refers to nothing
 /// outside of it and has no script.
 class RL_API InspectionPage {
 public:
+    /// Adds a model below those that are there.
     void add(const InspectionRow& row, std::span<const ReportPicture> pictures);
     /// The whole page. @throws Error failed
     void save(const std::string& path) const;

@@ -12,20 +12,23 @@ namespace rakelight {
 
 /// The file of a window.
 struct WindowPart {
+    /// PNG, EXR or HDR
     std::string file{};
     int x = -1, y = -1;  ///< [px] of its top left pixel in the whole picture; -1: the file says it
 };
 
+/// What join_windows() joins.
 struct JoinRequest {
     std::vector<WindowPart> parts{};
-    std::string output{};
+    std::string output{};       ///< to be written
     int width = 0, height = 0;  ///< [px] of the whole picture; 0: the parts say it
 };
 
+/// What join_windows() wrote.
 struct JoinResult {
-    std::string output{};
+    std::string output{};       ///< that was written
     int width = 0, height = 0;  ///< [px]
-    std::size_t parts = 0;
+    std::size_t parts = 0;      ///< how many
 };
 
 /// Writes the picture of which the parts are windows: PNG (8 or 16 bits a component), EXR (any channels) or HDR, all of one

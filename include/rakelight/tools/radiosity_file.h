@@ -13,8 +13,9 @@
 
 namespace rakelight {
 
+/// What radiosity_file() wrote.
 struct RadiosityFile {
-    std::string file{}, output{};
+    std::string file{}, output{};  ///< as they were named
     RadiosityReport report{};
     std::optional<LightmapReport> lightmap{};
 };
@@ -31,6 +32,7 @@ RL_API RadiosityFile radiosity_file(const PictureRequest& request, const std::op
 /// "room.glb: 19876 elements, 840 patches, 929 shots in 8.1 s; lightmap of 96 charts, 612.4 pixels a meter"
 RL_API std::string summary(const RadiosityFile& result);
 
+/// A row of `radiosity --json`.
 struct RadiosityRow : ReportRow {
     RadiosityFile result{};  ///< at least `file` and `output`
 };

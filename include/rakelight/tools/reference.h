@@ -21,6 +21,7 @@ inline constexpr Word<ReferenceMeasure> reference_measure_words[] = {{"flip", Re
 /// What passes where nobody says: a mean FLIP or an RMSE of at most 0.01, a PSNR of at least 40 dB, an SSIM of at least 0.99.
 RL_API double usual_threshold(ReferenceMeasure measure);
 
+/// What a picture is held against.
 struct ReferenceRequest {
     std::string picture{};  ///< file of the reference
     ReferenceMeasure measure = ReferenceMeasure::flip;
@@ -28,13 +29,14 @@ struct ReferenceRequest {
     std::string difference{};           ///< picture file for the FLIP of each pixel; empty: none
 };
 
+/// What came of it.
 struct ReferenceResult {
-    std::string reference{};
+    std::string reference{};  ///< file of the reference
     ReferenceMeasure measure = ReferenceMeasure::flip;
-    double threshold = 0;
+    double threshold = 0;           ///< that was held
     std::optional<double> value{};  ///< absent: ssim of pictures with a side under 11 pixels
-    bool passed = false;
-    std::string difference{};  ///< file that was written, or empty
+    bool passed = false;            ///< the value is within it
+    std::string difference{};       ///< file that was written, or empty
     PictureComparison comparison{};
 };
 

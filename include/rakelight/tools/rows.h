@@ -28,17 +28,19 @@ namespace rakelight {
 /// What rows of all kinds have.
 struct ReportRow {
     std::vector<ReportEntry> remarks{};
+    /// Report::left_out()
     std::uint64_t remarks_left_out = 0;
     std::optional<Error> error{};
 };
 
 /// What a picture is in a sequence.
 struct FrameRow {
-    std::int64_t frame = 0;
-    double time_s = 0;
+    std::int64_t frame = 0;   ///< its number
+    double time_s = 0;        ///< [s] of the clip
     bool is_skipped = false;  ///< it was there: only its names are known
 };
 
+/// A row of `render --json`.
 struct PictureRow : ReportRow {
     PictureResult result{};                      ///< at least `file` and `output`
     std::optional<ReferenceResult> reference{};  ///< when it was held against one
@@ -46,18 +48,21 @@ struct PictureRow : ReportRow {
     std::size_t movie_pictures = 0;              ///< of the movie that the output is; 0: it is a picture
 };
 
+/// A row of `check --json`.
 struct CheckRow : ReportRow {
-    std::string file{};
+    std::string file{};  ///< as it was named
     std::optional<SceneSummary> summary{};
 };
 
+/// A row of `inspect --json`.
 struct InspectionRow : ReportRow {
-    std::string file{};
+    std::string file{};  ///< as it was named
     std::optional<Inspection> inspection{};
     std::optional<std::vector<CheckFailure>> check{};  ///< when limits were checked
     std::string heat_map{};                            ///< the picture that was written, or empty
 };
 
+/// A row of `compare --json`.
 struct ComparisonRow : ReportRow {
     std::string a{}, b{};                ///< files or scenes
     std::string engine_a{}, engine_b{};  ///< of scenes; empty: pictures
@@ -67,25 +72,30 @@ struct ComparisonRow : ReportRow {
     std::string output{};                  ///< the difference picture or page that was written, or empty
 };
 
+/// A row of `explain --json`.
 struct ExplainRow : ReportRow {
-    std::string file{};
-    int x = 0, y = 0;
+    std::string file{};  ///< as it was named
+    int x = 0, y = 0;    ///< [px] of the pixel
     std::shared_ptr<const ExplainedPixel> pixel{};
 };
 
+/// A row of `stages --json`.
 struct StagesRow : ReportRow {
     StagesResult result{};  ///< at least `file` and `folder`
 };
 
+/// A row of `smooth --json`.
 struct SmoothedFileRow : ReportRow {
-    std::string file{};
+    std::string file{};  ///< as it was named
     std::optional<SmoothedFile> result{};
 };
 
+/// A row of `join-windows --json`.
 struct JoinRow : ReportRow {
     JoinResult result{};  ///< at least `output`
 };
 
+/// A row of `bake --json`.
 struct BakeRow : ReportRow {
     BakeFilesResult result{};  ///< at least `high` and `low`
 };

@@ -17,6 +17,7 @@ struct DisplayRows {
     std::size_t stride = 0;          ///< [px] from row to row
 };
 
+/// A sink that takes the picture in strips of rows.
 class RL_API StripSink : public Sink {
 public:
     /// How many rows this sink holds at once: 0 all of the window, else 64 or more. Asked after begin(). Engines

@@ -19,9 +19,11 @@ RL_API Error wrong(const std::string& setting, std::string reason, std::string a
 
 /// Finite numbers separated by commas, exactly `count` of them.
 RL_API std::vector<double> numbers(const std::string& setting, std::string_view text, std::size_t count);
+/// One finite number.
 RL_API double number(const std::string& setting, std::string_view text);
 /// One in low..high.
 RL_API double number(const std::string& setting, std::string_view text, double low, double high);
+/// Three finite numbers.
 RL_API dvec3 vector3(const std::string& setting, std::string_view text);
 
 /// An integer in low..high.
@@ -66,10 +68,12 @@ T word(const std::string& setting, std::string_view text, std::span<const Word<T
     for (const Word<T>& word : words) names.push_back(word.name);
     return words[word_number(setting, text, names)].value;
 }
+/// The same of an array.
 template <class T, std::size_t n>
 T word(const std::string& setting, std::string_view text, const Word<T> (&words)[n]) {
     return word<T>(setting, text, std::span(words));
 }
+/// The same of a list.
 template <class T>
 T word(const std::string& setting, std::string_view text, std::initializer_list<Word<T>> words) {
     return word<T>(setting, text, std::span(words.begin(), words.size()));

@@ -11,10 +11,11 @@
 
 namespace rakelight {
 
+/// A value with the word that people write for it.
 template <class T>
 struct Word {
-    const char* name;
-    T value{};
+    const char* name;  ///< as it is written
+    T value{};         ///< what it means
 };
 
 inline constexpr Word<Lighting> lighting_words[] = {
