@@ -75,7 +75,7 @@ class Form(unittest.TestCase):
     def test_versions_and_options_are_those_of_the_project(self):
         self.assertEqual(json.loads((ROOT / "vcpkg.json").read_text())["version-semver"], version())
         self.assertEqual(recipe()["package"]["version"], version())
-        known = set(re.findall(r"RAKELIGHT_[A-Z]+", (ROOT / "CMakeLists.txt").read_text()))
+        known = set(re.findall(r"option\((RAKELIGHT_[A-Z]+)", (ROOT / "cmake/RakelightOptions.cmake").read_text()))
         used = set(re.findall(r"RAKELIGHT_[A-Z]+", (ROOT / "vcpkg.json").read_text() + (ROOT / "packages/conda/meta.yaml").read_text()))
         self.assertTrue(used and used <= known, used - known)
 

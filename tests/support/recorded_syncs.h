@@ -53,7 +53,7 @@ extern "C" int fsync(int fd) {
     return int(::syscall(SYS_fsync, fd));
 }
 
-extern "C" int rename(const char* from, const char* to) noexcept {
+extern "C" __attribute__((visibility("default"))) int rename(const char* from, const char* to) noexcept {
     if (rakelight::test::RecordedSyncs* const recorder = rakelight::test::RecordedSyncs::current())
         recorder->calls.push_back("rename " + rakelight::test::RecordedSyncs::short_name(from) + " " +
                                   rakelight::test::RecordedSyncs::short_name(to));

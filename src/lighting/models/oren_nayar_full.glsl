@@ -43,8 +43,8 @@ RL_FN FacetAngles facet_angles(vec3 n, vec3 l, vec3 v)
     vec3 across_v = cross(n, v);
     real length_l = sqrt(dot(across_l, across_l));
     real length_v = sqrt(dot(across_v, across_v));
-    real cos_l = max(dot(n, l), 0.0f);
-    real cos_v = max(dot(n, v), 0.0f);
+    real cos_l = clamp(dot(n, l), 0.0f, 1.0f);
+    real cos_v = clamp(dot(n, v), 0.0f, 1.0f);
     real sin_l = select(cos_l > 0.0f, min(length_l, 1.0f), 1.0f);
     real sin_v = select(cos_v > 0.0f, min(length_v, 1.0f), 1.0f);
     real rise_l = quarter_share(cos_l, sin_l);  // over the horizon: what is left of the angle to the normal
