@@ -93,8 +93,8 @@ RANGES = {
         **{f"{method} at {view} degrees: difference to displacement [1/255]": r for view, values in (
             (0, ((10, 20), (3, 9), (3, 9), (2, 8), (2, 8))), (48, ((31, 40), (25, 31), (24, 30), (8, 18), (8, 17))), (73, ((35, 45), (28, 34), (25, 34), (12, 24), (10, 22))))
            for method, r in zip(("normal", "parallax-limited", "parallax", "steep", "occlusion"), values)},
-        "ridges at 60 degrees, none: pixels of the grooves' floor [%]": (35, 60), "ridges at 60 degrees, parallax: pixels of the grooves' floor [%]": (2, 14),
-        "ridges at 60 degrees, steep: pixels of the grooves' floor [%]": (8, 28), "ridges at 60 degrees, displacement: pixels of the grooves' floor [%]": (8, 28)},
+        "error at 73 degrees that parallax-limited takes away [%]": (8, 20),
+        **{f"grooves {depth} deep, {method}: pixels of the floor [%]": (1, 60) for depth in ("0.06", "0.2") for method in ("none", "parallax-limited", "parallax", "steep", "displacement")}},
     "s3-outline": {
         **{f"{method}: pixels of the outline that change [%]": NONE for method in ("height", "normal", "parallax", "steep", "occlusion")},
         "displacement: pixels of the outline that change [%]": (0.3, 5)},
@@ -116,3 +116,4 @@ RANGES = {
         "a normal map: change with the preset [1/255]": NONE},
     "s2-slopes": {"stages that tell dz/dx": SOME},
 }
+for _n in ("s1-routine","s1-fig7","s1-tangents-smoothed"): RANGES.setdefault(_n, {})

@@ -13,27 +13,31 @@ METHODS = ("none", "normal", "parallax-limited", "parallax", "steep", "occlusion
 ANGLES = {view[0]: view for view in bumps.VIEWS}
 SPHERE = (*bumps.SPHERE, "--bump-depth", "0.02", "--shading", "unlit", "--background", "0,0,0", "--color", "#ffffff")
 WIDE = 240, 104
+DEPTHS = ("0.06", "0.2")
 
 
 def at(view, method, *more):
     return (*bumps.wall_at(*ANGLES[view]), "--bump", method, *more)
 
 
-def ridges(kit, method):
-    """Arguments of four upright ridges between grooves as wide, the grooves red; seen at 60 degrees a ridge hides five sixths of a groove."""
-    heights, colors, side = kit.folder / "ridges.png", kit.folder / "grooves.png", 128
+def ridges(kit, method, depth="0.06"):
+    """Arguments of four upright ridges between grooves as wide, the grooves red; seen at 60 degrees a ridge hides five sixths of a groove 0.06 deep, and all of one 0.2 deep."""
+    heights, normals, colors, side = kit.folder / "ridges.png", kit.folder / "ridges-normal.png", kit.folder / "grooves.png", 128
     if not colors.exists():
         is_ridge = [x % 32 < 16 for x in range(side)]
+        slopes = [is_ridge[x - 1] - is_ridge[(x + 1) % side] for x in range(side)]
         write_rgb(heights, side, side, b"".join(bytes((255, 255, 255) if up else (0, 0, 0)) for up in is_ridge) * side)
+        write_rgb(normals, side, side, b"".join(bytes((128 + 90 * slope, 128, 218 if slope else 255)) for slope in slopes) * side)
         write_rgb(colors, side, side, b"".join(bytes((150, 150, 150) if up else (230, 0, 0)) for up in is_ridge) * side)
-    return (MAPS_WALL, "--texture-base-color", colors, "--height-map", heights, "--shading", "unlit", "--allow-outside", "--bump", method, "--bump-depth", "0.06", "--bump-steps", "64,64",
-            "--displacement-edge", "0.02" if kit.is_small else "0.004", "--camera-position", "2.94,0,1.7", "--camera-focal-point", "0,0,0", "--camera-view-angle", "20")
+    edge = 0.02 if kit.is_small else 0.004
+    return (MAPS_WALL, "--texture-base-color", colors, "--height-map", heights, "--texture-normal", normals, "--shading", "unlit", "--allow-outside", "--bump", method, "--bump-depth", depth,
+            "--bump-steps", "64,64", "--displacement-edge", edge, "--camera-position", "2.94,0,1.7", "--camera-focal-point", "0,0,0", "--camera-view-angle", "20")
 
 
-def red(kit, method):
-    """[%] of the pixels that show the floor of a groove."""
-    pixels = kit.picture(ridges(kit, method), 480, 160).part(0.4, 0.3, 0.6, 0.7)
-    return 100 * sum(p[0] > 150 and p[1] < 40 for p in pixels) / len(pixels)
+def floor(kit, method, depth):
+    """[%] of the pixels that show the floor of a groove; what has gray of the ridges mixed in, as their sides have, is none."""
+    pixels = kit.picture(ridges(kit, method, depth), 480, 160).part(0.4, 0.3, 0.6, 0.7)
+    return 100 * sum(p[0] > 150 and p[1] < 5 for p in pixels) / len(pixels)
 
 
 def measure_methods(kit):
@@ -41,15 +45,19 @@ def measure_methods(kit):
     for view in ANGLES:
         for method in METHODS[1:]:
             found[f"{method} at {view} degrees: difference to displacement [1/255]"] = kit.rmse(at(view, method), at(view, "displacement"), *size)
-    for method in ("none", "parallax", "steep", "displacement"):
-        found[f"ridges at 60 degrees, {method}: pixels of the grooves' floor [%]"] = red(kit, method)
+    found["error at 73 degrees that parallax-limited takes away [%]"] = 100 - 100 * found["parallax-limited at 73 degrees: difference to displacement [1/255]"] / found[
+        "normal at 73 degrees: difference to displacement [1/255]"]
+    for depth in DEPTHS:
+        for method in ("none", "parallax-limited", "parallax", "steep", "displacement"):
+            found[f"grooves {depth} deep, {method}: pixels of the floor [%]"] = floor(kit, method, depth)
     return found
 
 
 def draw_methods(kit, path):
-    methods = ("none", "normal", "parallax", "steep", "occlusion", "displacement")
-    kit.sheet(path, [[*(at(view, method) for view in ANGLES), (ridges(kit, "height" if method == "normal" else method))] for method in methods], 200, 86, lines=list(methods),
-              columns=[*(f"{view} degrees" for view in ANGLES), "ridges, 60 degrees"], colors=64)
+    methods = {**{method: () for method in METHODS}, "self-shadow": ("--bump-self-shadow",), "displacement": ()}
+    kit.sheet(path, [[*(at(view, {"self-shadow": "steep"}.get(method, method), *more) for view in ANGLES),
+                      ridges(kit, {"self-shadow": "steep"}.get(method, method), "0.2")] for method, more in methods.items()], 176, 76, lines=list(methods),
+              columns=[*(f"{view} degrees" for view in ANGLES), "deep grooves, 60"], colors=48)
 
 
 def measure_parallax(kit):
@@ -65,7 +73,8 @@ def measure_parallax(kit):
 
 
 def draw_parallax(kit, path):
-    kit.sheet(path, [[MAPS / "brick_normal.png", MAPS / "brick_height.png", at(48, "normal"), at(48, "parallax")]], 180, 180, below=[["normal map", "heights", "normal mapping", "parallax"]])
+    kit.sheet(path, [[MAPS / "brick_normal.png", MAPS / "brick_height.png", at(48, "normal"), at(48, "parallax-limited"), at(48, "parallax")]], 160, 160,
+              below=[["normal map", "heights", "normal mapping", "parallax-limited", "parallax, by V.z"]])
 
 
 def measure_outline(kit):
