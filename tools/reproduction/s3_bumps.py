@@ -13,7 +13,7 @@ METHODS = ("none", "normal", "parallax-limited", "parallax", "steep", "occlusion
 ANGLES = {view[0]: view for view in bumps.VIEWS}
 SPHERE = (*bumps.SPHERE, "--bump-depth", "0.02", "--shading", "unlit", "--background", "0,0,0", "--color", "#ffffff")
 WIDE = 240, 104
-DEPTHS = ("0.06", "0.2")
+DEPTHS, DEEP = ("0.06", "0.2"), ("0.005", "0.05", "0.12")
 
 
 def at(view, method, *more):
@@ -74,7 +74,33 @@ def measure_parallax(kit):
 
 def draw_parallax(kit, path):
     kit.sheet(path, [[MAPS / "brick_normal.png", MAPS / "brick_height.png", at(48, "normal"), at(48, "parallax-limited"), at(48, "parallax")]], 160, 160,
-              below=[["normal map", "heights", "normal mapping", "parallax-limited", "parallax, by V.z"]])
+              below=[["normal map", "heights", "normal mapping", "parallax-limited", "parallax, by v.z"]])
+
+
+def bumpy(method, depth):
+    """The wall with bumps of another depth; the normals of its map, which was made for 0.05, are scaled with it."""
+    return at(48, method, "--bump-depth", depth, "--normal-scale", f"{float(depth) / 0.05:g}")
+
+
+def measure_depth(kit):
+    """Error of parallax and of normal mapping as the depth grows, at 48 degrees; and what shadows and the viewer do."""
+    found, size = {}, [side / kit.scale for side in WIDE]
+    for depth in DEEP:
+        normal, parallax, true = (bumpy(method, depth) for method in ("normal", "parallax", "displacement"))
+        found[f"depth {depth}, normal: difference to displacement [1/255]"] = kit.rmse(normal, true, *size)
+        found[f"depth {depth}, parallax: difference to displacement [1/255]"] = kit.rmse(parallax, true, *size)
+        found[f"depth {depth}: parallax beside normal mapping [1/255]"] = kit.rmse(normal, parallax, *size)
+    found["steep: pixels that shadows of bumps change [%]"] = kit.differing(at(48, "steep"), at(48, "steep", "--bump-self-shadow"), *size)
+    wall = (MAPS_WALL, *bumps.maps("brick"), *bumps.LAMP, "--lighting", "lambert", "--camera-focal-point", "0.1,0.1,0", "--camera-view-angle", "20", "--bump")
+    for method in ("normal", "parallax"):
+        seen = [kit.explain((*wall, method, "--camera-position", eye), [(0.5, 0.5)], 320 / kit.scale, 240 / kit.scale)[0]["layers"][0] for eye in ("0.1,0.1,3", "2.5,0.1,1.4")]
+        found[f"{method}: the same place from two sides, texture moves [% of the texture]"] = 100 * max(abs(a - b) for a, b in zip(*(layer["maps"][0]["uv"] for layer in seen)))
+    return found
+
+
+def draw_depth(kit, path):
+    methods = ("normal", "parallax", "displacement")
+    kit.sheet(path, [[bumpy(method, depth) for depth in DEEP] for method in methods], 200, 86, lines=list(methods), columns=[f"depth {d}" for d in DEEP], colors=64)
 
 
 def measure_outline(kit):
@@ -107,7 +133,7 @@ def draw_border(kit, path):
 def time_methods(kit):
     """A wall that fills 640 x 360 pixels, one thread: shading [ns a pixel]."""
     found = {}
-    for method in METHODS:
+    for method in (*METHODS, "displacement"):
         row = kit.row("bench", "render", "data/maps/wall.obj", "--look", "plain", *bumps.maps("brick"), "--camera-position", "0,0,1", "--camera-focal-point", "0,0,0", "--bump", method,
                       "--resolution", "640,360", "--frames", "5", "--threads", "1", "--lighting", "blinn-phong")
         found[f"{method} [ns a pixel]"] = row["stages_ms"]["shading"] * 1e6 / row["stats"]["pixels_shaded"]
@@ -117,6 +143,7 @@ def time_methods(kit):
 ENTRIES = (
     Entry("s3-fig9", "S3 fig. 9", "Normal map and depth map together shift the texture, the more the lower the view", measure_parallax, draw_parallax),
     Entry("s3-fig10", "S3 fig. 10", "Normal mapping is wrong at grazing angles, parallax repairs it, steep parallax lets parts hide parts", measure_methods, draw_methods, time_methods),
+    Entry("s3-depth", "S3, parallax mapping", "On small detail parallax and normal mapping hardly differ; parallax gets artifacts as depth grows", measure_depth, draw_depth),
     Entry("s3-outline", "S3, bump mapping", "Fake bumps leave the outline smooth, real ones do not", measure_outline, draw_outline),
     Entry("s3-border", "S3, parallax mapping", "No parallax method shows bumps beyond the border of the texture", measure_border, draw_border),
 )
