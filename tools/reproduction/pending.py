@@ -101,7 +101,8 @@ def measure_rough(kit):
 
 def draw_rough(kit, path):
     models = ("lambert", "oren-nayar", "oren-nayar-full")
-    kit.sheet(path, [[(*ROUGH, "--lighting", model) for model in models]], 200, 160, below=[list(models)], colors=0)
+    kit.sheet(path, [[(*ROUGH[:-1], light, "--lighting", model) for model in models] for light in ("directional:0,0,-1", ROUGH[-1])], 200, 160,
+              below=[[f"{model}, from viewer" for model in models], list(models)], colors=0)
 
 
 ENTRIES = (

@@ -83,7 +83,7 @@ RANGES = {
         **{f"{how}: evaluations, twice as wide and high over that": (1, 1.2) for how in ("flat", "gouraud")}, "phong: evaluations, twice as wide and high over that": (3.8, 4.2),
         **{f"{how}, 4 divisions: inside, difference to faces as small as pixels [1/255]": r
            for how, r in (("unlit", (24, 32)), ("flat", (19, 23.9)), ("gouraud", (9, 18.9)), ("phong", (2, 8.9)))},
-        "gouraud, 16 divisions: inside, difference to faces as small as pixels [1/255]": (2.6, 6), "phong, 16 divisions: inside, difference to faces as small as pixels [1/255]": (0.3, 2.5)},
+        "gouraud, 16 divisions: inside, difference to faces as small as pixels [1/255]": (3.2, 7), "phong, 16 divisions: inside, difference to faces as small as pixels [1/255]": (0.3, 3.1)},
     "s2-rays": {
         "tests of the naive loop over pixels x triangles": (1, 1), "pixels of the naive loop that differ from the tree's [%]": (0, 0.1),
         "sphere by its formula beside its triangles: pixels that differ [%]": (5, 40), "triangles by rays beside incremental synthesis: pixels that differ [%]": (0, 0.5),

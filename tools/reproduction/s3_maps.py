@@ -127,8 +127,7 @@ def draw_frames(kit, path):
     for scene in (LEANING, FACES):
         vertex, transposed = ((*scene, *FRAMES[name]) for name in ("vertex", "transposed"))
         rows.append([scene, vertex, transposed, (vertex, transposed, 8)])
-    words = ["world", "inverse, vertices", "transposed, vertices", "inverse - transposed, x 8"]
-    kit.sheet(path, rows, 190, 148, lines=["leaning", "of faces"], below=[words, words])
+    kit.sheet(path, rows, 190, 148, below=[[f"{kind}, {way}" for way in ("world", "inverse", "transposed", "difference x 8")] for kind in ("leaning", "of faces")])
 
 
 ENTRIES = (
