@@ -73,7 +73,8 @@ RANGES = {
         "cyclic overlap in the opposite order: pixels that change, z-buffer [%]": NONE},
     "s2-z-buffer": {
         **{f"{scene}: pixels that differ, the worst of four formats [%]": (0, 0.05) for scene in ("cyclic", "crossing", "teapot")},
-        "planes 2 cm apart at 20 m: pixels that z16 has wrong [%]": (5, 40), "planes 2 cm apart at 20 m: pixels that z24 has wrong [%]": NONE},
+        "planes 2 cm apart at 20 m: pixels that z16 has wrong [%]": (5, 40), "planes 2 cm apart at 20 m: pixels that z24 has wrong [%]": NONE,
+        "the same with near 0.15 m, far 40 m: pixels that z16 has wrong [%]": (1, 40), "the same with near 5 m, far 40 m: pixels that z16 has wrong [%]": (0, 0.1)},
     "s2-depth-precision": {
         "near [m]": (1, 1), "far [m]": (1000, 1000), "depths in the first 2 % of the range [%]": (95.32, 95.34), "the same by the formula [%]": (95.32, 95.34),
         "range that 98 % of the depths reach [%]": (4.67, 4.68)},
