@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What not every build of the program has: rays, the fixed-function preset, the slopes of depth. Entries that need them are left out without."""
+"""What not every build of the program has: rays, the fixed-function preset, the slopes of depth, bitangents of their own, the full model of Oren and Nayar.
+Entries that need them are left out without."""
+import bump_pictures as bumps
+
 from .kit import Entry
 
 FIXED = ("--preset", "fixed-function")
@@ -8,7 +11,11 @@ TEAPOT = ("builtin:teapot", "--camera-position", "0.9,1.4,2.6", "--camera-focal-
 ONE = ("--light", "point:2,3,3:color=0.7,0.7,0.7", "--light", "ambient:0.13,0.13,0.13")
 FULL = (*TEAPOT, *ONE, "--lighting", "pbr", "--shadows")
 NARROW = ("builtin:teapot", "--camera-position", "0.9,1.4,2.6", "--camera-focal-point", "0.07,0.45,0", "--camera-view-angle", "32")
-NAMES = ("s1-table1", "s2-slopes")
+NEED = {"s1-table1": "--preset", "s1-bitangents": "--bitangents", "s1-oren-nayar": "oren-nayar-full"}
+SHEARED = bumps.SHEARED
+SQUARE = ("data/maps/wall.obj", *bumps.SHEARED[1:])
+ROUGH = ("builtin:sphere", "--color", "#c04030", "--roughness", "1", "--camera-position", "0,0,4.5", "--camera-focal-point", "0,0,0", "--camera-view-angle", "29",
+         "--light", "directional:1,-0.3,-0.4")
 RAYS = ("s2-rays", "s3-fig1")
 
 
@@ -16,17 +23,11 @@ def lacks(kit, name):
     """Why the entry cannot be made with this program; None: it can be."""
     if name in RAYS and kit.run("render", "builtin:plane", "--engine", "trace", "--resolution", "8,8", "-o", kit.folder / "try.png", codes=range(256)).returncode:
         return "this program follows no rays"
-    if name == "s1-table1" and "--preset" not in kit.run("render", "--help").stdout:
-        return "this program has no --preset"
-    if name == "s2-slopes" and not slopes(kit):
+    if name in NEED and NEED[name] not in kit.run("render", "--help").stdout:
+        return f"this program has no {NEED[name]}"
+    if name == "s2-slopes" and "slopes" not in " ".join(map(str, kit.stages(NARROW)[1]("depth").get("columns", ()))):
         return "this program's stages tell no slopes"
     return None
-
-
-def slopes(kit):
-    """Numbers and columns of all stages that speak of dz/dx."""
-    folder, _ = kit.stages(NARROW)
-    return [path for path in sorted(folder.glob("*.json")) if "dz/dx" in path.read_text()]
 
 
 def lamps(count):
@@ -34,12 +35,13 @@ def lamps(count):
 
 
 def measure_table(kit):
-    fixed = (*TEAPOT, *ONE, *FIXED)
-    same = (*TEAPOT, *ONE, "--shading", "gouraud", "--lighting", "blinn-phong", "--bump", "none", "--shadows", "off")
+    fixed, size = (*TEAPOT, *ONE, *FIXED), (320 / kit.scale, 240 / kit.scale)
+    bare = ("data/maps/wall.obj", "--camera-position", "1.2,0.4,3.1", "--camera-focal-point", "0,0,0", "--camera-view-angle", "36", *ONE)  # a classical material
+    words = ("--shading", "gouraud", "--lighting", "blinn-phong", "--specular", "textbook", "--viewer-infinity", "--bump", "none", "--shadows", "off")
     eight, eleven = ((*TEAPOT, *lamps(n), *FIXED) for n in (8, 11))
-    return {"preset beside gouraud, blinn-phong, no bumps, no shadows [1/255]": kit.rmse(fixed, same),
+    return {"a classical material: preset beside its options one by one [1/255]": kit.rmse((*bare, *FIXED), (*bare, *words)),
             "preset beside the programmable pipeline [1/255]": kit.rmse(fixed, FULL),
-            "evaluations, programmable over preset": kit.stats(FULL)["lighting_evaluations"] / kit.stats(fixed)["lighting_evaluations"],
+            "evaluations, programmable over preset": kit.stats(FULL, *size)["lighting_evaluations"] / kit.stats(fixed, *size)["lighting_evaluations"],
             "a ninth to eleventh light: change with the preset [1/255]": kit.rmse(eight, eleven),
             "a normal map: change with the preset [1/255]": kit.rmse(fixed, (*(w for w in fixed if "normal" not in w),))}
 
@@ -55,10 +57,57 @@ def time_table(kit):
 
 
 def measure_slopes(kit):
-    return {"stages that tell dz/dx": len(slopes(kit))}
+    """Depths by steps of the slopes, beside those of the engine, of all visible triangles; and from pixel to pixel inside of one."""
+    table = kit.stages(NARROW)[1]("depth")
+    numbers, rows = table["numbers"], table["rows"]
+    wall = ("builtin:plane", "--camera-position", "0,1,2", "--camera-focal-point", "0,0,0", "--camera-view-angle", "30")
+    w, h = kit.size(320, 240)
+    a, b = (row["triangles"][0] for row in kit.explain(wall, [(0.5 + 0.2 / w, 0.4), (0.5 + 10.2 / w, 0.4 + 6 / h)]))
+    slope = a["depth_plane"]["slope"]
+    return {"triangles": len(rows), "largest difference, all visible triangles [depth key]": numbers["largest difference, all visible triangles"],
+            "largest change of the depth key by the steps": max(abs(row[7] - row[3]) for row in rows),
+            "floor, ten pixels on and six down: key less the slopes' [depth key]": b["depth_key"] - a["depth_key"] - 10 * slope[0] - 6 * slope[1],
+            "floor: change of the key on that way [depth key]": abs(b["depth_key"] - a["depth_key"])}
+
+
+def draw_slopes(kit, path):
+    folder, _ = kit.stages(NARROW, 320, 240)
+    kit.sheet(path, [[folder / "depth.png", folder / "picture.png"]], 320, 240, below=[["depth", "the picture"]], colors=128)
+
+
+def measure_bitangents(kit):
+    """Sheared texture coordinates: v is not across u, so the cross product is not its direction."""
+    own = (*SHEARED, "--bitangents", "attribute")
+    return {"bitangents of their own beside the cross product [1/255]": kit.rmse(SHEARED, own, 208, 208), "pixels that differ [%]": kit.differing(SHEARED, own, 208, 208),
+            "a square that is not sheared: pixels that differ [%]": kit.differing(SQUARE, (*SQUARE, "--bitangents", "attribute"), 208, 208)}
+
+
+def draw_bitangents(kit, path):
+    own = (*SHEARED, "--bitangents", "attribute")
+    kit.sheet(path, [[SHEARED, own, (own, SHEARED, 4)]], 208, 208, below=[["cross product", "bitangents of their own", "difference x 4"]], colors=0)
+
+
+def measure_rough(kit):
+    """The rough models beside Lambert's: at the rim towards the light, and in color."""
+    found, color = {}, {}
+    for model in ("lambert", "oren-nayar", "oren-nayar-full"):
+        middle, rim = (row["color"] for row in kit.explain((*ROUGH[:-1], "directional:0,0,-1", "--lighting", model), [(0.5, 0.5), (0.21, 0.5)]))
+        side = kit.explain((*ROUGH, "--lighting", model), [(0.42, 0.45)])[0]["color"]
+        found[f"{model}, lit from the viewer: light at the rim over that of the middle"], color[model] = rim[0] / middle[0], side[0] / side[1]
+    found["red over green, full over qualitative"] = color["oren-nayar-full"] / color["oren-nayar"]
+    found["full beside qualitative [1/255]"] = kit.rmse((*ROUGH, "--lighting", "oren-nayar"), (*ROUGH, "--lighting", "oren-nayar-full"))
+    return found
+
+
+def draw_rough(kit, path):
+    models = ("lambert", "oren-nayar", "oren-nayar-full")
+    kit.sheet(path, [[(*ROUGH[:-1], light, "--lighting", model) for model in models] for light in ("directional:0,0,-1", ROUGH[-1])], 200, 160,
+              below=[[f"{model}, from viewer" for model in models], list(models)], colors=0)
 
 
 ENTRIES = (
     Entry("s1-table1", "S1 table 1", "The fixed-function pipeline beside the programmable one", measure_table, draw_table, time_table),
-    Entry("s2-slopes", "S2, incremental principle", "The slopes of a triangle's depth are used from pixel to pixel", measure_slopes),
+    Entry("s1-oren-nayar", "S1 section 2.1", "The model of Oren and Nayar is for rough matte surfaces", measure_rough, draw_rough),
+    Entry("s1-bitangents", "S1 section 5.2, S3", "The smoothed bitangent is an attribute of its own", measure_bitangents, draw_bitangents),
+    Entry("s2-slopes", "S2, incremental principle", "The slopes of a triangle's depth are used from pixel to pixel", measure_slopes, draw_slopes),
 )

@@ -16,21 +16,36 @@ RANGES = {
         **{f"{light}, phong: middle less side [linear]": (0.5, INF) for light in ("spot light", "highlight")}},
     "s1-mixed": {
         "evaluations, mixed over gouraud": (1.05, INF), "evaluations, mixed over phong": (0.01, 0.95),
-        "two spheres, gouraud: difference to phong [1/255]": (2, 6), "two spheres, auto: difference to phong [1/255]": (0, 1)},
+        "part0: places as all flat [%]": (100, 100), "part0: places as all phong [%]": (0, 60), "part2: places as all phong [%]": (100, 100), "part2: places as all flat [%]": (0, 60),
+        "other parts: places as all gouraud [%]": (100, 100), "other parts: places as all phong [%]": (20, 90),
+        "two spheres, gouraud: difference to phong [1/255]": (2, 6), "two spheres, auto: difference to phong [1/255]": (0.1, 1),
+        "two spheres, auto: evaluations over phong": (1.001, 1.1), "two spheres, gouraud: evaluations over phong": (0.05, 0.3)},
     "s1-fig4": {"pixels whose normal leans, without the map [%]": NONE, "pixels whose normal leans, with the map [%]": (40, 95)},
     "s1-fig5": {
         "mean blue of the map [1/255]": (200, 255), "down from green to dark over down from dark to green": (1.8, INF), "difference with and without [1/255]": (10, 60)},
     "s1-fig6-8": {"places": (20, 45), "largest angle of the tangent to U [degrees]": (0, 0.1), "bitangents that go up in the texture [%]": (100, 100)},
     "s1-fig10": {
-        **{f"centered: light over the {side} face, most less least [linear]": (0.1, 0.3) for side in ("left", "right")},
-        "tilted: light over the left face, most less least [linear]": (0, 0.001), "tilted: light over the right face, most less least [linear]": (0.2, 0.5)},
+        **{f"lamp at the {lamp}, normal {name}: light of the {side} face over that with the normal in the middle": (1.05, 1.8) if lamp == "left" else (0.3, 0.93)
+           for lamp in ("left", "right") for name in ("half-way", "left") for side in ("left", "right")}},
     "s1-fig13": {
-        "off: normal and tangent are off a right angle [degrees]": (1, 20),
-        **{f"{way}: normal and tangent are off a right angle [degrees]": TINY for way in ("attribute", "shader")},
-        "off beside per vertex [1/255]": (0.1, 2), "per pixel beside per vertex [1/255]": (0, 0.1), "pixels that differ by more than 10 codes, off [%]": (0, 1)},
+        "none: normal and tangent are off a right angle [degrees]": (1.4, 5), "at the vertices: normal and tangent are off a right angle [degrees]": (0.3, 1.3),
+        **{f"{way}: normal and tangent are off a right angle [degrees]": TINY for way in ("at the pixels", "at both")},
+        "none, beside at the pixels [1/255]": (0.15, 0.5), "at the vertices, beside at the pixels [1/255]": (0.02, 0.14), "at both, beside at the pixels [1/255]": (0, 0.14),
+        "pixels that differ by more than 10 codes, none beside at the pixels [%]": (0, 0.1)},
+    "s1-routine": {
+        "places": (121, 121), **{f"{what} of both [degrees]": (0, 1e-4) for what in ("normals", "tangents")}, "tangents of both, with Gram-Schmidt [degrees]": (0, 1e-4),
+        "tangents with Gram-Schmidt beside those without [degrees]": (1, 5)},
+    "s1-fig7": {
+        **{f"{how}: normals of the evenly leaning map differ by up to [degrees]": (0, 0.01) for how in ("along u", "all turned by 50 degrees")},
+        "each turned differently: normals of the evenly leaning map differ by up to [degrees]": (30, 90)},
+    "s1-tangents-smoothed": {
+        "normals smoothed: largest turn of the tangent from pixel to pixel [degrees]": (2, 20), "tangents, too: largest turn of the tangent from pixel to pixel [degrees]": (0.1, 1.2),
+        "normals alone beside both [1/255]": (0.6, 4)},
     "s1-handedness": {
-        "with the step: left half [1/255]": (0, 0.5), "with the step: mirrored half [1/255]": (12, 30), "without it: left half [1/255]": (0, 0.5),
-        "without it: mirrored half [1/255]": (1, 9)},
+        "with the step: left half [1/255]": (0, 0.5), "with the step: mirrored half [1/255]": (12, 30), "without it, signs kept: left half [1/255]": (0, 0.5),
+        "without it, signs kept: mirrored half [1/255]": (1, 9),
+        **{f"{way}: axes of the mirrored half that point the wrong way": NONE for way in ("averaged tangents", "without it, signs kept")},
+        **{f"{way}: axes of the mirrored half that point the wrong way": (1, 1) for way in ("with the step", "printed shader, step", "printed shader, no step")}},
     "s1-fig9-12": {
         "largest seam between objects, face [degrees]": (5, 180), "largest seam between objects, object [degrees]": (5, 180), "largest seam between objects, model [degrees]": NONE,
         "picture by face beside whole model [1/255]": (2, 10), "picture by object beside whole model [1/255]": (0.2, 1.5), "pixels that object and whole model differ in [%]": (0.5, 5),
@@ -40,11 +55,15 @@ RANGES = {
         "stages of the lecture that have a table": (18, 18), "camera space off the lecture's formula [m]": TINY, "clip space off the projection of it [1]": TINY,
         "device space off x / w, y / w [1]": TINY, "screen off width (x + 1) / 2, height (1 - y) / 2 [px]": (0, 1e-4)},
     "s2-projection": {
-        **{f"corner of the view after step 1, {axis} / -z": (0.999999, 1.000001) for axis in "xy"}, "depth of the near plane": (-1.000001, -0.999999),
-        "depth of the far plane": (0.999999, 1.000001), "three steps beside the engine's matrix [1]": TINY},
+        **{f"corner of the view after step 1, {axis} / -z": (0.999999, 1.000001) for axis in "xy"}, "depth of the near plane": (-1e-6, 1e-6),
+        "depth of the far plane": (0.999999, 1.000001), **{f"three steps beside the engine, {what} [1]": TINY for what in ("x, y, w", "depth")},
+        "all three multiplied as printed: depth of the far plane less that of the near one": (-1e-9, 1e-9)},
+    "s2-parallel": {
+        "parallel projection: pixels of a sphere at 6 m over those at 4 m": (0.98, 1.02), "central projection: pixels of a sphere at 6 m over those at 4 m": (0.38, 0.48)},
     "s2-wrap-round": {"triangles through the plane of the eye": SOME, "pixels that clipping first changes [%]": (20, 100), "smallest w after clipping [m]": SOME},
     "s2-clipping": {
-        "polygons cut at the four sides": SOME, "polygons wholly outside": SOME, "objects dropped whole, teapot in view": NONE, "objects dropped whole, close view of a table": SOME},
+        "polygons cut at the four sides": SOME, "polygons wholly outside": SOME, "objects dropped whole, teapot in view": NONE, "objects dropped whole, close view of a table": SOME,
+        "close view beside the middle of a wide one: pixels that differ [%]": (0, 0.05)},
     "s2-culling": {
         "faces of a closed sphere that culling drops [%]": (50, 75), "pixels of it that change [%]": NONE, "pixels of an open box that change [%]": (8, 25),
         "the box taken for clockwise, cull back, beside cull front [% of pixels]": NONE},
@@ -54,7 +73,8 @@ RANGES = {
         "cyclic overlap in the opposite order: pixels that change, z-buffer [%]": NONE},
     "s2-z-buffer": {
         **{f"{scene}: pixels that differ, the worst of four formats [%]": (0, 0.05) for scene in ("cyclic", "crossing", "teapot")},
-        "planes 2 cm apart at 20 m: pixels that z16 has wrong [%]": (5, 40), "planes 2 cm apart at 20 m: pixels that z24 has wrong [%]": NONE},
+        "planes 2 cm apart at 20 m: pixels that z16 has wrong [%]": (5, 40), "planes 2 cm apart at 20 m: pixels that z24 has wrong [%]": NONE,
+        "the same with near 0.15 m, far 40 m: pixels that z16 has wrong [%]": (1, 40), "the same with near 5 m, far 40 m: pixels that z16 has wrong [%]": (0, 0.1)},
     "s2-depth-precision": {
         "near [m]": (1, 1), "far [m]": (1000, 1000), "depths in the first 2 % of the range [%]": (95.32, 95.34), "the same by the formula [%]": (95.32, 95.34),
         "range that 98 % of the depths reach [%]": (4.67, 4.68)},
@@ -62,7 +82,9 @@ RANGES = {
         "unlit: evaluations at 320 x 240": NONE, "flat: evaluations at 320 x 240": (500, 1200), "gouraud: evaluations at 320 x 240": (500, 1200),
         "phong: evaluations at 320 x 240": (1300, INF), "unlit: evaluations, twice as wide and high over that": (1, 1),
         **{f"{how}: evaluations, twice as wide and high over that": (1, 1.2) for how in ("flat", "gouraud")}, "phong: evaluations, twice as wide and high over that": (3.8, 4.2),
-        "unlit: difference to phong [1/255]": (15, 30), "flat: difference to phong [1/255]": (5, 10), "gouraud: difference to phong [1/255]": (2, 4.9)},
+        **{f"{how}, 4 divisions: inside, difference to faces as small as pixels [1/255]": r
+           for how, r in (("unlit", (24, 32)), ("flat", (19, 23.9)), ("gouraud", (9, 18.9)), ("phong", (2, 8.9)))},
+        "gouraud, 16 divisions: inside, difference to faces as small as pixels [1/255]": (3.2, 7), "phong, 16 divisions: inside, difference to faces as small as pixels [1/255]": (0.3, 3.1)},
     "s2-rays": {
         "tests of the naive loop over pixels x triangles": (1, 1), "pixels of the naive loop that differ from the tree's [%]": (0, 0.1),
         "sphere by its formula beside its triangles: pixels that differ [%]": (5, 40), "triangles by rays beside incremental synthesis: pixels that differ [%]": (0, 0.5),
@@ -93,8 +115,16 @@ RANGES = {
         **{f"{method} at {view} degrees: difference to displacement [1/255]": r for view, values in (
             (0, ((10, 20), (3, 9), (3, 9), (2, 8), (2, 8))), (48, ((31, 40), (25, 31), (24, 30), (8, 18), (8, 17))), (73, ((35, 45), (28, 34), (25, 34), (12, 24), (10, 22))))
            for method, r in zip(("normal", "parallax-limited", "parallax", "steep", "occlusion"), values)},
-        "ridges at 60 degrees, none: pixels of the grooves' floor [%]": (35, 60), "ridges at 60 degrees, parallax: pixels of the grooves' floor [%]": (2, 14),
-        "ridges at 60 degrees, steep: pixels of the grooves' floor [%]": (8, 28), "ridges at 60 degrees, displacement: pixels of the grooves' floor [%]": (8, 28)},
+        "error at 73 degrees that parallax-limited takes away [%]": (8, 20),
+        **{f"grooves {depth} deep, {method}: pixels of the floor [%]": r for depth, values in (
+            ("0.06", ((35, 60), (20, 34), (5, 16), (5, 16), (5, 16))), ("0.2", ((35, 60), (6, 34), (6, 34), (0, 0.5), (0, 0.5))))
+           for method, r in zip(("none", "parallax-limited", "parallax", "steep", "displacement"), values)}},
+    "s3-depth": {
+        **{f"depth {depth}, {method}: difference to displacement [1/255]": r for depth, values in (("0.005", (1, 5)), ("0.05", (24, 34)), ("0.12", (30, 45)))
+           for method, r in zip(("normal", "parallax"), (values, values))},
+        **{f"depth {depth}: parallax beside normal mapping [1/255]": r for depth, r in (("0.005", (0.5, 3)), ("0.05", (15, 28)), ("0.12", (28.5, 40)))},
+        "steep: pixels that shadows of bumps change [%]": (4, 20), "normal: the same place from two sides, texture moves [% of the texture]": (0, 0.3),
+        "parallax: the same place from two sides, texture moves [% of the texture]": (0.45, 4)},
     "s3-outline": {
         **{f"{method}: pixels of the outline that change [%]": NONE for method in ("height", "normal", "parallax", "steep", "occlusion")},
         "displacement: pixels of the outline that change [%]": (0.3, 5)},
@@ -108,11 +138,24 @@ RANGES = {
         "leather, strong: difference to smooth [1/255]": (4, 16), "scratches, mild: difference to smooth [1/255]": (0.5, 4), "scratches, strong: difference to smooth [1/255]": (2, 10)},
     "s3-motion": {
         "detail of one picture, bumpy over smooth": (1.2, 1.9), "detail of one picture, strong bumps over smooth": (1.95, 6),
-        "change of detail from picture to picture, bumpy over smooth": (2.6, 6), "change of detail, smooth [1/255]": (0.5, 3),
+        "change of detail from picture to picture, bumpy over smooth": (2.6, 6), "change of detail from picture to picture, strong bumps over smooth": (2, 6),
+        "what motion adds to mild bumps, times": (1.6, 3), "what motion adds to strong bumps, times": (0.8, 1.5), "change of detail, smooth [1/255]": (0.5, 3),
         "change of detail, bumpy [1/255]": (3.5, 10)},
     "s1-table1": {
-        "preset beside gouraud, blinn-phong, no bumps, no shadows [1/255]": NONE, "preset beside the programmable pipeline [1/255]": (3, 60),
-        "evaluations, programmable over preset": (1.2, INF), "a ninth to eleventh light: change with the preset [1/255]": NONE,
+        "a classical material: preset beside its options one by one [1/255]": NONE, "preset beside the programmable pipeline [1/255]": (3, 30),
+        "evaluations, programmable over preset": (3, 20), "a ninth to eleventh light: change with the preset [1/255]": NONE,
         "a normal map: change with the preset [1/255]": NONE},
-    "s2-slopes": {"stages that tell dz/dx": SOME},
+    "s1-oren-nayar": {
+        "lambert, lit from the viewer: light at the rim over that of the middle": (0.4, 0.8),
+        **{f"{model}, lit from the viewer: light at the rim over that of the middle": (0.9, 1.1) for model in ("oren-nayar", "oren-nayar-full")},
+        "red over green, full over qualitative": (1.02, 1.5), "full beside qualitative [1/255]": (0.5, 6)},
+    "s1-bitangents": {
+        "bitangents of their own beside the cross product [1/255]": (1, 10), "pixels that differ [%]": (5, 40), "a square that is not sheared: pixels that differ [%]": (0, 0.01)},
+    "s2-slopes": {
+        "triangles": SOME, "largest difference, all visible triangles [depth key]": (0, 1e-6), "largest change of the depth key by the steps": (1e-4, 1),
+        "floor, ten pixels on and six down: key less the slopes' [depth key]": (-1e-6, 1e-6), "floor: change of the key on that way [depth key]": (0.001, 0.2)},
+    "s3-phong": {
+        "no ambient term, face turned away: light [linear]": NONE, "with it: light [linear]": (0.002, 0.1), "viewer moved: change of the diffuse term [linear]": NONE,
+        "viewer moved: change of the specular term [linear]": (0.1, 10), "highlight of a red sphere, red over green, lamp 0.8, 0.8, 0.3": (0.999, 1.001),
+        "the same, red over blue": (2.6, 2.7), "diffuse light of a lamp at 1 m over that at 2 m": (3.9, 4.1)},
 }

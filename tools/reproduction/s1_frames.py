@@ -5,7 +5,8 @@ from png8 import read_rgb
 
 from sheet import ROOT
 
-from .kit import Entry, Picture, angle, brightness, cross, dot, minus
+from .arrows import write_arrows
+from .kit import Entry, Picture, angle, brightness, cross, dot, minus, unit
 
 MAP = ROOT / "data/maps/brick_normal.png"
 WALL = (*bumps.WALL, "--camera-position", "1.2,0.4,3.1", "--camera-focal-point", "0,0,0")
@@ -13,8 +14,9 @@ BARE, MAPPED = (*WALL, "--bump", "none"), (*WALL, "--bump", "normal")
 CHARTED = ("builtin:teapot", "--texture-normal", "data/maps/brick_normal.png", "--camera-position", "0.9,1.4,2.6", "--camera-focal-point", "0.07,0.45,0",
            "--camera-view-angle", "30")
 OF_FACES = ("builtin:teapot:divisions=3", *CHARTED[1:], "--normals", "flat", "--tangents", "published")
-SHEET = tuple(word for word in bumps.SHEET if word not in ("--orthogonalize", "off"))
-WAYS = ("off", "attribute", "shader")
+LEANINGS = {"middle": 0, "half-way": 0.5, "left": 1}  # of the shared normal, towards that of the left face
+FACES = ("--camera-position", "0,1.6,4", "--camera-focal-point", "0,0.3,0", "--camera-view-angle", "27", "--lighting", "lambert", "--cull", "none")
+LAMPS = {"left": ("--light", "directional:1,-0.7,-0.5"), "right": ("--light", "directional:-1,-0.7,-0.5")}
 
 
 def codes_apart(one, other):
@@ -83,67 +85,46 @@ def measure_tangents(kit):
 
 
 def draw_tangents(kit, path):
-    kit.sheet(path, [[CHARTED, kit.channel(CHARTED, "uv"), kit.channel(CHARTED, "tangent"), kit.channel(CHARTED, "normal")]], 180, 135,
-              below=[["with its map", "u, v", "tangent", "normal"]], colors=0)
+    """The faces with their texture coordinates as colors, and frames at some places: the tangent red, the bitangent green, the normal blue."""
+    close = tuple({"30": "18"}.get(word, word) for word in OF_FACES)
+    frames = [r["layers"][0] for r in kit.explain(close, [(0.08 + 0.105 * i, 0.1 + 0.13 * j) for i in range(9) for j in range(7)], 480, 360) if r["layers"]]
+    arrows = [(f["position"], [(f["tangent"], (235, 40, 40)), ([f["handedness"] * x for x in cross(f["normal_interpolated"], f["tangent"])], (30, 200, 60)),
+                               (f["normal_interpolated"], (70, 90, 255))]) for f in frames]
+    shown = []
+    for name, picture in (("map", kit.render((*close, "--samples", "4"), 480, 360)[0]), ("uv", kit.channel(close, "uv", 480, 360))):
+        shown.append(kit.folder / f"arrows-{name}.png")
+        write_arrows(picture, shown[-1], arrows, (0.9, 1.4, 2.6), (0.07, 0.45, 0), 18, 0.09)
+    kit.sheet(path, [shown], 480, 360, below=[["with its map: rows of bricks go along the red tangents", "u is red, v (down) is green"]], colors=160)
 
 
-def leaning(kit, way):
-    """[degrees] largest distance of normal and tangent from a right angle, as they come to the pixel."""
-    rows = kit.explain((*SHEET, "--orthogonalize", way), [(0.3 + 0.1 * i, 0.3 + 0.1 * j) for i in range(5) for j in range(5)])
-    layers = [r["layers"][0] for r in rows if r["layers"]]
-    return max(abs(90 - angle(layer["normal_interpolated"], layer["tangent"])) for layer in layers)
-
-
-def measure_gram_schmidt(kit):
-    found = {f"{way}: normal and tangent are off a right angle [degrees]": leaning(kit, way) for way in WAYS}
-    off, once, late = ((*SHEET, "--orthogonalize", way) for way in WAYS)
-    found["off beside per vertex [1/255]"] = kit.rmse(off, once)
-    found["per pixel beside per vertex [1/255]"] = kit.rmse(late, once)
-    found["pixels that differ by more than 10 codes, off [%]"] = kit.differing(off, once, codes=10)
-    return found
-
-
-def draw_gram_schmidt(kit, path):
-    off, once, late = ((*SHEET, "--orthogonalize", way) for way in WAYS)
-    kit.sheet(path, [[off, once, late, (off, once, 8)]], 180, 140, below=[["off", "per vertex", "per pixel", "difference x 8"]])
-
-
-def halves(kit, mode):
-    """[1/255] differences of the left and of the right, mirrored half to `averaged`."""
-    w, h = kit.size(600, 300)
-    paths = []
-    for name in ("averaged", mode):
-        for x in (0, w // 2):
-            paths.append(kit.folder / f"half-{name}-{x}.png")
-            kit.run("render", *bumps.MIRRORED, "--tangents", name, "--look", "plain", "--resolution", f"{w},{h}", "--window", f"{x},0,{w // 2},{h}", "-o", paths[-1],
-                    "--quiet")
-    return kit.rmse(paths[0], paths[2]), kit.rmse(paths[1], paths[3])
-
-
-def measure_handedness(kit):
-    found = {}
-    for name, mode in (("with the step", "published"), ("without it", "published-no-handedness")):
-        found[f"{name}: left half [1/255]"], found[f"{name}: mirrored half [1/255]"] = halves(kit, mode)
-    return found
-
-
-def draw_handedness(kit, path):
-    kit.sheet(path, [[(*bumps.MIRRORED, "--tangents", mode) for mode in bumps.MODES]], 300, 154, below=[list(bumps.MODES)])
+def pair(kit, leaning):
+    """Two faces that meet in an edge, seen alike; the normal of the edge leans from the middle (0) to that of the left face (1)."""
+    path, (x, z) = kit.folder / f"pair{leaning}.obj", unit((-0.5145, 0.8575))
+    middle = unit(((x * leaning), z * leaning + 1 - leaning, 0))
+    path.write_text("\n".join(["v -1 0 0.6", "v 0 0.6 0.6", "v 1 0 0.6", "v -1 0 -0.6", "v 0 0.6 -0.6", "v 1 0 -0.6", f"vn {x} {z} 0", f"vn {-x} {z} 0",
+                               "vn {} {} {}".format(*middle), "f 1//1 2//3 5//3 4//1", "f 2//3 3//2 6//2 5//3"]) + "\n")
+    return (path, *FACES)
 
 
 def measure_faces(kit):
-    """Brightness along a line over each face, from the outer border to the shared edge."""
+    """Mean light of each face, from the outer border to the shared edge, over what it is with the normal in the middle."""
     found = {}
-    for name, left, right in (("centered", (0.22, 0.33), (0.36, 0.47)), ("tilted", (0.56, 0.66), (0.7, 0.8))):
-        for side, xs in (("left", left), ("right", right)):
-            rows = [r for r in kit.explain(bumps.FACES, [(xs[0] + (xs[1] - xs[0]) * i / 8, 0.45) for i in range(9)], 420, 200) if r["layers"]]
-            light = [brightness(r["color"]) for r in rows]
-            found[f"{name}: light over the {side} face, most less least [linear]"] = max(light) - min(light)
+    for lamp, words in LAMPS.items():
+        light = {}
+        for name, leaning in LEANINGS.items():
+            for side, x in (("left", 0.29), ("right", 0.54)):
+                rows = kit.explain((*pair(kit, leaning), *words), [(x + 0.17 * i / 8, 0.5) for i in range(9)], 240, 200)
+                light[name, side] = sum(brightness(r["color"]) for r in rows) / len(rows)
+        for name in ("half-way", "left"):
+            for side in ("left", "right"):
+                found[f"lamp at the {lamp}, normal {name}: light of the {side} face over that with the normal in the middle"] = light[name, side] / light["middle", side]
     return found
 
 
 def draw_faces(kit, path):
-    kit.sheet(path, [[bumps.FACES]], 420, 200)
+    words = ["normal in the middle", "half-way to the left", "of the left face"]
+    kit.sheet(path, [[(*pair(kit, leaning), *lamp) for leaning in LEANINGS.values()] for lamp in LAMPS.values()], 240, 130,
+              below=[[f"{w}, lamp {lamp}" for w in words] for lamp in LAMPS], colors=0)
 
 
 ENTRIES = (
@@ -151,7 +132,4 @@ ENTRIES = (
     Entry("s1-fig5", "S1 fig. 5", "A flat wall of bricks gets depth by its map; the map is bluish, the bricks' tops are green", measure_wall, draw_wall),
     Entry("s1-fig6-8", "S1 fig. 6, 7, 8", "Of all directions across the normal the tangent is the one in which U grows", measure_tangents, draw_tangents),
     Entry("s1-fig10", "S1 fig. 10", "A vertex normal that leans to one face changes the light over the faces", measure_faces, draw_faces),
-    Entry("s1-fig13", "S1 fig. 13, section 5.3", "Averaged frames are not orthogonal; Gram-Schmidt repairs them, per vertex or in the shader; little of it is seen", measure_gram_schmidt,
-          draw_gram_schmidt),
-    Entry("s1-handedness", "S1 section 5.4", "t = -t where dot(cross(n, t), b) < 0 repairs texture coordinates that lie the wrong way round", measure_handedness, draw_handedness),
 )

@@ -10,6 +10,7 @@ SPOT = (*FACE, "--light", "spot:0,1,0:direction=0,-1,0:cutoff=16:exponent=9", "-
 SHINE = (*FACE, "--roughness", "0.2", "--light", "directional:0,-0.91,0.42:color=0.2,0.2,0.2:specular=1,1,1")
 SPOTTED = ("data/spot/spot_slab5.glb", "--normals", "model", "--view", "left", "--light", "directional:1,-1,-0.8:color=0.7,0.7,0.7", "--light", "ambient:0.1,0.1,0.1")
 PARTS = ("--shading", "gouraud", "--shading", "object:part0=flat", "--shading", "object:part2=phong")
+SMALL = 84, 64
 TWO_SPHERES = ("data/materials/spheres.gltf", "--light", "directional:-1,-1,-1", "--light", "ambient:0.1,0.1,0.1")
 
 
@@ -69,23 +70,39 @@ def draw_face(kit, path):
               below=[["spot, vertices", "spot, pixels", "highlight, vertices", "highlight, pixels"]])
 
 
+def same_places(kit):
+    """{part: [%] of its places whose codes in the mixed picture are those of the picture that is all lit as the part's word says}."""
+    places = [(0.04 + 0.04 * i, 0.05 + 0.06 * j) for i in range(24) for j in range(16)]
+    rows = {how: kit.explain((*SPOTTED, *words), places) for how, words in (("mixed", PARTS), *((h, ("--shading", h)) for h in ("flat", "gouraud", "phong")))}
+    found = {}
+    for part, hows in (("part0", ("flat", "phong")), ("part2", ("phong", "flat")), ("other parts", ("gouraud", "phong"))):
+        names = [row["shows"]["object"] if row["shows"] else None for row in rows["mixed"]]
+        of_part = [k for k, name in enumerate(names) if name and (name == part or part == "other parts" and name not in ("part0", "part2"))]
+        for how in hows:
+            found[f"{part}: places as all {how} [%]"] = 100 * sum(rows["mixed"][k]["codes"] == rows[how][k]["codes"] for k in of_part) / len(of_part)
+    return found
+
+
 def measure_mixed(kit):
     count = {shading: kit.stats((*SPOTTED, "--shading", shading))["lighting_evaluations"] for shading in ("gouraud", "phong")}
     mixed = kit.stats((*SPOTTED, *PARTS))["lighting_evaluations"]
     automatic = {shading: (*TWO_SPHERES, "--shading", shading) for shading in ("gouraud", "auto", "phong")}
-    small = {name: kit.rmse(a, automatic["phong"], 84 / kit.scale, 64 / kit.scale) for name, a in automatic.items()}
-    return {"evaluations, mixed over gouraud": mixed / count["gouraud"], "evaluations, mixed over phong": mixed / count["phong"],
-            "two spheres, gouraud: difference to phong [1/255]": small["gouraud"], "two spheres, auto: difference to phong [1/255]": small["auto"]}
+    small = {name: kit.rmse(a, automatic["phong"], *(side / kit.scale for side in SMALL)) for name, a in automatic.items()}
+    lit = {name: kit.stats(a, *(side / kit.scale for side in SMALL))["lighting_evaluations"] for name, a in automatic.items()}
+    return {"evaluations, mixed over gouraud": mixed / count["gouraud"], "evaluations, mixed over phong": mixed / count["phong"], **same_places(kit),
+            "two spheres, gouraud: difference to phong [1/255]": small["gouraud"], "two spheres, auto: difference to phong [1/255]": small["auto"],
+            "two spheres, auto: evaluations over phong": lit["auto"] / lit["phong"], "two spheres, gouraud: evaluations over phong": lit["gouraud"] / lit["phong"]}
 
 
 def draw_mixed(kit, path):
-    kit.sheet(path, [[(*SPOTTED, "--shading", "gouraud"), (*SPOTTED, *PARTS), (*SPOTTED, "--shading", "phong")]], 240, 180,
-              below=[["vertices", "one part a face, one a pixel", "pixels"]])
+    spheres = [kit.render((*TWO_SPHERES, "--shading", shading), *SMALL)[0] for shading in ("gouraud", "auto", "phong")]
+    kit.sheet(path, [[(*SPOTTED, "--shading", "gouraud"), (*SPOTTED, *PARTS), (*SPOTTED, "--shading", "phong")], spheres], 252, 192,
+              below=[["vertices", "one part a face, one a pixel", "pixels"], ["vertices, 84 x 64", "auto", "pixels"]])
 
 
 ENTRIES = (
     Entry("s1-fig3", "S1 fig. 3, section 2.3", "Lighting by vertices fails on coarse meshes and blurs highlights; by pixels it costs more", measure_spheres, draw_spheres,
           time_spheres),
-    Entry("s1-large-face", "S1 section 2.3", "Lighting by vertices cannot show a spot light or a highlight inside a large face", measure_face, draw_face),
+    Entry("s1-large-face", "S1 section 2.3, S2", "Lighting by vertices shows no sharp reflections, spot lights or fine detail; none of it inside of a large face", measure_face, draw_face),
     Entry("s1-mixed", "S1 section 2.3.3", "Engines mix lighting by vertices and by pixels", measure_mixed, draw_mixed),
 )

@@ -49,9 +49,14 @@ def measure_head(kit):
 
 
 def draw_head(kit, path):
-    colored, gray = (list(scopes(kit, is_colored).values()) for is_colored in (True, False))
-    kit.sheet(path, [colored, gray, [(one, gray[2], 8) for one in gray]], 240, 240, colors=256,
-              below=[["face level", "per object", "whole model"], ["without color map"] * 3, ["difference x 8"] * 3])
+    """The head, and the bridge of its nose from nearby without color map, all its colors kept so that no band looks like a seam."""
+    colored = list(scopes(kit).values())
+    kit.sheet(path, [colored, [(one, colored[2], 8) for one in colored]], 240, 240, colors=256, below=[["face level", "per object", "whole model"], ["difference x 8"] * 3])
+    parts = []
+    for name, scene in scopes(kit, is_colored=False).items():
+        parts.append(kit.folder / f"near-{name}.png")
+        kit.run("render", *scene, "--look", "plain", "--samples", "4", "--resolution", "1120,1120", "--window", "390,230,170,170", "-o", parts[-1], "--quiet")
+    kit.sheet(path.with_name(f"{path.stem}-near.png"), [parts], 255, 255, below=[["face level", "per object", "whole model"]], colors=0)
 
 
 def measure_stored(kit):

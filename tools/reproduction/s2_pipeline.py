@@ -2,7 +2,7 @@
 """Second source: the stages of the pipeline, projection in three steps, clipping before the division."""
 import math
 
-from .kit import Entry, cross, dot, minus, unit
+from .kit import PLAIN, Entry, cross, dot, minus, unit
 
 EYE, CENTER, UP = (0.9, 1.4, 2.6), (0.07, 0.45, 0), (0, 1, 0)
 TEAPOT = ("builtin:teapot", "--camera-position", ",".join(map(str, EYE)), "--camera-focal-point", ",".join(map(str, CENTER)))
@@ -10,6 +10,7 @@ NARROW = (*TEAPOT, "--camera-view-angle", "32")
 CLOSE = (*TEAPOT, "--camera-view-angle", "11")
 LOW = ("builtin:plane:divisions=8", "--camera-position", "0,0.13,0.45", "--camera-focal-point", "0,0.05,-1", "--camera-view-angle", "60")
 BESIDE = ("data/world/room.scene.toml", "--camera-index", "1", "--camera-view-angle", "12")
+ROWS = ("data/world/room.scene.toml", "--camera-position", "2.2,2.4,3.2", "--camera-focal-point", "0,0.5,0", "--camera-view-angle", "50")
 SHOWN = ("model", "world", "camera", "normalized-frustum", "central-projection", "depth-mapping", "clip-space", "clipped", "device", "screen", "coverage", "picture")
 STAGES = ("model", "world", "camera", "normalized-frustum", "central-projection", "depth-mapping", "clip-space", "clipped", "wrap-round", "device", "screen", "culled", "coverage",
           "depth", "visibility", "shading-frequency", "lighting", "picture")
@@ -58,11 +59,30 @@ def measure_projection(kit):
     width, height = kit.size(320, 240)
     up = math.tan(math.radians(20))
     corner = times(matrix, (up * width / height, up, -1, 1))
-    planes = [times(depth["matrix of steps 2 and 3, depth from -1 to 1"], (0, 0, -depth[p], 1)) for p in ("near", "far")]
-    chain = [times(depth["matrix of steps 2 and 3, depth from 0 to 1"], times(matrix, (*r[2:5], 1))) for r in table("camera")["rows"]]
+    printed = depth["matrix of steps 2 and 3, depth from 0 to 1"]
+    planes = [times(printed, (0, 0, -depth[p], 1)) for p in ("near", "far")]
+    chain = [times(printed, times(matrix, (*r[2:5], 1))) for r in table("camera")["rows"]]
+    far = depth["far"] / (depth["far"] - depth["near"])  # the engine keeps near / distance
+    keys = [(far * (1 - row[-1]),) for row in table("device")["rows"]]
+    twice = [times(printed, (0, 0, -depth[p], depth[p])) for p in ("near", "far")]  # after step 2 with its own last row, w = distance
     return {"corner of the view after step 1, x / -z": corner[0] / -corner[2], "corner of the view after step 1, y / -z": corner[1] / -corner[2],
             "depth of the near plane": planes[0][2] / planes[0][3], "depth of the far plane": planes[1][2] / planes[1][3],
-            "three steps beside the engine's matrix [1]": largest(((c[0], c[1], c[3]), (q[2], q[3], q[4])) for c, q in zip(chain, table("clip-space")["rows"]))}
+            "three steps beside the engine, x, y, w [1]": largest(((c[0], c[1], c[3]), (q[2], q[3], q[4])) for c, q in zip(chain, table("clip-space")["rows"])),
+            "three steps beside the engine, depth [1]": largest(((c[2] / c[3],), k) for c, k in zip(chain, keys)),
+            "all three multiplied as printed: depth of the far plane less that of the near one": twice[1][2] / twice[1][3] - twice[0][2] / twice[0][3]}
+
+
+def measure_parallel(kit):
+    """Parallel projection: what is as large at any distance, and what the printed matrix says of x and y."""
+    found, boxes = {}, ("builtin:sphere", "--shading", "unlit", "--background", "0,0,0", "--camera-view-angle", "40")
+    for name, words in (("parallel", ("--camera-orthographic",)), ("central", ())):
+        near, far = (kit.stats((*boxes, "--camera-position", f"0,0,{z}", "--camera-focal-point", f"0,0,{z - 4}", *words))["pixels_covered"] for z in (4, 6))
+        found[f"{name} projection: pixels of a sphere at 6 m over those at 4 m"] = far / near
+    return found
+
+
+def draw_parallel(kit, path):
+    kit.sheet(path, [[(*ROWS, "--camera-orthographic"), ROWS]], 300, 200, below=[["parallel projection", "central projection"]], colors=64)
 
 
 def draw_projection(kit, path):
@@ -86,12 +106,24 @@ def draw_wrap(kit, path):
     kit.sheet(path, [[pictures[0], pictures[1], folder / "picture.png"]], 240, 180, below=[["divided, then nothing clipped", "clipped before the division", "the picture"]], colors=64)
 
 
+def middle(kit):
+    """[%] of the pixels of a close view, cut at all four sides, that differ from the middle of a wide one, where nothing is cut."""
+    w, h = kit.size(320, 240)
+    wide, close = kit.folder / "wide.png", kit.folder / "close.png"
+    angle = 2 * math.degrees(math.atan(5 * math.tan(math.radians(5.5))))
+    planes = ("--near", "1", "--far", "9")
+    kit.run("render", *TEAPOT, "--camera-view-angle", f"{angle:.9f}", *planes, *PLAIN, "--resolution", f"{5 * w},{5 * h}", "--window", f"{2 * w},{2 * h},{w},{h}", "-o", wide, "--quiet")
+    kit.run("render", *CLOSE, *planes, *PLAIN, "--resolution", f"{w},{h}", "-o", close, "--quiet")
+    return kit.differing(close, wide)
+
+
 def measure_clipping(kit):
     _, table = kit.stages(CLOSE)
     rows = {row[0]: row for row in table("clip-planes")["rows"]}
     everything, beside = kit.stats(NARROW), kit.stats(BESIDE)
     return {"polygons cut at the four sides": sum(rows[p][2] for p in ("left", "right", "bottom", "top")), "polygons wholly outside": sum(row[3] for row in rows.values()),
-            "objects dropped whole, teapot in view": everything["objects_outside"], "objects dropped whole, close view of a table": beside["objects_outside"]}
+            "objects dropped whole, teapot in view": everything["objects_outside"], "objects dropped whole, close view of a table": beside["objects_outside"],
+            "close view beside the middle of a wide one: pixels that differ [%]": middle(kit)}
 
 
 def draw_clipping(kit, path):
@@ -103,6 +135,7 @@ def draw_clipping(kit, path):
 ENTRIES = (
     Entry("s2-stages", "S2, the pipeline", "Model, world, camera, clip, device and screen space, one after the other, by the printed matrices", measure_stages, draw_stages),
     Entry("s2-projection", "S2, projective transformation", "Frustum to 90 degrees, central projection, depth to a fixed range", measure_projection, draw_projection),
+    Entry("s2-parallel", "S2, parallel projection", "Parallel projection, x and y as they are", measure_parallel, draw_parallel),
     Entry("s2-wrap-round", "S2, wrap-round", "Divided before it is clipped, what lies behind the eye comes out in front", measure_wrap, draw_wrap),
     Entry("s2-clipping", "S2, clipping", "Objects wholly outside are dropped first, those partly visible are clipped by -h <= x, y, z <= h", measure_clipping, draw_clipping),
 )

@@ -6,6 +6,7 @@ SHADINGS = ("unlit", "flat", "gouraud", "phong")
 TEAPOT = ("builtin:teapot", "--camera-position", "0.9,1.4,2.6", "--camera-focal-point", "0.07,0.45,0", "--camera-view-angle", "29", "--lighting", "blinn-phong",
           "--color", "#a4653a", "--roughness", "0.3", "--metallic", "0", "--light", "point:2,3,3", "--light", "ambient:0.13,0.13,0.13")
 COARSE = ("builtin:teapot:divisions=4", *TEAPOT[1:])
+FINEST = "builtin:teapot:divisions=48"
 LAMP = ("--light", "point:3,4,5:color=0.9,0.9,0.9", "--light", "ambient:0.15,0.15,0.16", "--color", "#c8a878")
 BALL = ("builtin:sphere:tolerance=0.05", *LAMP)
 GLASS = ("data/rays/glass.scene.toml",)
@@ -20,9 +21,35 @@ def measure_shading(kit):
         small, large = (kit.stats((*COARSE, "--shading", shading), w, h)["lighting_evaluations"] for w, h in ((320, 240), (640, 480)))
         found[f"{shading}: evaluations at 320 x 240"] = small
         found[f"{shading}: evaluations, twice as wide and high over that"] = large / small if small else 1
-    finest = (*TEAPOT, "--shading", "phong")
-    for shading in SHADINGS[:3]:
-        found[f"{shading}: difference to phong [1/255]"] = kit.rmse((*TEAPOT, "--shading", shading), finest)
+    truth = (FINEST, *TEAPOT[1:], "--shading", "flat")
+    for shading in SHADINGS:
+        found[f"{shading}, 4 divisions: inside, difference to faces as small as pixels [1/255]"] = inside(kit, (*COARSE, "--shading", shading), truth)
+    fine = ("builtin:teapot:divisions=16", *TEAPOT[1:])
+    for shading in ("gouraud", "phong"):
+        found[f"{shading}, 16 divisions: inside, difference to faces as small as pixels [1/255]"] = inside(kit, (*fine, "--shading", shading), truth)
+    return found
+
+
+def inside(kit, one, other):
+    """[1/255] root of the mean square difference where both pictures show the teapot and so do the pixels three to each side."""
+    masks = [kit.picture((scene[0], *TEAPOT[1:7], "--shading", "unlit", "--color", "#ffffff", "--background", "0,0,0")) for scene in (one, other)]
+    a, b = kit.picture(one), kit.picture(other)
+    w, h, total, count = a.width, a.height, 0, 0
+    near = [dx + dy * w for dx in (-3, 0, 3) for dy in (-3, 0, 3)]
+    for y in range(3, h - 3):
+        for i in range(y * w + 3, y * w + w - 3):
+            if all(m.pixels[3 * (i + d)] > 128 for m in masks for d in near):
+                total += sum((p - q) ** 2 for p, q in zip(a.pixels[3 * i:3 * i + 3], b.pixels[3 * i:3 * i + 3]))
+                count += 3
+    return (total / count) ** 0.5
+
+
+def time_shading(kit):
+    """Processor time of a picture of 320 x 240, one thread, the median of 15."""
+    found = {}
+    for shading in SHADINGS:
+        row = kit.row("bench", "render", *COARSE, "--look", "plain", "--resolution", "320,240", "--threads", "1", "--shading", shading, "--frames", 15)
+        found[f"{shading}, 4 divisions [ms]"] = row["cpu_ms"]
     return found
 
 
@@ -60,10 +87,15 @@ def time_rays(kit):
         for name, how, frames in (("every pixel with every triangle", NAIVE, 1), ("rays with a tree", CAST, 5), ("incremental synthesis", (), 5)):
             row = kit.row("bench", "render", model, "--look", "plain", "--resolution", "320,240", "--threads", "1", "--shading", "unlit", *how, "--frames", frames)
             found[f"{triangles} triangles, {name} [ms]"] = row["cpu_ms"]
+    for name, model, how, size in (("eye rays alone, 1560 triangles", ("builtin:teapot:divisions=5", "--shading", "unlit"), CAST, "1920,1080"),
+                                   ("incremental synthesis, 1560 triangles", ("builtin:teapot:divisions=5", "--shading", "unlit"), (), "1920,1080"),
+                                   ("recursive rays, glass", GLASS, TRACE, "320,240"), ("recursive rays, glass", GLASS, TRACE, "1920,1080")):
+        row = kit.row("bench", "render", *model, "--look", "plain", "--resolution", size, "--threads", "1", *how, "--frames", 1)
+        found[f"{name}, {size.replace(',', ' x ')} [ms]"] = row["cpu_ms"]
     return found
 
 
 ENTRIES = (
-    Entry("s2-shading", "S2, local illumination", "Own color, flat, Gouraud and Phong shading: ever better, ever more evaluations", measure_shading, draw_shading),
+    Entry("s2-shading", "S2, local illumination", "Own color, flat, Gouraud and Phong shading: ever better, ever more evaluations", measure_shading, draw_shading, time_shading),
     Entry("s2-rays", "S2, comparison", "Rays: per pixel, anything that can be met, mirrors, refraction, shadows and occlusion of themselves; slow", measure_rays, draw_rays, time_rays),
 )

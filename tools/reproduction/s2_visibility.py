@@ -73,6 +73,9 @@ def measure_buffer(kit):
         found[f"{name}: pixels that differ, the worst of four formats [%]"] = max(kit.differing(p, seen_by(scene, "z-reversed"), 240, 240) for p in pictures)
     for method in ("z16", "z24"):
         found[f"planes 2 cm apart at 20 m: pixels that {method} has wrong [%]"] = kit.differing(seen_by(PLANES, method), seen_by(PLANES, "z-reversed"), 240, 240)
+    for near in ("0.15", "5"):
+        planes = ("--near", near, "--far", "40")
+        found[f"the same with near {near} m, far 40 m: pixels that z16 has wrong [%]"] = kit.differing((*seen_by(PLANES, "z16"), *planes), (*seen_by(PLANES, "z-reversed"), *planes), 240, 240)
     return found
 
 

@@ -6,7 +6,7 @@ import bake_pictures
 import bump_pictures as bumps
 from png8 import read_rgb
 
-from .kit import Entry
+from .kit import Entry, brightness
 
 TEAPOT = (*bumps.TEAPOT, *bumps.KEY, *bumps.SHINY, "--lighting", "blinn-phong")
 LEATHER = (*TEAPOT, *bumps.maps("leather"))
@@ -81,12 +81,15 @@ def flicker(pictures, width):
 
 def measure_motion(kit):
     width = SIZE[0]
-    found = {"none": frames(kit, "none", 4), "normal": frames(kit, "normal", 4), "strong": frames(kit, "normal", 2, "--normal-scale", "3")}
+    found = {"none": frames(kit, "none", 4), "normal": frames(kit, "normal", 4), "strong": frames(kit, "normal", 4, "--normal-scale", "3")}
     still = {how: math.sqrt(sum(d * d for d in detail(p[1], width)) / len(p[1])) for how, p in found.items()}
     moving = {how: flicker(p, width) for how, p in found.items()}
     return {"detail of one picture, bumpy over smooth": still["normal"] / still["none"],
             "detail of one picture, strong bumps over smooth": still["strong"] / still["none"],
             "change of detail from picture to picture, bumpy over smooth": moving["normal"] / moving["none"],
+            "change of detail from picture to picture, strong bumps over smooth": moving["strong"] / moving["none"],
+            "what motion adds to mild bumps, times": moving["normal"] / moving["none"] / (still["normal"] / still["none"]),
+            "what motion adds to strong bumps, times": moving["strong"] / moving["none"] / (still["strong"] / still["none"]),
             "change of detail, smooth [1/255]": moving["none"], "change of detail, bumpy [1/255]": moving["normal"]}
 
 
@@ -97,6 +100,32 @@ def draw_motion(kit, path):
     clip = path.with_name(path.stem + "-clip.apng")
     kit.run("render", *CLIP, "--bump", "normal", "--look", "plain", "--resolution", "144,96", "--samples", "4", "--fps", "4", "-o", clip, "--quiet")
     clip.replace(clip.with_suffix(".png"))
+
+
+def measure_phong(kit):
+    """Phong's model: no ambient term, the viewer's place, the color of the highlight."""
+    lamp = ("--light", "directional:0.7,-0.9,-0.8:color=0.8,0.8,0.3")
+    scene = ("builtin:sphere", "--lighting", "phong", "--color", "#c03030", "--roughness", "0.4", "--camera-focal-point", "0,0,0", "--camera-view-angle", "29")
+    front = ("--camera-position", "0,0,4.5")
+    behind = [kit.explain((*scene, *front, *lamp, *more), [(0.78, 0.72)])[0]["color"] for more in ((), ("--light", "ambient:0.1,0.1,0.1"))]
+    terms = []
+    for eye in ("1.4,1.8,-1.6", "0.4,1,1.5"):
+        flat = ("builtin:plane", "--lighting", "phong", "--roughness", "0.4", "--camera-view-angle", "29", *lamp, "--camera-focal-point", "0,0,0", "--camera-position")
+        terms.append(kit.explain((*flat, eye), [(0.5, 0.5)])[0]["layers"][0]["lights"][0])
+    shine = max((kit.explain((*scene, *front, *lamp), [(0.3 + 0.02 * i, 0.2 + 0.02 * i)])[0]["layers"][0]["lights"][0]["specular"] for i in range(12)), key=sum)
+    near, far = (kit.explain(("builtin:plane", "--lighting", "phong", "--camera-position", "0,3,0.1", "--camera-focal-point", "0,0,0", "--light", f"point:0,{d},0:attenuation=0,0,1"),
+                             [(0.5, 0.5)])[0]["layers"][0]["lights"][0]["diffuse"][0] for d in (1, 2))
+    return {"no ambient term, face turned away: light [linear]": brightness(behind[0]), "with it: light [linear]": brightness(behind[1]),
+            "viewer moved: change of the diffuse term [linear]": max(abs(a - b) for a, b in zip(terms[0]["diffuse"], terms[1]["diffuse"])),
+            "viewer moved: change of the specular term [linear]": max(abs(a - b) for a, b in zip(terms[0]["specular"], terms[1]["specular"])),
+            "highlight of a red sphere, red over green, lamp 0.8, 0.8, 0.3": shine[0] / shine[1], "the same, red over blue": shine[0] / shine[2],
+            "diffuse light of a lamp at 1 m over that at 2 m": near / far}
+
+
+def draw_phong(kit, path):
+    scene = ("builtin:sphere", "--lighting", "phong", "--color", "#c03030", "--roughness", "0.4", "--camera-focal-point", "0,0,0", "--camera-view-angle", "29", "--camera-position", "0,0,4.5",
+             "--light", "directional:0.7,-0.9,-0.8:color=0.8,0.8,0.3")
+    kit.sheet(path, [[scene, (*scene, "--light", "ambient:0.1,0.1,0.1")]], 200, 160, below=[["no ambient term", "with it"]], colors=0)
 
 
 def hilly(path, cells, depth):
@@ -141,6 +170,7 @@ def draw_baked(kit, path):
 
 ENTRIES = (
     Entry("s3-fig1", "S3 fig. 1", "A coarse mesh with a normal map looks like the detailed one", measure_baked, draw_baked),
+    Entry("s3-phong", "S3, Phong's model", "Without the ambient term faces turned away are black; diffuse light does not depend on the viewer; highlights have the light's color; 1 / d^2", measure_phong, draw_phong),
     Entry("s3-fig11", "S3 fig. 11", "The teapot without bumps is smooth", measure_smooth, draw_smooth),
     Entry("s3-fig12", "S3 fig. 12", "Diffuse bumps under a smooth highlight look unnatural; without highlight they suit walls, paper, cotton, wood", measure_terms, draw_terms),
     Entry("s3-fig13", "S3 fig. 13", "Teapots with mild and with strong bumps", measure_row, draw_row),

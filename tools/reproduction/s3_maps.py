@@ -37,7 +37,7 @@ def measure_normals(kit):
 
 
 def draw_normals(kit, path):
-    kit.sheet(path, [[FLAT, kit.channel(FLAT, "normal"), PHONG, kit.channel(PHONG, "normal")]], 190, 142, below=[["flat", "its normals", "phong", "its normals"]], colors=256)
+    kit.sheet(path, [[FLAT, kit.channel(FLAT, "normal"), PHONG, kit.channel(PHONG, "normal")]], 190, 142, below=[["flat", "its normals", "phong", "its normals"]], colors=0)
 
 
 def measure_combination(kit):
@@ -82,7 +82,7 @@ def measure_colors(kit):
 
 
 def draw_colors(kit, path):
-    kit.sheet(path, [[MAPS / "dents_height.png", MAPS / "dents_normal.png", DENTS]], 240, 240, below=[["heights: bump, dent", "normal map", "lit from the upper left"]])
+    kit.sheet(path, [[MAPS / "dents_height.png", MAPS / "dents_normal.png", DENTS]], 240, 240, below=[["heights: bump, dent", "normal map", "lit from the upper left"]], colors=0)
 
 
 def inward(kit):
@@ -122,9 +122,12 @@ def measure_frames(kit):
 
 
 def draw_frames(kit, path):
-    vertex, transposed = ((*LEANING, *FRAMES[name]) for name in ("vertex", "transposed"))
-    kit.sheet(path, [[LEANING, (*LEANING, *FRAMES["pixel"]), vertex, transposed], [(part, LEANING, 4) for part in (LEANING, (*LEANING, *FRAMES["pixel"]), vertex, transposed)]],
-              190, 148, below=[["world", "pixel", "vertex", "vertex, transposed"], ["difference x 4"] * 4])
+    """The two kinds of frames by the inverse and by the transposed matrix, and eight times how far these differ."""
+    rows = []
+    for scene in (LEANING, FACES):
+        vertex, transposed = ((*scene, *FRAMES[name]) for name in ("vertex", "transposed"))
+        rows.append([scene, vertex, transposed, (vertex, transposed, 8)])
+    kit.sheet(path, rows, 190, 148, below=[[f"{kind}, {way}" for way in ("world", "inverse", "transposed", "difference x 8")] for kind in ("leaning", "of faces")])
 
 
 ENTRIES = (
