@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The sheets of docs/bump.md, docs/displacement.md and docs/attributes.md: docs/images/bump-*.png, displacement.png, tangents-mirrored.png.
+"""The sheets of docs/bump.md, docs/displacement.md and docs/attributes.md: docs/images/bump-*.png, displacement.png, tangents-mirrored.png, bitangents.png.
 
   bump_pictures.py [--program build/release/rakelight] [--only NAME] OUT_FOLDER
 
@@ -60,6 +60,9 @@ SHEET = (MAPS + "sheet.obj", *maps("brick"), "--bump", "normal", "--normals", "m
          "--camera-position", "0.7,0.5,3.4", "--camera-focal-point", "0,0,0", "--camera-view-angle", "32")
 MIRRORED = (MAPS + "mirrored.obj", "--texture-normal", MAPS + "dents_normal.png", "--bump", "normal", "--normals", "model", *LAMP,
             "--camera-position", "0,0,5", "--camera-focal-point", "0,0,0", "--camera-view-angle", "24")
+SHEARED = (MAPS + "sheared.obj", "--texture-normal", MAPS + "dents_normal.png", "--bump", "normal", "--normals", "model", "--tangents", "published", *LAMP,
+           "--camera-position", "0,0,5", "--camera-focal-point", "0,0,0", "--camera-view-angle", "24")
+OWN = (*SHEARED, "--bitangents", "attribute")
 MODES = ("averaged", "published", "published-no-handedness")
 FRAMES_OF = {"vertex": ("--tangent-space", "vertex"), "transposed": ("--tangent-space", "transposed"), "world, frames not unit": ("--normalize-frames", "off")}
 ASLANT = wall_at(*VIEWS[1])
@@ -106,6 +109,7 @@ SHEETS = {
     "bump-moving": (176, 120, [[(*TEAPOT, *lamp_at(place), *SHINY, *MODEL, *maps("leather"), "--bump", how) for place in FRAMES]
                           for how in ("none", "normal")], {"colors": 128}),
     "tangents-mirrored": (300, 154, [[(*MIRRORED, "--tangents", mode) for mode in MODES]], {"below": [list(MODES)], "colors": 128}),
+    "bitangents": (208, 208, [[SHEARED, OWN, (OWN, SHEARED, 4)]], {"below": [["cross", "attribute", "difference, times 4"]], "colors": 128}),
     "bump-tangents": (208, 162, [[(*SHEET, *how) for how in ((), *FRAMES_OF.values())],
                                  [(*SHEET, "--tangent-space", "pixel"), *((SHEET, (*SHEET, *how), 4) for how in FRAMES_OF.values())]],
                       {"below": [["world", *FRAMES_OF], ["pixel", *["its difference, times 4"] * 3]], "colors": 256}),

@@ -52,6 +52,10 @@ Command smooth_command() {
               {"tangents", "Normals", "WHICH",
                "auto (default: those of the file turn with their normals; beside normals made anew, where "
                "there is a normal map or tangents were), always (where there are texture coordinates), never"},
+              {"bitangents", "Normals", "",
+               "glTF: tangents and bitangents as --tangents published-no-handedness of render averages them, the "
+               "bitangents as the attribute _BITANGENT",
+               flag},
               keep},
              apps::without(apps::input_options(), {"format", "as-one"}),
              apps::common_options()})};
@@ -94,6 +98,7 @@ SmoothFileOptions smooth_options(const Run& run, const PictureRequest& picture) 
         a.weld_distance = values::number("weld-distance", run.given.word("weld-distance"));
         if (!(a.weld_distance >= 0)) throw values::wrong("weld-distance", "must be 0 or more");
     }
+    options.bitangents = run.given.has("bitangents");
     options.keep_unused = run.given.has("keep-unused");
     options.keep_instances = picture.prepare.keep_instances;
     options.load = picture.load;

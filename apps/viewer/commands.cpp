@@ -124,8 +124,8 @@ void set_bump(PictureRequest& request) {
 }
 
 void set_lighting(PictureRequest& request) {
-    constexpr Lighting all[] = {Lighting::automatic,  Lighting::lambert, Lighting::phong, Lighting::blinn_phong,
-                                Lighting::oren_nayar, Lighting::ward,    Lighting::pbr};
+    constexpr Lighting all[] = {Lighting::automatic,  Lighting::lambert,         Lighting::phong, Lighting::blinn_phong,
+                                Lighting::oren_nayar, Lighting::oren_nayar_full, Lighting::ward,  Lighting::pbr};
     RenderSettings& s = request.settings;
     s.lighting = s.lighting_text.empty() ? next(all, s.lighting) : Lighting::automatic;
     s.lighting_name.clear(), s.lighting_text.clear();

@@ -34,7 +34,9 @@ PictureRequest with_key(const PictureRequest& request, const std::string& key, c
     PictureRequest plain = request;
     plain.settings.own_shading = PictureRequest().settings.own_shading;  // it has no key; see below
     std::vector<WorldValue> values = written_render_keys(plain);
-    std::erase_if(values, [&](const WorldValue& value) { return value.key == key; });
+    std::erase_if(values, [&](const WorldValue& value) {
+        return value.key == key || (key == "preset" && is_of_preset(value.key));
+    });
     if (!text.empty()) {
         const bool is_list = require_render_key(key).kind == RenderKey::Kind::list;
         values.push_back(

@@ -37,6 +37,9 @@ struct PrepareOptions {
     /// (that is what its maps were baked for); else averaged.
     std::optional<TangentMode> tangents{};
     Orthogonalize orthogonalize = Orthogonalize::attribute;
+    /// The bitangents that the published modes of `tangents` average are kept as an attribute of their own (Mesh::bitangents), in
+    /// place of cross(normal, tangent) w: frames need not be orthogonal then. Meshes that move keep theirs by the cross product.
+    bool bitangents = false;
     /// Say in the report how far from perpendicular to the normals the tangents were, before that was put right.
     bool measure_orthogonality = false;
     /// Tangents for all meshes with texture coordinates, not only for those with a normal or height map: for the

@@ -123,6 +123,16 @@ enum class Look : std::uint8_t {
     standard  ///< take_look() fills in what neither the file nor PictureRequest::named has a say in
 };
 
+/// Settings that go together: docs/shading.md.
+enum class Preset : std::uint8_t {
+    none,
+    fixed_function  ///< what OpenGL 1.x could do without a program
+};
+/// Keys of [render] that a preset decides where nobody gives them; given beside it they go before it.
+bool is_of_preset(std::string_view key);
+/// Whether settings ask for a preset. Given from outside it takes the place of what a world says of its keys.
+bool asks_for_preset(std::span<const WorldValue> settings);
+
 /// What is drawn over the finished picture, beside the model: docs/overlays.md.
 struct Overlays {
     bool grid = false;      ///< on the ground below the model
@@ -149,8 +159,11 @@ struct PictureRequest {
     bool default_lights = false;  ///< the default rig although the file has lights; `lights` goes first
     bool studio_lights = false;   ///< the built-in studio and a key light in place of all lights; `lights` goes first
     Look look = Look::plain;
-    std::vector<std::string> named{};  ///< keys of [render] that somebody has given: the look leaves their topics alone
-    double light_intensity = 1;        ///< >= 0; multiplies every light
+    /// Read as a key it sets what is_of_preset() lists; here it says which materials and lights there can be.
+    Preset preset = Preset::none;
+    std::vector<std::string>
+        named{};                 ///< keys of [render] that somebody has given: look and preset leave their topics alone
+    double light_intensity = 1;  ///< >= 0; multiplies every light
     /// [radiance of a white Lambert surface that faces the light] 0..1: point and spot lights without a range get one
     /// where less than this is left of them; no surface loses more of a light than this. 0: none does.
     double light_cutoff = 0;

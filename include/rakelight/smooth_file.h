@@ -34,6 +34,7 @@ struct SmoothFileOptions {
     /// (<rakelight/matching_borders.h>), within attributes.scope (face: none do); 0: off.
     double border_distance = 0;
     TangentChoice tangents = TangentChoice::automatic;
+    bool bitangents = false;      ///< glTF: those of the published modes are written, as the attribute _BITANGENT
     bool keep_unused = false;     ///< glTF: bytes of buffer views that nothing uses any more stay in the file
     bool keep_instances = false;  ///< glTF: placements of one mesh go on sharing it, with the first one's attributes
     LoadOptions load{};

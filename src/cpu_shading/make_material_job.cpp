@@ -43,7 +43,7 @@ void set_viewer(const shading::View& view, const RenderSettings& s, MaterialJob&
 bool has_bump_choices(const MaterialJob& job) {
     return job.relief.technique != shading::relief_none ||
            (job.has_bumps && (job.bump_terms != shading::bump_both || job.tangent_space != shading::space_world ||
-                              !job.normalize_frames || job.green_down || job.centered_normals));
+                              !job.normalize_frames || job.green_down || job.centered_normals || job.has_bitangents));
 }
 
 /// Lambert has no highlight: under it metals show their base color as diffuse.
@@ -63,6 +63,8 @@ MaterialJob make_material_job(const shading::DrawList& list, const MaterialViews
     out.anisotropy = settings.anisotropy;
     set_lighting(m, settings, shading::lighting_of(list, draw, settings), out);
     set_bumps(m, settings, shading::bump_of(list, draw, settings), out);
+    out.has_bitangents = out.has_bumps && out.material->map[role_normal].view != nullptr &&
+                         !list.scene.meshes[draw.mesh].bitangents.empty();
     set_viewer(view, settings, out);
     out.relief = shading::relief_of(list, draw, settings, height_aspect(*out.material));
     if (views.environment && list.scene.environment->is_light) out.environment = &views.environment_view;

@@ -26,6 +26,7 @@ MeshView make_mesh_view(const Mesh& mesh, const shading::DrawFrame& frame) {
     view.positions = &mesh.positions[0].x;
     if (!mesh.normals.empty()) view.normals = &mesh.normals[0].x;
     if (!mesh.tangents.empty()) view.tangents = &mesh.tangents[0].x;
+    if (!mesh.bitangents.empty()) view.bitangents = &mesh.bitangents[0].x;
     for (std::size_t set = 0; set < std::min<std::size_t>(2, mesh.texcoords.size()); ++set)
         if (!mesh.texcoords[set].empty()) view.texcoords[set] = &mesh.texcoords[set][0].x;
     if (!mesh.colors.empty()) view.colors = &mesh.colors[0].x;

@@ -57,6 +57,7 @@ struct MaterialJob {
     int32_t has_bumps;         ///< a normal or height map acts, or would where lighting is evaluated at the pixels
     int32_t bump_terms;        ///< shading::BumpTermsNumber
     int32_t tangent_space;     ///< shading::TangentSpaceNumber
+    int32_t has_bitangents;    ///< normal maps act along the mesh's own bitangents
     int32_t orthogonalize;     ///< 0: tangents are used as they are interpolated, only made unit
     int32_t normalize_frames;  ///< 0: normal maps act in normals and tangents as they are interpolated
     int32_t green_down, centered_normals;

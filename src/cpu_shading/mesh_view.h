@@ -11,6 +11,7 @@ struct MeshView {
     const float* positions;               ///< [vertices] of 3
     const float* normals;                 ///< [vertices] of 3; null: those of the faces
     const float* tangents;                ///< [vertices] of 4; null: none
+    const float* bitangents;              ///< [vertices] of 3; null: by the cross product
     const float* texcoords[2];            ///< [vertices] of 2; null: none
     const float* colors;                  ///< [vertices] of 4; null: white
     float to_normal[3][3], linear[3][3];  ///< rows of the matrices object -> world axes, for normals and for tangents

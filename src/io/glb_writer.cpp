@@ -112,6 +112,8 @@ private:
             data.extended(positions, {}, {{"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}});
         if (!mesh.normals.empty()) attributes["NORMAL"] = directions(mesh.normals);
         if (!mesh.normals.empty() && !mesh.tangents.empty()) attributes["TANGENT"] = directions(mesh.tangents);
+        if (!mesh.normals.empty() && !mesh.bitangents.empty())
+            attributes["_BITANGENT"] = floats(mesh.bitangents, "VEC3");
         for (std::size_t set = 0; set < mesh.texcoords.size() && !mesh.texcoords[set].empty(); ++set)
             attributes["TEXCOORD_" + std::to_string(set)] = floats(mesh.texcoords[set], "VEC2");
         if (!mesh.colors.empty()) attributes["COLOR_0"] = floats(mesh.colors, "VEC4");

@@ -36,6 +36,7 @@ namespace rakelight::lighting::RL_ISA {
 #include "lighting/models/blinn_phong.glsl"
 #include "lighting/models/unlit.glsl"
 #include "lighting/models/oren_nayar.glsl"
+#include "lighting/models/oren_nayar_full.glsl"
 #include "lighting/models/ward.glsl"
 #include "lighting/models/ggx.glsl"
 #include "lighting/models/clearcoat.glsl"

@@ -12,7 +12,8 @@ namespace {
 Mesh with_arrays_of(const Mesh& made, const Mesh& own) {
     Mesh mesh = own;
     mesh.positions = made.positions, mesh.indices = made.indices, mesh.normals = made.normals;
-    mesh.tangents = made.tangents, mesh.texcoords = made.texcoords, mesh.colors = made.colors;
+    mesh.tangents = made.tangents, mesh.bitangents = made.bitangents, mesh.texcoords = made.texcoords,
+    mesh.colors = made.colors;
     mesh.influences = made.influences, mesh.more_influences = made.more_influences, mesh.arrays = made.arrays;
     return mesh;
 }
@@ -43,11 +44,12 @@ void set_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number,
 
 Mesh with_attributes(const Mesh& source, MeshAttributes&& attributes, bool new_normals, Context& context) {
     Mesh mesh = source;
-    mesh.tangents = {};
+    mesh.tangents = {}, mesh.bitangents = {};
     if (new_normals) mesh.normals = {};
     split_vertices(mesh, std::move(attributes.indices), attributes.source_vertex, context);
     if (new_normals) mesh.normals = std::move(attributes.normals);
     mesh.tangents = std::move(attributes.tangents);
+    mesh.bitangents = std::move(attributes.bitangents);
     return mesh;
 }
 
@@ -76,12 +78,17 @@ void ResultPlacer::place(Computed& computed) {
         } else if (placed[r] != no_index) {
             variants_.place(s_.instances[i], with_arrays_of(scene_.meshes[placed[r]], source(number)));
         } else {
+            if (!keeps_bitangents(source(number))) computed.attributes[r].bitangents = {};
             Mesh mesh = with_attributes(source(number), std::move(computed.attributes[r]), new_normals, context_);
             set_target_directions(scene_, mesh, number, new_normals,
                                   computed.targets.empty() ? nullptr : &computed.targets[r], context_.report());
             placed[r] = variants_.place(s_.instances[i], std::move(mesh));
         }
     }
+}
+
+bool ResultPlacer::keeps_bitangents(const Mesh& mesh) const {
+    return request_.bitangents && mesh.targets.empty() && mesh.influences.empty();  // who poses does not turn them
 }
 
 void ResultPlacer::report() const {

@@ -32,6 +32,7 @@ public:
 
 private:
     const Mesh& source(std::uint32_t number);
+    bool keeps_bitangents(const Mesh& mesh) const;
 
     Scene& scene_;
     const SmoothRequest& request_;

@@ -38,6 +38,7 @@ SmoothRequest request_for(const PrepareOptions& options) {
     request.attributes.orthogonalize = options.orthogonalize;
     request.attributes.measure_orthogonality = options.measure_orthogonality;
     request.keep_instances = options.keep_instances;
+    request.bitangents = options.bitangents;
     if (options.tangents) request.attributes.tangent_mode = request.kept_tangents = *options.tangents;
     if (options.all_tangents) request.tangents = TangentWish::everywhere;
     request.only_missing = true;
@@ -200,7 +201,7 @@ public:
         scene.pose = {};
         if (is_posable(scene)) scene = with_own_meshes(std::move(scene), context_);
         check_nodes(scene, report);
-        for (Mesh& mesh : scene.meshes) mesh.arrays.clear();
+        for (Mesh& mesh : scene.meshes) mesh.arrays.clear(), mesh.bitangents = {};
         scene = paid(repair_scene(std::move(scene), options_.normals, context_));
         const auto places = places_of(scene);
         scene = paid(subdivided(std::move(scene), options_, context_));
@@ -339,6 +340,8 @@ void check_options(const PrepareOptions& o) {
     require(exists(o.bump, Bump::displacement), no_such("bump technique", o.bump));
     const TangentMode tangents = o.tangents.value_or(TangentMode::averaged);
     require(exists(tangents, TangentMode::published_no_handedness), no_such("way to make tangents", tangents));
+    require(!o.bitangents || is_published(tangents),
+            "bitangents of their own are those of the tangents 'published' and 'published-no-handedness'");
     for (const char* const fault : {fault_of(o.subdivision), fault_of(o.displacement.relief)})
         require(!fault, fault ? fault : "");
     require(o.displacement.edge >= 0 && std::isfinite(o.displacement.edge),

@@ -21,6 +21,7 @@ struct SmoothRequest {
     /// Set: only meshes whose normal_rule() by it has attributes.scope, by their own crease angles.
     std::optional<NormalSource> source;
     bool every_scope = false;     ///< with `source`: all meshes, over attributes.scope
+    bool bitangents = false;      ///< of the published modes: kept as Mesh::bitangents of meshes that do not move
     bool keep_instances = false;  ///< instances share the first one's mesh even where they touch different things; said
     /// Not null: what is made of meshes that move is kept here, to be made again; morph targets get no normals then.
     std::vector<MadeAttributes>* made = nullptr;

@@ -23,6 +23,7 @@ std::uint64_t vertex_bytes(const Mesh& mesh) {
     std::uint64_t bytes = sizeof(vec3);
     if (!mesh.normals.empty()) bytes += sizeof(vec3);
     if (!mesh.tangents.empty()) bytes += sizeof(vec4);
+    if (!mesh.bitangents.empty()) bytes += sizeof(vec3);
     if (!mesh.colors.empty()) bytes += sizeof(vec4);
     if (!mesh.influences.empty()) bytes += sizeof(JointInfluence);
     if (!mesh.more_influences.empty()) bytes += sizeof(JointInfluence);
@@ -42,6 +43,7 @@ void split_vertices(Mesh& mesh, std::vector<std::uint32_t> indices, std::span<co
     extend(mesh.positions, source_vertex);
     extend(mesh.normals, source_vertex);
     extend(mesh.tangents, source_vertex);
+    extend(mesh.bitangents, source_vertex);
     for (Block<vec2>& set : mesh.texcoords) extend(set, source_vertex);
     extend(mesh.colors, source_vertex);
     for (VertexArray& array : mesh.arrays) {

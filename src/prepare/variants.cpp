@@ -31,7 +31,7 @@ bool same_surface(const Mesh& a, const Mesh& b) {
         return false;
     for (std::size_t set = 0; set < a.texcoords.size(); ++set)
         if (!all_near(a.texcoords[set], b.texcoords[set])) return false;
-    return all_near(a.normals, b.normals) && all_near(a.tangents, b.tangents);
+    return all_near(a.normals, b.normals) && all_near(a.tangents, b.tangents) && all_near(a.bitangents, b.bitangents);
 }
 
 std::vector<Instance> drawn_instances(const Scene& scene) {

@@ -74,6 +74,7 @@ void note_up(const Scene& scene, PictureRequest& request, Context& context) {
 /// Metallic-roughness materials are lit by the studio, where nobody has said what lights the scene.
 void take_light(const Scene& scene, bool takes_file, PictureRequest& request) {
     if (!takes_file && !names(request, "light")) request.default_lights = !scene.lights.empty();
+    if (request.preset != Preset::none) return;
     if (scene.environment || request.fog || scene.fog.kind != FogKind::none) return;
     if (names(request, {"light", "lighting", "shading", "specular", "hdri-file", "hdri-ambient", "hdri-skybox"}))
         return;

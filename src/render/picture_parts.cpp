@@ -12,6 +12,7 @@
 #include "render/picture_steps.h"
 #include "render/prepared_scene.h"
 #include "scene/light_cutoff.h"
+#include "world/fixed_function.h"
 
 namespace rakelight {
 namespace {
@@ -51,14 +52,29 @@ vec4 keep_background(RenderSettings& settings, const ToneSettings& tone) {
     return laid_behind(settings);
 }
 
+namespace {
+std::vector<Light> wanted_lights(const Scene& scene, const PictureRequest& request, const Camera& camera) {
+    return request.lights           ? *request.lights
+           : request.default_lights ? default_lights(camera.to_world)
+           : request.studio_lights  ? studio_lights(camera.to_world)
+                                    : lights_of(scene, camera, request.settings.method);
+}
+}  // namespace
+
 std::vector<Light> chosen_lights(const Scene& scene, const PictureRequest& request, const Camera& camera) {
-    std::vector<Light> lights = request.lights           ? *request.lights
-                                : request.default_lights ? default_lights(camera.to_world)
-                                : request.studio_lights  ? studio_lights(camera.to_world)
-                                                         : lights_of(scene, camera, request.settings.method);
+    std::vector<Light> lights = within_preset(wanted_lights(scene, request, camera), request);
     if (request.light_intensity != 1)
         for (Light& light : lights) scale_light(light, float(request.light_intensity));
     return lights;
+}
+
+void note_lights_left_out(const Scene& scene, const PictureRequest& request, const Camera& camera, Report& report) {
+    const std::size_t beyond = lights_beyond_preset(wanted_lights(scene, request, camera), request);
+    if (beyond > 0)
+        report.add(Remark::note, scene.source, "",
+                   "the preset has the first " + std::to_string(most_fixed_lights) +
+                       " lights: " + std::to_string(beyond) + (beyond == 1 ? " is" : " are") + " left out",
+                   {"preset"});
 }
 
 std::vector<Light> asked_lights(const Scene& scene, const PictureRequest& request, const Camera& camera) {

@@ -12,8 +12,11 @@ namespace rakelight {
 /// The window that is rendered: the whole picture where none is asked for.
 Window whole_window(const RenderSettings& settings);
 
-/// asked_lights() before any is cut.
+/// asked_lights() before any is cut, without those that the request's preset has no place for.
 std::vector<Light> chosen_lights(const Scene& scene, const PictureRequest& request, const Camera& camera);
+
+/// A note of those that the request's preset has no place for. @param scene  before with_lights()
+void note_lights_left_out(const Scene& scene, const PictureRequest& request, const Camera& camera, Report& report);
 
 /// The scene with the lights that the picture is lit by, and the fog.
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera);

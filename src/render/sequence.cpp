@@ -125,6 +125,7 @@ void Sequence::begin() {
 /// The session draws the scene through the camera that is returned, with the lights that go with it.
 Camera Sequence::show(Scene scene, double angle_rad, Context& context) {
     const Camera camera = views_->camera(scene, angle_rad);
+    if (drawn_ == 0) note_lights_left_out(scene, request_, camera, context.report());
     scene = with_lights(std::move(scene), request_, camera);
     if (drawn_ == 0) validate(scene);  // what the request has put into it
     validate_lights(scene.lights, scene.nodes.size());

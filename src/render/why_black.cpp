@@ -44,7 +44,9 @@ bool all_materials(const Scene& scene, const Test& test) {
     return !uses_default || test(Material{});
 }
 
-bool is_diffuse_model(Lighting lighting) { return lighting == Lighting::lambert || lighting == Lighting::oren_nayar; }
+bool is_diffuse_model(Lighting lighting) {
+    return lighting == Lighting::lambert || lighting == Lighting::oren_nayar || lighting == Lighting::oren_nayar_full;
+}
 
 /// Metal all over: it has no diffuse reflection but by the models that have nothing else.
 bool is_metal(const Material& m) {

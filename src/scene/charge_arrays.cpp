@@ -26,7 +26,7 @@ void for_each_unpaid(const Mesh& m, const Visit& visit) {
     const auto look = [&](const auto& block) {
         if (!block.is_paid()) visit(block);
     };
-    look(m.positions), look(m.indices), look(m.normals), look(m.tangents), look(m.colors);
+    look(m.positions), look(m.indices), look(m.normals), look(m.tangents), look(m.bitangents), look(m.colors);
     look(m.smoothing), look(m.smoothing_hint), look(m.polygons), look(m.influences);
     look(m.more_influences);
     for (const Block<vec2>& set : m.texcoords) look(set);

@@ -168,6 +168,7 @@ std::uint32_t check_mesh(const Scene& scene, std::size_t number, const Mesh* kno
     place.index_or_none("material", mesh.material, scene.materials.size());
     place.size_or_empty("normals", mesh.normals.size(), vertices, "vertices");
     place.size_or_empty("tangents", mesh.tangents.size(), vertices, "vertices");
+    place.size_or_empty("bitangents", mesh.bitangents.size(), vertices, "vertices");
     for (const Block<vec2>& set : mesh.texcoords)
         place.size_or_empty("texture coordinates", set.size(), vertices, "vertices");
     place.size_or_empty("colors", mesh.colors.size(), vertices, "vertices");

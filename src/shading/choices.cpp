@@ -24,6 +24,8 @@ ReflectionModel reflection_model(Lighting lighting) {
             return reflects_blinn_phong;
         case Lighting::oren_nayar:
             return reflects_oren_nayar;
+        case Lighting::oren_nayar_full:
+            return reflects_oren_nayar_full;
         case Lighting::ward:
             return reflects_ward;
         case Lighting::pbr:

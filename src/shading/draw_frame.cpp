@@ -58,6 +58,8 @@ DrawFrame::Corners DrawFrame::corners(std::uint32_t triangle) const {
             out.normal[k] = normalize_or(to_normal_ * cast<double>(mesh_.normals[index[k]]), dvec3{0, 0, 1});
         if (!mesh_.tangents.empty())
             out.tangent[k] = normalize_or(linear_ * cast<double>(mesh_.tangents[index[k]].xyz()), dvec3{});
+        if (!mesh_.bitangents.empty())
+            out.bitangent[k] = normalize_or(linear_ * cast<double>(mesh_.bitangents[index[k]]), dvec3{});
     }
     if (!mesh_.normals.empty()) return out;
     const dvec3 face = cross(out.position[1] - out.position[0], out.position[2] - out.position[0]) * mirror_;

@@ -27,8 +27,9 @@ public:
 
     /// The corners of a triangle as a vertex stage sees them. Without normals of the mesh those of the face, on its front.
     struct Corners {
-        dvec3 position[3], normal[3], tangent[3];  ///< unit, tangents 0 where the mesh has none
-        float handedness;                          ///< +1 or -1 of the tangent frame in the world
+        dvec3 position[3], normal[3], tangent[3],
+            bitangent[3];  ///< unit, tangents 0 where the mesh has none, bitangents where it has none of their own
+        float handedness;  ///< +1 or -1 of the tangent frame in the world
     };
     Corners corners(std::uint32_t triangle) const;
 

@@ -6,7 +6,7 @@
 
 namespace rakelight::shading {
 
-/// RL_LAMBERT ... RL_PBR of lighting/material/surface.glsl.
+/// RL_LAMBERT ... RL_OREN_NAYAR_FULL of lighting/material/surface.glsl.
 enum ReflectionModel : int32_t {
     reflects_lambert,
     reflects_phong,
@@ -14,7 +14,15 @@ enum ReflectionModel : int32_t {
     reflects_oren_nayar,
     reflects_ward,
     reflects_pbr,
+    reflects_oren_nayar_full,
 };
+/// RL_IS_MATTE: without a highlight.
+constexpr bool is_matte(int32_t model) {
+    return model == reflects_lambert || model == reflects_oren_nayar || model == reflects_oren_nayar_full;
+}
+constexpr bool is_oren_nayar(int32_t model) {
+    return model == reflects_oren_nayar || model == reflects_oren_nayar_full;
+}
 /// RL_TEXTBOOK, RL_NORMALIZED.
 enum ReflectionForm : int32_t { form_textbook, form_normalized };
 /// RL_WARD_... of lighting/models/ward.glsl.

@@ -5,6 +5,7 @@
 
 #include "engines/empty_pixel.h"
 #include "engines/raster/inspect/nearest_shown.h"
+#include "engines/raster/visibility/depth_formats.h"
 #include "render/rows.h"
 #include "scene/material_table.h"
 #include "tools/explained_pixel.h"
@@ -161,8 +162,15 @@ bool has_own_diffuse_normal(const ShadedLayer& layer) {
 }
 
 const char* reflection_model(const ShadedLayer& layer) {
-    static constexpr const char* names[] = {"lambert", "phong", "blinn_phong", "oren_nayar", "ward", "pbr"};
+    static constexpr const char* names[] = {"lambert", "phong", "blinn_phong",    "oren_nayar",
+                                            "ward",    "pbr",   "oren_nayar_full"};
     return names[layer.reflection_model];
+}
+
+double standard_depth_per_key(const ExplainedPixel& e) {
+    const shading::View& view = e.engine->view();
+    const raster::DepthRange range{view.z_near, view.z_far, view.orthographic};
+    return raster::standard_of_reversed(1, range) - raster::standard_of_reversed(0, range);
 }
 
 dvec3 world_position(const ExplainedPixel& e, const float (&relative)[3]) {

@@ -28,6 +28,7 @@ constexpr Words all_words[] = {
     {n_dot_l_coat, "n_dot_l_coat", "n.l", "of the coat's normal"},
     {pi, "pi", "pi", "a light's color is irradiance / pi"},
     {oren_nayar, "oren_nayar", "A + B ...", "Oren & Nayar 1994, eq. 30"},
+    {oren_nayar_full, "oren_nayar_full", "C1 + ...", "Oren & Nayar 1994, eq. 27 to 29"},
     {power, "power", "cosine to the exponent", "r.v or n.h; 0 below 0"},
     {energy_factor, "energy_factor", "energy factor", "pi times the lobe's normalization"},
     {ward_peak, "ward_peak", "peak [1/sr]", "1 / (4 pi alpha_x alpha_y)"},

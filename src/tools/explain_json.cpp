@@ -36,6 +36,18 @@ Json covered_json(const CoveringTriangle& t) {
     return out;
 }
 
+Json plane_json(const ExplainedPixel& e, const raster::DepthPlane& p) {
+    const double per_key = standard_depth_per_key(e);
+    return {{"reference", {p.x, p.y}},
+            {"key", double(p.key)},
+            {"slope", {double(p.slope_x), double(p.slope_y)}},
+            {"steps", {e.pixel.x - p.x, e.pixel.y - p.y}},
+            {"by_steps", double(p.by_steps)},
+            {"plane", p.exact},
+            {"error", double(p.by_steps) - p.exact},
+            {"textbook_slope", {per_key * double(p.slope_x), per_key * double(p.slope_y)}}};
+}
+
 Json triangle_json(const ExplainedPixel& e, const CoveringTriangle& t) {
     const TriangleNames names = names_of(e, t);
     return {{"fate", word_for(t.fate)},
@@ -51,6 +63,7 @@ Json triangle_json(const ExplainedPixel& e, const CoveringTriangle& t) {
             {"clipped", t.is_clipped},
             {"distance", double(t.distance)},
             {"depth_key", double(t.depth_key)},
+            {"depth_plane", plane_json(e, t.plane)},
             {"alpha", double(t.alpha)},
             {"samples", covered_json(t)}};
 }
@@ -146,7 +159,10 @@ Json surface_json(const ShadedLayer& layer) {
 /// Of the models of more parameters.
 void add_parameters(Json& out, const ShadedLayer& layer) {
     const raster::PixelTrace& t = layer.trace;
-    if (layer.reflection_model == shading::reflects_oren_nayar) out["oren_nayar"] = list(t.oren_nayar);
+    if (shading::is_oren_nayar(layer.reflection_model)) {
+        out["oren_nayar"] = list(t.oren_nayar);
+        if (layer.reflection_model == shading::reflects_oren_nayar) out["oren_nayar"].erase(2);
+    }
     if (has_microfacets(layer.reflection_model)) out["alpha"] = list(t.lobe_alpha);
     if (layer.reflection_model != shading::reflects_pbr) return;
     out["f90"] = list(t.f90);

@@ -69,6 +69,24 @@ std::string triangles_text(const ExplainedPixel& e) {
            table.text("  ");
 }
 
+/// The textbook's incremental depth: from the pixel where the triangle's box begins, by slopes and steps.
+std::string planes_text(const ExplainedPixel& e) {
+    TextTable table({">#", "from pixel", ">key there", ">d key/dx [1/px]", ">d key/dy [1/px]", ">steps", ">by steps",
+                     ">error", ">dz/dx [1/px]", ">dz/dy [1/px]"});
+    const double per_key = standard_depth_per_key(e);
+    for (std::size_t i = 0; i < e.pixel.triangles.size(); ++i) {
+        const raster::DepthPlane& p = e.pixel.triangles[i].plane;
+        table.add({digits(i), digits(p.x) + "," + digits(p.y), digits(p.key), digits(p.slope_x), digits(p.slope_y),
+                   digits(e.pixel.x - p.x) + "," + digits(e.pixel.y - p.y), digits(p.by_steps),
+                   digits(float(double(p.by_steps) - p.exact)), digits(float(per_key * double(p.slope_x))),
+                   digits(float(per_key * double(p.slope_y)))});
+    }
+    return "\nTheir depths by steps from pixel to pixel\n  (key + slopes x steps; the error is against the plane "
+           "through "
+           "the corners in double; z is the textbook's depth, 0 near to 1 far)\n" +
+           table.text("  ");
+}
+
 std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     const raster::PixelTrace& t = layer.trace;
     Values values(3);
@@ -105,8 +123,11 @@ std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
 void add_parameters(Values& values, const ShadedLayer& layer) {
     const raster::PixelTrace& t = layer.trace;
     if (!is_beyond_classical(layer.reflection_model)) values.add("exponent", t.exponent);
+    const float a_and_b[] = {t.oren_nayar[0], t.oren_nayar[1]};
     if (layer.reflection_model == shading::reflects_oren_nayar)
-        values.add("A, B", t.oren_nayar, "Oren & Nayar 1994, eq. 30");
+        values.add("A, B", a_and_b, "Oren & Nayar 1994, eq. 30");
+    if (layer.reflection_model == shading::reflects_oren_nayar_full)
+        values.add("C1, 0.45 s, bounce", t.oren_nayar, "Oren & Nayar 1994, eq. 27 to 29");
     if (has_microfacets(layer.reflection_model)) values.add("alpha, of the lobe", t.lobe_alpha, "along its axes");
     if (layer.reflection_model != shading::reflects_pbr) return;
     values.add("f90", t.f90, "k specular is f0");
@@ -323,7 +344,7 @@ std::string to_text(const ExplainedPixel& e) {
     text += "  sRGB code ";
     for (const std::uint8_t code : e.codes) text += " " + digits(int(code));
     text += "\n";
-    if (!p.triangles.empty()) text += triangles_text(e);
+    if (!p.triangles.empty()) text += triangles_text(e) + planes_text(e);
     for (std::size_t i = 0; i < p.layers.size(); ++i) text += layer_text(e, p.layers[i], i);
     if (p.samples.size() > 1 && !p.layers.empty()) text += samples_text(e);
     return text + code_text(e) + conclusion_text(e);

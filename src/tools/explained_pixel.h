@@ -86,10 +86,13 @@ inline bool has_microfacets(int reflection_model) {
 }
 /// More than Lambert, Phong and Blinn-Phong.
 inline bool is_beyond_classical(int reflection_model) {
-    return has_microfacets(reflection_model) || reflection_model == shading::reflects_oren_nayar;
+    return has_microfacets(reflection_model) || shading::is_oren_nayar(reflection_model);
 }
 /// "lambert", "phong" or "blinn_phong"
 const char* reflection_model(const raster::ShadedLayer& layer);
+
+/// What the textbook's depth (0 on the near plane, 1 on the far one) changes by for 1 of the depth key.
+double standard_depth_per_key(const ExplainedPixel& e);
 
 /// [m] in the world of a point relative to the eye.
 dvec3 world_position(const ExplainedPixel& e, const float (&relative)[3]);

@@ -148,6 +148,8 @@ SmoothedFile smooth_file(const std::string& input, const std::string& wanted, co
         before = placed_in_world(before, way == Way::new_obj, context);
         if (options.attributes.weld_distance < 0) smoothing.attributes.weld_distance = world_rounding(before);
     }
+    if (options.bitangents && way != Way::gltf_in_place && way != Way::new_gltf)
+        throw Error(ErrorCode::usage, "only glTF has a place for bitangents of their own", {}, "write .glb or .gltf");
     context.progress("smooth", 0);
     const auto [after, seams, borders] = smooth_for_file(before, smoothing, context);
     result.seams = seams, result.borders = borders;

@@ -94,6 +94,18 @@ SmoothedScene repaired(const Scene& scene, const SmoothFileOptions& options, Con
     return out;
 }
 
+/// Tangents and bitangents as the publication averages them, for the meshes that are to have tangents. On which side the bitangent lies
+/// is in w, so that who does not read the bitangents has the nearest frame.
+Scene with_bitangents(Scene scene, const SmoothFileOptions& options, Context& context) {
+    SmoothRequest request;
+    request.attributes = options.attributes;
+    request.kept_tangents = TangentMode::published_no_handedness;
+    request.bitangents = true;
+    request.keep_instances = options.keep_instances;
+    if (options.tangents == TangentChoice::always) request.tangents = TangentWish::everywhere;
+    return add_missing_tangents(std::move(scene), request, context);
+}
+
 /// Along borders that share no vertices.
 void join_near_borders(SmoothedScene& smoothed, const SmoothFileOptions& options, Context& context) {
     const AttributeOptions& a = options.attributes;
@@ -113,6 +125,8 @@ void join_near_borders(SmoothedScene& smoothed, const SmoothFileOptions& options
 void check(const SmoothFileOptions& options) {
     if (!(options.border_distance >= 0) || !std::isfinite(options.border_distance))
         throw Error(ErrorCode::usage, "the border distance must be 0 or more");
+    if (options.bitangents && options.tangents == TangentChoice::never)
+        throw Error(ErrorCode::usage, "bitangents need tangents");
 }
 
 }  // namespace
@@ -124,6 +138,7 @@ SmoothedScene smooth_for_file(const Scene& scene, const SmoothFileOptions& optio
     SmoothedScene out =
         keeps ? repaired(scene, options, context) : SmoothedScene{with_new_normals(scene, options, false, context)};
     if (options.border_distance > 0) join_near_borders(out, options, context);
+    if (options.bitangents) out.scene = with_bitangents(std::move(out.scene), options, context);
     charge_new_arrays(out.scene, unpaid_arrays(scene), context);
     out.scene.charges.push_back(std::move(charge));
     return out;

@@ -12,6 +12,8 @@ using Kind = RenderKey::Kind;
 
 /// What every field is by default.
 const PictureRequest& defaults();
+/// What they are beside the preset of a request: what is written is what differs from it.
+const PictureRequest& defaults_beside(const PictureRequest& of);
 
 /// The shortest text that is read as the same number.
 std::string text_of(double number);
@@ -45,7 +47,7 @@ inline Written on_or_off(bool value) { return {value ? "on" : "off"}; }
 #define RL_WRITE(field, writing)                                                         \
     [](const PictureRequest& of) -> Written {                                            \
         const auto is_of = [](const PictureRequest& r) -> const auto& { return field; }; \
-        if (is_of(of) == is_of(defaults())) return {};                                   \
+        if (is_of(of) == is_of(defaults_beside(of))) return {};                          \
         [[maybe_unused]] const PictureRequest& r = of;                                   \
         return Written writing;                                                          \
     }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "math/color.h"
+#include "world/fixed_function.h"
 #include "world/key_fields.h"
 
 namespace rakelight::keys {
@@ -76,6 +77,15 @@ const char* name_of(const Light& light) {
 const PictureRequest& defaults() {
     static const PictureRequest plain;
     return plain;
+}
+
+const PictureRequest& defaults_beside(const PictureRequest& of) {
+    static const PictureRequest fixed = [] {
+        PictureRequest request;
+        set_preset(Preset::fixed_function, request);
+        return request;
+    }();
+    return of.preset == Preset::none ? defaults() : fixed;
 }
 
 std::string text_of(double number) { return shortest(number); }

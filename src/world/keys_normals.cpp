@@ -23,6 +23,8 @@ constexpr Word<std::optional<TangentMode>> tangent_words[] = {
     {"published-no-handedness", TangentMode::published_no_handedness},
     {"mikktspace", TangentMode::mikktspace}};
 
+constexpr Word<bool> bitangent_words[] = {{"cross", false}, {"attribute", true}};
+
 /// Where tangents are made perpendicular to normals: once, at every pixel, nowhere.
 struct Orthogonal {
     Orthogonalize once;
@@ -78,6 +80,7 @@ constexpr RenderKey table[] = {
     RL_KEY("border-distance", value, r.prepare.border_distance, distance("border-distance", w[0]),
            {text_of(r.prepare.border_distance)}),
     RL_WORD_KEY("tangents", r.prepare.tangents, tangent_words),
+    RL_WORD_KEY("bitangents", r.prepare.bitangents, bitangent_words),
     {"orthogonalize", Kind::value, read_orthogonalize, write_orthogonalize},
     RL_KEY("tessellate", flag, r.prepare.tessellate, w[0] == "on", {"on"}),
     RL_KEY("keep-instances", flag, r.prepare.keep_instances, w[0] == "on", {"on"}),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys about the picture itself: size, samples, data channels, engine, shading frequency, visibility, lines and points.
 #include "world/channel_info.h"
+#include "world/fixed_function.h"
 #include "world/key_fields.h"
 
 namespace rakelight::keys {
@@ -31,6 +32,14 @@ constexpr Word<Visibility> visibility_words[] = {{"z-reversed", Visibility::z_re
                                                  {"back-face", Visibility::back_face}};
 constexpr Word<PointShape> point_words[] = {
     {"none", PointShape::none}, {"square", PointShape::square}, {"disc", PointShape::disc}};
+
+constexpr Word<Preset> preset_words[] = {{"none", Preset::none}, {"fixed-function", Preset::fixed_function}};
+
+/// All keys that it decides are read behind it.
+void read_preset(PictureRequest& r, Words w) {
+    r.preset = values::word("preset", w[0], preset_words);
+    set_preset(r.preset, r);
+}
 
 /// Rays have shadows by nature; `shadows`, which is read behind it, may say otherwise.
 void read_engine(PictureRequest& r, Words w) {
@@ -146,7 +155,7 @@ void read_shading(PictureRequest& r, Words w) {
 
 Written write_shading(const PictureRequest& r) {
     Written all;
-    if (r.settings.shading != defaults().settings.shading) all = name_in(shading_words, r.settings.shading);
+    if (r.settings.shading != defaults_beside(r).settings.shading) all = name_in(shading_words, r.settings.shading);
     for (const ShadingRule& rule : r.settings.shading_rules)
         all.push_back((rule.of == ShadingRule::Of::material ? "material:" : "object:") + rule.name + "=" +
                       name_in(shading_words, rule.shading)[0]);
@@ -172,6 +181,7 @@ void read_point_sprites(PictureRequest& r, Words w) {
 }
 
 constexpr RenderKey table[] = {
+    {"preset", Kind::value, read_preset, RL_WRITE(r.preset, (name_in(preset_words, r.preset)))},
     {"engine", Kind::value, read_engine, RL_WRITE(r.engine, {r.engine})},
     {"method", Kind::value, read_method, RL_WRITE(r.settings.method, (name_in(method_words, r.settings.method)))},
     RL_INTEGER_KEY("max-depth", r.settings.max_depth, 0, 64),

@@ -38,7 +38,7 @@ void read_lighting(PictureRequest& r, Words w) {
 
 Written write_lighting(const PictureRequest& r) {
     if (!r.settings.lighting_name.empty()) return {r.settings.lighting_name};
-    if (r.settings.lighting == defaults().settings.lighting) return {};
+    if (r.settings.lighting == defaults_beside(r).settings.lighting) return {};
     return name_in(lighting_words, r.settings.lighting);
 }
 

@@ -69,6 +69,13 @@ void check_view(const PictureRequest& r, const Given& given) {
         throw Error(ErrorCode::usage, "must be less than 'far'").about("near", {"far"});
 }
 
+void check_bitangents(const PictureRequest& r) {
+    if (r.prepare.bitangents && !(r.prepare.tangents && is_published(*r.prepare.tangents)))
+        throw Error(ErrorCode::usage,
+                    "attribute needs 'tangents' published or published-no-handedness: they average bitangents")
+            .about("bitangents", {"tangents"});
+}
+
 void check_subdivision(const Given& given) {
     const char* const how = given.first_of(
         {"subdivide-scheme", "subdivide-crease", "subdivide-sharpness", "subdivide-boundary", "subdivide-uv"});
@@ -148,6 +155,7 @@ void read_render_keys(std::span<const WorldValue> values, PictureRequest& to) {
     const Given given(values);
     check_picture(to, given);
     check_view(to, given);
+    check_bitangents(to);
     check_subdivision(given);
     check_coloring(to, given);
     if (given.has("animation-index") && given.has("animation-name")) exclude("animation-index", "animation-name");

@@ -5,6 +5,7 @@
 
 #include <rakelight/request.h>
 #include <rakelight/tools/settings_file.h>
+#include <rakelight/tools/words.h>
 
 #include "io/world/read_settings.h"
 #include "world/lighting_text.h"
@@ -16,8 +17,9 @@ bool has(std::span<const WorldValue> values, std::string_view key) {
     return std::ranges::find(values, key, &WorldValue::key) != values.end();
 }
 
-/// A setting that is given takes the place of one of the file: the same, or another that says where the camera stands.
+/// A setting that is given takes the place of one of the file: the same, another that says where the camera stands, or a preset.
 bool is_overridden(std::span<const WorldValue> given, std::string_view key) {
+    if (is_of_preset(key) && asks_for_preset(given)) return true;
     if (!places_camera(key)) return has(given, key);
     return std::ranges::any_of(given, [](const WorldValue& value) { return places_camera(value.key); });
 }
@@ -103,6 +105,11 @@ bool names_files(const WorldValue& value) {
     const RenderKey* const key = find_render_key(value.key);
     return (key && key->kind == RenderKey::Kind::file) ||
            (value.key == "lighting" && !value.words.empty() && is_lighting_file(value.words[0]));
+}
+
+bool asks_for_preset(std::span<const WorldValue> settings) {
+    const auto preset = std::ranges::find(settings, "preset", &WorldValue::key);
+    return preset != settings.end() && !preset->words.empty() && !same_word(preset->words[0], "none");
 }
 
 bool shades_the_whole(std::span<const WorldValue> settings) {

@@ -5,6 +5,7 @@
 
 #include "engines/check_settings.h"
 #include "world/coloring.h"
+#include "world/fixed_function.h"
 
 namespace rakelight {
 
@@ -25,7 +26,7 @@ Scene as_asked(Scene scene, const PictureRequest& request, Context& context) {
         scene = color_by_array(std::move(scene), request.coloring, context);
     else
         note_arrays(scene, context.report());
-    return with_environment(std::move(scene), request, context);
+    return with_preset(with_environment(std::move(scene), request, context), request);
 }
 
 }  // namespace rakelight

@@ -22,6 +22,7 @@ inline constexpr Word<Lighting> lighting_words[] = {
     {"phong", Lighting::phong},
     {"blinn-phong", Lighting::blinn_phong},
     {"oren-nayar", Lighting::oren_nayar},
+    {"oren-nayar-full", Lighting::oren_nayar_full},
     {"ward", Lighting::ward},
     {"pbr", Lighting::pbr},
 };

@@ -85,4 +85,13 @@ inline real load_tangents(const MeshView& mesh, const Corners& c, vec3 (&tangent
     return handedness;
 }
 
+/// Unit bitangents of the corners, 0 where the mesh has none of its own.
+inline void load_bitangents(const MeshView& mesh, const Corners& c, vec3 (&bitangent)[3]) {
+    for (int32_t k = 0; k < 3; ++k)
+        bitangent[k] =
+            mesh.bitangents == nullptr
+                ? vec3(real(0.0f))
+                : safe_normalize_or(transformed(mesh.linear, load_corner3(mesh.bitangents, c, k)), vec3(real(0.0f)));
+}
+
 }  // namespace rakelight::cpu_shading::RL_ISA

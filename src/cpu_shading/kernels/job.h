@@ -8,7 +8,8 @@ namespace rakelight::cpu_shading::RL_ISA {
 
 static_assert(shading::reflects_lambert == RL_LAMBERT && shading::reflects_phong == RL_PHONG &&
               shading::reflects_blinn_phong == RL_BLINN_PHONG && shading::reflects_oren_nayar == RL_OREN_NAYAR &&
-              shading::reflects_ward == RL_WARD && shading::reflects_pbr == RL_PBR);
+              shading::reflects_ward == RL_WARD && shading::reflects_pbr == RL_PBR &&
+              shading::reflects_oren_nayar_full == RL_OREN_NAYAR_FULL);
 static_assert(shading::form_textbook == RL_TEXTBOOK && shading::form_normalized == RL_NORMALIZED);
 static_assert(shading::ward_1992 == RL_WARD_1992 && shading::ward_duer == RL_WARD_DUER &&
               shading::ward_bounded == RL_WARD_BOUNDED);

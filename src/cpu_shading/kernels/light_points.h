@@ -18,7 +18,7 @@ inline lit::MaterialSurface surface_of_point(const Job<EveryMaterial>& job, floa
     const real roughness(is_metallic ? mean_roughness : m.lobe_roughness);
     lit::MaterialSurface s =
         lit::unit_material(base, maps_of(job.of), roughness, vec2(real(m.ward_alpha[0]), real(m.ward_alpha[1])));
-    set_slopes(m, s);
+    set_slopes(m, vec3(real(m.base_color[0]), real(m.base_color[1]), real(m.base_color[2])), s);
     if (is_metallic) {
         lit::set_point_dielectric(s, splat(m.dielectric_color), real(m.specular_strength));
     } else {

@@ -158,8 +158,8 @@ inline void set_film(const Job<Kind>& job, const ShadingPoint& p, lit::MaterialS
                          real(m.iridescence_ior));
 }
 
-inline void set_slopes(const MaterialView& m, lit::MaterialSurface& s) {
-    lit::set_oren_nayar(s, m.sigma >= 0.0f ? real(m.sigma) : lit::sigma_of_roughness(s.roughness));
+inline void set_slopes(const MaterialView& m, vec3 facet_color, lit::MaterialSurface& s) {
+    lit::set_oren_nayar(s, m.sigma >= 0.0f ? real(m.sigma) : lit::sigma_of_roughness(s.roughness), facet_color);
 }
 
 /// Lambert, Phong, Blinn-Phong; but for metals by Lambert, which show their base color.
@@ -193,7 +193,7 @@ inline void set_material(const Job<Kind>& job, const ShadingPoint& p, const Mate
     }
     set_widths(job, p, s);
     lit::show_base_color(s, rgb(base.color), job.model());
-    if (job.model() == RL_OREN_NAYAR) set_slopes(m, s);
+    if (shading::is_oren_nayar(job.model())) set_slopes(m, s.base.diffuse, s);
     set_layers(job, p, job.traits(), s);
     if (!job.is_pbr()) s.base.ambient = s.base.ambient * t.occlusion;
 }

@@ -38,11 +38,16 @@ inline lit::Relief relief_of(const shading::ReliefFactors& r) {
     return out;
 }
 
-template <class Kind>
-inline lit::Frame frame_at(const Job<Kind>& job, const ShadingPoint& p) {
+/// @param of  of the point: CornerFrames corners(), and interpolate(a, b, c) between three corners
+template <class Kind, class Source>
+inline lit::Frame frame_at(const Job<Kind>& job, const Source& of, const ShadingPoint& p) {
     if (job.of.bump == 0 || job.of.has_bumps == 0) return lit::even_frame(p.normal.v, p.normal.sign);
-    return lit::bump_frame(p.normal.v, p.normal.sign, p.tangent.v, p.tangent.sign, job.of.orthogonalize,
-                           job.of.normalize_frames);
+    lit::Frame f = lit::bump_frame(p.normal.v, p.normal.sign, p.tangent.v, p.tangent.sign, job.of.orthogonalize,
+                                   job.of.normalize_frames);
+    if (job.of.has_bitangents == 0) return f;
+    const CornerFrames c = of.corners();
+    lit::set_bitangent(f, of.interpolate(c.bitangent[0], c.bitangent[1], c.bitangent[2]), job.of.normalize_frames);
+    return f;
 }
 
 /// @param c     the map's own coordinates

@@ -80,7 +80,7 @@ inline void find_places(const Job<Kind>& job, Source& source, Points<Kind, most>
             ShadingPoint& p = b.of[k].point;
             p.normal = source.normal(k);
             p.tangent = source.tangent(k);
-            b.of[k].bumps.frame = frame_at(job, p);
+            b.of[k].bumps.frame = frame_at(job, source.of(k), p);
             if (job.has_relief()) enter_relief(job.of, source.of(k).from_viewer(p.position), p, b.of[k].bumps);
         }
     for (int32_t k = 0; k < b.count; ++k) find_map_place(job.of, job.has_relief(), b.of[k].point);

@@ -25,9 +25,10 @@ struct ShadingPoint {
     Footprint footprint;   ///< of the shared ones
 };
 
-/// Positions, normals and tangents of the corners of each point's triangle: for lighting in the vertices' tangent space.
+/// Positions and frames of the corners of each point's triangle: for lighting in the vertices' tangent space, and for bitangents that
+/// are attributes of their own.
 struct CornerFrames {
-    vec3 position[3], normal[3], tangent[3];
+    vec3 position[3], normal[3], tangent[3], bitangent[3];
     real handedness;
 };
 

@@ -16,8 +16,9 @@ inline vec3 through_vertices(const MaterialJob& job, const Source& of, const To&
     vec3 at[3];
     for (int k = 0; k < 3; ++k) {
         const vec3 n = safe_normalize(f.normal[k]);
-        at[k] = lit::to_tangent_space(n, lit::map_tangent(n, f.tangent[k], job.orthogonalize), f.handedness,
-                                      is_transposed, to(f.position[k]));
+        const vec3 t = lit::map_tangent(n, f.tangent[k], job.orthogonalize), crossed = cross(n, t) * f.handedness;
+        const vec3 b = job.has_bitangents != 0 ? safe_normalize_or(f.bitangent[k], crossed) : crossed;
+        at[k] = lit::to_tangent_space(n, t, b, is_transposed, to(f.position[k]));
     }
     return of.interpolate(at[0], at[1], at[2]);
 }
@@ -28,7 +29,7 @@ template <class Kind, class Source, class To>
 inline vec3 in_tangent_space(const Job<Kind>& job, const Source& of, const lit::Frame& f, vec3 world, const To& to) {
     if (!job.in_tangent_space()) return world;
     const vec3 d = job.of.tangent_space == space_pixel
-                       ? lit::to_tangent_space(f.map_normal, f.map_tangent, f.w, 0, world)
+                       ? lit::to_tangent_space(f.map_normal, f.map_tangent, f.map_bitangent, 0, world)
                        : through_vertices(job.of, of, to);
     return lit::tangent_space_direction(f, d, world);
 }

@@ -191,6 +191,7 @@ private:
         f_.seen_sides = state_.culling.back ? seen_front : state_.culling.front ? seen_back : seen_both;
         f_.has_normals = reads_normals;
         f_.has_tangents = reads_tangents;
+        f_.has_bitangents = f_.has_bumps && f_.has(role_normal) && !mesh_.bitangents.empty();
         f_.tangents_are_sound = reads_tangents && !mesh_.tangents.empty();
         f_.has_colors = !mesh_.colors.empty() && factors().vertex_colors;
         f_.has_texcoords = f_.maps != 0 || f_.output == Output::places;
@@ -275,6 +276,7 @@ void set_mesh_features(const Mesh& mesh, Features& f) {
     };
     f.mesh_normals = !mesh.normals.empty();
     f.mesh_tangents = !mesh.tangents.empty();
+    f.mesh_bitangents = !mesh.bitangents.empty();
     f.mesh_texcoords = has_set(0) || has_set(1);
     f.mesh_colors = !mesh.colors.empty();
 }

@@ -49,6 +49,8 @@ enum class Output : std::int32_t { color, shadow, sky, numbers, directions, plac
     X(has_corner_frames, "HAS_CORNER_FRAMES")         \
     X(mesh_normals, "MESH_NORMALS")                   \
     X(mesh_tangents, "MESH_TANGENTS")                 \
+    X(has_bitangents, "HAS_BITANGENTS")               \
+    X(mesh_bitangents, "MESH_BITANGENTS")             \
     X(mesh_texcoords, "MESH_TEXCOORDS")               \
     X(mesh_colors, "MESH_COLORS")                     \
     X(has_bumps, "HAS_BUMPS")                         \

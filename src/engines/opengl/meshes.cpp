@@ -50,6 +50,8 @@ std::vector<vec4> vertex_texels(const Mesh& mesh) {
         out.push_back({p.x, p.y, p.z, 1});
         if (!mesh.normals.empty()) out.push_back({mesh.normals[v].x, mesh.normals[v].y, mesh.normals[v].z, 0});
         if (!mesh.tangents.empty()) out.push_back(mesh.tangents[v]);
+        if (!mesh.bitangents.empty())
+            out.push_back({mesh.bitangents[v].x, mesh.bitangents[v].y, mesh.bitangents[v].z, 0});
         const vec2 a = set0.empty() ? vec2{0, 0} : set0[v], b = set1.empty() ? vec2{0, 0} : set1[v];
         if (!set0.empty() || !set1.empty()) out.push_back({a.x, a.y, b.x, b.y});
         if (!mesh.colors.empty()) out.push_back(mesh.colors[v]);
@@ -62,7 +64,7 @@ std::vector<vec4> vertex_texels(const Mesh& mesh) {
 MeshStore::Key MeshStore::key_of(const Mesh& mesh) {
     return {mesh.positions.identity(), mesh.indices.identity(),          mesh.normals.identity(),
             mesh.tangents.identity(),  texcoords_of(mesh, 0).identity(), texcoords_of(mesh, 1).identity(),
-            mesh.colors.identity()};
+            mesh.colors.identity(),    mesh.bitangents.identity()};
 }
 
 void MeshStore::keep_only(const Scene& scene, const geometry::MeshPoses& poses) {
@@ -94,6 +96,7 @@ std::vector<MeshStore::Part> MeshStore::parts_of(const Mesh& mesh, const geometr
         parts.push_back({block.identity(), block.data(), block.size() * sizeof(block[0]), owner});
     };
     add(mesh.positions), add(mesh.indices), add(mesh.normals), add(mesh.tangents), add(mesh.colors);
+    add(mesh.bitangents);
     add(texcoords_of(mesh, 0)), add(texcoords_of(mesh, 1));
     if (pose) add(pose->influences), add(pose->more_influences);
     return parts;
@@ -148,6 +151,7 @@ GLuint MeshStore::vertex_array(const Mesh& mesh, PosedBuffers* posed) {
         set_attribute(3, 2, buffer_of(texcoords_of(mesh, 0)), {0, 0, 0, 1});
         set_attribute(4, 2, buffer_of(texcoords_of(mesh, 1)), {0, 0, 0, 1});
         set_attribute(5, 4, buffer_of(mesh.colors), {1, 1, 1, 1});
+        set_attribute(6, 3, buffer_of(mesh.bitangents), {0, 0, 0, 1});
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer_of(mesh.indices));
     }
     // Values of attributes that are off belong to the context, not to the array.

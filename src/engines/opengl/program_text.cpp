@@ -75,8 +75,8 @@ std::string numbers_of(const Features& f) {
     const auto define = [](const char* word, int value) {
         return std::string("#define ") + word + " " + std::to_string(value) + "\n";
     };
-    const int texels =
-        1 + (f.mesh_normals != 0) + (f.mesh_tangents != 0) + (f.mesh_texcoords != 0) + (f.mesh_colors != 0);
+    const int texels = 1 + (f.mesh_normals != 0) + (f.mesh_tangents != 0) + (f.mesh_bitangents != 0) +
+                       (f.mesh_texcoords != 0) + (f.mesh_colors != 0);
     return define("RL_AT_PIXELS", lit_at_pixels) + define("RL_AT_VERTICES", lit_at_vertices) +
            define("RL_AT_FACES", lit_at_faces) + define("RL_SPACE_WORLD", shading::space_world) +
            define("RL_SPACE_TRANSPOSED", shading::space_transposed) + define("RL_FETCH_WIDTH", fetch_width) +

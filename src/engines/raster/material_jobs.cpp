@@ -42,8 +42,8 @@ ShadeJob draw_job(const FrontEnd& front, const std::vector<lighting::LightParame
 
 bool wants_corner_frames(const FrontEnd& front, std::uint32_t draw) {
     const MaterialJob& job = front.jobs[draw];
-    return job.has_bumps &&
-           (job.tangent_space == shading::space_vertex || job.tangent_space == shading::space_transposed);
+    return job.has_bumps && (job.has_bitangents || job.tangent_space == shading::space_vertex ||
+                             job.tangent_space == shading::space_transposed);
 }
 
 float mask_cutoff(const FrontEnd& front, std::uint32_t draw) {

@@ -23,7 +23,7 @@ Lighting lighting_of(const FrontEnd& front, std::uint32_t draw);
 Bump bump_of(const FrontEnd& front, std::uint32_t draw);
 float mask_cutoff(const FrontEnd& front, std::uint32_t draw);
 
-/// Lighting in the tangent space of the vertices: their frames are wanted beside the records.
+/// Lighting in the tangent space of the vertices, bitangents of their own: their frames are wanted beside the records.
 bool wants_corner_frames(const FrontEnd& front, std::uint32_t draw);
 
 }  // namespace rakelight::raster

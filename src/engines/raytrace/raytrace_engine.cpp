@@ -250,8 +250,7 @@ private:
     static bool may_reflect_too_much(const HitJob& job) {
         const cpu_shading::MaterialView& m = *job.material;
         if (m.metallic_roughness != 0 || m.unlit != 0 || job.unlit != 0) return false;
-        const bool has_gloss =
-            job.reflection_model != shading::reflects_lambert && job.reflection_model != shading::reflects_oren_nayar;
+        const bool has_gloss = !shading::is_matte(job.reflection_model);
         for (std::size_t c = 0; c < 3; ++c)
             if (m.base_color[c] + (has_gloss ? m.specular[c] : 0) + m.filter[c] > 1) return true;
         return false;

@@ -81,13 +81,24 @@ private:
         return std::equal(a.begin(), a.end(), b.begin(), b.end(), each);
     }
 
+    /// Those that are to be written, if any are, are among the numbers of the file's vertices, but for rounding.
+    static bool has_bitangents_of(const Mesh& a, const Mesh& b) {
+        if (b.bitangents.empty()) return true;
+        for (const VertexArray& array : a.arrays)
+            if (array.name == gltf::bitangent_name && array.values.size() == 3 * b.bitangents.size())
+                return std::equal(array.values.begin(), array.values.end(), &b.bitangents[0].x,
+                                  [](float p, float q) { return std::fabs(double(p) - double(q)) <= rounding; });
+        return false;
+    }
+
     /// What is there is what would be written.
     bool is_equal(const Mesh& a, const Mesh& b) const {
         const auto same = [&](const char* name, const auto& x, const auto& y) {
             const ComponentType type = storage_.is_kept(a, name) ? storage_.stored(a, name) : ComponentType::f32;
             return x == y || all(x, y, [&](float p, float q) { return p == stored_value(q, type); });
         };
-        return same_corners(a, b) && same("NORMAL", a.normals, b.normals) && same("TANGENT", a.tangents, b.tangents);
+        return same_corners(a, b) && same("NORMAL", a.normals, b.normals) && same("TANGENT", a.tangents, b.tangents) &&
+               has_bitangents_of(a, b);
     }
 
     /// What is there differs from what was computed by the rounding of sums in another order, or of numbers to their
@@ -97,7 +108,8 @@ private:
             const double slack = rounding + (storage_.is_kept(a, name) ? half_step(storage_.stored(a, name)) : 0);
             return x == y || all(x, y, [&](float p, float q) { return std::fabs(double(p) - double(q)) <= slack; });
         };
-        return same_corners(a, b) && same("NORMAL", a.normals, b.normals) && same("TANGENT", a.tangents, b.tangents);
+        return same_corners(a, b) && same("NORMAL", a.normals, b.normals) && same("TANGENT", a.tangents, b.tangents) &&
+               has_bitangents_of(a, b);
     }
 
     void list(const MeshVersion& version, std::uint32_t mesh) {

@@ -89,7 +89,7 @@ void PrimitiveEditor::put_target(OrderedJson& json, const MorphTarget& target, b
 
 void PrimitiveEditor::put(OrderedJson& attributes, const char* name, std::span<const float> numbers, ComponentType type,
                           bool may_overwrite) {
-    const std::uint32_t width = std::string_view(name) == "NORMAL" ? 3 : 4;
+    const std::uint32_t width = std::string_view(name) == "TANGENT" ? 4 : 3;
     const auto old = attributes.find(name);
     if (may_overwrite && old != attributes.end() && own_.replace(root_, old->get<std::size_t>(), numbers, width, type))
         return;
@@ -164,6 +164,7 @@ PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, cons
         attributes.erase("TANGENT");
         for (std::size_t t = 0; t < targets.size(); ++t) json["targets"][t].erase("TANGENT");  // offsets from nothing
     }
+    if (!after.bitangents.empty()) put_new(bitangent_name, after.bitangents);
     for (std::size_t t = 0; t < targets.size(); ++t) {
         put_target(json["targets"][t], fresh[t], may_overwrite);
         result.keeps_target_normals =

@@ -8,6 +8,9 @@
 
 namespace rakelight::io::gltf {
 
+/// Bitangents that are an attribute of their own; glTF has names with an underscore for what it does not know.
+inline constexpr const char* bitangent_name = "_BITANGENT";
+
 /// What became of a primitive.
 struct PrimitiveEdit {
     bool unpacked = false;              ///< its Draco data was taken apart

@@ -106,7 +106,7 @@ RL_FN void set_around(RL_INOUT(MaterialSurface) s, real occlusion, RL_IN(Reflect
     s.around_specular = vec3(0.0f);
     s.around_sheen = vec3(0.0f);
     s.around_diffuse = s.base.diffuse * occlusion;
-    if (r.model == RL_LAMBERT || r.model == RL_OREN_NAYAR) {
+    if (RL_IS_MATTE(r.model)) {
         s.roughness = 1.0f;
         return;
     }

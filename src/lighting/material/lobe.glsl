@@ -41,10 +41,10 @@ RL_FN void set_metallic_lobe(RL_INOUT(MaterialSurface) s, RL_IN(MetallicRoughnes
     }
 }
 
-// Lambert and Oren-Nayar have no highlight that would show a metal's color: they show the base color of all materials.
+// Matte models have no highlight that would show a metal's color: they show the base color of all materials.
 RL_FN void show_base_color(RL_INOUT(MaterialSurface) s, vec3 base, int model)
 {
-    if (model == RL_LAMBERT || model == RL_OREN_NAYAR) {
+    if (RL_IS_MATTE(model)) {
         s.base.diffuse = base;
     }
 }
@@ -105,8 +105,11 @@ RL_FN real sigma_of_roughness(real roughness)
     return roughness * roughness * 0.707106781f;
 }
 
-RL_FN void set_oren_nayar(RL_INOUT(MaterialSurface) s, real sigma)
+// facet_color: of the full model's interreflection.
+RL_FN void set_oren_nayar(RL_INOUT(MaterialSurface) s, real sigma, vec3 facet_color)
 {
     s.oren_nayar_a = oren_nayar_a(sigma);
     s.oren_nayar_b = oren_nayar_b(sigma);
+    s.oren_nayar_bounce = oren_nayar_bounce(sigma);
+    s.facet_color = facet_color;
 }

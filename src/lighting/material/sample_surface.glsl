@@ -132,7 +132,7 @@ RL_FN vec3 sample_surface(RL_IN(MaterialSurface) s, RL_IN(LobeShares) shares, RL
 {
     vec3 l = sample_cosine(diffuse_normal(s, traits), u);
     real edge = shares.diffuse;  // lobe after lobe, on a line from 0 to 1
-    if (r.model != RL_LAMBERT && r.model != RL_OREN_NAYAR) {
+    if (!RL_IS_MATTE(r.model)) {
         mask is_drawn = choice >= edge && shares.specular > 0.0f;
         if (!RL_CAN_SKIP(is_drawn)) {
             l = select(is_drawn, sample_specular(s, traits, r, u), l);
@@ -162,7 +162,7 @@ RL_FN vec3 sample_surface(RL_IN(MaterialSurface) s, RL_IN(LobeShares) shares, RL
 RL_FN real surface_pdf(RL_IN(MaterialSurface) s, RL_IN(LobeShares) shares, vec3 l, RL_IN(MaterialTraits) traits, RL_IN(Reflection) r)
 {
     real pdf = shares.diffuse * cosine_pdf(diffuse_normal(s, traits), l);
-    if (r.model != RL_LAMBERT && r.model != RL_OREN_NAYAR && !RL_CAN_SKIP(shares.specular > 0.0f)) {
+    if (!RL_IS_MATTE(r.model) && !RL_CAN_SKIP(shares.specular > 0.0f)) {
         pdf = pdf + shares.specular * specular_pdf(s, l, traits, r);
     }
     if (r.model == RL_PBR && traits.has_scattering != 0) {

@@ -7,6 +7,10 @@
 #define RL_OREN_NAYAR 3
 #define RL_WARD 4
 #define RL_PBR 5
+#define RL_OREN_NAYAR_FULL 6
+
+// Models without a highlight.
+#define RL_IS_MATTE(model) ((model) == RL_LAMBERT || (model) == RL_OREN_NAYAR || (model) == RL_OREN_NAYAR_FULL)
 
 #define RL_TEXTBOOK 0
 #define RL_NORMALIZED 1
@@ -23,7 +27,7 @@ struct Surface {
 
 // How the terms are formed; the same for all lanes.
 struct Reflection {
-    int model;    // RL_LAMBERT ... RL_PBR; the sum of light_sum.glsl: RL_LAMBERT (no specular term), RL_PHONG, RL_BLINN_PHONG
+    int model;    // RL_LAMBERT ... RL_OREN_NAYAR_FULL; the sum of light_sum.glsl: RL_LAMBERT (no specular term), RL_PHONG, RL_BLINN_PHONG
     int form;     // RL_TEXTBOOK: k_s times the lobe, no cosine; RL_NORMALIZED: BRDF times pi n.l
     int horizon;  // 1: no specular where n.l <= 0; 0: the textbook's print. The normalized form has the cosine anyway
     int whole_exponent;  // that of all surfaces if it is a whole number from 1 on, else 0
@@ -43,6 +47,8 @@ struct MaterialSurface {
     vec3 bitangent;
     real oren_nayar_a;
     real oren_nayar_b;
+    real oren_nayar_bounce;
+    vec3 facet_color;     // of the full model: the albedo that interreflection is multiplied by
     real alpha_x;     // widths of Ward's and GGX's lobe, > 0
     real alpha_y;
     vec3 f90;

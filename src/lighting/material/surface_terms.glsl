@@ -89,6 +89,9 @@ RL_FN LightTerms surface_terms(RL_IN(MaterialSurface) s, RL_IN(LightSample) ligh
     if (r.model == RL_OREN_NAYAR) {
         terms.diffuse = lambert * oren_nayar_factor(n, light.l, s.base.v, s.oren_nayar_a, s.oren_nayar_b);
     }
+    if (r.model == RL_OREN_NAYAR_FULL) {
+        terms.diffuse = lambert * oren_nayar_full_factor(n, light.l, s.base.v, s.oren_nayar_a, s.oren_nayar_b, s.oren_nayar_bounce, s.facet_color);
+    }
     if (r.model == RL_WARD) {
         terms.specular = ward_term(s, light, traits);
     }

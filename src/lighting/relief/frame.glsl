@@ -6,6 +6,7 @@ struct Frame {
     vec3 tangent;      // unit, perpendicular; bitangent = cross(normal, tangent) * w
     vec3 map_normal;   // what a normal map acts in: may be neither unit nor perpendicular
     vec3 map_tangent;
+    vec3 map_bitangent;  // cross(map_normal, map_tangent) * w, or an attribute of its own
     real w;
     real side;   // +1, -1: normals are lit on this side
 };
@@ -18,6 +19,7 @@ RL_FN Frame even_frame(vec3 normal, real side)
     f.map_normal = f.normal;
     f.tangent = f.normal;
     f.map_tangent = f.normal;
+    f.map_bitangent = f.normal;
     f.w = side;
     f.side = side;
     return f;
@@ -35,7 +37,19 @@ RL_FN Frame bump_frame(vec3 normal, real side, vec3 tangent, real w, int orthogo
         f.map_normal = normal;
         f.map_tangent = tangent;
     }
+    f.map_bitangent = cross(f.map_normal, f.map_tangent) * w;
     return f;
+}
+
+// `bitangent` interpolated, not unit: an attribute of its own, which a map acts along as it is. Where it vanishes the frame keeps its
+// own. After bump_frame().
+RL_FN void set_bitangent(RL_INOUT(Frame) f, vec3 bitangent, int normalize_both)
+{
+    vec3 unit = safe_normalize_or(bitangent, f.map_bitangent);
+    f.map_bitangent = unit;
+    if (normalize_both == 0) {
+        f.map_bitangent = bitangent;
+    }
 }
 
 // A direction of the world in (tangent, bitangent, normal on the seen side).
@@ -50,11 +64,10 @@ RL_FN vec3 from_tangent_space(vec3 n, vec3 t, real w, vec3 d)
     return t * d.x + cross(n, t) * (w * d.y) + n * d.z;
 }
 
-// A vector of the world in the frame n, t, w: by the inverse of its matrix, whose rows are the cross products of its columns
+// A vector of the world in the frame n, t, b: by the inverse of its matrix, whose rows are the cross products of its columns
 // over the determinant; or by the transposed one, which is the inverse of orthonormal frames only.
-RL_FN vec3 to_tangent_space(vec3 n, vec3 t, real w, int is_transposed, vec3 d)
+RL_FN vec3 to_tangent_space(vec3 n, vec3 t, vec3 b, int is_transposed, vec3 d)
 {
-    vec3 b = cross(n, t) * w;
     if (is_transposed != 0) {
         return vec3(dot(t, d), dot(b, d), dot(n, d));
     }
@@ -75,7 +88,7 @@ RL_FN vec3 tangent_space_direction(RL_IN(Frame) f, vec3 d, vec3 world)
 RL_FN vec3 mapped_normal(RL_IN(Frame) f, vec3 mapped, int is_in_world)
 {
     if (is_in_world != 0) {
-        return perturb_normal(f.map_normal, f.map_tangent, f.w, mapped) * f.side;
+        return perturb_normal_in_frame(f.map_normal, f.map_tangent, f.map_bitangent, mapped) * f.side;
     }
     return perturb_normal(f.normal, f.tangent, f.w, mapped) * f.side;
 }

@@ -65,3 +65,9 @@ RL_FN vec3 perturb_normal(vec3 n, vec3 t, real w, vec3 m)
     vec3 b = cross(n, t);
     return safe_normalize_or(t * m.x + b * (w * m.y) + n * m.z, n);
 }
+
+// The same where the bitangent b is an attribute of its own: a frame that need not be orthogonal.
+RL_FN vec3 perturb_normal_in_frame(vec3 n, vec3 t, vec3 b, vec3 m)
+{
+    return safe_normalize_or(t * m.x + b * m.y + n * m.z, n);
+}

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "tools/object_title.h"
 #include "tools/stages/paint.h"
@@ -91,17 +92,79 @@ Stage coverage_stage(const Sources& of) {
     return s;
 }
 
+constexpr std::size_t most_stepped = 48;  ///< triangles that are listed
+
+/// Two pixels of a triangle, the first and the last that show it.
+struct SteppedTriangle {
+    std::size_t first = 0, last = 0;
+};
+
+/// Of each visible triangle, in the order of their first pixels.
+std::vector<SteppedTriangle> stepped_triangles(const raster::PixelStageData& pixels) {
+    std::vector<SteppedTriangle> all;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> known;
+    for (std::size_t p = 0; p < pixels.draw.size(); ++p) {
+        if (pixels.draw[p] == no_index) continue;
+        const auto [at, is_new] = known.try_emplace({pixels.draw[p], pixels.triangle[p]}, all.size());
+        if (is_new) all.push_back({p, p});
+        all[at->second].last = p;
+    }
+    return all;
+}
+
+/// The textbook's way to depth: the plane's slopes times the steps, from one pixel to another of the triangle.
+void add_steps(Stage& s, const Sources& of) {
+    const raster::PixelStageData& d = of.pixels;
+    const auto width = std::size_t(of.engine.settings().width);
+    const shading::DrawList& list = of.engine.list();
+    double largest = 0;
+    for (const SteppedTriangle& t : stepped_triangles(d)) {
+        const std::size_t a = t.first, b = t.last;
+        const int right = int(b % width) - int(a % width), down = int(b / width) - int(a / width);
+        const double key = double(d.depth_key[a]), slope_x = double(d.depth_slope[a].x),
+                     slope_y = double(d.depth_slope[a].y);
+        const double by_steps = key + slope_x * right + slope_y * down, error = by_steps - double(d.depth_key[b]);
+        largest = std::max(largest, std::fabs(error));
+        if (a == b || s.rows.size() >= most_stepped) continue;
+        s.rows.push_back({object_title(list.scene, list.draws[d.draw[a]].node),
+                          d.triangle[a],
+                          {a % width, a / width},
+                          key,
+                          slope_x,
+                          slope_y,
+                          {right, down},
+                          by_steps,
+                          double(d.depth_key[b]),
+                          error});
+    }
+    s.columns = {"object",
+                 "triangle",
+                 "pixel",
+                 "key there",
+                 "d key/dx [1/px]",
+                 "d key/dy [1/px]",
+                 "steps",
+                 "key + slopes x steps",
+                 "key that the engine has there",
+                 "difference"};
+    s.rows_note = "Visible triangles of more than one pixel: from the first to the last one that shows each";
+    s.numbers["largest difference, all visible triangles"] = largest;
+}
+
 Stage depth_stage(const Sources& of) {
     Stage s{.id = "depth",
             .title = "Depth",
             .text =
                 "At each covered pixel the depth keys are compared and the nearest surface that is not seen through "
-                "stays; of equal ones the first. Depth is shown as distance along the view axis."};
+                "stays; of equal ones the first. Depth is shown as distance along the view axis. The key is a plane "
+                "over the "
+                "screen, of constant slopes in each triangle: one more pixel to the right or down adds one slope."};
     const std::vector<float>& distance = of.pixels.distance;
     double low = std::numeric_limits<double>::infinity(), high = 0;
     for (const float d : distance)
         if (std::isfinite(d)) low = std::min(low, double(d)), high = std::max(high, double(d));
     if (std::isfinite(low)) s.numbers = {{"nearest [m]", low}, {"farthest [m]", high}};
+    add_steps(s, of);
     s.pictures.push_back({"depth", "Light is near, dark is far.", paint(of, [&](std::size_t p) {
                               return std::isfinite(distance[p])
                                          ? gray(high > low ? 1 - 0.85 * (double(distance[p]) - low) / (high - low) : 1)

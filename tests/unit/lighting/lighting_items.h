@@ -91,16 +91,12 @@ inline Results material(const Kernel& kernel, Items& items, MaterialChoice choic
     return results;
 }
 
-inline constexpr int oren_nayar = 3, ward = 4, pbr = 5;
-inline constexpr MaterialChoice all_materials[] = {{oren_nayar},
-                                                   {ward, 0},
-                                                   {ward, 1},
-                                                   {ward, 2},
-                                                   {pbr},
-                                                   {pbr, 2, 1},
-                                                   {pbr, 2, 0, 1},
-                                                   {pbr, 2, 0, 0, 1},
-                                                   {pbr, 2, 0, 0, 0, 1},
+inline constexpr int oren_nayar = 3, ward = 4, pbr = 5, oren_nayar_full = 6;
+inline constexpr MaterialChoice all_materials[] = {{oren_nayar},        {oren_nayar_full},
+                                                   {ward, 0},           {ward, 1},
+                                                   {ward, 2},           {pbr},
+                                                   {pbr, 2, 1},         {pbr, 2, 0, 1},
+                                                   {pbr, 2, 0, 0, 1},   {pbr, 2, 0, 0, 0, 1},
                                                    {pbr, 2, 1, 1, 1, 1}};
 inline constexpr int lambert = 0, phong = 1, blinn_phong = 2, textbook = 0, normalized = 1;
 inline constexpr Choice all_choices[] = {

@@ -99,7 +99,7 @@ static MaterialSurface material_of(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, ve
     s.diffuse_n = s.coat_n = n;
     s.tangent = orthogonal_tangent(n, p);
     s.bitangent = cross(n, s.tangent);
-    s.oren_nayar_a = oren_nayar_a(e), s.oren_nayar_b = oren_nayar_b(e);
+    set_oren_nayar(s, e, kd);
     s.alpha_x = clamp(e, 1e-3f, 1.0f), s.alpha_y = clamp(t, 1e-3f, 1.0f);
     s.f90 = vec3(1.0f);
     s.dielectric_f0 = 0.04f, s.dielectric_f90 = 1.0f;
@@ -179,7 +179,7 @@ static MaterialSurface surface_of(const PathSurface& c, vec3 n, vec3 v, vec3 dif
                         {c.model, RL_NORMALIZED, 1, c.whole_exponent});
     s.diffuse_n = c.has_two_normals != 0 ? diffuse_n : n;
     set_lobe_axes(s, p, 1.0f);
-    set_oren_nayar(s, c.sigma);
+    set_oren_nayar(s, c.sigma, s.base.diffuse);
     s.alpha_x = c.alpha_x, s.alpha_y = c.alpha_y;
     s.table_roughness = sqrt(s.alpha_x);
     if (c.is_anisotropic != 0) s.table_roughness = equal_roughness(s.alpha_x, s.alpha_y);

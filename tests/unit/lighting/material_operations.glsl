@@ -27,7 +27,7 @@ RL_FN MaterialSurface any_material(vec3 n, vec3 v, vec3 ka, vec3 kd, vec3 ks, ve
     apply_anisotropy(s, ka.z, vec4(1.0f, 0.5f, 1.0f, 1.0f));
     set_sheen(s, ks, 0.3f + 0.7f * ka.x, vec4(0.5f), vec4(1.0f));
     set_coat(s, ka.x, 0.3f + 0.7f * kd.x, vec4(1.0f), vec4(1.0f));
-    set_oren_nayar(s, ka.x);
+    set_oren_nayar(s, ka.x, kd);
     set_normals(s, n, n, RL_BUMP_BOTH);
     set_lobe_axes(s, p, 1.0f);
     s.coat_n = n;

@@ -99,6 +99,14 @@ RL_FN Frame any_frame(vec3 n, vec3 p, real s)
     return bump_frame(n * 1.5f, select(s < 0.0f, real(-1.0f), real(1.0f)), p, 1.0f, 0, 1);
 }
 
+// Maps act along p made unit, whatever its angle to the others.
+RL_FN vec3 mapped_along(vec3 n, vec3 v, vec3 l, vec3 p, real s, int normalize_both)
+{
+    Frame f = any_frame(n, v, s);
+    set_bitangent(f, p, normalize_both);
+    return mapped_normal(f, l, 1);
+}
+
 RL_FN Relief any_relief(int technique, vec3 ka, vec3 kd)
 {
     Relief r;
@@ -299,8 +307,8 @@ RL_FN vec3 coat_of(vec3 ka, vec3 kd)
 RL_FN vec3 slopes_of(real roughness)
 {
     MaterialSurface s;
-    set_oren_nayar(s, sigma_of_roughness(roughness));
-    return vec3(s.oren_nayar_a, s.oren_nayar_b, 0.0f);
+    set_oren_nayar(s, sigma_of_roughness(roughness), vec3(1.0f));
+    return vec3(s.oren_nayar_a, s.oren_nayar_b, s.oren_nayar_bounce);
 }
 
 RL_FN vec3 normals_of(vec3 n, vec3 l, int terms)

@@ -12,6 +12,7 @@
 
 #include "prepare/prepare.h"
 #include "scene/scene_tools.h"
+#include "support/thrown_error.h"
 #include "unit/prepare/meshes.h"
 
 namespace rakelight {
@@ -487,6 +488,45 @@ TEST(PrepareScene, FlatNormalsOfAllMeshesTogetherStayWithinTheMemoryBudget) {
     EXPECT_EQ(prepare_scene(scene, by(NormalSource::flat), enough).meshes[2].positions.size(), corners);
     EXPECT_THROW(prepare_scene(scene, by(NormalSource::flat), for_two), Error);
     EXPECT_NO_THROW(prepare_scene(scene, by(NormalSource::model), for_two));  // no vertex splits
+}
+
+/// u leans on v: along constant u the surface goes up and to the right.
+Mesh sheared_quad() {
+    Mesh mesh = quad_mesh();
+    std::vector<vec2> uv;
+    for (const vec3& p : mesh.positions) uv.push_back({p.x - 0.5f * p.y, 1 - p.y});
+    mesh.texcoords.emplace_back(uv);
+    return mesh;
+}
+
+TEST(PrepareScene, PublishedBitangentsAreKeptWhereAskedFor) {
+    PrepareOptions options = by(NormalSource::model);
+    options.all_tangents = true;
+    options.tangents = TangentMode::published;
+    EXPECT_TRUE(prepared(scene_of({sheared_quad()}), options).meshes[0].bitangents.empty());
+    options.bitangents = true;
+    const Mesh mesh = prepared(scene_of({sheared_quad()}), options).meshes[0];
+    ASSERT_EQ(mesh.bitangents.size(), mesh.positions.size());
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        EXPECT_NEAR(mesh.tangents[v].x, 1, 1e-6);
+        EXPECT_NEAR(mesh.bitangents[v].x, 0.5 / std::sqrt(1.25), 1e-6) << "not perpendicular to the tangent";
+        EXPECT_NEAR(mesh.bitangents[v].y, 1 / std::sqrt(1.25), 1e-6) << "towards decreasing v";
+        EXPECT_EQ(mesh.tangents[v].w, 1);
+    }
+    options.tangents = TangentMode::averaged;
+    Context context;
+    EXPECT_EQ(test::error_of([&] { prepare_scene(scene_of({sheared_quad()}), options, context); }).code(),
+              ErrorCode::usage);
+}
+
+TEST(PrepareScene, MeshesThatMoveHaveNoBitangentsOfTheirOwn) {
+    Mesh mesh = sheared_quad();
+    mesh.targets.resize(1);
+    mesh.targets[0].positions = std::vector<vec3>(mesh.positions.size(), vec3{0, 0, 0.1f});
+    PrepareOptions options = by(NormalSource::model);
+    options.all_tangents = options.bitangents = true;
+    options.tangents = TangentMode::published;
+    EXPECT_TRUE(prepared(scene_of({mesh}), options).meshes[0].bitangents.empty());
 }
 
 }  // namespace

@@ -158,7 +158,8 @@ TEST(ExplainParts, FactorsComeToTheTermsOfPbrWithAllItsLayersShadowsAndBumps) {
 
 TEST(ExplainParts, FactorsComeToWhatEachCornerReceivesInFlatAndGouraudPictures) {
     for (const Shading shading : {Shading::flat, Shading::gouraud})
-        for (const Lighting lighting : {Lighting::phong, Lighting::oren_nayar, Lighting::ward, Lighting::pbr}) {
+        for (const Lighting lighting :
+             {Lighting::phong, Lighting::oren_nayar, Lighting::oren_nayar_full, Lighting::ward, Lighting::pbr}) {
             RenderSettings s = settings();
             s.shading = shading;
             s.lighting = lighting;

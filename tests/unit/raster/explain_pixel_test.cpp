@@ -98,8 +98,8 @@ TEST(ExplainPixel, SumsAreThePicturesBitsWithSeveralSamplesAPixelAndAnisotropicF
 
 TEST(ExplainPixel, SumsAreThePicturesBitsUnderAllThatTheFullKernelHas) {
     const Scene scene = rich_scene();
-    for (const Lighting lighting :
-         {Lighting::automatic, Lighting::blinn_phong, Lighting::oren_nayar, Lighting::ward, Lighting::pbr})
+    for (const Lighting lighting : {Lighting::automatic, Lighting::blinn_phong, Lighting::oren_nayar,
+                                    Lighting::oren_nayar_full, Lighting::ward, Lighting::pbr})
         for (const Bump bump : {Bump::normal, Bump::height, Bump::occlusion}) {
             RenderSettings s = settings();
             s.lighting = lighting;
@@ -406,4 +406,43 @@ TEST(ExplainPixel, APixelOutsideOfThePictureIsAUsageError) {
         }
     }
     EXPECT_NO_THROW(inspection.explain(width - 1, height - 1, context));
+}
+
+/// A plane that leans away to the right and upward, before an eye at the origin that looks along -Z: z = -(3 + 0.5 x + 0.25 y). Along
+/// the ray through x = X z, y = Y z it is at the distance 3 / (1 - 0.5 X - 0.25 Y), so that near / distance is a plane over the screen.
+TEST(ExplainPixel, DepthSlopesAreThoseOfThePlane) {
+    Scene scene;
+    scene.materials = {matte()};
+    Mesh mesh = square_mesh(0, 20);
+    std::vector<vec3> positions(mesh.positions.begin(), mesh.positions.end());
+    for (vec3& p : positions) p = {p.x * 0.05f, p.y * 0.05f, -(3 + 0.025f * p.x + 0.0125f * p.y)};
+    mesh.positions = positions;
+    mesh.normals = {}, mesh.tangents = {};
+    add_object(scene, mesh);
+    scene.lights = {directional({0, 0, -1})};
+    Camera camera;
+    camera.vertical_fov_rad = 0.5;
+    camera.z_near = 0.25, camera.z_far = 50;
+    Context context({.threads = 1});
+    RenderSettings s = settings();
+    const raster::Inspection inspection(scene, camera, s, context);
+    const double per_pixel = 2 * std::tan(0.25) / height;
+    int seen = 0;
+    for (const auto& [x, y] : {std::pair{48, 32}, {40, 20}, {60, 44}}) {
+        const raster::PixelExplanation e = inspection.explain(x, y, context);
+        ASSERT_FALSE(e.triangles.empty());
+        const raster::CoveringTriangle& t = e.triangles[0];
+        const double right = (x + 0.5 - width / 2.0) * per_pixel, up = (height / 2.0 - y - 0.5) * per_pixel;
+        const double key = 0.25 / 3 * (1 - 0.5 * right - 0.25 * up);
+        EXPECT_NEAR(t.plane.slope_x, -0.25 / 3 * 0.5 * per_pixel, 2e-7 * per_pixel);
+        EXPECT_NEAR(t.plane.slope_y, 0.25 / 3 * 0.25 * per_pixel, 2e-7 * per_pixel);
+        EXPECT_NEAR(t.plane.exact, key, 2e-8);
+        EXPECT_NEAR(t.depth_key, key, 3e-8);
+        EXPECT_EQ(t.plane.by_steps, t.depth_key) << "within the corners' keys";
+        const int down = y - t.plane.y, along = x - t.plane.x;
+        EXPECT_NEAR(double(t.plane.key) + double(t.plane.slope_x) * along + double(t.plane.slope_y) * down, t.depth_key,
+                    2e-8);
+        seen += along + down > 0;
+    }
+    EXPECT_EQ(seen, 3) << "steps were taken";
 }

@@ -16,7 +16,8 @@ using namespace rakelight::test;
 
 namespace {
 
-constexpr Lighting models[] = {Lighting::lambert, Lighting::oren_nayar, Lighting::ward, Lighting::pbr};
+constexpr Lighting models[] = {Lighting::lambert, Lighting::oren_nayar, Lighting::oren_nayar_full, Lighting::ward,
+                               Lighting::pbr};
 
 /// busy_scene() with every layer, and tangents.
 Scene layered_scene() {

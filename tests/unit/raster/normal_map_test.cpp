@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "math/isa.h"
 #include "math/linear.h"
 #include "unit/raster/relief_scenes.h"
 
@@ -120,6 +121,53 @@ TEST(NormalMaps, BumpTermsAskedForActAlone) {
         EXPECT_LT(largest_difference(shown(other, Bump::normal, kd, ks), shown(BumpTerms::both, Bump::none, kd, ks)),
                   1e-6);
         EXPECT_GT(difference(shown(same, Bump::normal, kd, ks), shown(BumpTerms::both, Bump::none, kd, ks)), 1e-3);
+    }
+}
+
+/// A map acts in (tangent, bitangent, normal) as they are: with a bitangent of its own that leans by `lean` on the tangent.
+TEST(NormalMaps, ActAlongABitangentOfItsOwn) {
+    const vec3 mapped{0.3f, 0.5f, 0.8f};
+    const auto code = [](float m) { return int(std::lround((m + 1) * 127.5f)); };
+    const auto of_code = [&](float m) { return double(code(m)) / 127.5 - 1; };
+    for (const double lean : {0.0, 0.4, -0.7}) {
+        Scene scene = square_with(constant(0));
+        scene.materials[0].normal_texture =
+            add_texture(scene, picture(rgb_pixels(2, 2, [&](int, int) {
+                            return std::array<int, 3>{code(mapped.x), code(mapped.y), code(mapped.z)};
+                        })));
+        const vec3 crossed = normal_of(scene, {Bump::normal});
+        const dvec3 b = {std::sin(lean), std::cos(lean), 0};
+        scene.meshes[0].bitangents = std::vector<vec3>(4, cast<float>(b));
+        const vec3 seen = normal_of(scene, {Bump::normal});
+        const dvec3 sum =
+            dvec3{1, 0, 0} * of_code(mapped.x) + b * of_code(mapped.y) + dvec3{0, 0, 1} * of_code(mapped.z);
+        expect_near(seen, cast<float>(normalize_or(sum, dvec3{})), 3e-5f);
+        // What the orthogonal frame makes of it differs by m_y (b - cross(n, t)), before both are made unit.
+        const dvec3 other = sum - (b - dvec3{0, 1, 0}) * of_code(mapped.y);
+        expect_near(crossed, cast<float>(normalize_or(other, dvec3{})), 3e-5f);
+        if (lean != 0) {
+            EXPECT_GT(std::fabs(double(seen.x) - double(crossed.x)), 0.1);
+        }
+    }
+}
+
+TEST(NormalMaps, BitangentsOfTheirOwnGiveTheSameBitsInEveryInstructionSet) {
+    Scene scene = bent_scene(0.3);
+    std::vector<vec3> bitangents;
+    for (std::size_t v = 0; v < scene.meshes[0].positions.size(); ++v)
+        bitangents.push_back(cast<float>(normalize_or(dvec3{0.1 * double(v), 1, -0.05 * double(v)}, dvec3{})));
+    scene.meshes[0].bitangents = bitangents;
+    for (const TangentSpace space : {TangentSpace::world, TangentSpace::pixel, TangentSpace::vertex}) {
+        RenderSettings s{.width = size, .height = size};
+        s.bump = Bump::normal, s.tangent_space = space;
+        setenv("RAKELIGHT_ISA", "scalar", 1);
+        const Frame expected = draw(scene, looking_from({0.5, 0.4, 3.2}), s);
+        for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512}) {
+            if (!is_available(isa)) continue;
+            setenv("RAKELIGHT_ISA", name(isa), 1);
+            EXPECT_TRUE(same_bits(expected, draw(scene, looking_from({0.5, 0.4, 3.2}), s, 3))) << name(isa);
+        }
+        unsetenv("RAKELIGHT_ISA");
     }
 }
 

@@ -20,10 +20,13 @@ using namespace rakelight::test;
 
 namespace {
 
-constexpr Lighting all_models[] = {Lighting::lambert,    Lighting::phong, Lighting::blinn_phong,
-                                   Lighting::oren_nayar, Lighting::ward,  Lighting::pbr};
+constexpr Lighting all_models[] = {Lighting::lambert,    Lighting::phong,           Lighting::blinn_phong,
+                                   Lighting::oren_nayar, Lighting::oren_nayar_full, Lighting::ward,
+                                   Lighting::pbr};
 
-bool has_highlight(Lighting model) { return model != Lighting::lambert && model != Lighting::oren_nayar; }
+bool has_highlight(Lighting model) {
+    return model != Lighting::lambert && model != Lighting::oren_nayar && model != Lighting::oren_nayar_full;
+}
 bool is_power(Lighting model) { return model == Lighting::phong || model == Lighting::blinn_phong; }
 
 struct Case {

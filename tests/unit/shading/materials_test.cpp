@@ -115,6 +115,7 @@ TEST(Choices, EveryNumberOfTheTextIsThatOfItsEnumerator) {
     EXPECT_EQ(reflection_model(Lighting::phong), reflects_phong);
     EXPECT_EQ(reflection_model(Lighting::blinn_phong), reflects_blinn_phong);
     EXPECT_EQ(reflection_model(Lighting::oren_nayar), reflects_oren_nayar);
+    EXPECT_EQ(reflection_model(Lighting::oren_nayar_full), reflects_oren_nayar_full);
     EXPECT_EQ(reflection_model(Lighting::ward), reflects_ward);
     EXPECT_EQ(reflection_model(Lighting::pbr), reflects_pbr);
     EXPECT_EQ(reflection_form(SpecularForm::textbook), form_textbook);

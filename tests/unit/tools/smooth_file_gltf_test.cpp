@@ -4,7 +4,9 @@
 
 #include <cstring>
 
+#include "math/linear.h"
 #include "smooth_file_support.h"
+#include "support/shared.h"
 
 namespace rakelight {
 namespace {
@@ -246,6 +248,34 @@ TEST(SmoothFileGltf, NamesThatStandTwiceKeepTheLastAsTheReaderDoes) {
     const std::string out = bytes_of(files.dir / "o.gltf");
     EXPECT_EQ(out.find("\"scene\":9"), std::string::npos);
     EXPECT_NE(out.find("\"scene\":0"), std::string::npos);
+}
+
+TEST(SmoothFileGltf, BitangentsOfTheirOwnAreAnAttributeWithAnUnderscore) {
+    const TemporaryFolder dir;
+    const std::string glb = (dir / "sheet.glb").string(), again = (dir / "again.glb").string();
+    SmoothFileOptions options = anew;
+    options.bitangents = true, options.tangents = TangentChoice::always;
+    Context context;
+    smooth_file((source_dir() / "data/maps/sheet.obj").string(), glb, options, context);
+    const Scene scene = load(glb, {}, context);
+    ASSERT_FALSE(scene.meshes.empty());
+    for (const Mesh& mesh : scene.meshes) {
+        ASSERT_EQ(mesh.tangents.size(), mesh.positions.size());
+        const auto array = std::find_if(mesh.arrays.begin(), mesh.arrays.end(),
+                                        [](const VertexArray& a) { return a.name == "_BITANGENT"; });
+        ASSERT_NE(array, mesh.arrays.end());
+        ASSERT_EQ(array->components, 3u);
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+            const vec3 b{array->values[3 * v], array->values[3 * v + 1], array->values[3 * v + 2]};
+            EXPECT_NEAR(length(b), 1, 1e-5);
+            const vec3 crossed = cross(mesh.normals[v], mesh.tangents[v].xyz()) * mesh.tangents[v].w;
+            EXPECT_GT(dot(b, crossed), 0) << "w says on which side it lies";
+        }
+    }
+    EXPECT_FALSE(smooth_file(glb, again, options, context).changed) << "they are there already";
+    EXPECT_THROW(smooth_file(glb, (dir / "sheet.ply").string(), options, context), Error);
+    options.tangents = TangentChoice::never;
+    EXPECT_THROW(smooth_file(glb, again, options, context), Error);
 }
 
 TEST(SmoothFileGltf, ABrokenInputLeavesTheOutputAlone) {

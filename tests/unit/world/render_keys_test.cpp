@@ -29,6 +29,8 @@ PictureRequest read(std::span<const WorldValue> values) {
 
 /// For each key words that are not its default, as they are written.
 const std::map<std::string, std::vector<std::string>> examples = {
+    {"preset", {"fixed-function"}},
+    {"bitangents", {"attribute"}},
     {"engine", {"gl"}},
     {"resolution", {"640,360"}},
     {"window", {"1,2,30,40"}},
@@ -168,6 +170,7 @@ std::vector<WorldValue> with_company(const std::string& key) {
     std::vector<WorldValue> values = {value(key, examples.at(key))};
     if (key.starts_with("coloring-") || key == "colormap" || key == "bar")
         values.push_back(value("scalar-coloring", {"on"}));
+    if (key == "bitangents") values.push_back(value("tangents", {"published"}));
     if (key == "channel-files") values.push_back(value("channels", {"depth"}));
     if (key.starts_with("subdivide-") && key != "subdivide-edge") values.push_back(value("subdivide", {"1"}));
     return values;
@@ -221,6 +224,8 @@ TEST(RenderKeys, WhatExcludesEachOtherNamesBoth) {
     EXPECT_EQ(fault_of({value("light", {"default", "ambient:1,1,1"})}).setting(), "light");
     EXPECT_EQ(fault_of({value("light", {"point:0,0,0:exponent=2"})}).setting(), "light");
     EXPECT_EQ(fault_of({value("shading", {"flat", "phong"})}).setting(), "shading");
+    EXPECT_EQ(fault_of({value("bitangents", {"attribute"})}).related(), std::vector<std::string>{"tangents"});
+    EXPECT_EQ(fault_of({value("bitangents", {"attribute"}), value("tangents", {"averaged"})}).setting(), "bitangents");
     EXPECT_EQ(fault_of({value("material", {"nonsense=1"})}).setting(), "material");
     EXPECT_EQ(fault_of({value("channels", {"nonsense"})}).setting(), "channels");
     EXPECT_NE(std::string(fault_of({value("crease_angle", {"1"})}).what()).find("did you mean 'crease-angle'?"),

@@ -15,7 +15,11 @@ struct Bumps {
 Frame frame_at(Point p)
 {
 #if RL_HAS_BUMPS
-    return bump_frame(p.normal, p.side, p.tangent, p.w, RL_ORTHOGONALIZE, RL_NORMALIZE_FRAMES);
+    Frame f = bump_frame(p.normal, p.side, p.tangent, p.w, RL_ORTHOGONALIZE, RL_NORMALIZE_FRAMES);
+#if RL_HAS_BITANGENTS
+    set_bitangent(f, p.bitangent, RL_NORMALIZE_FRAMES);
+#endif
+    return f;
 #else
     return even_frame(p.normal, p.side);
 #endif
@@ -97,7 +101,12 @@ vec3 normal_of_maps(Point p, Bumps b)
 vec3 through_corner(int k, vec3 d)
 {
     vec3 n = safe_normalize(v_corner_normal[k]);
-    return to_tangent_space(n, map_tangent(n, v_corner_tangent[k], RL_ORTHOGONALIZE), v_tangent.w, int(RL_TANGENT_SPACE == RL_SPACE_TRANSPOSED), d);
+    vec3 t = map_tangent(n, v_corner_tangent[k], RL_ORTHOGONALIZE);
+    vec3 b = cross(n, t) * v_tangent.w;
+#if RL_HAS_BITANGENTS
+    b = safe_normalize_or(v_corner_bitangent[k], b);
+#endif
+    return to_tangent_space(n, t, b, int(RL_TANGENT_SPACE == RL_SPACE_TRANSPOSED), d);
 }
 #endif
 
@@ -107,7 +116,7 @@ vec3 in_tangent_space(Frame f, vec3 world, vec3 to[3])
 #if RL_HAS_CORNER_FRAMES
     vec3 d = through_corner(0, to[0]) * v_barycentric.x + through_corner(1, to[1]) * v_barycentric.y + through_corner(2, to[2]) * v_barycentric.z;
 #else
-    vec3 d = to_tangent_space(f.map_normal, f.map_tangent, f.w, 0, world);
+    vec3 d = to_tangent_space(f.map_normal, f.map_tangent, f.map_bitangent, 0, world);
 #endif
     return tangent_space_direction(f, d, world);
 }

@@ -149,8 +149,8 @@ void set_material(Point p, MaterialTexels t, BaseColor base, inout MaterialSurfa
     }
     set_widths(p, s);
     show_base_color(s, base.color.xyz, RL_MODEL);
-    if (RL_MODEL == RL_OREN_NAYAR) {
-        set_slopes(s);
+    if (RL_MODEL == RL_OREN_NAYAR || RL_MODEL == RL_OREN_NAYAR_FULL) {
+        set_slopes(s.base.diffuse, s);
     }
     set_layers(p, s);
     if (RL_MODEL != RL_PBR) {

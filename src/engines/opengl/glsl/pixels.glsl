@@ -62,6 +62,9 @@ Point this_point()
     p.tangent = vec3(0.0);
     p.w = 1.0;
 #endif
+#if RL_HAS_BITANGENTS
+    p.bitangent = RL_MOVED(v_bitangent);
+#endif
     p.color = vec4(1.0);
 #if RL_HAS_COLORS
     p.color = RL_MOVED(v_color);

@@ -35,7 +35,7 @@ Maps plain_maps()
     return maps;
 }
 
-void set_slopes(inout MaterialSurface s) { set_oren_nayar(s, m_sigma >= 0.0 ? m_sigma : sigma_of_roughness(s.roughness)); }
+void set_slopes(vec3 facet_color, inout MaterialSurface s) { set_oren_nayar(s, m_sigma >= 0.0 ? m_sigma : sigma_of_roughness(s.roughness), facet_color); }
 
 // One light's terms; `seen`, 0..1: how much of it reaches the surface.
 LightTerms material_terms(MaterialSurface s, LightSample light, float seen, MaterialTraits t)
@@ -72,7 +72,7 @@ MaterialSurface surface_of_vertex(vec3 position, vec3 normal)
     float exponent = RL_IS_METALLIC != 0 ? exponent_of_roughness(m_mean_roughness) : m_shininess;
     Surface base = unit_surface(normal, v, exponent, reflection());
     MaterialSurface s = unit_material(base, plain_maps(), RL_IS_METALLIC != 0 ? m_mean_roughness : m_lobe_roughness, m_ward_alpha);
-    set_slopes(s);
+    set_slopes(m_base_color.xyz, s);
     if (RL_IS_METALLIC != 0) {
         set_point_dielectric(s, m_dielectric_color, m_specular_strength);
     } else {

@@ -11,6 +11,9 @@ struct Point {
     vec3 normal;    // interpolated, not unit
     float side;     // -1: it is to be turned round to be on the seen side
     vec3 tangent;   // interpolated, not unit, 0 where the mesh has none
+#if RL_HAS_BITANGENTS
+    vec3 bitangent;  // likewise, an attribute of its own
+#endif
     float w;        // its handedness
     vec4 color;
     TexCoords texcoords[2];

@@ -8,6 +8,9 @@ RL_ATTRIBUTE RL_VARYING vec3 v_normal;  // of unit vectors: not unit
 #if RL_HAS_TANGENTS
 RL_ATTRIBUTE RL_VARYING vec4 v_tangent;  // w: handedness in the world
 #endif
+#if RL_HAS_BITANGENTS
+RL_ATTRIBUTE RL_VARYING vec3 v_bitangent;  // an attribute of its own
+#endif
 #if RL_HAS_TEXCOORDS
 #if RL_HAS_SECOND_SET
 #define RL_TEXCOORDS vec4  // set 0, set 1
@@ -51,4 +54,7 @@ RL_CONSTANT RL_VARYING vec3 v_face_normal;  // towards the viewer
 RL_CONSTANT RL_VARYING vec3 v_corner_position[3];
 RL_CONSTANT RL_VARYING vec3 v_corner_normal[3];
 RL_CONSTANT RL_VARYING vec3 v_corner_tangent[3];
+#if RL_HAS_BITANGENTS
+RL_CONSTANT RL_VARYING vec3 v_corner_bitangent[3];
+#endif
 #endif

@@ -43,6 +43,9 @@ Vertex this_vertex()
         v_corner_position[i] = position[i];
         v_corner_normal[i] = RL_MESH_NORMALS != 0 ? normal_in_world(all[i].normal) : front_normal(position);
         v_corner_tangent[i] = tangent_in_world(all[i].tangent.xyz);
+#if RL_HAS_BITANGENTS
+        v_corner_bitangent[i] = tangent_in_world(all[i].bitangent);
+#endif
     }
 #endif
 #if RL_LIT_AT == RL_AT_FACES
@@ -59,6 +62,9 @@ Vertex this_vertex()
     v.position = a_position;
     v.normal = a_normal;
     v.tangent = a_tangent;
+#if RL_HAS_BITANGENTS
+    v.bitangent = a_bitangent;
+#endif
     v.texcoords = vec4(a_texcoords0, a_texcoords1);
     v.color = a_color;
 #endif
@@ -75,6 +81,9 @@ void main()
 #endif
 #if RL_HAS_TANGENTS
     v_tangent = vec4(tangent_in_world(v.tangent.xyz), v.tangent.w * rl_object[10].x);
+#endif
+#if RL_HAS_BITANGENTS
+    v_bitangent = tangent_in_world(v.bitangent);
 #endif
 #if RL_HAS_TEXCOORDS
     v_texcoords = RL_TEXCOORDS(v.texcoords);

@@ -9,6 +9,7 @@ struct Vertex {
     vec3 position;  // object space
     vec3 normal;
     vec4 tangent;
+    vec3 bitangent;  // 0: by the cross product
     vec4 texcoords;
     vec4 color;
 };
@@ -38,6 +39,11 @@ Vertex fetch_vertex(int number)
     texel += 1;
     v.tangent = texelFetch(rl_vertices, fetch_place(texel), 0);
 #endif
+    v.bitangent = vec3(0.0);
+#if RL_MESH_BITANGENTS
+    texel += 1;
+    v.bitangent = texelFetch(rl_vertices, fetch_place(texel), 0).xyz;
+#endif
 #if RL_MESH_TEXCOORDS
     texel += 1;
     v.texcoords = texelFetch(rl_vertices, fetch_place(texel), 0);
@@ -65,6 +71,7 @@ layout(location = 2) in vec4 a_tangent;
 layout(location = 3) in vec2 a_texcoords0;
 layout(location = 4) in vec2 a_texcoords1;
 layout(location = 5) in vec4 a_color;
+layout(location = 6) in vec3 a_bitangent;
 #endif
 
 vec3 by_rows(int first, vec4 v) { return vec3(dot(rl_object[first], v), dot(rl_object[first + 1], v), dot(rl_object[first + 2], v)); }

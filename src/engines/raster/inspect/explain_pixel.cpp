@@ -7,6 +7,7 @@
 #include "cpu_shading/make_material_job.h"
 #include "engines/empty_pixel.h"
 #include "engines/raster/blend.h"
+#include "engines/raster/inspect/depth_plane.h"
 #include "engines/raster/inspect/explained_triangles.h"
 #include "engines/raster/inspect/kernels/trace_kernel.h"
 #include "engines/raster/inspect/open_scene.h"
@@ -110,6 +111,10 @@ private:
             seen.push_back(order.at(x_, y_, c.depth_key));
             if (m.blend || mask_cutoff(open_.front, s.draw) >= 0) c.alpha = trace(s, place_of(c.sample), nullptr).alpha;
         }
+        const auto nearest =
+            std::max_element(covered.begin(), covered.end(),
+                             [](const CoveredSample& a, const CoveredSample& b) { return a.depth_key < b.depth_key; });
+        t.plane = depth_plane(seen_from(out_.samples[std::size_t(nearest->sample)].at, s), x_, y_, ox_, oy_);
         t.samples = std::move(covered);
         screen_.push_back(&s);
         out_.triangles.push_back(std::move(t));

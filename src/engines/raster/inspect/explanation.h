@@ -33,6 +33,15 @@ struct CoveredSample {
     Fate fate = Fate::hidden;
 };
 
+/// How depth is found at a pixel: the key at a pixel of reference, and what it changes by for each pixel to the right and down.
+struct DepthPlane {
+    int x = 0, y = 0;                ///< the reference: the first pixel of the triangle's box in its tile
+    float key = 0;                   ///< there
+    float slope_x = 0, slope_y = 0;  ///< [1/px] of the key
+    float by_steps = 0;              ///< key + slope_y steps down + slope_x steps to the right, as the engine rounds it
+    double exact = 0;                ///< of the plane through the corners, in double
+};
+
 /// A triangle that covers a sample of a pixel.
 struct CoveringTriangle {
     std::uint32_t draw = no_index, triangle = no_index;  ///< into DrawList::draws; which triangle of its mesh
@@ -41,6 +50,7 @@ struct CoveringTriangle {
     bool is_clipped = false;                             ///< this is a piece: the triangle passes a clipping plane
     float depth_key = 0;                                 ///< of the nearest sample, as distance and alpha
     float distance = 0;                                  ///< [m] along the view axis
+    DepthPlane plane;  ///< likewise; depth_key is `by_steps` between those of the corners
     float alpha = 1;
     Fate fate = Fate::hidden;
     std::vector<CoveredSample> samples;  ///< at least one, in their order

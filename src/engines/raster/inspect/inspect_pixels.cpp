@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engines/empty_pixel.h"
+#include "engines/raster/inspect/depth_plane.h"
 #include "engines/raster/inspect/kernels/trace_kernel.h"
 #include "engines/raster/inspect/note_samples.h"
 #include "engines/raster/inspect/open_scene.h"
@@ -24,6 +25,8 @@ void allocate(PixelStageData& d, std::size_t pixels, std::size_t lights) {
     d.overdraw.assign(pixels, 0);
     d.faces.assign(pixels, 0);
     d.distance.assign(pixels, std::numeric_limits<float>::infinity());
+    d.depth_key.assign(pixels, -1);
+    d.depth_slope.assign(pixels, {});
     d.draw.assign(pixels, no_index);
     d.triangle.assign(pixels, no_index);
     d.normal.assign(pixels, {});
@@ -175,6 +178,9 @@ private:
                 const ScreenTriangle& t = *drawn_.binned.items[first + std::uint32_t(s_.visible[p])];
                 visible_.push_back({x, y, &t});
                 out_.distance[at(x, y)] = of_.distance_of(s_.depth[p]);
+                const DepthPlane plane = depth_plane(t, x + ox_, y + oy_, ox_, oy_);
+                out_.depth_key[at(x, y)] = s_.depth[p];
+                out_.depth_slope[at(x, y)] = {plane.slope_x, plane.slope_y};
                 out_.draw[at(x, y)] = t.draw;
                 out_.triangle[at(x, y)] = t.triangle;
             }

@@ -26,6 +26,8 @@ struct PixelStageData {
     std::vector<std::uint8_t> faces;  ///< bits, what covers the center: 1 a face seen from behind that culling dropped,
                                       ///< 2 one from the front, 4 one drawn
     std::vector<float> distance;      ///< [m] along the view axis; +infinity where nothing opaque is
+    std::vector<float> depth_key;     ///< what is compared there: greater is nearer; -1 where nothing opaque is
+    std::vector<vec2> depth_slope;    ///< [1/px] its change per pixel to the right and down, on the triangle's plane
     std::vector<std::uint32_t> draw, triangle;  ///< the visible surface; `no_index` where nothing opaque is
     std::vector<vec3> normal;                   ///< that is lit
     /// As Scene::lights but at most `max_lights`: what the terms of the visible surface and of those that are laid over
@@ -63,7 +65,7 @@ struct PixelStageData {
     const std::vector<vec4>& centers() const { return center_color.empty() ? color : center_color; }
 };
 
-/// Runs the pixel stages. Memory: about 60 bytes a pixel, 36 for each light and 4 more with shadows, 12 for all lights
+/// Runs the pixel stages. Memory: about 72 bytes a pixel, 36 for each light and 4 more with shadows, 12 for all lights
 /// beyond `max_lights` together, 24 for the light from all around, 16 for fog, 12 for relief.
 /// @param open   geometry with what culling drops
 /// @param drawn  geometry without it

@@ -44,6 +44,7 @@ enum class TracedQuantity : int32_t {
     n_dot_l_coat,     ///< 0..1, of the coat's normal
     pi,               ///< a light's color is irradiance / pi
     oren_nayar,       ///< A + B ...
+    oren_nayar_full,  ///< C1 + ..., and interreflection
     power,            ///< r.v or n.h to the exponent
     energy_factor,    ///< of the normalized forms: pi times the lobe's normalization
     ward_peak,        ///< [1/sr] 1 / (4 pi alpha_x alpha_y)
@@ -154,7 +155,7 @@ struct PixelTrace {
     float coat, coat_alpha;  ///< pbr: clearcoat's reflectance towards the viewer, its lobe's width
     float coat_normal[3];
     float sheen[3], sheen_alpha;
-    float oren_nayar[2];  ///< A and B
+    float oren_nayar[3];  ///< A and B (C1 and 0.45 s of the full model), 0.17 sigma^2 / (sigma^2 + 0.13)
     int32_t has_transmission;
     float transmitted[3];                         ///< the term of what is seen through the surface
     float environment[3][3];                      ///< ambient, diffuse and specular term of the light from all around

@@ -60,10 +60,12 @@ struct RecordJob : cpu_shading::MeshView {
     ShadeTriangle* out;  ///< [count + batch_padding]
 };
 
-/// Frames at the corners of a triangle, beside ShadeTriangle: for lighting in the tangent space of the vertices.
+/// Frames at the corners of a triangle, beside ShadeTriangle: for lighting in the tangent space of the vertices, and for bitangents
+/// that are attributes of their own.
 struct CornerFrame {
     float position[3][3], normal[3][3], tangent[3][3];  ///< [corner][x, y, z], about the eye, world axes
     float handedness;
+    float bitangent[3][3];
 };
 inline constexpr int corner_frame_floats = int(sizeof(CornerFrame) / sizeof(float));
 

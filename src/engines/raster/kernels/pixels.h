@@ -34,7 +34,7 @@ struct Pixels {
     }
 };
 
-/// A vector's triangles, for lighting in the tangent space of their vertices.
+/// A vector's triangles, for what is found at their vertices: CornerFrame.
 struct PixelTriangles {
     const ShadeJob& job;
     const Pixels& pixels;
@@ -49,7 +49,8 @@ struct PixelTriangles {
         cpu::CornerFrames out;
         out.handedness = a[27];
         for (int k = 0; k < 3; ++k)
-            out.position[k] = vector(3 * k), out.normal[k] = vector(9 + 3 * k), out.tangent[k] = vector(18 + 3 * k);
+            out.position[k] = vector(3 * k), out.normal[k] = vector(9 + 3 * k), out.tangent[k] = vector(18 + 3 * k),
+            out.bitangent[k] = vector(28 + 3 * k);
         return out;
     }
     vec3 from_viewer(vec3 position) const { return position; }

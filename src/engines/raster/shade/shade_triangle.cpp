@@ -135,6 +135,7 @@ CornerFrame corner_frame(const DrawRecords& d, const ScreenTriangle& s) {
         set3(out.position[k], corners.position[k]);
         set3(out.normal[k], corners.normal[k]);
         set3(out.tangent[k], corners.tangent[k]);
+        set3(out.bitangent[k], corners.bitangent[k]);
     }
     return out;
 }

@@ -121,6 +121,7 @@ struct HitTriangles {
                 out.position[k] = hits.position;
                 out.normal[k] = shape_normal(job, hits.shape);
                 out.tangent[k] = shape_tangent(job, hits.shape);
+                out.bitangent[k] = vec3(real(0.0f));  // the frame's own
             }
             out.handedness = shape_handedness(job);
             return out;
@@ -128,6 +129,7 @@ struct HitTriangles {
         for (int32_t k = 0; k < 3; ++k) out.position[k] = hits.corner[k];
         cpu::load_normals(job.mesh, hits.corners, out.normal);
         out.handedness = cpu::load_tangents(job.mesh, hits.corners, out.tangent);
+        cpu::load_bitangents(job.mesh, hits.corners, out.bitangent);
         return out;
     }
     vec3 from_viewer(vec3 position) const { return position - hits.origin; }

@@ -21,8 +21,8 @@ struct HitTransport {
     mask coats;    ///< lanes whose coat's gloss rays bring
 };
 
-/// Lambert and Oren-Nayar have no gloss that could mirror.
-inline bool has_gloss(const EveryJob& job) { return job.model() != RL_LAMBERT && job.model() != RL_OREN_NAYAR; }
+/// Matte models have no gloss that could mirror.
+inline bool has_gloss(const EveryJob& job) { return !RL_IS_MATTE(job.model()); }
 
 inline HitTransport classical_transport(const EveryJob& job, const EveryPoint& s, real cosine, real eta) {
     const cpu_shading::MaterialView& m = job.material();

@@ -15,8 +15,7 @@ using EveryJob = cpu::Job<cpu::EveryMaterial>;
 /// Whether the job's lighting model reads a map of metallic-roughness materials alone.
 bool reads_of_metallic_roughness(const EveryJob& job, int map) {
     if (job.material().metallic_roughness == 0) return false;
-    if (map == role_specular_strength || map == role_specular_color)
-        return job.model() != RL_LAMBERT && job.model() != RL_OREN_NAYAR;
+    if (map == role_specular_strength || map == role_specular_color) return !RL_IS_MATTE(job.model());
     if (map == role_anisotropy && job.model() == RL_WARD) return true;
     return job.is_pbr();
 }
@@ -120,7 +119,10 @@ void trace_light(const EveryJob& job, int32_t i, vec3 position, const lit::Surfa
 
 /// What the models of more parameters are made of.
 void trace_parameters(const EveryJob& job, const lit::MaterialSurface& s, PixelTrace& out) {
-    if (job.model() == RL_OREN_NAYAR) out.oren_nayar[0] = s.oren_nayar_a, out.oren_nayar[1] = s.oren_nayar_b;
+    if (shading::is_oren_nayar(job.model())) {
+        out.oren_nayar[0] = s.oren_nayar_a, out.oren_nayar[1] = s.oren_nayar_b;
+        out.oren_nayar[2] = s.oren_nayar_bounce;
+    }
     if (job.model() == RL_WARD || job.is_pbr()) out.lobe_alpha[0] = s.alpha_x, out.lobe_alpha[1] = s.alpha_y;
     if (!job.is_pbr()) return;
     const lit::MaterialTraits traits = job.traits();

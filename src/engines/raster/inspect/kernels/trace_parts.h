@@ -83,6 +83,10 @@ inline void diffuse_part(const PartSource& of, TracedParts& out) {
     if (of.r.model == RL_OREN_NAYAR)
         part.times(Quantity::oren_nayar,
                    lit::oren_nayar_factor(s.diffuse_n, of.light.l, s.base.v, s.oren_nayar_a, s.oren_nayar_b));
+    if (of.r.model == RL_OREN_NAYAR_FULL)
+        part.times(Quantity::oren_nayar_full,
+                   lit::oren_nayar_full_factor(s.diffuse_n, of.light.l, s.base.v, s.oren_nayar_a, s.oren_nayar_b,
+                                               s.oren_nayar_bounce, s.facet_color));
     if (of.r.model == RL_PBR) {
         part.times(Quantity::fresnel_rest, lit::fresnel_rest(s, schlick_weight_of(of)));
         times_layers(part, of, Layer::sheen);
