@@ -4,7 +4,7 @@
 
   check_language.py [--root FOLDER] [--words 35] [FILE ...]
 
-- no sentence of README.md, CONTRIBUTING.md, docs/**/*.md or of a comment in include/**/*.h has more than 35 words;
+- no sentence of README.md, CONTRIBUTING.md, CHANGELOG.md, docs/**/*.md or of a comment in include/**/*.h has more than 35 words;
 - none of them uses a phrase of PHRASES, which lists private phrases with the usual term for each.
 
 Only prose is checked: code blocks, tables, headings, list items that begin with code (descriptions of options) and lines that
@@ -144,7 +144,7 @@ def findings(path, limit):
 
 
 def checked_files(root):
-    pages = [root / "README.md", root / "CONTRIBUTING.md", *sorted((root / "docs").rglob("*.md"))]
+    pages = [root / "README.md", root / "CONTRIBUTING.md", root / "CHANGELOG.md", *sorted((root / "docs").rglob("*.md"))]
     yield from (page for page in pages if page.exists() and page.relative_to(root).as_posix() not in GENERATED)
     yield from sorted((root / "include").rglob("*.h"))
 
