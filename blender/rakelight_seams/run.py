@@ -72,12 +72,13 @@ class RunsProgram:
         return {"CANCELLED"}
 
     def leave(self, context):
-        context.window_manager.event_timer_remove(self.timer)
-        context.workspace.status_text_set(None)
+        if getattr(self, "timer", None):
+            context.window_manager.event_timer_remove(self.timer)
+            context.workspace.status_text_set(None)
         self.clean()
 
     def clean(self):
-        if self.job:
+        if getattr(self, "job", None):
             self.job.stop()
         self.forget()
         if getattr(self, "folder", None):
