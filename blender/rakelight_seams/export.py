@@ -66,7 +66,7 @@ class ExportWithoutSeams(RunsProgram, SeamOptions, ExportHelper, bpy.types.Opera
         except OSError as error:
             raise Failure(f"{path}: {error.strerror or error}") from None
         for remark in remarks:
-            print("rakelight:", remark)
+            self.report({"INFO"}, f"rakelight: {remark}")
         self.report({"INFO"}, f"{path}: written")
 
     def forget(self):

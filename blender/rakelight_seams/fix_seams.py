@@ -29,18 +29,17 @@ class FixSeams(RunsProgram, FixOptions, bpy.types.Operator):
         if not self.surfaces:
             raise Failure("Nothing to fix: " + "; ".join(self.notes))
         glb.write(source, [surface.part for surface in self.surfaces])
-        return self.arguments() + (["--keep-instances"] if self.keep_instances else [])
+        return self.arguments(meshes.rounding_distance(self.surfaces)) + (["--keep-instances"] if self.keep_instances else [])
 
     def finish(self, context, target, remarks):
         results = glb.read_normals(target, [surface.part for surface in self.surfaces])
         outcome = meshes.assign(self.surfaces, results)
-        for remark in remarks:
-            print("rakelight:", remark)
-        for note in self.notes:
-            self.report({"WARNING"}, note)
         if outcome.copied:
-            self.report({"INFO"}, f"Meshes of their own now: {', '.join(outcome.copied)}")
-        self.report({"INFO"}, describe(outcome))
+            self.notes.append(f"Meshes of their own now: {', '.join(outcome.copied)}")
+        for note in [f"rakelight: {remark}" for remark in remarks] + self.notes:
+            self.report({"INFO"}, note)  # the Info editor keeps all, the status bar shows the last
+        more = f"; {self.notes[0]}" + (f" ({len(self.notes) - 1} more notes in the Info editor)" if len(self.notes) > 1 else "")
+        self.report({"WARNING" if self.notes else "INFO"}, describe(outcome) + (more if self.notes else ""))
 
     def forget(self):
         meshes.forget(getattr(self, "surfaces", []))

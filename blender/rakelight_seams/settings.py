@@ -33,14 +33,15 @@ class SeamOptions:
         name="Weld Distance", subtype="DISTANCE", default=0, min=0, soft_max=1, precision=6,
         description="Vertices of different objects at most this far apart count as one place; 0: equal but for rounding")
 
-    def arguments(self):
-        """The options of `rakelight smooth`."""
+    def arguments(self, rounding=0.0):
+        """The options of `rakelight smooth`; `rounding`: what the weld distance is where none is set, 0: the program's own."""
         words = ["--normals", self.normals.lower(), "--weight", self.weight.lower().replace("_", "-")]
         words += ["--crease-angle", repr(min(180.0, math.degrees(self.crease_angle)))]
         if self.border_distance > 0:
             words += ["--border-distance", repr(self.border_distance)]
-        if self.weld_distance > 0:
-            words += ["--weld-distance", repr(self.weld_distance)]
+        weld = self.weld_distance or rounding
+        if weld > 0:
+            words += ["--weld-distance", repr(weld)]
         return words
 
     def draw_options(self, layout):

@@ -67,7 +67,7 @@ class Failures(unittest.TestCase):
         self.assert_fails(self.script("exit 0"), "wrote no file")
         self.assert_fails(self.script('echo junk > "$4"'), "cannot be read back")
         self.assert_fails(self.script(SMOOTH + 'head -c 3000 "$4" > "$4.cut"; mv "$4.cut" "$4"'), "cannot be read back")
-        self.assert_fails(self.script(f'"{program.PATH}" smooth builtin:cube -o "$4" > /dev/null'), "cannot be read back")
+        self.assert_fails(self.script(f'"{program.PATH}" smooth builtin:cone -o "$4" > /dev/null'), "cannot be read back")
 
     def test_with_modifiers_that_were_to_be_applied(self):
         self.assert_fails(self.script("exit 1"), "exit code 1", apply_modifiers=True)

@@ -6,6 +6,7 @@ import bmesh
 import bpy
 import numpy as np
 from mathutils import Matrix
+from mathutils.kdtree import KDTree
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
@@ -97,16 +98,26 @@ def degrees_between(a, b):
     return np.degrees(np.arctan2(np.linalg.norm(np.cross(a, b), axis=-1), np.sum(a * b, axis=-1)))
 
 
-def seams(objects, crease_deg=60.0, digits=5):
+def places_of(objects, near):
+    """Of every object's vertices the number of their place in the world; within `near` it is one place."""
+    world = []
+    for item in objects:
+        matrix = np.array(item.matrix_world, np.float64)
+        world.append(np.array([v.co[:] for v in item.data.vertices], np.float64) @ matrix[:3, :3].T + matrix[:3, 3])
+    tree = KDTree(sum(map(len, world)))
+    for number, place in enumerate(np.vstack(world)):
+        tree.insert(place, number)
+    tree.balance()
+    return [[min(found[1] for found in tree.find_range(place, near)) for place in part] for part in world]
+
+
+def seams(objects, crease_deg=60.0, near=4e-5):
     """Angles in the world at both ends of every edge at which faces of two objects meet with less than the crease angle."""
     edges = {}
-    for number, item in enumerate(objects):
+    for number, (item, keys) in enumerate(zip(objects, places_of(objects, near))):
         mesh = item.data
-        world = np.array(item.matrix_world, np.float64)
-        turn = np.linalg.inv(world[:3, :3]).T
+        turn = np.linalg.inv(np.array(item.matrix_world, np.float64)[:3, :3]).T
         normals = corner_normals(mesh) @ turn.T
-        places = np.array([v.co[:] for v in mesh.vertices], np.float64) @ world[:3, :3].T + world[:3, 3]
-        keys = [tuple(key) for key in np.round(places, digits) + 0.0]
         for face in mesh.polygons:
             if face.area == 0:
                 continue
