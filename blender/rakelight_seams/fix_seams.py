@@ -38,8 +38,10 @@ class FixSeams(RunsProgram, FixOptions, bpy.types.Operator):
             self.notes.append(f"Meshes of their own now: {', '.join(outcome.copied)}")
         for note in [f"rakelight: {remark}" for remark in remarks] + self.notes:
             self.report({"INFO"}, note)  # the Info editor keeps all, the status bar shows the last
-        more = f"; {self.notes[0]}" + (f" ({len(self.notes) - 1} more notes in the Info editor)" if len(self.notes) > 1 else "")
-        self.report({"WARNING" if self.notes else "INFO"}, describe(outcome) + (more if self.notes else ""))
+        text = describe(outcome)
+        if self.notes:
+            text += f"; {self.notes[0]}" + (f" ({len(self.notes) - 1} more notes in the Info editor)" if self.notes[1:] else "")
+        self.report({"WARNING" if self.notes else "INFO"}, text)
 
     def forget(self):
         meshes.forget(getattr(self, "surfaces", []))

@@ -18,8 +18,6 @@ class SeamPanel(Sidebar, bpy.types.Panel):
 
     def draw(self, context):
         layout, settings = self.layout, context.scene.rakelight_seams
-        layout.use_property_split = True
-        layout.use_property_decorate = False
         settings.draw_options(layout)
         count = sum(item.type == "MESH" for item in context.selected_objects)
         layout.label(text=f"{count} mesh objects selected")
@@ -34,6 +32,4 @@ class DetailPanel(Sidebar, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
-        self.layout.use_property_split = True
-        self.layout.use_property_decorate = False
         context.scene.rakelight_seams.draw_details(self.layout)
