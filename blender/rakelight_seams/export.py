@@ -29,7 +29,7 @@ class ExportWithoutSeams(RunsProgram, SeamOptions, ExportHelper, bpy.types.Opera
     filter_glob: StringProperty(default="*.glb", options={"HIDDEN"})
     tangents: EnumProperty(name="Tangents", items=TANGENTS, default="AUTO")
     apply_modifiers: BoolProperty(
-        name="Apply Modifiers", default=True, description="All but Armature; shape keys are lost where it is on")
+        name="Apply Modifiers", default=False, description="All but Armature; shape keys are lost where it is on")
     animations: BoolProperty(name="Animations", default=True)
 
     invoke = ExportHelper.invoke  # the file browser, which calls execute()
@@ -47,13 +47,21 @@ class ExportWithoutSeams(RunsProgram, SeamOptions, ExportHelper, bpy.types.Opera
     def begin(self, context, source):
         if not hasattr(bpy.types, "EXPORT_SCENE_OT_gltf"):
             raise Failure("Blender's own glTF exporter is off: Preferences > Add-ons > Import-Export: glTF 2.0 format")
+        # Without its armature an object would be written without its skin.
+        rigs = {m.object for item in context.selected_objects for m in item.modifiers if m.type == "ARMATURE" and m.object}
+        added = [rig for rig in rigs if not rig.select_get() and rig.visible_get()]
         try:
+            for rig in added:
+                rig.select_set(True)
             bpy.ops.export_scene.gltf(
                 filepath=source, export_format="GLB", use_selection=True, export_normals=True, export_tangents=False,
                 export_apply=self.apply_modifiers, export_animations=self.animations)
         except RuntimeError as error:
             lines = [line.strip() for line in str(error).splitlines() if line.strip()]
             raise Failure(f"Blender's glTF exporter: {lines[-1] if lines else 'failed'}") from None
+        finally:
+            for rig in added:
+                rig.select_set(False)
         if not os.path.isfile(source):
             raise Failure("Blender's glTF exporter wrote no file")
         return self.arguments() + ["--tangents", self.tangents.lower()]

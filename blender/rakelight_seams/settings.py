@@ -45,7 +45,8 @@ class SeamOptions:
         return words
 
     def draw_options(self, layout):
-        layout.prop(self, "normals")
+        layout.label(text="Normals:")
+        layout.prop(self, "normals", text="")
         layout.prop(self, "crease_angle")
         layout.prop(self, "border_distance")
 

@@ -53,28 +53,61 @@ class Export(unittest.TestCase):
         self.assertEqual([scenes.state(item) for item in objects], before)
         self.assertFalse(other.select_get())
 
-    def test_skins_and_clips_stay(self):
+    def rigged(self):
+        """Both halves of a sphere on one armature of two bones, with a clip."""
         objects = halves()
         rig = scenes.add("rig", bpy.data.armatures.new("rig"))
         scenes.select([rig])
         bpy.ops.object.mode_set(mode="EDIT")
         rig.data.edit_bones.new("bone").tail = (0, 0, 1)
+        rig.data.edit_bones.new("still").tail = (1, 0, 0)
         bpy.ops.object.mode_set(mode="OBJECT")
         for item in objects:
-            item.vertex_groups.new(name="bone").add(range(len(item.data.vertices)), 1, "REPLACE")
+            for name, sign in (("bone", 1), ("still", -1)):
+                group = item.vertex_groups.new(name=name)
+                for vertex in item.data.vertices:
+                    group.add([vertex.index], (1 + sign * vertex.co.z) / 2, "REPLACE")
             item.modifiers.new("rig", "ARMATURE").object = rig
             item.parent = rig
         bone = rig.pose.bones["bone"]
         for frame, height in ((1, 0), (10, 1)):
             bone.location.y = height
             bone.keyframe_insert("location", frame=frame)
-        scenes.select([rig, *objects])
+        return objects, rig
+
+    def test_skins_and_clips_stay(self):
+        objects, rig = self.rigged()
+        scenes.select(objects)
         bpy.ops.rakelight.export_glb(filepath=self.path)
+        self.assertFalse(rig.select_get())
         self.assertTrue(is_seamless(self.path))
         written = document(self.path)
         self.assertEqual(len(written["skins"]), 1)
         self.assertEqual(len(written["animations"]), 1)
         self.assertTrue(all("JOINTS_0" in mesh["primitives"][0]["attributes"] for mesh in written["meshes"]))
+
+    def test_rigged_fbx_is_fixed_between_import_and_export(self):
+        def read(path):
+            scenes.clear()
+            scenes.set_program(program.PATH)
+            bpy.ops.preferences.addon_enable(module="io_scene_fbx")
+            bpy.ops.import_scene.fbx(filepath=path)
+            return [item for item in bpy.data.objects if item.type == "MESH"]
+
+        bpy.ops.preferences.addon_enable(module="io_scene_fbx")
+        self.rigged()
+        cut, fixed = (os.path.join(self.folder.name, name) for name in ("cut.fbx", "fixed.fbx"))
+        bpy.ops.export_scene.fbx(filepath=cut)
+        objects = read(cut)
+        self.assertGreater(scenes.seams(objects).max(), 10)
+        scenes.select(objects)
+        bpy.ops.rakelight.fix_seams()
+        bpy.ops.export_scene.fbx(filepath=fixed)
+        objects = read(fixed)
+        self.assertLess(scenes.seams(objects).max(), 0.1)
+        for item in objects:
+            self.assertEqual([m.type for m in item.modifiers], ["ARMATURE"])
+            self.assertEqual(sorted(group.name for group in item.vertex_groups), ["bone", "still"])
 
     def test_a_failure_leaves_the_old_file(self):
         with open(self.path, "w") as file:
