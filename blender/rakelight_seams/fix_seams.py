@@ -27,7 +27,7 @@ class FixSeams(RunsProgram, FixOptions, bpy.types.Operator):
         self.surfaces = []
         self.surfaces, self.notes = meshes.collect(context, self.keep_instances, self.apply_modifiers)
         if not self.surfaces:
-            raise Failure("Nothing to fix: " + "; ".join(self.notes))
+            raise Failure("Nothing to fix: " + ("; ".join(self.notes) or "no faces are selected"))
         glb.write(source, [surface.part for surface in self.surfaces])
         return self.arguments(meshes.rounding_distance(self.surfaces)) + (["--keep-instances"] if self.keep_instances else [])
 

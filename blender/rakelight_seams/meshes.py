@@ -74,10 +74,12 @@ def read_part(name, mesh, matrices):
 
 
 def is_flattened(matrix):
-    """Normals have no place in an object whose scale is zero along an axis."""
+    """Normals have no place in an object whose scale is zero along an axis, or not finite."""
+    if not np.isfinite(matrix).all():
+        return True
     columns = np.array(matrix, np.float64)[:3, :3]
     lengths = np.linalg.norm(columns, axis=0)
-    return not np.isfinite(columns).all() or lengths.min() == 0 or abs(np.linalg.det(columns / lengths)) < 1e-9
+    return lengths.min() == 0 or abs(np.linalg.det(columns / lengths)) < 1e-9
 
 
 def collect(context, keep_instances, apply_modifiers):
@@ -91,7 +93,7 @@ def collect(context, keep_instances, apply_modifiers):
         elif not item.data.polygons and not (apply_modifiers and item.modifiers):
             notes.append(f"{item.name} has no faces")
         elif is_flattened(item.matrix_world):
-            notes.append(f"{item.name} has a scale of zero")
+            notes.append(f"{item.name} has a scale that is zero or not finite")
         else:
             objects.append(item)
     surfaces = []
@@ -101,11 +103,11 @@ def collect(context, keep_instances, apply_modifiers):
         for item in objects:
             if item.name in applied:
                 surfaces.append(Surface(applied[item.name], [item], is_own=True))
-            elif keep_instances and item.data.name in by_mesh and item.data.library is None:
-                by_mesh[item.data.name].objects.append(item)
+            elif keep_instances and item.data.name_full in by_mesh:
+                by_mesh[item.data.name_full].objects.append(item)
             else:
                 surfaces.append(Surface(item.data, [item]))
-                by_mesh[item.data.name] = surfaces[-1]
+                by_mesh[item.data.name_full] = surfaces[-1]
         for item in objects:
             hiding = [m.name for m in item.modifiers if m.show_viewport and m.type not in KEEPS_CORNERS]
             if hiding and item.name not in applied:
@@ -198,6 +200,8 @@ def put_in_place(surface):
     item = surface.objects[0]
     name = item.data.name
     old = item.data
+    for key, value in old.items():
+        surface.mesh[key] = value
     item.data = surface.mesh
     for modifier in [m for m in item.modifiers if m.show_viewport and m.type != "ARMATURE"]:
         item.modifiers.remove(modifier)

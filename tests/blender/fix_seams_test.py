@@ -187,6 +187,27 @@ class Instances(Case):
         self.assertEqual(len(bpy.data.meshes), 2)
 
 
+class Linked(Case):
+    def test_a_linked_mesh_is_copied_and_a_linked_object_stays(self):
+        lower, upper = halves()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "library.blend")
+            bpy.data.libraries.write(path, {upper})
+            bpy.data.objects.remove(upper)
+            bpy.data.meshes.remove(bpy.data.meshes["upper"])
+            with bpy.data.libraries.load(path, link=True) as (_, names):
+                names.meshes, names.objects = ["upper"], ["upper"]
+            linked = bpy.data.objects["upper"]
+            bpy.context.scene.collection.objects.link(linked)
+            mine = scenes.add("mine", bpy.data.meshes["upper"])
+            before = scenes.state(linked)
+            self.assert_closed([lower, mine])
+            self.assertIsNone(mine.data.library)
+            self.assertEqual(scenes.state(linked)[2:], before[2:])
+            fix([lower, linked])
+            self.assertEqual(scenes.state(linked)[2:], before[2:])
+
+
 class Meshes(Case):
     def test_polygons_of_many_corners(self):
         objects = halves(cuts=(0.95,))
@@ -289,7 +310,17 @@ class Modifiers(Case):
     def test_applied_all_but_armatures(self):
         objects = self.subdivided()
         names = [item.data.name for item in objects]
+        for item in objects:
+            item.vertex_groups.new(name="group").add([0, 1, 2], 0.5, "REPLACE")
+            item.data.uv_layers.new(name="map")
+            item.data["note"] = "kept"
+            item.data.materials.append(bpy.data.materials.new("red"))
         fix(objects, apply_modifiers=True)
+        for item in objects:
+            self.assertEqual([group.name for group in item.vertex_groups], ["group"])
+            self.assertEqual(list(item.data.uv_layers.keys()), ["map"])
+            self.assertEqual(item.data.get("note"), "kept")
+            self.assertEqual(len(item.data.materials), 1)
         self.assertEqual([[m.name for m in item.modifiers] for item in objects], [["rig"]] * 2)
         self.assertTrue(all(m.show_viewport for item in objects for m in item.modifiers))
         self.assertEqual([item.data.name for item in objects], names)
