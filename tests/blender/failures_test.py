@@ -69,6 +69,14 @@ class Failures(unittest.TestCase):
         self.assert_fails(self.script(SMOOTH + 'head -c 3000 "$4" > "$4.cut"; mv "$4.cut" "$4"'), "cannot be read back")
         self.assert_fails(self.script(f'"{program.PATH}" smooth builtin:cone -o "$4" > /dev/null'), "cannot be read back")
 
+    def test_an_answer_to_another_question(self):
+        kept = os.path.join(self.folder.name, "kept.glb")
+        scenes.set_program(self.script(f'"{program.PATH}" "$@" > /dev/null; cp "$4" "{kept}"\n'))
+        bpy.ops.rakelight.fix_seams()
+        for vertex in self.objects[0].data.vertices:
+            vertex.co *= 1.001
+        self.assert_fails(self.script(f'cp "{kept}" "$4"'), "lower: vertices have moved")
+
     def test_with_modifiers_that_were_to_be_applied(self):
         self.assert_fails(self.script("exit 1"), "exit code 1", apply_modifiers=True)
 
