@@ -157,6 +157,7 @@ RANGES = {
         "triangles": SOME, "largest difference, all visible triangles [depth key]": (0, 1e-6), "largest change of the depth key by the steps": (1e-4, 1),
         "floor, ten pixels on and six down: key less the slopes' [depth key]": (-1e-6, 1e-6), "floor: change of the key on that way [depth key]": (0.001, 0.2)},
     "s3-phong": {
+        "a floor, viewer nearby: specular term, largest less smallest [linear]": (0.1, 10), "a floor, viewer infinitely far: specular term, largest less smallest [linear]": (0, 1e-6),
         "no ambient term, face turned away: light [linear]": NONE, "with it: light [linear]": (0.002, 0.1), "viewer moved: change of the diffuse term [linear]": NONE,
         "viewer moved: change of the specular term [linear]": (0.1, 10), "highlight of a red sphere, red over green, lamp 0.8, 0.8, 0.3": (0.999, 1.001),
         "the same, red over blue": (2.6, 2.7), "diffuse light of a lamp at 1 m over that at 2 m": (3.9, 4.1)},
@@ -181,7 +182,8 @@ RANGES = {
     "s1-radiosity": {
         "room: local light and shadows beside paths [1/255]": (40, 70), "room: radiosity beside paths [1/255]": (2, 12), "floor alone: local light and shadows beside paths [1/255]": (10, 25),
         "floor alone: radiosity beside paths [1/255]": (2, 12), "ball's shadow on the floor, local light: mean code": (40, 90), "ball's shadow on the floor, radiosity: mean code": (120, 165),
-        "ball's shadow on the floor, paths: mean code": (120, 165)},
+        "ball's shadow on the floor, paths: mean code": (120, 165), "edge of the ball's shadow, point lamp, paths: half-lit pixels [%]": (0, 12),
+        "edge of the ball's shadow, panel, paths: half-lit pixels [%]": (20, 70)},
     "s1-textures": {
         **{f"texture of {n} texels: difference to true bricks [1/255]": (27, 36) for n in (64, 128, 512)}, "64 texels and a normal map: difference to true bricks [1/255]": (15, 25),
         "error that 64 times the texels take away [%]": (-15, 10), "error that the normal map takes away [%]": (20, 50)},

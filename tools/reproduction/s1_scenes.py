@@ -5,7 +5,7 @@ from png8 import read_rgb, write_rgb
 
 from sheet import ROOT
 
-from .kit import Entry
+from .kit import Entry, linear
 
 ROOM = (("floor", "[0, 0, 0]", "[0, 0, 0]", "[4, 4]", "white"), ("ceiling", "[0, 2.5, 0]", "[180, 0, 0]", "[4, 4]", "white"), ("back", "[0, 1.25, -2]", "[90, 0, 0]", "[4, 2.5]", "white"),
         ("left", "[-2, 1.25, 0]", "[0, 0, -90]", "[2.5, 4]", "red"), ("right", "[2, 1.25, 0]", "[0, 0, 90]", "[2.5, 4]", "green"))
@@ -17,16 +17,21 @@ WALL = ("data/maps/wall.obj", *bumps.LAMP, "--camera-position", "0.35,0.25,0.9",
 SIDES = (64, 128, 512)
 
 
-def world(kit, is_room):
-    """A box and a ball in a room that is open towards the camera, or on its floor alone; one lamp."""
-    path, lines = kit.folder / f"room{int(is_room)}.scene.toml", []
+def world(kit, is_room, is_panel=False):
+    """A box and a ball in a room that is open towards the camera, or on its floor alone; one lamp, a point or a panel."""
+    path, lines = kit.folder / f"room{int(is_room)}{int(is_panel)}.scene.toml", []
     for name, position, turn, size, material in ROOM if is_room else ROOM[:1]:
         lines += ["[[primitive]]", 'type = "plane"', f'name = "{name}"', f"position = {position}", f"rotation_deg = {turn}", f"size = {size}", f'material = "{material}"']
     lines += ["[[primitive]]", 'type = "sphere"', "radius = 0.5", "tolerance = 0.01", "position = [0.7, 0.5, 0.2]", 'material = "white"']
     lines += ["[[model]]", f'file = "{ROOT / "data/cages/cube.obj"}"', "scale = [0.45, 0.8, 0.45]", "position = [-0.7, 0.8, -0.5]", "rotation_deg = [0, 25, 0]", 'normals = "flat"', 'material = "white"']
     for name, color in COLORS.items():
         lines += ["[[material]]", f'name = "{name}"', f"color = {color}", "metallic = 0", "roughness = 1", "specular_factor = 0"]
-    lines += ["[[light]]", 'type = "point"', "position = [0, 2.1, 0.4]", "diffuse = [1.6, 1.6, 1.6]", "attenuation = [0, 0, 1]", "[[camera]]", "position = [0, 1.25, 5.2]", "target = [0, 1.2, 0]",
+    if is_panel:
+        lines += ["[[primitive]]", 'type = "plane"', "position = [0, 2.1, 0.4]", "rotation_deg = [180, 0, 0]", "size = [0.9, 0.9]", 'material = "lamp"', "[[material]]", 'name = "lamp"',
+                  "color = [0, 0, 0]", "emission = [6, 6, 6]"]
+    else:
+        lines += ["[[light]]", 'type = "point"', "position = [0, 2.1, 0.4]", "diffuse = [1.6, 1.6, 1.6]", "attenuation = [0, 0, 1]"]
+    lines += ["[[camera]]", "position = [0, 1.25, 5.2]", "target = [0, 1.2, 0]",
               "vertical_fov_deg = 40"]
     path.write_text("\n".join(lines) + "\n")
     return (path, "--allow-outside", "--lighting", "lambert", "--background", "0,0,0")
@@ -44,12 +49,18 @@ def measure_radiosity(kit):
         found |= {f"{name}: local light and shadows beside paths [1/255]": local, f"{name}: radiosity beside paths [1/255]": radiosity}
     for name, how in (("local light", LOCAL), ("radiosity", shot(kit)), ("paths", PATHS)):
         found[f"ball's shadow on the floor, {name}: mean code"] = kit.picture((*world(kit, True), *how), *size).mean(0.66, 0.86, 0.7, 0.89)
+    for name, is_panel in (("point lamp", False), ("panel", True)):
+        pixels = [linear(p[1]) for p in kit.picture((*world(kit, False, is_panel), *PATHS), *(2 * side for side in size)).part(0.74, 0.83, 0.885, 0.85)]
+        low, high = min(pixels), max(pixels)
+        found[f"edge of the ball's shadow, {name}, paths: half-lit pixels [%]"] = 100 * sum(low + 0.25 * (high - low) < p < low + 0.75 * (high - low) for p in pixels) / len(pixels)
     return found
 
 
 def draw_radiosity(kit, path):
     rows = [[(*world(kit, is_room), *how) for how in (LOCAL, shot(kit), PATHS)] for is_room in (True, False)]
-    kit.sheet(path, rows, 200, 150, below=[["local light, shadows", "radiosity", "paths"]] * 2, colors=160)
+    for row, is_room in zip(rows, (True, False)):
+        row.append((*world(kit, is_room, True), *PATHS))
+    kit.sheet(path, rows, 180, 135, below=[["local light, shadows", "radiosity", "paths", "paths, lamp a panel"]] * 2, colors=160)
 
 
 def colors(kit):
