@@ -174,13 +174,13 @@ BLINN = (*BRUSHED, "--roughness", "0.5", "--lighting", "blinn-phong")
 
 
 def measure_ward(kit):
-    scenes = {"widths 0.15, 0.45": ward(0.15, 0.45), "widths 0.45, 0.15": ward(0.45, 0.15), "widths 0.3, 0.3": ward(0.3, 0.3), "Blinn-Phong": BLINN}
+    scenes = {"widths 0.1, 0.3": ward(0.1, 0.3), "widths 0.3, 0.1": ward(0.3, 0.1), "widths 0.2, 0.2": ward(0.2, 0.2), "Blinn-Phong": BLINN}
     return {f"{name}: height of the highlight over its width": highlight(kit, scene)[0] for name, scene in scenes.items()}
 
 
 def draw_ward(kit, path):
-    kit.sheet(path, [[ward(0.15, 0.45), ward(0.45, 0.15), ward(0.3, 0.3), BLINN]], 170, 150,
-              below=[["ward 0.15, 0.45", "ward 0.45, 0.15", "ward 0.3, 0.3", "blinn-phong"]])
+    kit.sheet(path, [[ward(0.1, 0.3), ward(0.3, 0.1), ward(0.2, 0.2), BLINN]], 170, 150,
+              below=[["ward 0.1, 0.3", "ward 0.3, 0.1", "ward 0.2, 0.2", "blinn-phong"]])
 
 
 ENTRIES = (

@@ -84,8 +84,9 @@ def colors(kit):
 
 def near_walls(kit):
     """{name: arguments}: the wall with three textures, with the finest and a normal map, and of true bricks."""
-    made = kit.made.setdefault("bricks", None) or colors(kit)
-    kit.made["bricks"] = made
+    if "bricks" not in kit.made:
+        kit.made["bricks"] = colors(kit)
+    made = kit.made["bricks"]
     found = {f"texture of {n} texels": (*WALL, "--texture-base-color", path, "--bump", "none") for n, path in made.items()}
     found["64 texels and a normal map"] = (*WALL, *bumps.maps("brick"), "--texture-base-color", made[SIDES[0]], "--bump", "normal")
     edge = "0.02" if kit.is_small else "0.008"
