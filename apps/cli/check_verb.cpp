@@ -14,10 +14,10 @@
 namespace rakelight::cli {
 
 Command check_command() {
-    const Option schema = {"schema", "Output", "", "Print the JSON schema of world files, for editors, and end",
+    const Option schema = {"schema", "Output", "", "Print the JSON schema of world files, for editors, and exit",
                            apps::Form::flag};
     return {"check",
-            "Say whether scene files load, and what they hold",
+            "Check that scene files load, and list what they contain",
             check_footer,
             {{"SCENE", "Model files and world files", false}},
             apps::joined({{schema}, apps::input_options(), apps::common_options()})};

@@ -19,13 +19,13 @@ Command explain_command() {
     const Option pixel = {.name = "pixel",
                           .group = "Output",
                           .type = "X,Y",
-                          .help = "Which pixel; 0,0 is the top left one. Several: --pixel once for each",
+                          .help = "Pixel to explain; 0,0 is the top left one. May be repeated",
                           .form = apps::Form::list,
                           .is_required = true};
     const Option output = {.name = "output",
                            .group = "Output",
                            .type = "FILE",
-                           .help = "Write to this file in place of standard output: .json as JSON, else as text",
+                           .help = "Write to this file instead of standard output: .json as JSON, else as text",
                            .letter = 'o'};
     // What is about files and parts of pictures has no meaning here.
     std::vector<Option> options = apps::without(
@@ -33,7 +33,7 @@ Command explain_command() {
         {"window", "channels", "channel-files", "exr-colors", "engine", "line-width", "point-size", "line-color"});
     apps::hide_drawn_lines(options);
     return {"explain",
-            "Say why a pixel has its color: every number on the way to it",
+            "Explain the color of a pixel, with every number that leads to it",
             explain_footer,
             {{"MODEL", models_help}},
             apps::joined({{pixel, output}, apps::input_options(), options, apps::common_options()})};
@@ -52,7 +52,7 @@ std::vector<PixelPlace> pixels_of(const Run& run) {
             throw values::wrong("pixel",
                                 one_line(word, 20) + " is not in the picture: it has " + std::to_string(s.width) +
                                     " x " + std::to_string(s.height) + " pixels, counted from 0",
-                                "--resolution says how many");
+                                "--resolution sets how many");
     }
     return pixels;
 }

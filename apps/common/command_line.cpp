@@ -156,8 +156,9 @@ CommandLine read_command_line(const Program& program, const std::vector<std::str
     check_words(program, words);
     CLI::App app(program.help, program.name);
     app.formatter(std::make_shared<HelpLayout>(program.usage));  // before the commands, which inherit it
-    app.set_help_flag("-h,--help", std::string("Show this help; ") + program.name + " VERB --help shows a verb's");
-    app.set_version_flag("-V,--version", std::string("-"), "Say version, formats, engines and instruction sets");
+    app.set_help_flag("-h,--help",
+                      std::string("Show this help; ") + program.name + " COMMAND --help shows the help of a command");
+    app.set_version_flag("-V,--version", std::string("-"), "Print version, formats, engines and instruction sets");
     app.require_subcommand(1);
     app.footer(program.footer);
     std::deque<Reader> readers;

@@ -90,7 +90,7 @@ void keep_one_reader(Assimp::Importer& importer, const std::string& ending) {
     for (Assimp::BaseImporter* other : others) importer.UnregisterLoader(other);  // leaks it: the process is short
 }
 
-/// What Assimp throws itself has words for people. It catches the exceptions of the standard library, too; those go on.
+/// What Assimp throws itself has words for people. It catches the exceptions of the standard library, too; those continue.
 [[noreturn]] void refuse(const Assimp::Importer& importer) {
     try {
         if (importer.GetException()) std::rethrow_exception(importer.GetException());

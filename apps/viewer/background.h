@@ -39,7 +39,7 @@ public:
     using Finish = std::function<void()>;
     using Work = std::function<Finish(Context&)>;
     using Failed = std::function<void(const Error&)>;
-    /// Takes the place of what was given before: it is cancelled, and nobody waits for its end or hears of it.
+    /// Replaces what was given before: it is cancelled, and nobody waits for its end or hears of it.
     void start(const std::string& title, Work work, Failed failed);
     /// Begins when what was given before has ended.
     void queue(const std::string& title, Work work, Failed failed);

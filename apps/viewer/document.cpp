@@ -65,7 +65,7 @@ bool set_eye(Look& look, const Eye& eye, const Model& model, int width, int heig
     return true;
 }
 
-std::optional<std::size_t> shown_camera(const Look& look, const Model& model) {
+std::optional<std::size_t> current_camera(const Look& look, const Model& model) {
     const ViewRequest& view = look.request.view;
     const std::vector<std::string>& cameras = model.box.cameras();
     if (look.eye || view.is_placed() || cameras.empty()) return {};

@@ -72,7 +72,7 @@ void draw_keys(PanelView& view) {
     const std::vector<double> times = key_times(view.look);
     if (times.empty()) {
         ImGui::SameLine();
-        return ImGui::TextDisabled("of the camera and of moved lights");
+        return ImGui::TextDisabled("for the camera and moved lights");
     }
     ImGui::SameLine();
     if (ImGui::Button("delete key")) view.commands.push_back(Command::delete_key);
@@ -100,7 +100,7 @@ void draw_motion_panel(PanelView& view) {
     draw_keys(view);
     ImGui::Separator();
     ImGui::Checkbox("turntable", &player.is_turning);
-    slide("a turn takes", player.turn_s, 1.0, 120.0, "%.1f s", true);
+    slide("duration of a turn", player.turn_s, 1.0, 120.0, "%.1f s", true);
 }
 
 }  // namespace rakelight::viewer

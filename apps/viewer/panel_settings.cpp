@@ -6,8 +6,8 @@
 // clang-format on
 
 #include "../common/picture_options.h"
+#include "display_path.h"
 #include "panels.h"
-#include "shown_path.h"
 #include "widgets.h"
 
 namespace rakelight::viewer {
@@ -29,7 +29,7 @@ std::vector<std::string> split(const std::string& text) {
     return words;
 }
 
-/// The request with one key set anew, checked with all others. @throws Error usage
+/// The request with one key set again, checked with all others. @throws Error usage
 PictureRequest with_key(const PictureRequest& request, const std::string& key, const std::string& text) {
     PictureRequest plain = request;
     plain.settings.own_shading = PictureRequest().settings.own_shading;  // it has no key; see below

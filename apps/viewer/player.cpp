@@ -74,7 +74,7 @@ double time_of(const Look& look, const Model& model, const Player& player) {
 
 void set_time(Look& look, const Model& model, const Player& player, int width, int height, double time_s) {
     const ClipSpan span = span_of(look, model, player);
-    if (!look.eye && !shown_camera(look, model)) moving_eye(look, model, width, height);
+    if (!look.eye && !current_camera(look, model)) moving_eye(look, model, width, height);
     look.time_s = std::clamp(time_s, span.begin_s, span.end_s);
     follow_keys(look, *look.time_s);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A session with a model in it, as a look wants it: only what changed is made anew.
+// A session with a model in it, as a look wants it: only what changed is recomputed.
 #pragma once
 #include <memory>
 #include <optional>

@@ -55,7 +55,7 @@ Error too_large(const Window& window, double bytes) {
     return Error(ErrorCode::failed,
                  "a frame of " + std::to_string(window.width) + " x " + std::to_string(window.height) +
                      " pixels needs " + std::to_string(std::uint64_t(std::min(bytes / mib, 1e18))) +
-                     " MiB, more than there is",
+                     " MiB, more than available",
                  {}, "render a smaller window, fewer channels, or into a sink that takes rows");
 }
 
@@ -81,7 +81,7 @@ void Frame::begin(int picture_width, int picture_height, Window picture_window, 
 void Frame::tile(const Tile& tile) {
     const Window& a = tile.area;
     if (!is_inside(a.x, a.width, window.x, window.width) || !is_inside(a.y, a.height, window.y, window.height))
-        throw Error(ErrorCode::usage, "a tile reaches out of the window");
+        throw Error(ErrorCode::usage, "a tile extends beyond the window");
     copy_rows(tile.color, a, color, window);
     for_each_channel([&](std::uint32_t, const auto& from, auto& to) { copy_rows(from, a, to, window); }, tile,
                      static_cast<ChannelArrays&>(*this));

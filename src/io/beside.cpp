@@ -40,7 +40,7 @@ void copy_beside(const std::vector<NamedFile>& files, const std::string& output,
             missing.push_back(&file);
         else if (*read_file(to, context) != *read_file(file.path, context))
             throw Error(ErrorCode::failed,
-                        "'" + one_line(file.name, 80) + "' is there already and differs from the model's file", {},
+                        "'" + one_line(file.name, 80) + "' already exists and differs from the model's file", {},
                         "write to the model's own folder, to an empty one, or as .glb");
     }
     for (const NamedFile* file : missing) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include <rakelight/error.h>
 
 #include "math/linear.h"
@@ -195,9 +197,9 @@ bool MotionWriter::animations(const std::vector<std::size_t>& mesh_node, Pointer
     if (left_out > 0)
         context_.report().add(Remark::dropped, scene_.source, {},
                               std::to_string(left_out) +
-                                  (left_out == 1 ? " channel of animations was left out: it moves"
-                                                 : " channels of animations were left out: they move") +
-                                  " nothing that glTF has a place for");
+                                  (left_out == 1 ? " animation channel was left out: it animates"
+                                                 : " animation channels were left out: they animate") +
+                                  " nothing that glTF can store");
     return uses_pointers;
 }
 

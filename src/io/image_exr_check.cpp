@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looks through the headers of an OpenEXR file before the library does: it makes its tables and buffers from sizes that it
-// has not held against the file yet, and it reads values of the types that it knows without looking at the size written
-// beside them, so that a wrong one leads it into the middle of other data. (Layout: "OpenEXR File Layout", openexr.com.)
+// Checks the headers of an OpenEXR file before the library reads them. The library allocates tables and buffers from
+// sizes that it has not compared with the file. It also reads values of known types without checking the size stored
+// with them, so a wrong size would lead it into other data. Layout: "OpenEXR File Layout", openexr.com.
 #include <algorithm>
 #include <array>
 #include <string_view>

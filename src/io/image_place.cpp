@@ -37,10 +37,10 @@ ImagePlace place_of(std::string_view text, int width, int height) {
     if (middle == std::string_view::npos || !read_numbers(text.substr(0, middle), window) ||
         !read_numbers(text.substr(middle + between.size()), whole))
         throw Error(ErrorCode::bad_file,
-                    "its metadata name the window '" + one_line(std::string(text), 60) + "', which is none");
+                    "its metadata name the window '" + one_line(std::string(text), 60) + "', which is not valid");
     if (window[2] != width || window[3] != height)
         throw Error(ErrorCode::bad_file, "its metadata name a window of " + std::to_string(window[2]) + " x " +
-                                             std::to_string(window[3]) + " pixels, and it has " +
+                                             std::to_string(window[3]) + " pixels, but it has " +
                                              std::to_string(width) + " x " + std::to_string(height));
     return {window[0], window[1], whole[0], whole[1]};
 }

@@ -34,7 +34,7 @@ Reader reader_for(InputFile& file) {
     for (const Format& format : formats)
         if (got >= format.magic.size() && std::memcmp(first.data(), format.magic.data(), format.magic.size()) == 0)
             return format.read;
-    bad_picture("is no PNG, EXR or HDR picture");
+    bad_picture("is not a PNG, EXR or HDR picture");
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ std::unique_ptr<ImageWriter> write_rows(const std::string& path, int width, int 
     std::string ending = path.substr(path.size() - std::min(path.size(), wanted.size()));
     for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
     if (ending != wanted)
-        throw Error(ErrorCode::usage, "the rows are those of " + std::string(wanted) + " pictures", {},
+        throw Error(ErrorCode::usage, "the input pictures are " + std::string(wanted) + " pictures", {},
                     "let the output end in " + std::string(wanted))
             .with_file(path);
     OutputTarget target(path);

@@ -45,7 +45,7 @@ bool read_link(std::string& path) {
 int create_beside(const std::string& path, std::string& temporary, UnfinishedOutput& unfinished) {
     static std::atomic<unsigned> counter{0};
     int fd = -1;
-    do {  // a taken name is the rest of a process of the same number that died; the counter goes on
+    do {  // a taken name is the rest of a process of the same number that died; the counter continues
         temporary = folder_part(path) + ".rl-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
         unfinished.watch(temporary);
         fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

@@ -42,7 +42,7 @@ private:
     std::uint64_t number_ = 0;
 };
 
-/// @return how many numbers a line holds; of more than most_columns that many; most_columns + 1: a word is none
+/// @return how many numbers a line contains; of more than most_columns that many; most_columns + 1: a word is none
 std::size_t read_line(std::string_view line, double (&values)[most_columns], bool* has_more = nullptr) {
     const auto separates = [](char c) { return c == ' ' || c == '\t' || c == ',' || c == ';' || c == '\0'; };
     std::size_t count = 0;
@@ -58,7 +58,7 @@ std::size_t read_line(std::string_view line, double (&values)[most_columns], boo
     }
 }
 
-/// What is known of the columns before memory is asked for.
+/// What is known of the columns before memory is requested.
 struct Survey {
     std::uint64_t points = 0;
     std::uint64_t longer = 0;  ///< lines that hold more numbers than `columns`
@@ -159,7 +159,7 @@ Scene read_xyz_text(std::string_view bytes, const std::string& path, Context& co
     if (s.longer > 0)
         context.report().add(Remark::dropped, path, "",
                              std::to_string(s.longer) + (s.longer == 1 ? " line holds" : " lines hold") +
-                                 " more than " + std::to_string(s.columns) + " numbers; those behind are left out");
+                                 " more than " + std::to_string(s.columns) + " numbers; further ones are left out");
     VertexTable table(s.points, context);
     fill(text, s, table, context);
     Scene scene;

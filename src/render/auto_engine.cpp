@@ -55,7 +55,7 @@ public:
     void prepare_unposed(Scene scene, std::shared_ptr<const geometry::MeshPoses> poses, Context& context) override {
         draws_on_gpu_ = gpu_ != nullptr;
         poses_ = std::move(poses);
-        if (!draws_on_gpu_ && !is_said_) say("it takes engine soft: " + why_, Remark::note, scene.source, context);
+        if (!draws_on_gpu_ && !is_said_) say("it uses engine soft: " + why_, Remark::note, scene.source, context);
         is_said_ = true;
         if (draws_on_gpu_) {
             try {
@@ -87,7 +87,7 @@ public:
             }
         } else if (draws_on_gpu_) {
             check_abilities(name(), soft_->abilities(), settings);
-            say("it takes engine soft for what engine gl cannot do", Remark::note, scene().source, context);
+            say("it uses engine soft for what engine gl cannot do", Remark::note, scene().source, context);
             soft_->prepare(posed(gpu_->scene(), context), context);
             draws_on_gpu_ = false;
         }
@@ -111,7 +111,7 @@ private:
     void give_up(const Error& error, const std::string& source, Context& context) {
         context.throw_if_cancelled();
         if (error.code() != ErrorCode::failed) throw;
-        say("it goes on with engine soft: " + error.reason(), Remark::warning, source, context);
+        say("it continues with engine soft: " + error.reason(), Remark::warning, source, context);
         gpu_ = nullptr;
         draws_on_gpu_ = false;
     }

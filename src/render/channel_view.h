@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data channels as pictures for the eye: 8-bit RGB.
+// Data channels as 8-bit RGB pictures to look at.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -58,17 +58,18 @@ std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
                 std::string("give the data channel ") + channel.word +
                     (can.path_channels & channel.channel ? ": method path does" : ""));
     require(is_path || std::ranges::find(can.samples, s.samples) != can.samples.end(),
-            "take " + std::to_string(s.samples) + " samples a pixel" + (can.rays ? ": method path does" : ""));
+            "take " + std::to_string(s.samples) + " samples per pixel" + (can.rays ? ": method path does" : ""));
     require(can.visibility_methods || s.visibility == Visibility::z_reversed,
-            "remove hidden surfaces by another method than its own");
+            "use another method of hidden-surface removal than its own");
     require(can.screen_interpolation || s.interpolation == AttributeInterpolation::perspective,
             "interpolate attributes on the screen");
     require(can.lines_and_points || (s.surfaces && !s.edges && s.points == PointShape::none),
             "draw edges and vertices");
     require(can.shadows || !s.shadows, "draw shadows");
     require(can.ambient_occlusion || !s.ambient_occlusion, "find ambient occlusion: engine soft does");
-    require(can.rays || s.colors, "leave the colors out");
-    require(can.user_lighting || s.lighting_text.empty(), "light by a text in GLSL, " + one_line(s.lighting_name, 80));
+    require(can.rays || s.colors, "draw without colors");
+    require(can.user_lighting || s.lighting_text.empty(),
+            "use lighting from a GLSL file, " + one_line(s.lighting_name, 80));
     return first;
 }
 

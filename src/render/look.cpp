@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "prepare/pose_scene.h"
+#include "render/choose_camera.h"
 #include "render/picture_steps.h"
 #include "render/point_look.h"
 #include "render/up_axis.h"
-#include "render/view.h"
 #include "scene/scene_tools.h"
 #include "world/coloring.h"
 #include "world/scene_of_request.h"
@@ -55,7 +55,7 @@ bool take_camera(const Scene& scene, PictureRequest& request, Context& context) 
     request.view.side = "default";
     note(context, request,
          "the file's camera shows " + of_it + ": the fitted view" +
-             (lights.empty() ? " is" : " and the default light are") + " used; 'view' file takes the file's camera" +
+             (lights.empty() ? " is" : " and the default light are") + " used; 'view' file uses the file's camera" +
              lights,
          {"view"});
     return false;

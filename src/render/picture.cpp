@@ -7,6 +7,7 @@
 #include "engines/check_settings.h"
 #include "engines/empty_pixel.h"
 #include "math/linear.h"
+#include "render/choose_camera.h"
 #include "render/draw_to_memory.h"
 #include "render/drawable.h"
 #include "render/engines.h"
@@ -18,7 +19,6 @@
 #include "render/prepared_scene.h"
 #include "render/stopwatch.h"
 #include "render/too_dark_or_bright.h"
-#include "render/view.h"
 #include "render/view_range.h"
 #include "scene/light_cutoff.h"
 #include "scene/scene_tools.h"
@@ -142,7 +142,7 @@ void draw_to_outputs(Session& session, const Camera& camera, const PictureReques
     } catch (const Error&) {
         if (!request.keep_partial || !context.cancelled() || sink.done() == 0) throw;
         result.done = sink.done();
-        char text[120] = "the picture was cancelled: it has not all of its samples";
+        char text[120] = "the picture was cancelled: some of its samples are missing";
         if (result.done < 1)
             std::snprintf(text, sizeof text,
                           "the picture was cancelled: %.1f %% of its pixels are there, the rest is the background",
@@ -240,7 +240,7 @@ PictureResult draw_picture(Scene loaded, const PictureRequest& request, Session&
 
 namespace {
 
-/// @param draw  with a session of the engine that is asked for
+/// @param draw  with a session of the engine that is requested
 template <class Draw>
 PictureResult picture_by(const PictureRequest& request, Context& context, const Draw& draw) {
     try {
@@ -278,7 +278,7 @@ PictureResult render_picture(const PictureRequest& asked, std::vector<std::byte>
     check_request(asked);
     const bool is_in_layers = asked.channel_files == channel_files_layers && is_exr(asked.output);
     if (asked.settings.channels != 0 && !is_in_layers)
-        throw Error(ErrorCode::usage, "is for pictures in files: data channels go to files beside them", {},
+        throw Error(ErrorCode::usage, "is for pictures in files: data channels are written to files beside them", {},
                     "write the picture to a file, or as exr with 'channel-files' layers")
             .about("channels", {"channel-files"});
     PictureRequest request = asked;

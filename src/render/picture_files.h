@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of one picture: its color and its data channels. Rows go in strip by strip; all files appear together at
-// the end or not at all.
+// The files of one picture: its color and its data channels. Rows are added strip by strip; all files appear together
+// at the end or not at all.
 #pragma once
 #include <functional>
 #include <memory>
@@ -37,7 +37,7 @@ struct ChannelWishes {
     bool half_colors = false;
     ViewRange range;
     std::string comment{};                     ///< into the metadata of the colors' file
-    std::vector<std::byte>* memory = nullptr;  ///< what the colors' file is written to; null: it is a file
+    std::vector<std::byte>* memory = nullptr;  ///< destination of the color file; null: it is a file
 };
 
 class PictureFiles {

@@ -6,7 +6,7 @@
 #include "math/functions.h"
 #include "math/linear.h"
 #include "math/up_of_view.h"
-#include "render/view.h"
+#include "render/choose_camera.h"
 
 namespace rakelight {
 
@@ -49,14 +49,14 @@ double radius_of(const Bounds& bounds) {
     return half > 0 ? half : std::max(1.0, 1e-6 * std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)}));
 }
 
-/// What is up in a view along `along`, with a remark where what was asked for, or is up otherwise, says nothing there:
+/// What is up in a view along `along`, with a remark where what was requested, or is up otherwise, says nothing there:
 /// a warning only where somebody asked for it.
 dvec3 choose_up(const ViewRequest& view, dvec3 base_up, dvec3 along, const std::string& file, Report& report) {
     const dvec3 up = view.up.value_or(view.position ? view.world_up.value_or(dvec3{0, 1, 0}) : base_up);
     if (!is_along(up, along)) return up;
     const NamedUp other = up_of_view(along);
     report.add(view.up ? Remark::warning : Remark::note, file, "",
-               "the camera's up is along its view, " + other.name + " is up instead");
+               "the camera's up direction is parallel to its view direction, " + other.name + " is up instead");
     return other.up;
 }
 
@@ -80,7 +80,8 @@ dvec3 axis_of_turns(const ViewRequest& view) {
 void warn_if_up_is_along(dvec3 up, const Camera& camera, const std::string& file, Report& report) {
     const dvec3 along = -camera.to_world[2].xyz();
     if (is_along(up, along))
-        report.add(Remark::warning, file, "", "the camera's up is along its view, the side's own is up instead");
+        report.add(Remark::warning, file, "",
+                   "the camera's up direction is parallel to its view direction, the side's own is up instead");
 }
 
 Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view, double aspect, const Bounds& bounds,

@@ -146,7 +146,7 @@ void Sequence::draw_picture(SequenceFrame frame, const PictureRequest& request, 
     result.isa = engine_isa(result.engine);
     result.threads = context.threads();
     result.view_range = view_range_of(views_->bounds(), camera);
-    count_parts(scenes_.shown(), result);
+    count_parts(scenes_.current(), result);
     result.prepare_ms = clock_.lap_ms();
     const bool is_color_alone = request.settings.channels == 0 && request.output.ends_with(".png");
     Pixels color;

@@ -22,7 +22,7 @@ std::string text_of(double number) {
     std::snprintf(text, sizeof text, "%.0f", count);
     throw Error(ErrorCode::usage,
                 std::string("the sequence has ") + text + " pictures; there can be " + std::to_string(most_frames), {},
-                "take fewer of them a second")
+                "use fewer frames per second")
         .about("fps");
 }
 
@@ -44,7 +44,7 @@ void check_numbers(const SequenceRequest& request) {
         throw Error(ErrorCode::usage, "a sequence has at most " + std::to_string(most_frames) + " pictures")
             .about("frames");
     if (request.picture.motion.time_s && request.turntable == 0)
-        throw Error(ErrorCode::usage, "is one moment, and a sequence shows the whole clip", {},
+        throw Error(ErrorCode::usage, "is a single moment, but a sequence shows the whole clip", {},
                     "leave it out, or turn the model at that moment by 'turntable'")
             .about("animation-time", {"turntable"});
 }
@@ -83,8 +83,8 @@ void SequencePlan::count_frames(double fps) {
 void SequencePlan::check_range() {
     if (!range_.last) range_.last = std::max(range_.first, count_ - 1);
     if (*range_.last < count_) return;
-    const std::string what = turns_ > 0 ? "the turntable" : "at " + text_of(fps_) + " a second the clip";
-    throw Error(ErrorCode::usage, what + " has the pictures 0 to " + std::to_string(count_ - 1))
+    const std::string what = turns_ > 0 ? "the turntable" : "at " + text_of(fps_) + " per second, the clip";
+    throw Error(ErrorCode::usage, what + " has the frames 0 to " + std::to_string(count_ - 1))
         .about("frames", {turns_ > 0 ? "turntable" : "fps"});
 }
 

@@ -6,8 +6,8 @@
 #include <rakelight/linear.h>
 
 #include "prepare/pose_scene.h"
+#include "render/choose_camera.h"
 #include "render/swept_outline.h"
-#include "render/view.h"
 #include "scene/merge_scenes.h"
 #include "scene/scene_tools.h"
 #include "world/scene_of_request.h"

@@ -7,13 +7,13 @@
 #include "engines/check_settings.h"
 #include "engines/posing_engine.h"
 #include "prepare/prepare.h"
+#include "render/choose_camera.h"
 #include "render/drawable.h"
 #include "render/engines.h"
 #include "render/height_maps.h"
 #include "render/lit_scenes.h"
 #include "render/picture_steps.h"
 #include "render/prepared_scene.h"
-#include "render/view.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -41,11 +41,11 @@ void remark_missing_rays(const Scene& scene, const Engine& engine, Report& repor
     }
     const std::string tail = ": engine " + engine.name() + " shows the surface alone, --engine trace follows rays";
     if (open > 0)
-        report.add(Remark::dropped, scene.source, "", "light goes through " + counted(open, "material") + tail,
+        report.add(Remark::dropped, scene.source, "", "light passes through " + counted(open, "material") + tail,
                    {"engine"});
     if (layers > 0)
         report.add(Remark::note, scene.source, "",
-                   "light goes through " + counted(layers, "material") + ": under pbr engine " + engine.name() +
+                   "light passes through " + counted(layers, "material") + ": under pbr engine " + engine.name() +
                        " shows the opaque surfaces behind the nearest one, --engine trace follows rays",
                    {"engine"});
     if (mirrors > 0)

@@ -130,7 +130,7 @@ std::vector<MapCamera> shadow_cameras(const DrawList& list, const Light& light, 
     return out;
 }
 
-ShadowFactors shadow_factors(const MapCamera& first, const View& view, std::size_t faces,
+ShadowFactors shadow_factors(const MapCamera& first, const PictureCamera& view, std::size_t faces,
                              const RenderSettings& settings, dvec3 eye) {
     ShadowFactors out{};
     out.size = settings.shadow_size;

@@ -10,12 +10,12 @@
 #include <rakelight/picture_parts.h>
 
 #include "engines/check_settings.h"
+#include "render/choose_camera.h"
 #include "render/engines.h"
 #include "render/picture_sink.h"
 #include "render/picture_steps.h"
 #include "render/prepared_scene.h"
 #include "render/stopwatch.h"
-#include "render/view.h"
 #include "render/view_range.h"
 #include "scene/scene_tools.h"
 #include "tools/bench_export.h"
@@ -209,7 +209,7 @@ private:
     RenderSettings drawn_;  ///< the same, as 8-bit pictures are drawn
     Scene scene_;
     Camera camera_;
-    PictureSink sink_;  ///< display values, three bytes a pixel
+    PictureSink sink_;  ///< display values, three bytes per pixel
     std::vector<Measured> measured_;
 };
 
@@ -217,7 +217,7 @@ private:
 
 RenderBenchReport bench_render(const RenderBenchOptions& options, Context& context) {
     check(options);
-    // Half a vertex of 48 bytes and three indices a triangle, and as much again while they are made.
+    // Half a vertex of 48 bytes and three indices per triangle, and as much again while they are made.
     if (options.scene.empty()) context.memory().check(options.triangles * 80, "the scene to measure");
     return RenderBench(options, context).run();
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
 #include <rakelight/tools/check_scene.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/words.h>
@@ -9,8 +11,8 @@
 #include "render/picture_steps.h"
 #include "scene/scene_tools.h"
 #include "shading/shadow_cameras.h"
+#include "tools/material_names.h"
 #include "tools/report_json.h"
-#include "tools/texture_uses.h"
 
 namespace rakelight {
 namespace {

@@ -10,7 +10,7 @@
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/prepare.h"
-#include "render/view.h"
+#include "render/choose_camera.h"
 #include "scene/scene_tools.h"
 #include "tools/largest_seam.h"
 #include "tools/seam_legend.h"

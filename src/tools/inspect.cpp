@@ -95,7 +95,7 @@ void add_array(std::vector<ArraySummary>& arrays, const VertexArray& array, std:
     }
 }
 
-/// Of the meshes that are there, each once.
+/// Of the meshes that exist, each once.
 std::vector<ArraySummary> summarize_arrays(const Scene& scene) {
     std::vector<ArraySummary> arrays;
     for (const Mesh& mesh : scene.meshes)
@@ -157,7 +157,7 @@ void check_memory(const Surfaces& surfaces, Context& context) {
     std::uint64_t bytes = surfaces.meshes.size() * bytes_per_part;
     for (const AttributeMesh& m : surfaces.meshes)
         bytes += bytes_per_vertex * m.positions.size() + bytes_per_corner * m.indices.size();
-    context.memory().check(bytes, "looking at the surfaces of all instances");
+    context.memory().check(bytes, "inspecting the surfaces of all instances");
 }
 
 /// Border edges whose ends are seams, and then the places that no such edge reaches.
@@ -229,7 +229,7 @@ void look_at_winding(Inspection& result, const geometry::EdgeCensus& census) {
 
 /// A file decides how many objects there are and how long their names and those of their materials.
 static std::uint64_t bytes_of_objects(const Scene& scene, const std::vector<std::uint32_t>& objects) {
-    constexpr std::uint64_t beside_text = 32;  // what an allocation takes more than is asked for
+    constexpr std::uint64_t beside_text = 32;  // what an allocation takes more than is requested
     std::uint64_t bytes = 0;
     for (const std::uint32_t node : objects) {
         bytes += sizeof(ObjectSummary) + sizeof(SurfaceSummary) + scene.nodes[node].name.size() + 2 * beside_text;

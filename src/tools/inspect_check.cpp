@@ -33,7 +33,7 @@ std::string seam_failure(const Inspection& i, double limit_deg) {
     const std::optional<LargestSeam> worst = largest_seam(i, limit_deg);
     if (!worst && i.matched.edges_not_searched > 0 && limit_deg < 180)
         return std::to_string(i.matched.edges_not_searched) +
-               " open edges were not searched for borders beside them: too many lie too close together";
+               " open edges were not searched for borders beside them: too many are too close together";
     if (!worst) return {};
     std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const BorderSummary& b : i.borders)
@@ -64,7 +64,7 @@ std::string t_junction_failure(const Inspection& i) {
     std::string text = count_failure(i, {&SurfaceSummary::t_junctions}, "T-junction");
     if (!text.empty()) text += ", the first at " + text_of(i.t_junction_places.front().position);
     if (text.empty() && i.edges_not_searched > 0)
-        text = std::to_string(i.edges_not_searched) + " open edges were not searched: too many lie too close together";
+        text = std::to_string(i.edges_not_searched) + " open edges were not searched: too many are too close together";
     return text;
 }
 
@@ -73,7 +73,7 @@ std::string closed_failure(const Inspection& i) {
     std::string text = count_failure(i, {&SurfaceSummary::open_edges}, "open edge");
     for (std::size_t o = 0; o < i.surfaces.size() && text.empty(); ++o)
         if (i.objects[o].triangles > 0 && !i.surfaces[o].closed)
-            text = "nothing but degenerate triangles in " + quoted_name(i, std::uint32_t(o));
+            text = "only degenerate triangles in " + quoted_name(i, std::uint32_t(o));
     return text;
 }
 

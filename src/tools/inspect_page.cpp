@@ -66,7 +66,7 @@ std::string seam_cell(const Inspection& i) {
 
 std::string check_html(const InspectionRow& row) {
     if (!row.check) return {};
-    if (row.check->empty()) return "<p class=\"good\">All limits are kept.</p>\n";
+    if (row.check->empty()) return "<p class=\"good\">No limit is exceeded.</p>\n";
     std::string out;
     for (const CheckFailure& failure : *row.check)
         out += "<p class=\"bad\">" + html_text(failure.limit + ": " + failure.message) + "</p>\n";
@@ -132,16 +132,15 @@ void InspectionPage::add(const InspectionRow& row, std::span<const ReportPicture
 
 void InspectionPage::save(const std::string& path) const {
     const std::string title = counted(models_, "model") + " inspected";
-    save_text(
-        path,
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-        "content=\"width=device-width, initial-scale=1\">\n<title>" +
-            title + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + title +
-            "</h1>\n<p>A seam is the angle between the normals of two objects at a position that both share, "
-            "where smoothing over the whole model would leave none; or along open borders that run along each other, "
-            "where these were asked for.</p>\n<nav><table>\n<tr><th>model</th><th "
-            "class=\"r\">objects</th><th class=\"r\">largest seam [degrees]</th><th>limits</th></tr>\n" +
-            contents_ + "</table></nav>\n<main>\n" + sections_ + "</main>\n</body>\n</html>\n");
+    save_text(path,
+              "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+              "content=\"width=device-width, initial-scale=1\">\n<title>" +
+                  title + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + title +
+                  "</h1>\n<p>A seam is the angle between the normals of two objects at a position that both share, if "
+                  "smoothing over the whole model would remove it. On request, seams are also measured along open "
+                  "borders that run along each other.</p>\n<nav><table>\n<tr><th>model</th><th "
+                  "class=\"r\">objects</th><th class=\"r\">largest seam [degrees]</th><th>limits</th></tr>\n" +
+                  contents_ + "</table></nav>\n<main>\n" + sections_ + "</main>\n</body>\n</html>\n");
 }
 
 }  // namespace rakelight

@@ -38,7 +38,7 @@ std::vector<std::string> seams_lines(const Inspection& i) {
                     degrees_text(s.after.mean_deg) + ", 95% " + degrees_text(s.after.p95_deg));
     if (s.crowded_positions > 0)
         lines.push_back(counted(s.crowded_positions, "position") +
-                        " of more than 8 objects: " + counted(s.pairings_left_out, "pairing") + " there not looked at");
+                        " of more than 8 objects: " + counted(s.pairings_left_out, "pairing") + " there not inspected");
     if (s.inconsistent_edges > 0)
         lines.push_back(counted(s.inconsistent_edges, "edge") + " between objects of which one is inside out, most (" +
                         std::to_string(i.inconsistent_pairs[0].edges) + ") between " +
@@ -65,7 +65,7 @@ Section t_junctions_section(const Inspection& i) {
         shown > 0 ? std::size_t(i.t_junctions) - shown : 0);
     if (i.edges_not_searched > 0)
         out.note += (out.note.empty() ? "" : "; ") + counted(i.edges_not_searched, "open edge") +
-                    " not searched for T-junctions: too many lie too close";
+                    " not searched for T-junctions: too many are too close together";
     return out;
 }
 

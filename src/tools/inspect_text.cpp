@@ -9,8 +9,8 @@
 #include "shading/choices.h"
 #include "tools/camera_extent.h"
 #include "tools/inspect_sections.h"
+#include "tools/material_names.h"
 #include "tools/object_name.h"
-#include "tools/texture_uses.h"
 #include "tools/whole_inspection.h"
 
 namespace rakelight {
@@ -49,7 +49,7 @@ Section materials_section(const Inspection& i) {
     return section("materials", {">#", "name", "objects", "model", "alpha", "sides", "textures"}, i.scene.materials,
                    [&](const Material& m, std::size_t n) {
                        std::string textures;
-                       for (const auto& [role, use] : texture_uses(m))
+                       for (const auto& [role, use] : named_texture_uses(m))
                            textures += (textures.empty() ? "" : ", ") + (role + (" " + std::to_string(use.texture)));
                        const bool two_sided = shading::is_two_sided(m);
                        const std::uint32_t objects = i.material_objects[n];
@@ -111,7 +111,7 @@ Section cameras_section(const Scene& scene) {
     });
 }
 
-/// What --animation-index counts: a character has dozens, and one is asked for by its name.
+/// What --animation-index counts: a character has dozens, and one is requested by its name.
 constexpr std::size_t most_clips = 400;
 
 Section clips_section(const Scene& scene) {

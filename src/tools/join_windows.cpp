@@ -5,6 +5,8 @@
 #include <memory>
 #include <span>
 
+#include <nlohmann/json.hpp>
+
 #include "io/image_rows.h"
 #include "tools/report_json.h"
 #include "tools/window_bands.h"
@@ -42,7 +44,7 @@ std::string describe(const io::RowKind& kind) {
 void check_kind(const Part& part, const Part& first) {
     if (part.header.kind == first.header.kind) return;
     const std::string mine = describe(part.header.kind), other = describe(first.header.kind);
-    const std::string reason = mine == other ? "its comment is another than that of " + quoted(first.file)
+    const std::string reason = mine == other ? "its comment differs from that of " + quoted(first.file)
                                              : "is " + mine + ", and " + quoted(first.file) + " is " + other;
     throw Error(ErrorCode::bad_file, reason, {}, "join windows of one picture").with_file(part.file);
 }
@@ -55,13 +57,13 @@ void place(Part& part, const WindowPart& asked, bool is_alone) {
     else if (place.width == 0 && is_alone)
         place = {0, 0, part.header.width, part.header.height};
     else if (place.width == 0)
-        throw Error(ErrorCode::usage, "does not say which window of a picture it is", {},
+        throw Error(ErrorCode::usage, "does not record which window of a picture it is", {},
                     "name its place, as " + one_line(part.file, 80) + "@X,Y")
             .with_file(part.file);
 }
 
 std::vector<Part> read_parts(const JoinRequest& request, Context& context) {
-    if (request.parts.empty()) throw Error(ErrorCode::usage, "no part is named");
+    if (request.parts.empty()) throw Error(ErrorCode::usage, "no window is named");
     std::vector<Part> parts;
     for (const WindowPart& asked : request.parts) {
         context.throw_if_cancelled();
@@ -80,7 +82,8 @@ void set_size(const JoinRequest& request, std::span<const Part> parts, JoinResul
     const auto first = std::ranges::find_if(parts, knows);
     if (result.width == 0) {
         if (first == parts.end())
-            throw Error(ErrorCode::usage, "the parts do not say how large the whole picture is").about("resolution");
+            throw Error(ErrorCode::usage, "the windows do not record how large the whole picture is")
+                .about("resolution");
         result.width = first->header.place.width, result.height = first->header.place.height;
     }
     constexpr int most = int(io::codec::max_row_side);
@@ -102,7 +105,7 @@ std::vector<Window> windows_of(std::span<const Part> parts, const JoinResult& wh
         if (x < 0 || y < 0 || x > whole.width - h.width || y > whole.height - h.height)
             throw Error(ErrorCode::bad_file, "with its " + size_text(h.width, h.height) + " pixels at " +
                                                  std::to_string(x) + "," + std::to_string(y) +
-                                                 " it reaches out of the picture of " +
+                                                 " it extends beyond the picture of " +
                                                  size_text(whole.width, whole.height))
                 .with_file(part.file);
         windows.push_back({x, y, h.width, h.height});
@@ -150,7 +153,7 @@ private:
         std::unique_ptr<io::RowReader> reader = io::read_rows(part.file, context);
         if (reader->header().kind != part.header.kind || reader->header().width != part.header.width ||
             reader->header().height != part.header.height)
-            throw Error(ErrorCode::bad_file, "was changed while it was read").with_file(part.file);
+            throw Error(ErrorCode::bad_file, "changed while it was read").with_file(part.file);
         readers_.emplace(number, std::move(reader));
     }
 

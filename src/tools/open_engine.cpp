@@ -14,7 +14,8 @@ namespace {
 void require_surfaces(const RenderSettings& settings) {
     if (settings.edges || settings.points != PointShape::none || !settings.surfaces)
         throw Error(ErrorCode::usage,
-                    "only surfaces can be looked into: leave 'edges', 'wireframe', 'points' and 'point-sprites' out")
+                    "only surfaces can be explained or shown in stages: leave out 'edges', 'wireframe', 'points' and "
+                    "'point-sprites'")
             .naming({"edges", "wireframe", "points", "point-sprites"});
 }
 

@@ -2,6 +2,8 @@
 // Pictures as the program's JSON, schema rakelight.render/1: fields are added, never renamed.
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include <rakelight/picture.h>
 #include <rakelight/tools/rows.h>
 

@@ -3,6 +3,8 @@
 
 #include <cstdio>
 
+#include <nlohmann/json.hpp>
+
 #include "engines/check_settings.h"
 #include "io/glb_writer.h"
 #include "io/image_io.h"
@@ -34,7 +36,7 @@ Scene lightmapped(const ReadyScene& ready, const PictureRequest& request, const 
     if (report.overlapping > 0)
         context.report().add(Remark::warning, request.input, {},
                              std::to_string(report.overlapping) + " of " + std::to_string(report.charts) +
-                                 " charts lie on themselves: light may stand there that belongs elsewhere");
+                                 " charts overlap themselves: they may show light that belongs elsewhere");
     return out;
 }
 

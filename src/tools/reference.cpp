@@ -54,7 +54,7 @@ Pixels read_reference(const std::string& picture, const ReferenceRequest& reques
     std::error_code ignored;
     if (!std::filesystem::exists(request.picture, ignored))
         throw Error(ErrorCode::not_found, "there is no such reference", {},
-                    "look at '" + one_line(picture, 160) + "', and where it is right copy it to '" +
+                    "look at '" + one_line(picture, 160) + "', and if it is right, copy it to '" +
                         one_line(request.picture, 160) + "'")
             .with_file(request.picture);
     try {

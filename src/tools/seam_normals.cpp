@@ -126,7 +126,7 @@ static std::string name_of_unjoined(const Surfaces& surfaces) {
     }
     if (missing == 0) return surfaces.meshes.empty() ? "smoothed per object" : "the file's";
     const Scope scope = *scopes.begin();
-    const std::string made = scopes.size() > 1        ? "made as the world says"
+    const std::string made = scopes.size() > 1        ? "computed as the world file says"
                              : scope == Scope::model  ? "smoothed over the model"
                              : scope == Scope::object ? "smoothed per object"
                                                       : "flat";

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
 #include <rakelight/smooth_file.h>
 #include <rakelight/tools/rows.h>
 
@@ -86,7 +88,7 @@ std::string summary(const SmoothedFile& result) {
     const std::string borders = result.borders ? ", " + describe(*result.borders) : "";
     if (!result.changed)
         return result.output + ": nothing to change, " +
-               (result.seams ? seams + borders : "the normals and tangents are these already");
+               (result.seams ? seams + borders : "the normals and tangents are already the same");
     std::uint64_t normals = 0, tangents = 0;
     for (const SmoothedMesh& m : result.meshes) {
         normals += m.normals == Change::made || m.normals == Change::replaced;

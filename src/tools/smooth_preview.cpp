@@ -104,7 +104,7 @@ std::string borders_html(const Inspection& before, const Inspection& after) {
            rows + "</table></div>\n";
 }
 
-/// Seams along open borders without shared vertices, before and after; nothing where nobody asked for them.
+/// Seams along open borders without shared vertices, before and after; nothing where they were not requested.
 std::string matched_html(const MatchedSeams& before, const MatchedSeams& after) {
     if (!(before.distance > 0)) return "";
     const auto row = [](const char* name, const CurveAngles& seam) {
@@ -155,7 +155,7 @@ SmoothedFile preview_smooth(const std::string& input, const PreviewPlace& place,
     if (!place.picture_before.empty()) save(seams_before, place.picture_before);
     if (!place.picture_after.empty()) save(seams_after, place.picture_after);
     const std::string name = std::filesystem::path(input).filename().string();
-    const std::string what = (after.seams ? describe(*after.seams) : "all normals are made anew") +
+    const std::string what = (after.seams ? describe(*after.seams) : "all normals are recomputed") +
                              (after.borders ? "; " + describe(*after.borders) : "");
     write_text(place.page, page_of(name, what,
                                    "<div class=\"pair\">\n" + figure_html("before", seams_before) +

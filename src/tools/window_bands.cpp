@@ -12,7 +12,7 @@ namespace {
     const std::string window = std::to_string(begin) + "," + std::to_string(band.y) + "," +
                                std::to_string(end - begin) + "," + std::to_string(band.end - band.y);
     throw Error(ErrorCode::bad_file,
-                "no part covers columns " + range(begin, end) + " of rows " + range(band.y, band.end), {},
+                "no window covers columns " + range(begin, end) + " of rows " + range(band.y, band.end), {},
                 "render them with --window " + window);
 }
 

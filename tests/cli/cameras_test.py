@@ -46,7 +46,7 @@ class Cameras(program.Case):
     def test_a_camera_too_far_for_its_far_plane_is_replaced_and_the_plane_is_named(self):
         self.write("w.scene.toml", '[[primitive]]\ntype = "sphere"\n[[camera]]\nposition = [0, 0, 4301]\n')
         result = self.render("w.scene.toml")
-        self.assertIn("all of it is 4300 m away or more, and far is 1000 m; the default view is used instead", result.out)
+        self.assertIn("all of it is 4300 m away or more, but the far plane is at 1000 m; the default view is used instead", result.out)
         result = self.render("w.scene.toml", "--far", "5000")
         self.assertEqual((result.code, "default view" in result.out), (0, False))
 

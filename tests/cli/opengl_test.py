@@ -83,7 +83,7 @@ class OpenGl(program.Case):
         folder = self.with_library(None)
         result = self.draw("--verbose", engine="auto", LD_LIBRARY_PATH=folder)
         self.assertEqual(result.code, 0, result.err)
-        self.assertIn("engine auto: it takes engine soft: there is no libEGL", result.err)
+        self.assertIn("engine auto: it uses engine soft: there is no libEGL", result.err)
         self.assertEqual(self.draw(engine="soft", LD_LIBRARY_PATH=folder).code, 0)
 
 

@@ -42,7 +42,7 @@ BROKEN = [
     (WALL + "[render]\nresolution = 8\n", 4, 1, "line 4, column 1: resolution: "),
     (WALL + "[render]\nlighting = 'shiny'\n", 4, 1, "line 4, column 1: lighting: "),
     (WALL + "[render]\nedges = 'maybe'\n", 4, 1, "true or false"),
-    (WALL + "[render]\noutput = 'b.png'\n", 4, 1, "for the command line alone"),
+    (WALL + "[render]\noutput = 'b.png'\n", 4, 1, "an option of the command line only"),
     (WALL + "[render]\nheight-map = '../secret.png'\n", 4, 1, "secret.png"),
     (WALL + "[render]\nbump = 'paralax'\n", 4, 1, "did you mean 'parallax'?"),
     (WALL + "[render]\ncamera-index = 'frnt'\n[[camera]]\nname = 'front'\nposition = [0, 0, 9]\n", 4, 1, "did you mean 'front'?"),

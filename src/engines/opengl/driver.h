@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the driver of the current context is and can do. Asked once a context.
+// What the driver of the current context is and can do. Queried once per context.
 #pragma once
 #include <string>
 

@@ -17,7 +17,7 @@ struct Number {
     std::size_t place = 0;  ///< [floats] in the packed array
 };
 
-/// Four floats a row, a name never over two rows.
+/// Four floats per row, a name never over two rows.
 std::vector<Number> placed(std::vector<Number> numbers) {
     std::stable_sort(numbers.begin(), numbers.end(),
                      [](const Number& a, const Number& b) { return a.components > b.components; });

@@ -137,7 +137,7 @@ std::unique_ptr<Engine> make_gpu_engine(std::string& why) {
     try {
         auto engine = std::make_unique<OpenGlEngine>();
         if (!engine->driver().is_software) return engine;
-        why = "there is no GPU (" + engine->driver().renderer + " draws by the processor)";
+        why = "there is no GPU (" + engine->driver().renderer + " draws on the processor)";
     } catch (const Error& error) {
         why = error.reason();
     }

@@ -110,7 +110,7 @@ void Renderer::begin_picture(const Camera& camera, const RenderSettings& setting
     seen_.assign(list_.draws.size(), false);
     meter_.reset();
     programs_.set_user({settings.lighting_name, settings.lighting_text});
-    view_ = shading::view_of(list_, camera, settings);
+    view_ = shading::picture_camera_of(list_, camera, settings);
     shading_ = shading::choose_shading(list_, settings, nullptr, context);
     pose_meshes(context);
     const dvec3 eye = view_.camera_to_world[3].xyz();
@@ -134,7 +134,7 @@ std::vector<Renderer::KeptMaps> Renderer::draw_shadow_maps(const RenderSettings&
     for (std::size_t m = 0; m < maps.size(); ++m) {
         maps[m].place = places[m];
         for (std::size_t f = 0; f < maps[m].cameras.size(); ++f) {
-            maps[m].view = shading::view_of(list_, maps[m].cameras[f].camera, of_map);
+            maps[m].view = shading::picture_camera_of(list_, maps[m].cameras[f].camera, of_map);
             draw_shadow_map(maps[m].view, of_map, places[m], int(f), context);
         }
     }
@@ -162,8 +162,8 @@ void Renderer::update_shadows(const RenderSettings& settings, dvec3 eye, std::ve
     }
 }
 
-void Renderer::draw_shadow_map(const shading::View& view, const RenderSettings& settings, ShadowAtlas::Place place,
-                               int face, Context& context) {
+void Renderer::draw_shadow_map(const shading::PictureCamera& view, const RenderSettings& settings,
+                               ShadowAtlas::Place place, int face, Context& context) {
     const std::vector<Shading> unlit(list_.draws.size(), Shading::unlit);
     const PictureState state = picture_state();
     const LightTable no_lights;
@@ -343,7 +343,7 @@ void Renderer::end_picture(RenderStats& stats, Context& context) {
     stats.pixels_marked = meter_.samples(Marks::pass_name);
     if (not_finite_ > 0)
         context.report().add(Remark::warning, list_.scene.source, {},
-                             std::to_string(not_finite_) + " color values came out not finite and are shown black");
+                             std::to_string(not_finite_) + " color values were not finite and are shown black");
 }
 
 }  // namespace rakelight::opengl

@@ -139,7 +139,7 @@ RenderStats WindowView::draw(const Camera& camera, const RenderSettings& setting
     RenderStats stats;
     if (std::max(settings.width, settings.height) > s.driver().picture_size)
         throw Error(ErrorCode::failed,
-                    "this OpenGL driver draws at most " + std::to_string(s.driver().picture_size) + " pixels a side");
+                    "this OpenGL driver draws at most " + std::to_string(s.driver().picture_size) + " pixels per side");
     // Of the picture before: what is asked of this one would have to be waited for.
     s.renderer.end_picture(s.stats, context);
     stats.gpu_passes = std::move(s.stats.gpu_passes);
@@ -187,7 +187,8 @@ void WindowView::lines(const Camera& camera, std::span<const Line> lines) {
     RenderSettings settings;
     settings.width = screen.width(), settings.height = screen.height();
     const bool hides = s.has_depth && s.target.width() == settings.width && s.target.height() == settings.height;
-    s.lines.draw(lines, s.renderer.view_of(camera, settings), screen, hides ? s.target.depth_texture() : 0, s.driver());
+    s.lines.draw(lines, s.renderer.picture_camera_of(camera, settings), screen, hides ? s.target.depth_texture() : 0,
+                 s.driver());
 }
 
 }  // namespace rakelight::opengl

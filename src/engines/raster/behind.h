@@ -12,7 +12,7 @@ namespace rakelight::raster {
 /// What it is drawn of: that of the picture.
 struct BehindJob {
     const DrawList& list;
-    const View& view;
+    const PictureCamera& view;
     const RenderSettings& settings;
     const std::vector<lighting::LightParameters>& lights;  ///< about the eye, with their shadows
     const ShadowView* shadows;                             ///< null: none

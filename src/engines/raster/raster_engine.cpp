@@ -53,7 +53,7 @@ const GeometryKernels* geometry_kernels_for(Isa isa) {
     return scalar::geometry_kernels();
 }
 
-/// What the tiles of this picture took, and begins anew. When no scratch is out.
+/// What the tiles of this picture took, and begins again. When no scratch is out.
 void add_times(cpu_shading::ScratchPool<TileScratch>& pool, StageTimes& sum) {
     pool.for_each([&sum](TileScratch& scratch) {
         const StageTimes t = std::exchange(scratch.times, {});
@@ -124,9 +124,9 @@ public:
 
     RenderStats render(const Camera& camera, const RenderSettings& wanted, Sink& sink, Context& context) override {
         const RenderSettings settings = settings_for_method(wanted);
-        const View view = view_of(list_, camera, settings);
+        const PictureCamera view = picture_camera_of(list_, camera, settings);
         StageClock clock;
-        kept_ = {};  // counted anew
+        kept_ = {};  // counted again
         const TileGrid grid(settings.width, settings.height, settings.window);
         FrontEnd front{list_,
                        view,
@@ -227,7 +227,7 @@ private:
         stats.samples_covered = samples_covered;
         if (not_finite > 0)
             context.report().add(Remark::warning, list_.scene.source, {},
-                                 std::to_string(not_finite) + " color values came out not finite and are shown black");
+                                 std::to_string(not_finite) + " color values were not finite and are shown black");
         return waited;
     }
 

@@ -33,8 +33,8 @@ struct RayContext {
 /// Meshes that have no more triangles than that, in all places together, are for the crowd: a scene of Embree's own for each
 /// costs more than they do.
 constexpr std::uint64_t most_in_crowd = 4096;
-/// Meshes at one place are for it, too, while they have no more than that together: rays through one tree are up to a third faster than
-/// through instances, and it is built in less than a second.
+/// Meshes with a single placement go into it too, up to this total: rays through one tree are up to a third faster
+/// than through instances, and it is built in less than a second.
 constexpr std::uint64_t most_single_in_crowd = 1'000'000;
 
 }  // namespace
@@ -261,7 +261,7 @@ void RayScene::add_crowd(RTCScene top, const shading::DrawList& list, const std:
         vertices += mesh.positions.size(), triangles += mesh.triangle_count();
     }
     if (vertices > 0xffffffffu || triangles > 0xffffffffu)
-        throw Error(ErrorCode::bad_file, "more small surfaces than rays can tell apart").with_file(list.scene.source);
+        throw Error(ErrorCode::bad_file, "more small surfaces than rays can distinguish").with_file(list.scene.source);
     crowd->charge =
         MemoryCharge(context.memory(), 12 * (vertices + 1) + (12 + tree_bytes) * triangles + 8 * draws.size(), "rays");
     crowd->positions.reserve(3 * vertices + 1), crowd->indices.reserve(3 * triangles);

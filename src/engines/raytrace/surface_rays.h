@@ -11,7 +11,7 @@
 
 namespace rakelight::raytrace {
 
-/// Where a ray meets a triangle first.
+/// Where a ray hits a triangle first.
 struct SurfaceHit {
     std::uint32_t draw = 0;      ///< into SurfaceRays::list().draws
     std::uint32_t triangle = 0;  ///< of the draw's mesh

@@ -24,7 +24,7 @@ bool find_sky(const TracePicture& picture, WaveScratch& s) {
     return true;
 }
 
-/// What is behind everything that primary rays meet.
+/// What is behind everything that primary rays hit.
 void lay_background(const TracePicture& picture, TileScratch& s) {
     const vec4 behind = empty_pixel(picture.settings);
     const bool has_sky = find_sky(picture, s);
@@ -104,7 +104,7 @@ void trace_sample(const TracePicture& picture, const Window& area, shading::Samp
 }  // namespace
 
 void make_primary(const TracePicture& picture, const Window& area, shading::SamplePosition at, TileScratch& s) {
-    const shading::View& view = picture.view;
+    const shading::PictureCamera& view = picture.view;
     const shading::PixelRays rays = shading::pixel_rays(view, area.x, area.y);
     std::swap(s.wave, s.primary);
     RayWave& wave = s.wave;

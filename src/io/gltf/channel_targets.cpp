@@ -36,7 +36,7 @@ std::uint32_t width_of(AnimationPath path) {
             kind += c;
         }
     }
-    channel.fail("what its pointer '" + kind + "' names cannot be moved");
+    channel.fail("the property that its pointer '" + kind + "' names cannot be animated");
 }
 
 /// "/materials/12/alphaCutoff" behind "/materials/": the number, and what follows it.
@@ -136,7 +136,7 @@ ChannelTarget ChannelTargets::of_element(AnimationPath path, std::uint32_t index
         const Value material = document_.element(material_kind, index, channel);
         if (const std::uint32_t made = materials_.scene_index(index); made != no_index) target.elements = {made};
         if (place.starts_with("pbrMetallicRoughness/") && material.extension("KHR_materials_pbrSpecularGlossiness"))
-            channel.fail("material " + std::to_string(index) + " is shown by its specular-glossiness parameters");
+            channel.fail("material " + std::to_string(index) + " uses its specular-glossiness parameters instead");
         if (target.property == "emission") set_emission(material, !row, target);
     }
     return target;

@@ -65,7 +65,7 @@ Document::Document(const std::string& path, Bytes file, const ReadOptions& optio
     binary_ = parts.binary;
     has_binary_ = parts.has_binary;
     tree_ = std::make_shared<const Json>(parse_json(parts.json, path, tree_charge_, context));
-    if (!tree_->is_object()) throw Error(ErrorCode::bad_file, "not a glTF file: its JSON is no object");
+    if (!tree_->is_object()) throw Error(ErrorCode::bad_file, "not a glTF file: its JSON is not an object");
     root_ = Value(tree_.get(), {});
     check_version();
     check_extensions();
@@ -113,7 +113,7 @@ void Document::check_extensions() {
         const std::string what =
             "the file requires the glTF extension " + one_line(name, 80) + ", which is not supported";
         if (!is_visual(name)) throw Error(ErrorCode::bad_file, what);
-        remark(Remark::warning, {}, what + ": pictures lack what it says");
+        remark(Remark::warning, {}, what + ": pictures lack its effect");
         without.push_back(name);
     }
     const Value used = root_.list("extensionsUsed");
@@ -122,7 +122,7 @@ void Document::check_extensions() {
         uses_quantization_ = uses_quantization_ || name == "KHR_mesh_quantization";
         if (is_supported(name) || contains(without, name)) continue;
         remark(contains(harmless, name) ? Remark::note : Remark::dropped, {},
-               "the glTF extension " + one_line(name, 80) + " is not supported; what it says is left out");
+               "the glTF extension " + one_line(name, 80) + " is not supported; it is ignored");
     }
 }
 

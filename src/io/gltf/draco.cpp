@@ -75,7 +75,7 @@ void narrow(std::vector<std::byte>& bytes, ComponentType type, const Value& from
 
 void check_header(std::span<const std::byte> data, const Value& from, Context& context) {
     const auto header = read_draco_header(data);
-    if (!header || !header->is_mesh) from.fail("its Draco data is no Draco mesh");
+    if (!header || !header->is_mesh) from.fail("its Draco data is not a Draco mesh");
     if (header->major != 2 || header->minor != 2)
         from.fail("its Draco data has version " + std::to_string(header->major) + "." + std::to_string(header->minor) +
                   "; glTF allows 2.2 only");

@@ -61,7 +61,7 @@ void report(const Counts& counts, const Document& document, const Value& primiti
     say(Remark::changed, counts.bad_weights, "have negative or non-finite joint weights, taken as 0");
     say(Remark::changed, counts.bad_sums, "have joint weights that do not sum to 1; scaled");
     say(Remark::changed, counts.no_sums,
-        "have joint weights without a sum; they follow the first joint, where others follow any");
+        "have joint weights whose sum is zero; they follow their first joint (other programs may choose another)");
 }
 
 struct Set {

@@ -40,7 +40,7 @@ public:
         if (!is_new)
             context_.report().add(
                 Remark::warning, file_, {},
-                "the JSON name '" + one_line(name, 60) + "' stands twice in one object; the last counts");
+                "the JSON name '" + one_line(name, 60) + "' occurs twice in one object; the last one counts");
         member_ = &member->second;
         return true;
     }

@@ -23,7 +23,7 @@ void check_sizes(const Value& packed, Mode mode, std::uint64_t count, std::uint6
     if (!fits) packed.fail("the meshopt byteStride " + std::to_string(stride) + " does not fit its mode");
     if (mode == Mode::triangles && count % 3 != 0)
         packed.fail("the meshopt count " + std::to_string(count) + " is not a multiple of 3");
-    // The densest codes: triangles take a byte each, other indices a byte each, and attributes two bits for 16 bytes.
+    // The densest codes: triangles take a byte each, other indices per byte each, and attributes two bits for 16 bytes.
     const std::uint64_t most = mode == Mode::triangles ? 3 * data_bytes
                                : mode == Mode::indices ? data_bytes
                                                        : 64 * data_bytes / stride + 256;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include <nlohmann/json.hpp>
+
 #include "io/gltf/save_uses.h"
 
 namespace rakelight::io::gltf {

@@ -19,7 +19,7 @@ int code_of(float x, ComponentType type) {
     return int(std::clamp(std::floor(double(x) * largest + 0.5), -largest, largest));
 }
 
-/// What a matrix does to normals, but for their length.
+/// What a matrix does to normals, except for their length.
 dmat3 turn_of(const dmat4& place) {
     const dmat3 linear = upper_left(place);
     dmat3 turn = cofactor(linear);

@@ -9,6 +9,8 @@
 #include <optional>
 #include <string_view>
 
+#include <nlohmann/json.hpp>
+
 #include "io/gltf/save_storage.h"
 
 namespace rakelight::io::gltf {

@@ -40,7 +40,7 @@ Skin read_skin(Accessors& accessors, const Nodes& nodes, const Value& source, st
     for (std::size_t j = 0; j < joints.size(); ++j) {
         const std::uint32_t node = nodes.scene_index(joints.index_at(j));
         if (node == no_index)
-            source.fail("its joint " + std::to_string(joints.index_at(j)) + " is no node of the scene");
+            source.fail("its joint " + std::to_string(joints.index_at(j)) + " is not a node of the scene");
         skin.joints.push_back(node);
     }
     skin.inverse_bind = inverse_bind_matrices(accessors, source, skin.joints.size());
@@ -69,7 +69,7 @@ void read_skins(Accessors& accessors, Meshes& meshes, const Nodes& nodes, Scene&
         const std::uint32_t skin = loaded[index];
         if (skin == no_index || scene.nodes[placed.scene].meshes.empty()) continue;
         if (joints_used > scene.skins[skin].joints.size())
-            node.fail("its mesh follows joint " + std::to_string(joints_used - 1) + ", but its skin has " +
+            node.fail("its mesh refers to joint " + std::to_string(joints_used - 1) + ", but its skin has " +
                       std::to_string(scene.skins[skin].joints.size()));
         scene.nodes[placed.scene].skin = skin;
     }

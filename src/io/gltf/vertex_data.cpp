@@ -39,7 +39,7 @@ void VertexData::check_count(std::uint64_t count, const std::string& semantic) {
     if (*count_ != count)
         primitive_.fail(semantic + " has " + std::to_string(count) + " elements, but the primitive has " +
                         std::to_string(*count_) + " vertices");
-    if (count >= no_index) primitive_.fail(std::to_string(count) + " vertices are more than indices can reach");
+    if (count >= no_index) primitive_.fail(std::to_string(count) + " vertices are more than indices can address");
 }
 
 std::optional<Elements> VertexData::find(const Value& owner, const std::string& semantic, const Expected& expected) {
@@ -93,7 +93,7 @@ Block<vec4> VertexData::colors() {
         if (e.type != ComponentType::f32 && !e.normalized) {
             e.normalized = true;
             document().remark(Remark::guessed, primitive_.place(),
-                              "vertex colors of integers that are not said to be normalized are taken as 0..1");
+                              "integer vertex colors that are not marked as normalized are read as 0..1");
         }
         return to_vec4(e, 1);
     });

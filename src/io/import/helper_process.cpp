@@ -107,7 +107,7 @@ const char* name_of_signal(int number) {
 }
 
 [[noreturn]] void too_slow(double seconds) {
-    throw Error(ErrorCode::bad_file, "reading it took longer than " + seconds_text(seconds) + " and was given up", {},
+    throw Error(ErrorCode::bad_file, "reading it took longer than " + seconds_text(seconds) + " and was stopped", {},
                 "export glTF instead");
 }
 
@@ -116,12 +116,12 @@ const char* name_of_signal(int number) {
 std::string find_import_helper(const std::string& asked) {
     if (!asked.empty()) {
         if (is_program(asked)) return asked;
-        throw Error(ErrorCode::failed, "the import helper '" + one_line(asked, 100) + "' is no program");
+        throw Error(ErrorCode::failed, "the import helper '" + one_line(asked, 100) + "' is not a program");
     }
     if (const char* named = std::getenv("RAKELIGHT_IMPORT")) {
         if (is_program(named)) return named;
-        throw Error(ErrorCode::failed, std::string("RAKELIGHT_IMPORT names '") + named + "', which is no program", {},
-                    "correct or unset it");
+        throw Error(ErrorCode::failed, std::string("RAKELIGHT_IMPORT names '") + named + "', which is not a program",
+                    {}, "correct or unset it");
     }
     const std::string program = folder_of_this_program(), library = folder_of_this_library();
     // RL_LIBEXEC_*: where it is installed, counted from programs, from the library, and from the root (CMakeLists.txt of io).
@@ -134,7 +134,7 @@ std::string find_import_helper(const std::string& asked) {
 
 namespace {
 
-/// The two ends of a pipe, neither of them a standard stream (which may be closed here, and is set anew in the child).
+/// The two ends of a pipe, neither of them a standard stream (which may be closed here, and is set again in the child).
 /// Both are closed where it fails.
 void open_pipe(int (&ends)[2]) {
     const auto failed = [] {

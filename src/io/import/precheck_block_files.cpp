@@ -142,7 +142,7 @@ public:
         for (std::uint64_t i = 0; i < count; ++i) {
             const auto face = little<std::uint16_t>(s_.bytes, begin + 3 + i * 2);
             if (face >= listed_.size() || listed_[face])
-                wrong("materials name faces that are not there or have one already");
+                wrong("materials name faces that do not exist or already have a material");
             else
                 listed_[face] = true;
         }

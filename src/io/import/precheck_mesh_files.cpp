@@ -71,14 +71,14 @@ void check_stl(const Suspect& s) {
             if (count == 0) throw Error(ErrorCode::bad_file, "nothing to draw: the file holds no triangle");
             if (solid)
                 s.report.add(Remark::warning, s.path, {},
-                             "it begins with 'solid' like a text STL but is binary, and was read so");
+                             "it begins with 'solid' like a text STL, but it is binary and was read as such");
             return;
         }
         const bool binary = !solid || text.substr(0, 512).find('\0') != std::string_view::npos;
         if (binary && needs > text.size()) too_few("triangles", count, needs, text.size());
         if (binary)
             throw Error(ErrorCode::bad_file, std::to_string(text.size() - needs) + " bytes follow the " +
-                                                 std::to_string(count) + " triangles that it promises");
+                                                 std::to_string(count) + " triangles that it declares");
     }
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
     if (begin == std::string_view::npos ||

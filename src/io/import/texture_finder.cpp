@@ -36,7 +36,7 @@ std::optional<std::string> existing(const std::string& model, const std::string&
     return std::nullopt;
 }
 
-/// The entry of the model's folder that equals `name` but for the case of its letters; the first in order of bytes.
+/// The entry of the model's folder that equals `name` except for the case of its letters; the first in order of bytes.
 std::optional<std::string> in_any_case(const std::string& model, const std::string& name) {
     namespace fs = std::filesystem;
     std::error_code problem;

@@ -66,7 +66,7 @@ struct ChunkElements {
     std::vector<StateChange> changes;
     std::vector<Run> runs;
     std::vector<Corner> corners;         ///< of each run its own, each once, in order of first use
-    std::vector<std::uint32_t> indices;  ///< three a triangle, two a segment, one a point: corner numbers
+    std::vector<std::uint32_t> indices;  ///< three per triangle, two per segment, one per point: corner numbers
     std::vector<CutPolygon> polygons;
     std::vector<SmoothingChange> smoothing;
     std::vector<FaceRecord> faces;  ///< where they are kept

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* what = "the normals of an OBJ file";
 
-[[noreturn]] void does_not_fit() { throw Error(ErrorCode::failed, "the file changed while it was worked on"); }
+[[noreturn]] void does_not_fit() { throw Error(ErrorCode::failed, "the file changed while it was being processed"); }
 
 /// A run's normals, each once, as they lie in the chunk's.
 struct RunNormals {

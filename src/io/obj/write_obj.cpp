@@ -103,7 +103,7 @@ public:
 
 private:
     void lost(const char* what) {
-        context_.report().add(Remark::dropped, scene_.source, {}, std::string("OBJ has no place for ") + what);
+        context_.report().add(Remark::dropped, scene_.source, {}, std::string("OBJ cannot store ") + what);
     }
 
     /// Where they do not, positions are written as doubles.
@@ -136,7 +136,7 @@ private:
         if (more_sets) lost("more than one set of texture coordinates");
         if (others) lost("lines and points here");
         if (targets) lost("morph targets");
-        if (numbers) lost("other numbers of the vertices");
+        if (numbers) lost("other vertex attributes");
         if (opacity) lost("the opacity of vertex colors");
         if (!scene_.skins.empty() || !scene_.animations.empty())
             lost("skins and animations: the bind pose was written");

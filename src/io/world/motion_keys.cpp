@@ -37,7 +37,7 @@ void check_keys(const SectionValues& v) {
         fail(v.place_of("interpolation"), "'interpolation' says how keys are joined, but there are no 'keys'");
     const SectionValues* before = nullptr;
     for (const SectionValues& key : v.tables()) {
-        if (key.all().size() < 2) fail(key.place(), "a key that has nothing but its 'time'");
+        if (key.all().size() < 2) fail(key.place(), "a key with nothing but its 'time'");
         if (before && !(time_of(key) > time_of(*before)))
             fail(key.place_of("time"), "'time' must be later than that of the key before");
         before = &key;

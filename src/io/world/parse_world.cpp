@@ -42,7 +42,7 @@ void read_entries(const TomlEntry& entry, const WorldSection& section, Reading r
     const std::string name = entry.key;
     if (!section.is_array) {
         if (entry.value.kind != TomlNode::Kind::table)
-            fail(entry.place, "'" + name + "' stands once", "write [" + name + "]");
+            fail(entry.place, "'" + name + "' may occur only once", "write [" + name + "]");
         return read(SectionValues(entry.value, section), world);
     }
     const auto is_table = [](const TomlNode& item) { return item.kind == TomlNode::Kind::table; };
@@ -55,7 +55,7 @@ void read_entries(const TomlEntry& entry, const WorldSection& section, Reading r
 }
 
 void read_render(const TomlEntry& entry, WorldFile& world) {
-    if (entry.value.kind != TomlNode::Kind::table) fail(entry.place, "'render' stands once", "write [render]");
+    if (entry.value.kind != TomlNode::Kind::table) fail(entry.place, "'render' may occur only once", "write [render]");
     for (const TomlEntry& option : entry.value.entries) {
         if (option.key.starts_with('-'))
             fail(option.place, "'" + one_line(option.key, 40) + "' is written without dashes");
@@ -130,8 +130,8 @@ std::vector<WorldValue> io::world::read_settings(const std::string& path, Contex
         WorldFile world;
         for (const TomlEntry& entry : parse_toml(text).entries) {
             if (entry.key != "render")
-                fail(entry.place, "a configuration has [render] alone, not '" + one_line(entry.key, 40) + "'",
-                     "write settings behind [render]; a world is given as a model");
+                fail(entry.place, "a configuration has only [render], not '" + one_line(entry.key, 40) + "'",
+                     "write settings below [render]; a world file is given as a model");
             read_render(entry, world);
         }
         return world.render;

@@ -69,8 +69,7 @@ template <class T, std::size_t n>
 T value_of(const Word<T> (&words)[n], std::string_view name) {
     for (const Word<T>& word : words)
         if (name == word.name) return word.value;
-    throw Error(ErrorCode::bad_file,
-                "'" + one_line(std::string(name), 40) + "' is not one of the words that may stand here");
+    throw Error(ErrorCode::bad_file, "'" + one_line(std::string(name), 40) + "' is not one of the words allowed here");
 }
 
 }  // namespace rakelight::io::world

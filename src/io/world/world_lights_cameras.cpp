@@ -62,8 +62,9 @@ dvec3 read_up(const SectionValues& v, dvec3 view, WorldFile& world) {
     const dvec3 up = v.direction("up", {0, 1, 0});
     if (!is_along(up, view)) return up;
     const NamedUp other = up_of_view(view);
-    world.remarks.push_back({v.has("up") ? Remark::warning : Remark::note, v.place_of("up"),
-                             "the camera's up is along its view, " + other.name + " is up instead"});
+    world.remarks.push_back(
+        {v.has("up") ? Remark::warning : Remark::note, v.place_of("up"),
+         "the camera's up direction is parallel to its view direction, " + other.name + " is up instead"});
     return other.up;
 }
 

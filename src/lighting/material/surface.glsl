@@ -64,7 +64,7 @@ struct MaterialSurface {
     real coat_alpha;
     real coat_reflectance;  // 0..1, towards v
     vec3 through;           // 0..1: of the light from behind, towards v
-    vec3 around_diffuse;    // reflectance of even light from all around, times occlusion, layer by layer: for the environment
+    vec3 around_diffuse;    // reflectance of even light from the environment, times occlusion, layer by layer: for the environment
     vec3 around_specular;   // about the mirror direction of base.n, as wide as `roughness`
     vec3 around_sheen;      // wide
     real around_coat;       // about the mirror direction of coat_n

@@ -20,7 +20,7 @@ Stage clip_stage(const Sources& of, const Vertices& vertices) {
                 "distance along the view axis, a frustum of 90 degrees. Here the engine goes from double to single "
                 "precision. Clipping is done here, because "
                 "behind the eye w is negative, and a division would wrap such points round to the front."};
-    const shading::View& view = of.engine.view();
+    const shading::PictureCamera& view = of.engine.view();
     const bool parallel = view.orthographic;
     const double far = std::min(view.z_far, vertices.farthest()), w = parallel ? 1 : view.z_near;
     Space space{.caption = std::string(parallel ? "Distance" : "w") +
@@ -90,7 +90,7 @@ EngineClipping clip_all(const Sources& of, const Vertices& vertices, const Visit
 
 /// The triangles that are not cut, where they lie on the screen.
 void add_screen_plot(Stage& s, const Sources& of, const Vertices& vertices) {
-    const shading::View& view = of.engine.view();
+    const shading::PictureCamera& view = of.engine.view();
     add_plot(s, of, vertices, "clipped",
              {.only_transformed = true,
               .place =
@@ -109,7 +109,7 @@ Stage clipped_stage(const Sources& of, const Vertices& vertices) {
         "are cut to polygons of up to 9 corners before the division (Sutherland and Hodgman). "
         "The sides of the picture only reject what is wholly outside: rasterization leaves out the rest for less than "
         "cutting costs.";
-    const shading::View& view = of.engine.view();
+    const shading::PictureCamera& view = of.engine.view();
     add_screen_plot(s, of, vertices);
     Canvas& canvas = s.pictures.back().canvas;
     const EngineClipping all = clip_all(
@@ -117,7 +117,7 @@ Stage clipped_stage(const Sources& of, const Vertices& vertices) {
             for (std::size_t k = 0; k < corners; ++k)
                 canvas.line(view.screen(polygon[k]), view.screen(polygon[(k + 1) % corners]), red);
             if (s.rows.size() >= listed_rows) return;
-            Json list = Json::array();
+            Cell::List list;
             for (std::size_t k = 0; k < corners; ++k)
                 list.push_back({cell(double(polygon[k].x)), cell(double(polygon[k].y)), cell(double(polygon[k].w))});
             s.rows.push_back({vertices.object(d), t, corners, list});

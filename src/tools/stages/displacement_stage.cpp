@@ -109,7 +109,8 @@ Canvas drawn(const Sources& of, const Scene& scene, const Camera& camera, const 
     Canvas canvas(frame.window.width, frame.window.height, backdrop);
     for (int y = 0; y < canvas.height(); ++y)
         for (int x = 0; x < canvas.width(); ++x)
-            canvas.set(x, y, shown(of, frame.color[std::size_t(y) * std::size_t(canvas.width()) + std::size_t(x)]));
+            canvas.set(x, y,
+                       displayed_code(of, frame.color[std::size_t(y) * std::size_t(canvas.width()) + std::size_t(x)]));
     return canvas;
 }
 
@@ -192,7 +193,7 @@ private:
         const std::vector<float> height = heights();
         const RenderSettings& s = of_.engine.settings();
         const auto picture = [&](const std::vector<vec4>& color) {
-            return paint(of_, [&](std::size_t p) { return shown(of_, color[p]); });
+            return paint(of_, [&](std::size_t p) { return displayed_code(of_, color[p]); });
         };
         RenderSettings base = base_request_.settings;
         base.channels = 0, base.window = {};

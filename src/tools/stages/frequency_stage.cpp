@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often lighting is evaluated: the picture in its own color, lit once a face, once a vertex and once a pixel.
+// How often lighting is evaluated: the picture in its own color, lit once per face, once per vertex and once per pixel.
 #include <cmath>
 
 #include "engines/raster/inspect/inspect_shading.h"
@@ -24,7 +24,7 @@ constexpr Frequency frequencies[] = {
 double difference(const Sources& of, const std::vector<vec4>& a, const std::vector<vec4>& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        const Code p = shown(of, a[i]), q = shown(of, b[i]);
+        const Code p = displayed_code(of, a[i]), q = displayed_code(of, b[i]);
         for (const int d : {p.r - q.r, p.g - q.g, p.b - q.b}) sum += double(d) * d;
     }
     return a.empty() ? 0 : std::sqrt(sum / (3 * double(a.size())));
@@ -45,7 +45,7 @@ Stage frequency_stage(const Sources& of, Context& context) {
     for (const Frequency& f : frequencies) {
         const raster::ShadedPicture drawn =
             f.shading == Shading::phong ? phong : draw_shaded(of.engine, f.shading, context);
-        Canvas canvas = paint(of, [&](std::size_t p) { return shown(of, drawn.color[p]); });
+        Canvas canvas = paint(of, [&](std::size_t p) { return displayed_code(of, drawn.color[p]); });
         s.rows.push_back(
             {f.name, f.evaluated, drawn.stats.lighting_evaluations, difference(of, drawn.color, phong.color)});
         s.pictures.push_back(

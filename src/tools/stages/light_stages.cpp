@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/material_names.h"
 #include "tools/stages/paint.h"
-#include "tools/texture_uses.h"
 
 namespace rakelight::stages {
 namespace {
 
 /// Mean and largest value of a term over the pixels that show something.
-Json totals(const Sources& of, const std::vector<vec3>& term) {
+Cell::List totals(const Sources& of, const std::vector<vec3>& term) {
     dvec3 sum{}, most{};
     std::uint64_t n = 0;
     for (std::size_t p = 0; p < term.size(); ++p) {
@@ -31,8 +31,8 @@ bool is_black(const std::vector<vec3>& term) {
 /// A row, and a picture where there is something to see.
 void add_term(Stage& s, const Sources& of, const std::string& name, const std::string& file,
               const std::vector<vec3>& term) {
-    Json row = {name};
-    for (const Json& v : totals(of, term)) row.push_back(v);
+    Cell::List row = {name};
+    for (const Cell& v : totals(of, term)) row.push_back(v);
     s.rows.push_back(std::move(row));
     if (is_black(term)) return;
     s.pictures.push_back(
@@ -58,7 +58,8 @@ std::string lighting_text(const Sources& of) {
     std::string text =
         "Each light adds an ambient term (k ambient times its color), a diffuse one (k diffuse, its color, the "
         "cosine n.l) and a specular one (k specular, its color, the lobe). ";
-    if (!of.pixels.seen.empty()) text += "In shadow the last two are what the share of the light gives that arrives. ";
+    if (!of.pixels.seen.empty())
+        text += "In shadow the last two are what the fraction of the light gives that arrives. ";
     if (!of.pixels.around_diffuse.empty())
         text +=
             "The surroundings add what the surface reflects diffusely of the light from all around, and the gloss. ";
@@ -143,7 +144,7 @@ Stage relief_stage(const Sources& of) {
                               return of.pixels.relief_height[p] < 0 ? backdrop
                                                                     : heat(most > 0 ? length_of(p) / most : 0);
                           })});
-    s.pictures.push_back({"relief-height", "The height that the ray meets, as the map has it: black 0, white 1.",
+    s.pictures.push_back({"relief-height", "The height that the ray meets, as in the map: black 0, white 1.",
                           paint(of, [&](std::size_t p) {
                               const float height = of.pixels.relief_height[p];
                               return height < 0 ? backdrop : gray(double(height));

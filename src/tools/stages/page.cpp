@@ -3,6 +3,8 @@
 #include <charconv>
 #include <span>
 
+#include <nlohmann/json.hpp>
+
 #include "tools/html.h"
 #include "tools/report_json.h"
 #include "tools/stages/stage.h"
@@ -23,35 +25,37 @@ th:first-child, td:first-child { text-align: left; }
 .matrix { margin: 0; border-inline: 1px solid GrayText; } .matrix td { border: 0; text-align: right; padding: 0 .5rem; }
 )";
 
-std::string shown(const Json& v);
+std::string cell_text(const Cell& v);
 
-std::string matrix_html(const Json& rows) {
+std::string matrix_html(const Cell::List& rows) {
     std::string out = "<table class=\"matrix\">";
-    for (const Json& row : rows) {
+    for (const Cell& row : rows) {
         out += "<tr>";
-        for (const Json& v : row) out += "<td>" + shown(v) + "</td>";
+        for (const Cell& v : *row.list()) out += "<td>" + cell_text(v) + "</td>";
         out += "</tr>";
     }
     return out + "</table>";
 }
 
-std::string shown(const Json& v) {
-    if (v.is_string()) return html_text(v.get<std::string>());
-    if (v.is_number_float()) return digits(v.get<double>());
-    if (!v.is_array()) return v.dump();
-    if (!v.empty() && v[0].is_array() && v.size() == 4 && v[0].size() == 4) return matrix_html(v);
+std::string cell_text(const Cell& v) {
+    if (const auto* const text = std::get_if<std::string>(&v.value)) return html_text(*text);
+    if (const auto* const number = std::get_if<double>(&v.value)) return digits(*number);
+    if (const auto* const whole = std::get_if<std::int64_t>(&v.value)) return std::to_string(*whole);
+    const Cell::List& parts = *v.list();
+    if (parts.size() == 4 && parts[0].list() && parts[0].list()->size() == 4) return matrix_html(parts);
     std::string out;
-    for (const Json& part : v) out += (out.empty() ? "" : part.is_array() ? " | " : " ") + shown(part);
+    for (const Cell& part : parts) out += (out.empty() ? "" : part.list() ? " | " : " ") + cell_text(part);
     return out;
 }
 
-std::string numbers_html(const Json& numbers) {
+std::string numbers_html(const Numbers& numbers) {
     if (numbers.empty()) return {};
     std::string out = "<div class=\"scroll\"><table>\n";
-    for (const auto& [name, value] : numbers.items()) {
-        const bool is_range = name.starts_with("range of ") && value.is_array() && value.size() == 2;
+    for (const auto& [name, value] : numbers) {
+        const Cell::List* const list = value.list();
+        const bool is_range = name.starts_with("range of ") && list && list->size() == 2;
         out += "<tr><td>" + html_text(name) + "</td><td>" +
-               (is_range ? shown(value[0]) + " to " + shown(value[1]) : shown(value)) + "</td></tr>\n";
+               (is_range ? cell_text((*list)[0]) + " to " + cell_text((*list)[1]) : cell_text(value)) + "</td></tr>\n";
     }
     return out + "</table></div>\n";
 }
@@ -62,9 +66,9 @@ std::string rows_html(const Stage& stage) {
         "<details><summary>" + html_text(stage.rows_note) + "</summary><div class=\"scroll\"><table>\n<tr>";
     for (const std::string& column : stage.columns) out += "<th>" + html_text(column) + "</th>";
     out += "</tr>\n";
-    for (const Json& row : stage.rows) {
+    for (const Cell::List& row : stage.rows) {
         out += "<tr>";
-        for (const Json& cell : row) out += "<td>" + shown(cell) + "</td>";
+        for (const Cell& cell : row) out += "<td>" + cell_text(cell) + "</td>";
         out += "</tr>\n";
     }
     return out + "</table></div></details>\n";
@@ -98,6 +102,15 @@ std::string stage_html(const Stage& stage, std::size_t number, bool is_whole) {
            "</p>\n</section>\n";
 }
 
+Json json_of(const Cell& cell) {
+    if (const auto* const text = std::get_if<std::string>(&cell.value)) return *text;
+    if (const auto* const number = std::get_if<double>(&cell.value)) return *number;
+    if (const auto* const whole = std::get_if<std::int64_t>(&cell.value)) return *whole;
+    Json all = Json::array();
+    for (const Cell& part : *cell.list()) all.push_back(json_of(part));
+    return all;
+}
+
 }  // namespace
 
 std::string digits(double v) {
@@ -109,9 +122,12 @@ std::string digits(double v) {
 std::string table_json(const Stage& stage) {
     Json pictures = Json::array();
     for (const Picture& p : stage.pictures) pictures.push_back({{"file", p.name + ".png"}, {"caption", p.caption}});
+    Json numbers = Json::object(), rows = Json::array();
+    for (const auto& [name, value] : stage.numbers) numbers[name] = json_of(value);
+    for (const Cell::List& row : stage.rows) rows.push_back(json_of(row));
     const Json whole = {
-        {"schema", "rakelight.stages/1"}, {"stage", stage.id},        {"title", stage.title},     {"text", stage.text},
-        {"pictures", pictures},           {"numbers", stage.numbers}, {"columns", stage.columns}, {"rows", stage.rows},
+        {"schema", "rakelight.stages/1"}, {"stage", stage.id},  {"title", stage.title},     {"text", stage.text},
+        {"pictures", pictures},           {"numbers", numbers}, {"columns", stage.columns}, {"rows", rows},
         {"rows_note", stage.rows_note}};
     return json_text(whole, 1);
 }

@@ -245,7 +245,7 @@ Stage blending_stage(const Sources& of) {
         "explain names the triangles and the terms of one pixel. Shown with the exposure and the tone curve.";
     const raster::PixelStageData& d = of.pixels;
     const auto picture_of = [&](const std::vector<vec4>& color) {
-        return paint(of, [&](std::size_t p) { return shown(of, color[p]); });
+        return paint(of, [&](std::size_t p) { return displayed_code(of, color[p]); });
     };
     const auto blended =
         std::count_if(d.layer_count.begin(), d.layer_count.end(), [](std::uint8_t n) { return n > 0; });

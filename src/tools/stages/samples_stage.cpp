@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of several samples a pixel: what they cover, how often their pixels are shaded, and their mean.
+// Pictures of several samples per pixel: what they cover, how often their pixels are shaded, and their mean.
 #include <algorithm>
 
 #include "engines/raster/inspect/inspect_samples.h"
@@ -43,12 +43,12 @@ Picture enlarged(const Sources& of) {
     for (int y = 0; y < part.window.height; ++y)
         for (int x = 0; x < part.window.width; ++x) {
             const auto p = std::size_t(y + part.window.y) * std::size_t(width) + std::size_t(x + part.window.x);
-            square(canvas, x * cell_px, y * cell_px, cell_px, shown(of, of.pixels.color[p]));
+            square(canvas, x * cell_px, y * cell_px, cell_px, displayed_code(of, of.pixels.color[p]));
             for (const shading::SamplePosition at : shading::sample_positions(samples)) {
                 const int middle_x = x * cell_px + cell_px / 2 + 3 * at.x,
                           middle_y = y * cell_px + cell_px / 2 + 3 * at.y;
                 square(canvas, middle_x - 3, middle_y - 3, 7, backdrop);
-                square(canvas, middle_x - 2, middle_y - 2, 5, shown(of, part.color[next++]));
+                square(canvas, middle_x - 2, middle_y - 2, 5, displayed_code(of, part.color[next++]));
             }
         }
     const std::string corner = std::to_string(part.window.x) + "," + std::to_string(part.window.y);
@@ -64,7 +64,7 @@ Picture enlarged(const Sources& of) {
 Stage samples_stage(const Sources& of) {
     const int samples = of.engine.settings().samples;
     const raster::PixelStageData& d = of.pixels;
-    Stage s{.id = "samples", .title = "Several samples a pixel, and their mean"};
+    Stage s{.id = "samples", .title = "Several samples per pixel, and their mean"};
     s.text =
         "With " + std::to_string(samples) +
         " samples coverage and depth are looked at in as many places of every pixel, and each triangle that they show "
@@ -73,8 +73,8 @@ Stage samples_stage(const Sources& of) {
     std::vector<std::uint64_t> covered(std::size_t(samples) + 1, 0), shaded(std::size_t(samples) + 1, 0);
     std::uint64_t sum = 0, all = 0;
     for (std::size_t p = 0; p < d.color.size(); ++p) {
-        ++covered[d.samples_covered[p]], ++shaded[d.triangles_shown[p]];
-        sum += d.samples_covered[p], all += d.triangles_shown[p];
+        ++covered[d.samples_covered[p]], ++shaded[d.visible_triangles[p]];
+        sum += d.samples_covered[p], all += d.visible_triangles[p];
     }
     const std::uint64_t pixels = d.color.size() - covered[0];
     s.numbers = {{"samples a pixel", samples},
@@ -92,9 +92,9 @@ Stage samples_stage(const Sources& of) {
                           "How many opaque triangles the pixel is shaded for: blue 1, over green and yellow to white " +
                               std::to_string(std::min(samples, 4)) + " and more.",
                           paint(of, [&](std::size_t p) {
-                              return d.triangles_shown[p] == 0
+                              return d.visible_triangles[p] == 0
                                          ? backdrop
-                                         : heat(double(d.triangles_shown[p]) / std::min(samples, 4));
+                                         : heat(double(d.visible_triangles[p]) / std::min(samples, 4));
                           })});
     s.pictures.push_back({"samples-difference",
                           "The greatest difference between samples of the pixel, as light: what the mean makes smooth.",

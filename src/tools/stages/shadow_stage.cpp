@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "tools/material_names.h"
 #include "tools/stages/paint.h"
-#include "tools/texture_uses.h"
 
 namespace rakelight::stages {
 namespace {
 
-constexpr int shown_side = 320;     ///< [px] most of a face of a map
+constexpr int map_side = 320;       ///< [px] most of a face of a map
 constexpr Code beside{44, 52, 84};  ///< nothing that is lit: not to be taken for shadow
 
 /// [m] along the map's axis from the light (parallel: about the eye); not finite where nothing is.
@@ -27,7 +27,7 @@ Picture map_picture(const raster::ShadowMapView& map, const std::string& number,
     for (std::size_t t = 0; t < faces * size * size; ++t)
         if (const double d = distance_on_map(map, t); std::isfinite(d))
             low = std::min(low, d), high = std::max(high, d);
-    const int side = std::min(shown_side, map.size), columns = faces == 6 ? 3 : 1, gap = faces == 6 ? 4 : 0;
+    const int side = std::min(map_side, map.size), columns = faces == 6 ? 3 : 1, gap = faces == 6 ? 4 : 0;
     Canvas canvas(columns * (side + gap) - gap, int(faces) / columns * (side + gap) - gap, {60, 66, 80});
     for (int face = 0; face < int(faces); ++face)
         for (int y = 0; y < side; ++y)
@@ -45,7 +45,7 @@ Picture map_picture(const raster::ShadowMapView& map, const std::string& number,
 }
 
 /// Of the pixels that are lit: how many, mean share, wholly in shadow, wholly in light.
-Json seen_cells(const std::vector<float>& seen) {
+Cell::List seen_cells(const std::vector<float>& seen) {
     std::uint64_t lit = 0, none_of_it = 0, all_of_it = 0;
     double sum = 0;
     for (const float share : seen) {
@@ -78,9 +78,9 @@ Stage shadow_stage(const Sources& of) {
         const std::int32_t map = !maps.empty() ? of.engine.lights()[i].shadow : -1;
         const std::string number = std::to_string(i), name = "light " + number_and_name(light, i);
         const std::vector<float>& seen = of.pixels.seen[i];
-        Json row = {name, map >= 0 ? maps[std::size_t(map)].faces : 0,
-                    map >= 0 ? double(maps[std::size_t(map)].texels) : 0.0};
-        for (const Json& v : seen_cells(seen)) row.push_back(v);
+        Cell::List row = {name, map >= 0 ? maps[std::size_t(map)].faces : 0,
+                          map >= 0 ? double(maps[std::size_t(map)].texels) : 0.0};
+        for (const Cell& v : seen_cells(seen)) row.push_back(v);
         s.rows.push_back(std::move(row));
         if (light.type == LightType::ambient) continue;
         s.pictures.push_back(

@@ -106,7 +106,7 @@ Stage picture_stage(const Sources& of) {
         "of 8 bits. It is the picture that rakelight render writes with these options, to the bit.";
     s.numbers["pixels brighter than 1, clamped"] = count_over_one(of, of.curve);
     s.pictures.push_back(
-        {"picture", "The picture.", paint(of, [&](std::size_t p) { return shown(of, of.pixels.color[p]); })});
+        {"picture", "The picture.", paint(of, [&](std::size_t p) { return displayed_code(of, of.pixels.color[p]); })});
     return s;
 }
 

@@ -110,7 +110,7 @@ public:
 
     template <class Visit>
     void visit(const Visit& visit) const {
-        const shading::View& view = of_.engine.view();
+        const shading::PictureCamera& view = of_.engine.view();
         for (std::size_t d = 0; d < vertices_.draws().size(); ++d) {
             const Mesh& mesh = vertices_.mesh(d);
             for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {

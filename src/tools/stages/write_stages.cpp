@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <new>
 
+#include <nlohmann/json.hpp>
+
 #include <rakelight/stages.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/text_file.h>
@@ -56,7 +58,7 @@ std::string title_of(const PictureRequest& request) {
 }
 
 StagesResult write_folder(const PictureRequest& request, Context& context) {
-    stages::NewFolder folder(request.output);  // first: what stands in the way is said at once
+    stages::NewFolder folder(request.output);  // first: what stands in the way is reported at once
     const std::vector<stages::Stage> all = make_stages(request, context);
     folder.write("index.html", stages::page(title_of(request), all, false, context));
     std::size_t done = 0;

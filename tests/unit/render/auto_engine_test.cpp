@@ -107,7 +107,7 @@ TEST_F(AutoEngineWithGpu, GoesOnWithSoftWhereItFails) {
         e->prepare(square(), own);
         e->render(test::flat_camera(), small(), frame, own);
         EXPECT_EQ(e->name(), "soft");
-        EXPECT_TRUE(says(own, "it goes on with engine soft: the context is lost"));
+        EXPECT_TRUE(says(own, "it continues with engine soft: the context is lost"));
         const auto soft = make_engine("soft");
         Frame expected;
         soft->prepare(square(), own);

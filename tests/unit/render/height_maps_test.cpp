@@ -42,7 +42,7 @@ TEST(HeightMaps, AreMadeOnceForATechniqueThatReadsThemAndSaid) {
         EXPECT_EQ(m.height_texture.transform.scale.x, 3);
     }
     ASSERT_EQ(context.report().entries().size(), 1u);
-    EXPECT_EQ(context.report().entries()[0].message.rfind("height map made from the normal map", 0), 0u);
+    EXPECT_EQ(context.report().entries()[0].message.rfind("height map computed from the normal map", 0), 0u);
     const Pixels heights = made.textures[1].image->decode(*made.textures[1].image, context);
     EXPECT_EQ(heights.width, 8);
     EXPECT_EQ(heights.channels, 1);
@@ -89,7 +89,7 @@ TEST(HeightMaps, ANormalMapThatCannotBeReadLeavesTheMaterialAlone) {
     const Scene same = with_height_maps(scene, with(Bump::occlusion), context);
     EXPECT_FALSE(same.materials[0].height_texture);
     ASSERT_FALSE(context.report().entries().empty());
-    EXPECT_EQ(context.report().entries()[0].message, "no height map made from the normal map: broken");
+    EXPECT_EQ(context.report().entries()[0].message, "no height map computed from the normal map: broken");
 }
 
 TEST(HeightMaps, ATechniqueThatFindsNoneIsAWarning) {

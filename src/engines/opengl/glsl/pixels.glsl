@@ -108,7 +108,7 @@ void find_place(inout Pixel x)
     enter_relief(x.point, x.bumps);
 #endif
     x.base = base_color(x.point);
-    x.alpha = shown_alpha(x.bumps, x.base.color.w);
+    x.alpha = alpha_in_silhouette(x.bumps, x.base.color.w);
 }
 
 // All that is known of it before light falls on it.

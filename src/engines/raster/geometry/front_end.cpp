@@ -123,7 +123,7 @@ Window TileGrid::pixels(std::size_t i) const {
     return {left, top, right - left, bottom - top};
 }
 
-bool edge_planes(const ClipVertex (&v)[3], const View& view, double x0, double y0, EdgePlanes& out) {
+bool edge_planes(const ClipVertex (&v)[3], const PictureCamera& view, double x0, double y0, EdgePlanes& out) {
     // Rows of the adjugate of the matrix whose columns are the vertices in homogeneous pixel coordinates.
     dvec3 h[3];
     for (std::size_t i = 0; i < 3; ++i) {

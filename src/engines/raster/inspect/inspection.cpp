@@ -12,7 +12,7 @@ Inspection::Inspection(const Scene& scene, const Camera& camera, const RenderSet
 Inspection::~Inspection() = default;
 
 const shading::DrawList& Inspection::list() const { return opened_->list(); }
-const View& Inspection::view() const { return opened_->view(); }
+const PictureCamera& Inspection::view() const { return opened_->view(); }
 const RenderSettings& Inspection::settings() const { return opened_->settings(); }
 const std::vector<lighting::LightParameters>& Inspection::lights() const { return opened_->lights(); }
 
@@ -41,7 +41,7 @@ PixelExplanation Inspection::explain(int x, int y, Context& context) const {
     return explain_pixel(*opened_, x, y, context);
 }
 
-SnappedPlace snapped_place(const View& view, const ClipVertex& vertex) {
+SnappedPlace snapped_place(const PictureCamera& view, const ClipVertex& vertex) {
     const ScreenVertex snapped = snap_to_screen(ScreenMap(view), vertex);
     return {snapped.x, snapped.y};
 }

@@ -41,7 +41,7 @@ OpenScene::OpenScene(const Scene& scene, const Camera& camera, const RenderSetti
     shading::EnvironmentCache environments;
     cpu_shading::set_environment(list_.scene, environments, false, list_.views, context);
     settings_.window = {};
-    view_ = view_of(list_, camera, settings_);
+    view_ = picture_camera_of(list_, camera, settings_);
     const dvec3 eye = view_.camera_to_world[3].xyz();
     lights_ = shading::make_lights(list_.scene, list_.node_to_world, eye);
     shadows_.update(list_, settings_, *scalar::kernels(), *scalar::geometry_kernels(), eye, lights_, context);

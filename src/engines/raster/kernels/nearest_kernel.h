@@ -19,7 +19,7 @@ using wide::RL_ISA::real_double;
 using wide::RL_ISA::store_block;
 using wide::RL_ISA::to_double;
 
-/// Blocks of a grid, one a lane: 4 x 4, 2 x 4, 2 x 2 or one.
+/// Blocks of a grid, one per lane: 4 x 4, 2 x 4, 2 x 2 or one.
 inline constexpr int grid_column_bits = lanes == 16 ? 2 : lanes >= 4 ? 1 : 0;
 inline constexpr int grid_columns = 1 << grid_column_bits, grid_rows = lanes / grid_columns;
 
@@ -121,7 +121,7 @@ inline uint32_t draw_block(const NearestJob& job, const CoverageVector& c, int i
     return uint32_t(__builtin_popcount(lane_bits(nearer)));
 }
 
-/// Which blocks of a grid over the triangle's box, one a lane, may have covered pixels; the grid begins at (x, y).
+/// Which blocks of a grid over the triangle's box, one per lane, may have covered pixels; the grid begins at (x, y).
 inline uint32_t blocks_in_reach(const CoverageVector& c, int i, int32_t x, int32_t y) {
     const integer to_right =
         (lane_indices() & integer(grid_columns - 1)) * integer(block_width) + integer(x - c.left[i]);

@@ -52,7 +52,7 @@ void ShadowTexels::take(const TileJob& job, std::size_t tile, const TileScratch&
     const bool is_sampled = job.front.settings.samples > 1;
     const float* const depth = is_sampled ? scratch.samples->depth.data() : scratch.depth.data();
     const std::int32_t* const visible = is_sampled ? scratch.samples->visible.data() : scratch.visible.data();
-    const View& view = job.front.view;
+    const PictureCamera& view = job.front.view;
     const Window area = job.grid.pixels(tile);
     const int left = job.grid.origin_x(tile), top = job.grid.origin_y(tile);
     const dvec3 eye = view.camera_to_world[3].xyz();

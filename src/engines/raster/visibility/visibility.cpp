@@ -65,7 +65,7 @@ CoverJob cover_job(const Coverage& c, std::int32_t position, const SamplePlane& 
     return job;
 }
 
-/// The farthest depth that stands in a tile: what is not nearer needs no look at the pixels. Found anew when half a tile's worth of
+/// The farthest depth that stands in a tile: what is not nearer needs no look at the pixels. Found again when half a tile's worth of
 /// pixels was written since.
 class FarthestDepth {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where paths of light meet surfaces: light of lights without an area, the ray to an emitter, and how the path goes on: Kajiya 1986,
+// Where paths of light meet surfaces: light of lights without an area, the ray to an emitter, and how the path continues: Kajiya 1986,
 // "The Rendering Equation"; Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", section 9.2.4 (the balance
 // heuristic). Compiled once per instruction set.
 #include "engines/raytrace/kernels/path_lobes.h"

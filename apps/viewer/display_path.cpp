@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "shown_path.h"
+#include "display_path.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -40,7 +40,7 @@ void replace_folder(std::string& text, const std::string& prefix, const std::str
 
 std::string short_path(const std::string& file) { return with_short_paths(file); }
 
-std::string shown_path(const std::string& file) {
+std::string display_path(const std::string& file) {
     const std::string path = short_path(file);
     return fs::path(path).is_absolute() ? fs::path(path).filename().string() : path;
 }

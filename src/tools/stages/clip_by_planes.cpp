@@ -21,7 +21,7 @@ using Polygon = std::vector<Corner>;
 struct CutPlane {
     const char* name;
     bool shows_x;
-    double (*inside_by)(const Corner& c, const shading::View& view);  ///< >= 0: inside
+    double (*inside_by)(const Corner& c, const shading::PictureCamera& view);  ///< >= 0: inside
 };
 constexpr CutPlane cut_planes[] = {
     {"near", false, [](const Corner& c, const shading::View& v) { return c.distance - v.z_near; }},
@@ -34,7 +34,7 @@ constexpr CutPlane cut_planes[] = {
 constexpr std::size_t planes = std::size(cut_planes);
 
 /// Sutherland & Hodgman 1974. `sign` -1 gives the part that is cut off.
-Polygon cut(const Polygon& in, const CutPlane& plane, const shading::View& view, double sign) {
+Polygon cut(const Polygon& in, const CutPlane& plane, const shading::PictureCamera& view, double sign) {
     Polygon out;
     for (std::size_t i = 0; i < in.size(); ++i) {
         const Corner &a = in[i], &b = in[(i + 1) % in.size()];
@@ -144,7 +144,7 @@ private:
     }
 
     static constexpr std::uint64_t drawn_polygons = 50000;
-    const shading::View& view_;
+    const shading::PictureCamera& view_;
     double nearest_ = 0, farthest_ = 0, widest_ = 0, highest_ = 0;
     std::array<Fit, planes> fits_;
     std::vector<Canvas> canvases_;

@@ -9,7 +9,7 @@
 namespace rakelight {
 
 /// Role (as in JSON: "base_color", "normal", ...) and use; only those that name a texture.
-std::vector<std::pair<const char*, TextureUse>> texture_uses(const Material& material);
+std::vector<std::pair<const char*, TextureUse>> named_texture_uses(const Material& material);
 
 const char* name_of(MaterialModel model);
 const char* name_of(AlphaMode mode);

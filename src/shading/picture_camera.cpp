@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "shading/view.h"
+#include "shading/picture_camera.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,26 +9,26 @@
 #include "shading/draw_list.h"
 
 namespace rakelight::shading {
-double View::distance_of(double key) const {
+double PictureCamera::distance_of(double key) const {
     if (orthographic && key >= 0) return z_near + (1 - key) * (z_far - z_near);
     return key > 0 ? z_near / key : std::numeric_limits<double>::infinity();
 }
 
-dvec3 View::place(double x, double y, double key) const {
+dvec3 PictureCamera::place(double x, double y, double key) const {
     const double distance = distance_of(key), scale = orthographic ? 1 : distance;
     const dvec2 at = {(2 * x / width - 1) / scale_x, (1 - 2 * y / height) / scale_y};
     return transform_point(camera_to_world, dvec3{at.x * scale, at.y * scale, -distance});
 }
 
-PixelRays pixel_rays(const View& view, int first_x, int first_y) {
+PixelRays pixel_rays(const PictureCamera& view, int first_x, int first_y) {
     const dvec3 right = view.camera_to_world[0].xyz() / view.scale_x, up = view.camera_to_world[1].xyz() / view.scale_y;
     const double x = 2 * (first_x + 0.5) / view.width - 1, y = 1 - 2 * (first_y + 0.5) / view.height;
     const dvec3 forward = view.orthographic ? dvec3{} : -view.camera_to_world[2].xyz();
     return {right * (2.0 / view.width), up * (-2.0 / view.height), right * x + up * y + forward};
 }
 
-View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderSettings& settings) {
-    View view;
+PictureCamera make_picture_camera(const Camera& camera, const dmat4& camera_to_world, const RenderSettings& settings) {
+    PictureCamera view;
     view.camera_to_world = camera_to_world;
     if (!inverse_affine(camera_to_world, view.world_to_camera))
         throw Error(ErrorCode::usage, "the camera's placement is singular or not finite");
@@ -49,15 +49,15 @@ View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderS
     return view;
 }
 
-View view_of(const DrawList& list, const Camera& camera, const RenderSettings& settings) {
+PictureCamera picture_camera_of(const DrawList& list, const Camera& camera, const RenderSettings& settings) {
     check_settings(settings);
     check_camera(camera, list.scene.nodes.size());
-    View view = make_view(camera, camera_to_world(list.scene, camera, list.node_to_world), settings);
+    PictureCamera view = make_picture_camera(camera, camera_to_world(list.scene, camera, list.node_to_world), settings);
     if (settings.visibility == Visibility::z_reversed) narrow_depths(view, list.bounds);
     return view;
 }
 
-void narrow_depths(View& view, const Bounds& drawn) {
+void narrow_depths(PictureCamera& view, const Bounds& drawn) {
     if (drawn.empty()) return;
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
     for (int corner = 0; corner < 8; ++corner) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engines/raster/inspect/nearest_shown.h"
+#include "engines/raster/inspect/nearest_visible.h"
 
 #include <algorithm>
 #include <tuple>
@@ -37,7 +37,7 @@ struct Place {
 
 }  // namespace
 
-std::optional<PixelExplanation> nearest_shown(const Inspection& inspection, int x, int y, Context& context) {
+std::optional<PixelExplanation> nearest_visible(const Inspection& inspection, int x, int y, Context& context) {
     const OpenScene& of = inspection.opened();
     const std::vector<std::uint8_t> covered = covered_pixels(of, context);
     std::vector<Place> places;

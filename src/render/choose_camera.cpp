@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which camera: the caller's, else the file's first, else one fitted to the model.
-#include "render/view.h"
+#include "render/choose_camera.h"
 
 #include <algorithm>
 #include <charconv>
@@ -17,7 +17,7 @@ namespace rakelight {
 namespace {
 
 /// A camera of the file, or the fitted one with a remark where the file's cannot show the model, neither as it is nor
-/// by the depths that were asked for. One that shows it but for those is kept.
+/// by the depths that were requested. One that shows it except for those is kept.
 Camera checked_camera_of_file(const Scene& scene, std::size_t index, const ViewRequest& view, double aspect,
                               const Bounds& bounds, Context& context) {
     Camera camera = camera_of_file(scene, index, aspect);
@@ -46,8 +46,8 @@ void check_fitted(const Camera& camera) {
     char distance[32];
     std::snprintf(distance, sizeof distance, "%.2g", camera.z_far);
     throw Error(ErrorCode::usage,
-                std::string("the camera's angle of view is so small that the whole model shows from ") + distance +
-                    " m away, where its front and back are at one distance to a float",
+                std::string("the camera's angle of view is so small that the whole model is visible from ") + distance +
+                    " m away, where floats cannot distinguish the distances of its front and back",
                 {}, "give a larger angle, or 'camera-position'")
         .naming({"camera-position"});
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../../../apps/viewer/shown_path.h"
+#include "../../../apps/viewer/display_path.h"
 
 #include <gtest/gtest.h>
 
@@ -34,16 +34,16 @@ protected:
 };
 
 TEST_F(ShownPath, IsFromTheWorkingFolderOrTheHomeFolder) {
-    EXPECT_EQ(shown_path(root_ + "/here/a/b.glb"), "a/b.glb");
-    EXPECT_EQ(shown_path(root_ + "/home/models/b.glb"), "~/models/b.glb");
-    EXPECT_EQ(shown_path("a/b.glb"), "a/b.glb");
-    EXPECT_EQ(shown_path("builtin:teapot"), "builtin:teapot");
+    EXPECT_EQ(display_path(root_ + "/here/a/b.glb"), "a/b.glb");
+    EXPECT_EQ(display_path(root_ + "/home/models/b.glb"), "~/models/b.glb");
+    EXPECT_EQ(display_path("a/b.glb"), "a/b.glb");
+    EXPECT_EQ(display_path("builtin:teapot"), "builtin:teapot");
 }
 
 TEST_F(ShownPath, IsTheNameAloneElsewhere) {
-    EXPECT_EQ(shown_path(root_ + "/elsewhere/b.glb"), "b.glb");
+    EXPECT_EQ(display_path(root_ + "/elsewhere/b.glb"), "b.glb");
     EXPECT_EQ(short_path(root_ + "/elsewhere/b.glb"), root_ + "/elsewhere/b.glb");
-    EXPECT_EQ(shown_path(root_ + "/hereabouts/b.glb"), "b.glb");  // no part of /here
+    EXPECT_EQ(display_path(root_ + "/hereabouts/b.glb"), "b.glb");  // no part of /here
 }
 
 TEST_F(ShownPath, TextsAreShortenedWhereAPathBegins) {

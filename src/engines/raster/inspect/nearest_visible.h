@@ -10,6 +10,6 @@ namespace rakelight::raster {
 /// The pixel nearest to (x, y) that a surface shows at, and what is there. Of several at one distance the topmost, then the leftmost.
 /// Where masks leave holes, the nearest 64 covered pixels are tried. Absent: there is none.
 /// @throws Error failed: cancelled
-std::optional<PixelExplanation> nearest_shown(const Inspection& of, int x, int y, Context& context);
+std::optional<PixelExplanation> nearest_visible(const Inspection& of, int x, int y, Context& context);
 
 }  // namespace rakelight::raster

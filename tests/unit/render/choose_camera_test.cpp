@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/view.h"
+#include "render/choose_camera.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ Camera camera_at(dvec3 eye, dvec3 target) {
 }
 
 dvec3 eye_of(const Camera& c) { return c.to_world[3].xyz(); }
-dvec3 view_of(const Camera& c) { return -c.to_world[2].xyz(); }
+dvec3 picture_camera_of(const Camera& c) { return -c.to_world[2].xyz(); }
 
 /// Whether a world point is inside the picture, near and far included.
 bool shows(const Camera& c, dvec3 point) { return may_see(c, aspect, Bounds{point, point}); }
@@ -120,10 +120,11 @@ TEST(ChooseCamera, MovesEyeAndFocalPointAsAsked) {
         choose_camera(two_squares(), {.position = dvec3{3, 2, 5}, .focal_point = dvec3{0, 0, 0}}, aspect, context);
     EXPECT_EQ(eye_of(c), (dvec3{3, 2, 5}));
     const dvec3 expected = normalize_or(dvec3{-3, -2, -5}, dvec3{0, 0, 0});
-    EXPECT_NEAR(length(view_of(c) - expected), 0, 1e-12);
+    EXPECT_NEAR(length(picture_camera_of(c) - expected), 0, 1e-12);
     EXPECT_TRUE(shows(c, {0, 0, 0}));
     const Camera middle = choose_camera(two_squares(), {.position = dvec3{0, 0.5, 5}}, aspect, context);
-    EXPECT_NEAR(length(view_of(middle) - dvec3{0, 0, -1}), 0, 1e-12);  // the focal point defaults to the model's middle
+    EXPECT_NEAR(length(picture_camera_of(middle) - dvec3{0, 0, -1}), 0,
+                1e-12);  // the focal point defaults to the model's middle
 }
 
 TEST(ChooseCamera, AnotherViewAngleStillFitsTheModel) {
@@ -181,7 +182,7 @@ TEST(ChooseCamera, AnUpAlongTheViewIsReplacedByThatOfTheTopOrTheBottomAndSaid) {
     expect_up({.position = dvec3{5, 0.5, 0}, .focal_point = middle, .up = dvec3{3, 0, 0}}, {0, 1, 0}, Remark::warning,
               "+Y is up");
     expect_up({.side = "bottom", .up = dvec3{0, 1, 0}, .world_up = dvec3{0, 1, 0}}, {0, 0, 1}, Remark::warning,
-              "along its view");
+              "parallel to its view direction");
 }
 
 TEST(ChooseCamera, TheDefaultViewTurnsWithUp) {
@@ -199,7 +200,8 @@ TEST(ChooseCamera, GoesRoundAfterAllElse) {
     round.azimuth_rad = radians(90), round.elevation_rad = radians(30);
     const Camera c = choose_camera(two_squares(), round, aspect, context);
     EXPECT_NEAR(length(eye_of(c) - dvec3{5 * std::cos(radians(30)), 2.5, 0}), 0, 1e-12);
-    EXPECT_NEAR(length(view_of(c) + normalize_or(eye_of(c), dvec3{0, 0, 0})), 0, 1e-12) << "at the same point";
+    EXPECT_NEAR(length(picture_camera_of(c) + normalize_or(eye_of(c), dvec3{0, 0, 0})), 0, 1e-12)
+        << "at the same point";
     Scene scene = two_squares();
     scene.cameras = {camera_at({0, 0.5, 7}, {0, 0.5, 0})};
     const Camera of_file = choose_camera(scene, {.azimuth_rad = radians(180)}, aspect, context);

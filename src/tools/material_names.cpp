@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/texture_uses.h"
+#include "tools/material_names.h"
 
 #include "scene/material_table.h"
 
@@ -15,7 +15,7 @@ const char* inspected_name(const TextureRole& role) {
 
 }  // namespace
 
-std::vector<std::pair<const char*, TextureUse>> texture_uses(const Material& m) {
+std::vector<std::pair<const char*, TextureUse>> named_texture_uses(const Material& m) {
     std::vector<std::pair<const char*, TextureUse>> uses;
     for (const TextureRole& role : texture_roles())
         if (role.is_of(m.model)) uses.emplace_back(inspected_name(role), role.in(m));

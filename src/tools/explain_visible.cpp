@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which object an explained pixel shows; where none is, the nearest pixel that shows one.
+#include <nlohmann/json.hpp>
+
 #include <rakelight/error.h>
 
 #include "tools/explained_pixel.h"
@@ -29,7 +31,7 @@ Json names_json(const TriangleNames& n) {
 }
 
 /// A line or a point, as names_of() has a triangle's.
-TriangleNames names_of(const ExplainedPixel& e, const raster::ShownMark& mark) {
+TriangleNames names_of(const ExplainedPixel& e, const raster::VisibleMark& mark) {
     const Scene& scene = e.engine->list().scene;
     TriangleNames n;
     n.node = mark.node, n.mesh_index = mark.mesh, n.material_index = mark.material;
@@ -39,19 +41,19 @@ TriangleNames names_of(const ExplainedPixel& e, const raster::ShownMark& mark) {
 }
 
 std::string nearest_text(const ExplainedPixel& e) {
-    const CoveringTriangle* const t = e.nearest ? shown_triangle(*e.nearest) : nullptr;
+    const CoveringTriangle* const t = e.nearest ? visible_triangle(*e.nearest) : nullptr;
     if (!t) return "; no other pixel shows a surface either\n";
     return "; the nearest pixel that shows something is " + digits(e.nearest->x) + "," + digits(e.nearest->y) + ": " +
            names_text(names_of(e, *t)) + "\n";
 }
 
-Json shown_triangle_json(const ExplainedPixel& e, const CoveringTriangle& t) {
+Json visible_triangle_json(const ExplainedPixel& e, const CoveringTriangle& t) {
     Json out = names_json(names_of(e, t));
     out["triangle"] = t.triangle;
     return out;
 }
 
-Json mark_json(const ExplainedPixel& e, const raster::ShownMark& mark) {
+Json mark_json(const ExplainedPixel& e, const raster::VisibleMark& mark) {
     Json out = names_json(names_of(e, mark));
     out["kind"] = mark.is_point ? "point" : "line";
     return out;
@@ -59,29 +61,29 @@ Json mark_json(const ExplainedPixel& e, const raster::ShownMark& mark) {
 
 }  // namespace
 
-const CoveringTriangle* shown_triangle(const raster::PixelExplanation& pixel) {
+const CoveringTriangle* visible_triangle(const raster::PixelExplanation& pixel) {
     for (const CoveringTriangle& t : pixel.triangles)
         if (t.fate == Fate::visible || t.fate == Fate::blended) return &t;
     return nullptr;
 }
 
-std::string shown_text(const ExplainedPixel& e) {
+std::string visible_text(const ExplainedPixel& e) {
     if (const auto& mark = e.pixel.mark)
         return std::string("  shows a ") + (mark->is_point ? "point" : "line") + " of " +
                names_text(names_of(e, *mark)) + "; not lit\n";
-    if (const CoveringTriangle* const t = shown_triangle(e.pixel))
+    if (const CoveringTriangle* const t = visible_triangle(e.pixel))
         return "  shows " + names_text(names_of(e, *t)) + "\n";
     const bool is_covered = !e.pixel.triangles.empty();
     return std::string("  background: ") +
            (is_covered ? "none of the triangles that cover it is drawn" : "no triangle covers it") + nearest_text(e);
 }
 
-void add_shown(Json& row, const ExplainedPixel& e) {
-    const CoveringTriangle* const t = shown_triangle(e.pixel);
-    row["shows"] = e.pixel.mark ? mark_json(e, *e.pixel.mark) : t ? shown_triangle_json(e, *t) : Json();
+void add_visible(Json& row, const ExplainedPixel& e) {
+    const CoveringTriangle* const t = visible_triangle(e.pixel);
+    row["shows"] = e.pixel.mark ? mark_json(e, *e.pixel.mark) : t ? visible_triangle_json(e, *t) : Json();
     if (t || e.pixel.mark) return;
-    const CoveringTriangle* const near = e.nearest ? shown_triangle(*e.nearest) : nullptr;
-    row["nearest"] = near ? shown_triangle_json(e, *near) : Json();
+    const CoveringTriangle* const near = e.nearest ? visible_triangle(*e.nearest) : nullptr;
+    row["nearest"] = near ? visible_triangle_json(e, *near) : Json();
     if (near) row["nearest"]["pixel"] = {e.nearest->x, e.nearest->y};
 }
 

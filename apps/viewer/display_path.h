@@ -8,7 +8,7 @@ namespace rakelight::viewer {
 /// From the working folder where the file lies in it, from "~" where it lies in the home folder; else as it is named.
 std::string short_path(const std::string& file);
 /// As short_path(), but the file's name alone where its path would still begin at the root.
-std::string shown_path(const std::string& file);
+std::string display_path(const std::string& file);
 /// A text with paths in it, shortened likewise: those in the model's folder from there.
 std::string with_short_paths(std::string text, const std::string& model_file = {});
 

@@ -16,7 +16,7 @@ struct ClipVertex {
     float distance = 0;  ///< [m] along the view axis, from the eye
 };
 
-struct View {
+struct PictureCamera {
     dmat4 world_to_eye;     ///< translation only: world axes about the eye
     dmat4 world_to_camera;  ///< camera axes: looks along -Z
     dmat4 camera_to_world;
@@ -42,21 +42,21 @@ struct PixelRays {
     /// [px] from the first pixel's center
     dvec3 at(double x, double y) const { return along_x * x + along_y * y + first; }
 };
-PixelRays pixel_rays(const View& view, int first_x, int first_y);
+PixelRays pixel_rays(const PictureCamera& view, int first_x, int first_y);
 
 /// @param camera, settings  that passed their checks (engines/check_settings.h)
 /// @throws Error usage: the placement is singular or not finite
-View make_view(const Camera& camera, const dmat4& camera_to_world, const RenderSettings& settings);
+PictureCamera make_picture_camera(const Camera& camera, const dmat4& camera_to_world, const RenderSettings& settings);
 
 struct DrawList;
 /// What camera and settings are for, both checked. Formats of the textbook's depth keep the camera's own range, which
 /// they are there to show.
-View view_of(const DrawList& list, const Camera& camera, const RenderSettings& settings);
+PictureCamera picture_camera_of(const DrawList& list, const Camera& camera, const RenderSettings& settings);
 
 /// Moves near and far in towards the scene where they stand so far apart that float depth keys could not tell its
 /// surfaces apart: near below 1e-30 of the farthest distance in perspective (what lies between is lost), a range above
 /// 256 times the scene's diagonal in parallel views (nothing is).
 /// @param drawn  of everything that is drawn, in the world
-void narrow_depths(View& view, const Bounds& drawn);
+void narrow_depths(PictureCamera& view, const Bounds& drawn);
 
 }  // namespace rakelight::shading
