@@ -82,7 +82,7 @@ LIBRARIES = {
     r"expat\.h": ["src/io/import/xml_events.cpp"],
     r"draco/|meshoptimizer\.h": ["io"],
     r"nlohmann/": ["io", "tools", "render", "apps/cli"],
-    r"fmt/": ["tools", "render", "apps/cli"],
+    r"fmt/": ["base"],
     r"assimp/": ["apps/import"],
     r"CLI/": ["apps/common"],
     r"opensubdiv/": ["geometry"],
