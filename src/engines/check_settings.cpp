@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/enumerators.h"
+#include "base/format_text.h"
 #include "math/linear.h"
 
 namespace rakelight {
@@ -32,8 +33,7 @@ void check_size(const RenderSettings& s) {
     const bool is_inside = w.x >= 0 && w.y >= 0 && w.width >= 1 && w.height >= 1 && w.width <= s.width &&
                            w.height <= s.height && w.x <= s.width - w.width && w.y <= s.height - w.height;
     require(w == Window{} || is_inside, "window",
-            "the window does not lie inside the picture of " + std::to_string(s.width) + " x " +
-                std::to_string(s.height) + " pixels");
+            format_text("the window does not lie inside the picture of {} x {} pixels", s.width, s.height));
 }
 
 void check_words(const RenderSettings& s) {
@@ -115,8 +115,7 @@ void check_settings(const RenderSettings& settings) {
 
 void check_camera(const Camera& camera, std::size_t nodes, CameraUse use) {
     require(camera.node == no_index || camera.node < nodes, "",
-            "the camera's node " + std::to_string(camera.node) + " does not exist (there are " + std::to_string(nodes) +
-                ")");
+            format_text("the camera's node {} does not exist (there are {})", camera.node, nodes));
     const char* const fault = fault_of(camera, use);
     require(!fault, "", std::string("the camera is impossible: ") + (fault ? fault : ""));
 }

@@ -9,6 +9,7 @@
 #include <new>
 #include <string>
 
+#include "base/format_text.h"
 #include "engines/channel_arrays.h"
 
 namespace rakelight {
@@ -20,8 +21,8 @@ void copy_rows(std::span<const T> from, const Window& area, std::vector<T>& to, 
     if (from.empty() || to.empty()) return;
     const std::size_t width = std::size_t(area.width);
     if (from.size() != width * std::size_t(area.height))
-        throw Error(ErrorCode::usage, "an array of a tile has " + std::to_string(from.size()) + " entries for " +
-                                          std::to_string(area.width) + " x " + std::to_string(area.height) + " pixels");
+        throw Error(ErrorCode::usage, format_text("an array of a tile has {} entries for {} x {} pixels", from.size(),
+                                                  area.width, area.height));
     for (int row = 0; row < area.height; ++row) {
         const std::size_t at =
             std::size_t(area.y - window.y + row) * std::size_t(window.width) + std::size_t(area.x - window.x);
@@ -53,9 +54,8 @@ double memory_of_machine() {
 Error too_large(const Window& window, double bytes) {
     constexpr double mib = 1 << 20;
     return Error(ErrorCode::failed,
-                 "a frame of " + std::to_string(window.width) + " x " + std::to_string(window.height) +
-                     " pixels needs " + std::to_string(std::uint64_t(std::min(bytes / mib, 1e18))) +
-                     " MiB, more than available",
+                 format_text("a frame of {} x {} pixels needs {} MiB, more than available", window.width, window.height,
+                             std::uint64_t(std::min(bytes / mib, 1e18))),
                  {}, "render a smaller window, fewer channels, or into a sink that takes rows");
 }
 

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_io.h"
 #include "math/functions.h"
@@ -181,7 +182,7 @@ void MaterialWriter::extensions(OrderedJson& json, const Material& m, bool is_mo
 }
 
 OrderedJson MaterialWriter::material(const Material& source, std::size_t number) {
-    const std::string place = "material " + std::to_string(number) + " '" + one_line(source.name, 60) + "'";
+    const std::string place = format_text("material {} '{}'", number, one_line(source.name, 60));
     const bool is_classical = source.model == MaterialModel::classical;
     Material m = is_classical ? metallic_roughness_from_classical(source) : source;
     if (is_classical)

@@ -8,6 +8,7 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "math/linear.h"
 
 namespace rakelight::io::gltf {
@@ -196,10 +197,9 @@ bool MotionWriter::animations(const std::vector<std::size_t>& mesh_node, Pointer
     }
     if (left_out > 0)
         context_.report().add(Remark::dropped, scene_.source, {},
-                              std::to_string(left_out) +
-                                  (left_out == 1 ? " animation channel was left out: it animates"
-                                                 : " animation channels were left out: they animate") +
-                                  " nothing that glTF can store");
+                              format_text("{}{} nothing that glTF can store", left_out,
+                                          left_out == 1 ? " animation channel was left out: it animates"
+                                                        : " animation channels were left out: they animate"));
     return uses_pointers;
 }
 

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "base/format_text.h"
 #include "io/image_codecs.h"
 
 namespace rakelight::io {
@@ -13,8 +14,7 @@ namespace codec {
 void check_row_size(std::uint64_t width, std::uint64_t height) {
     if (width == 0 || height == 0) bad_picture("the picture has no pixels");
     if (width > max_row_side || height > max_row_side)
-        bad_picture("the picture is " + std::to_string(width) + " x " + std::to_string(height) + " pixels, more than " +
-                    std::to_string(max_row_side) + " a side");
+        bad_picture(format_text("the picture is {} x {} pixels, more than {} a side", width, height, max_row_side));
 }
 
 namespace {

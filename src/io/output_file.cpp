@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/format_text.h"
 #include "io/descriptor.h"
 #include "io/file.h"
 
@@ -46,7 +47,7 @@ int create_beside(const std::string& path, std::string& temporary, UnfinishedOut
     static std::atomic<unsigned> counter{0};
     int fd = -1;
     do {  // a taken name is the rest of a process of the same number that died; the counter continues
-        temporary = folder_part(path) + ".rl-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+        temporary = format_text("{}.rl-{}-{}.tmp", folder_part(path), ::getpid(), counter++);
         unfinished.watch(temporary);
         fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (fd < 0 && errno == EEXIST);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "math/color.h"
 #include "math/linear.h"
@@ -56,15 +57,14 @@ Layout layout_of(const Scene& scene, const std::vector<dmat4>& world) {
 }
 
 std::string header_of(const Layout& layout) {
-    std::string text = "ply\nformat binary_little_endian 1.0\ncomment one mesh, in world space\nelement vertex " +
-                       std::to_string(layout.vertices) + "\n";
+    std::string text = format_text(
+        "ply\nformat binary_little_endian 1.0\ncomment one mesh, in world space\nelement vertex {}\n", layout.vertices);
     if (layout.pad) text += "property uchar pad\n";
     text += "property float x\nproperty float y\nproperty float z\n";
     if (layout.normals) text += "property float nx\nproperty float ny\nproperty float nz\n";
     if (layout.texcoords) text += "property float s\nproperty float t\n";
     if (layout.colors) text += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n";
-    return text + "element face " + std::to_string(layout.faces) +
-           "\nproperty list uchar int vertex_indices\nend_header\n";
+    return format_text("{}element face {}\nproperty list uchar int vertex_indices\nend_header\n", text, layout.faces);
 }
 
 template <class T>

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "base/format_text.h"
 #include "io/cloud_material.h"
 #include "io/plain_text.h"
 #include "io/vertex_table.h"
@@ -88,8 +89,8 @@ Survey survey(std::string_view text, Context& context) {
         if (count > most_columns || count < 3 || count < s.columns)
             throw Error(ErrorCode::bad_file,
                         count > most_columns ? "'" + one_line(std::string(line), 40) + "' is not a line of numbers"
-                                             : "a point has " + std::to_string(count) + " numbers instead of " +
-                                                   std::to_string(std::max<std::size_t>(s.columns, 3)),
+                                             : format_text("a point has {} numbers instead of {}", count,
+                                                           std::max<std::size_t>(s.columns, 3)),
                         lines.place());
         ++s.points;
         s.longer += has_more || count > s.columns;
@@ -158,8 +159,8 @@ Scene read_xyz_text(std::string_view bytes, const std::string& path, Context& co
     if (s.points >= no_index) throw Error(ErrorCode::bad_file, "more than 4294967294 points are not supported");
     if (s.longer > 0)
         context.report().add(Remark::dropped, path, "",
-                             std::to_string(s.longer) + (s.longer == 1 ? " line holds" : " lines hold") +
-                                 " more than " + std::to_string(s.columns) + " numbers; further ones are left out");
+                             format_text("{}{} more than {} numbers; further ones are left out", s.longer,
+                                         s.longer == 1 ? " line holds" : " lines hold", s.columns));
     VertexTable table(s.points, context);
     fill(text, s, table, context);
     Scene scene;

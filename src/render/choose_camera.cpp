@@ -8,6 +8,7 @@
 
 #include <rakelight/tools/words.h>
 
+#include "base/format_text.h"
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/pose_scene.h"
@@ -21,7 +22,7 @@ namespace {
 Camera checked_camera_of_file(const Scene& scene, std::size_t index, const ViewRequest& view, double aspect,
                               const Bounds& bounds, Context& context) {
     Camera camera = camera_of_file(scene, index, aspect);
-    const std::string place = "camera " + std::to_string(index) + (camera.name.empty() ? "" : " '" + camera.name + "'");
+    const std::string place = format_text("camera {}{}", index, camera.name.empty() ? "" : " '" + camera.name + "'");
     const auto use_default = [&](const std::string& why) {
         context.report().add(Remark::warning, scene.source, place, why + "; the default view is used instead");
         Camera fitted = default_camera(scene, bounds, aspect, {.world_up = view.world_up});

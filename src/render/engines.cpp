@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/format_text.h"
 #include "engines/raster/raster_engine.h"
 #ifdef RL_HAVE_OPENGL
 #include "engines/opengl/opengl_engine.h"
@@ -58,7 +59,7 @@ std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
                 std::string("give the data channel ") + channel.word +
                     (can.path_channels & channel.channel ? ": method path does" : ""));
     require(is_path || std::ranges::find(can.samples, s.samples) != can.samples.end(),
-            "take " + std::to_string(s.samples) + " samples per pixel" + (can.rays ? ": method path does" : ""));
+            format_text("take {} samples per pixel{}", s.samples, can.rays ? ": method path does" : ""));
     require(can.visibility_methods || s.visibility == Visibility::z_reversed,
             "use another method of hidden-surface removal than its own");
     require(can.screen_interpolation || s.interpolation == AttributeInterpolation::perspective,

@@ -5,6 +5,7 @@
 #include <rakelight/validate.h>
 #include <cstring>
 
+#include "base/format_text.h"
 #include "engines/channel_arrays.h"
 #include "engines/empty_pixel.h"
 #include "image/tone_curves.h"
@@ -72,8 +73,8 @@ void note_lights_left_out(const Scene& scene, const PictureRequest& request, con
     const std::size_t beyond = lights_beyond_preset(wanted_lights(scene, request, camera), request);
     if (beyond > 0)
         report.add(Remark::note, scene.source, "",
-                   "the preset has the first " + std::to_string(most_fixed_lights) +
-                       " lights: " + std::to_string(beyond) + (beyond == 1 ? " is" : " are") + " left out",
+                   format_text("the preset has the first {} lights: {}{} left out", most_fixed_lights, beyond,
+                               beyond == 1 ? " is" : " are"),
                    {"preset"});
 }
 

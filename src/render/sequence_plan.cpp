@@ -7,6 +7,8 @@
 
 #include <rakelight/linear.h>
 
+#include "base/format_text.h"
+
 namespace rakelight {
 namespace {
 
@@ -20,8 +22,7 @@ std::string text_of(double number) {
 [[noreturn]] void too_many(double count) {
     char text[32];
     std::snprintf(text, sizeof text, "%.0f", count);
-    throw Error(ErrorCode::usage,
-                std::string("the sequence has ") + text + " pictures; there can be " + std::to_string(most_frames), {},
+    throw Error(ErrorCode::usage, format_text("the sequence has {} pictures; there can be {}", text, most_frames), {},
                 "use fewer frames per second")
         .about("fps");
 }
@@ -35,14 +36,12 @@ void check_numbers(const SequenceRequest& request) {
     if (request.turntable < 0 || request.turntable > most_frames)
         throw Error(ErrorCode::usage, "must be 1 to " + std::to_string(most_frames)).about("turntable");
     if (range.last && *range.last < range.first)
-        throw Error(ErrorCode::usage, "ends before it begins: " + std::to_string(range.first) + " comes after " +
-                                          std::to_string(*range.last))
+        throw Error(ErrorCode::usage, format_text("ends before it begins: {} comes after {}", range.first, *range.last))
             .about("frames");
     if (range.first < 0 || range.step < 1)
         throw Error(ErrorCode::usage, "must be A:B or A:B:STEP, from 0, with a step of 1 or more").about("frames");
     if (range.first >= most_frames || range.last.value_or(0) >= most_frames)
-        throw Error(ErrorCode::usage, "a sequence has at most " + std::to_string(most_frames) + " pictures")
-            .about("frames");
+        throw Error(ErrorCode::usage, format_text("a sequence has at most {} pictures", most_frames)).about("frames");
     if (request.picture.motion.time_s && request.turntable == 0)
         throw Error(ErrorCode::usage, "is a single moment, but a sequence shows the whole clip", {},
                     "leave it out, or turn the model at that moment by 'turntable'")
@@ -84,7 +83,7 @@ void SequencePlan::check_range() {
     if (!range_.last) range_.last = std::max(range_.first, count_ - 1);
     if (*range_.last < count_) return;
     const std::string what = turns_ > 0 ? "the turntable" : "at " + text_of(fps_) + " per second, the clip";
-    throw Error(ErrorCode::usage, what + " has the frames 0 to " + std::to_string(count_ - 1))
+    throw Error(ErrorCode::usage, format_text("{} has the frames 0 to {}", what, count_ - 1))
         .about("frames", {turns_ > 0 ? "turntable" : "fps"});
 }
 

@@ -4,6 +4,7 @@
 #include <rakelight/render.h>
 #include <rakelight/session.h>
 
+#include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "engines/posing_engine.h"
 #include "prepare/prepare.h"
@@ -20,7 +21,7 @@ namespace rakelight {
 namespace {
 
 std::string counted(std::size_t count, const std::string& what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+    return format_text("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 /// What a rasterizer does not show of the materials.

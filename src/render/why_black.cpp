@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/format_text.h"
 #include "image/tone.h"
 #include "image/tone_curves.h"
 #include "math/functions.h"
@@ -126,11 +127,11 @@ std::string why_out_of_range(const std::vector<Reach>& lights, const std::string
     if (cut == 0) return out;
     if (std::size_t(cut) == lights.size())
         return "'light-cutoff' ends " + all + " before it; a smaller value reaches farther";
-    return out + "; of " + std::to_string(cut) + " the range is set by 'light-cutoff': a smaller value reaches farther";
+    return format_text("{}; of {} the range is set by 'light-cutoff': a smaller value reaches farther", out, cut);
 }
 
 std::string why_unlit(const Scene& scene, const PictureRequest& request, const std::vector<Reach>& lights) {
-    const std::string all = lights.size() == 1 ? "the light" : "all " + std::to_string(lights.size()) + " lights";
+    const std::string all = lights.size() == 1 ? "the light" : format_text("all {} lights", lights.size());
     if (lights.empty()) return "no light is brighter than 0";
     if (std::all_of(lights.begin(), lights.end(), [](const Reach& r) { return r.ends_before; }))
         return why_out_of_range(lights, all);

@@ -9,6 +9,7 @@
 
 #include <rakelight/picture_parts.h>
 
+#include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "render/choose_camera.h"
 #include "render/engines.h"
@@ -49,10 +50,10 @@ void check(const RenderBenchOptions& o) {
     if (o.triangles < 100 || o.triangles > 100'000'000) refuse("triangles must be 100 to 100000000");
     if (o.objects < 1 || o.objects > 100'000) refuse("objects must be 1 to 100000");
     if (o.objects > o.triangles / 20)
-        throw Error(ErrorCode::usage,
-                    std::to_string(o.triangles) + " triangles are too few for " + std::to_string(o.objects) +
-                        " objects of 20 triangles or more each",
-                    {}, "give fewer 'objects' or more 'triangles'")
+        throw Error(
+            ErrorCode::usage,
+            format_text("{} triangles are too few for {} objects of 20 triangles or more each", o.triangles, o.objects),
+            {}, "give fewer 'objects' or more 'triangles'")
             .naming({"objects", "triangles"});
     if (o.lights > bench_small_lights_max) refuse("lights must be 0 to 10000");
     for (const std::uint32_t lights : o.other_lights)

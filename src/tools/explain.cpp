@@ -3,6 +3,7 @@
 
 #include <new>
 
+#include "base/format_text.h"
 #include "engines/empty_pixel.h"
 #include "engines/raster/inspect/nearest_visible.h"
 #include "engines/raster/visibility/depth_formats.h"
@@ -33,9 +34,8 @@ using Explained = std::vector<std::shared_ptr<const ExplainedPixel>>;
 
 void check_place(const RenderSettings& s, PixelPlace pixel) {
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= s.width || pixel.y >= s.height)
-        throw Error(ErrorCode::usage, "pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y) +
-                                          " is not in the picture of " + std::to_string(s.width) + " x " +
-                                          std::to_string(s.height) + " pixels");
+        throw Error(ErrorCode::usage, format_text("pixel {},{} is not in the picture of {} x {} pixels", pixel.x,
+                                                  pixel.y, s.width, s.height));
 }
 
 /// One pixel; `out` has the engine.

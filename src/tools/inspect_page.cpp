@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/format_text.h"
 #include "render/rows.h"
 #include "tools/html.h"
 #include "tools/inspect_sections.h"
@@ -77,9 +78,9 @@ std::string pictures_html(std::span<const ReportPicture> pictures) {
     if (pictures.empty()) return {};
     std::string out = "<div class=\"pictures\">\n";
     for (const ReportPicture& p : pictures)
-        out += "<figure><img alt=\"" + html_text(p.caption) + "\" width=\"" + std::to_string(p.pixels.width) +
-               "\" height=\"" + std::to_string(p.pixels.height) + "\" src=\"" + png_uri(p.pixels) + "\"><figcaption>" +
-               html_text(p.caption) + "</figcaption></figure>\n";
+        out += format_text(
+            "<figure><img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"{}\"><figcaption>{}</figcaption></figure>\n",
+            html_text(p.caption), p.pixels.width, p.pixels.height, png_uri(p.pixels), html_text(p.caption));
     return out + "</div>\n";
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/format_text.h"
 #include "shading/choices.h"
 #include "tools/camera_extent.h"
 #include "tools/inspect_sections.h"
@@ -66,7 +67,7 @@ Section materials_section(const Inspection& i) {
 /// " (2 unused)" or nothing.
 std::string unused_text(const Inspection& i) {
     const auto unused = std::count(i.material_objects.begin(), i.material_objects.end(), 0u);
-    return unused > 0 ? " (" + std::to_string(unused) + " unused)" : "";
+    return unused > 0 ? format_text(" ({} unused)", unused) : "";
 }
 
 /// What pictures can be colored by.
@@ -81,7 +82,7 @@ Section arrays_section(const Inspection& i) {
 Section textures_section(const Scene& scene) {
     return section("textures", {">#", "image", "kind"}, scene.textures, [](const Texture& t, std::size_t n) {
         const bool embedded = t.image && t.image->bytes;
-        const std::string kind = embedded ? "embedded, " + std::to_string(t.image->bytes->size()) + " bytes" : "file";
+        const std::string kind = embedded ? format_text("embedded, {} bytes", t.image->bytes->size()) : "file";
         return std::vector<std::string>{std::to_string(n), t.image ? one_line(t.image->name, 80) : "-", kind};
     });
 }

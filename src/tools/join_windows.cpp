@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/format_text.h"
 #include "io/image_rows.h"
 #include "tools/report_json.h"
 #include "tools/window_bands.h"
@@ -25,13 +26,12 @@ struct Part {
 
 std::string quoted(const std::string& file) { return "'" + one_line(file, 80) + "'"; }
 
-std::string size_text(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
+std::string size_text(int width, int height) { return format_text("{} x {}", width, height); }
 
 std::string describe(const io::RowKind& kind) {
     if (kind.format == io::RowFormat::hdr) return "HDR";
     if (kind.format == io::RowFormat::png)
-        return "PNG of " + std::to_string(kind.channels) + " channels with " +
-               std::to_string(8 * size_of(kind.component)) + " bits";
+        return format_text("PNG of {} channels with {} bits", kind.channels, 8 * size_of(kind.component));
     std::string text = "EXR of ";
     for (const io::ExrChannel& channel : kind.exr_channels)
         text += (text.ends_with(' ') ? "" : ",") + channel.name +
@@ -103,10 +103,9 @@ std::vector<Window> windows_of(std::span<const Part> parts, const JoinResult& wh
                                                  " pixels, not of " + size_text(whole.width, whole.height))
                 .with_file(part.file);
         if (x < 0 || y < 0 || x > whole.width - h.width || y > whole.height - h.height)
-            throw Error(ErrorCode::bad_file, "with its " + size_text(h.width, h.height) + " pixels at " +
-                                                 std::to_string(x) + "," + std::to_string(y) +
-                                                 " it extends beyond the picture of " +
-                                                 size_text(whole.width, whole.height))
+            throw Error(ErrorCode::bad_file,
+                        format_text("with its {} pixels at {},{} it extends beyond the picture of {}",
+                                    size_text(h.width, h.height), x, y, size_text(whole.width, whole.height)))
                 .with_file(part.file);
         windows.push_back({x, y, h.width, h.height});
     }
@@ -174,8 +173,8 @@ private:
     [[noreturn]] void refuse_difference(const BandPiece& piece, const Band& band, int x, int y) const {
         const auto other =
             std::ranges::find_if(band.pieces, [&](const BandPiece& p) { return x >= p.own && x < p.end; });
-        throw Error(ErrorCode::bad_file, "differs from " + quoted(parts_[other->window].file) + " at pixel " +
-                                             std::to_string(x) + "," + std::to_string(y) + ", which both cover")
+        throw Error(ErrorCode::bad_file, format_text("differs from {} at pixel {},{}, which both cover",
+                                                     quoted(parts_[other->window].file), x, y))
             .with_file(parts_[piece.window].file);
     }
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "io/glb_writer.h"
 #include "io/image_io.h"
@@ -34,9 +35,10 @@ Scene lightmapped(const ReadyScene& ready, const PictureRequest& request, const 
         with_lightmap(scene_of(*ready.prepared), request.settings.radiosity, options, result.report, report, context));
     add_note(result.report, request.input, context.report());
     if (report.overlapping > 0)
-        context.report().add(Remark::warning, request.input, {},
-                             std::to_string(report.overlapping) + " of " + std::to_string(report.charts) +
-                                 " charts overlap themselves: they may show light that belongs elsewhere");
+        context.report().add(
+            Remark::warning, request.input, {},
+            format_text("{} of {} charts overlap themselves: they may show light that belongs elsewhere",
+                        report.overlapping, report.charts));
     return out;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "base/format_text.h"
 #include "tools/compare_numbers.h"
 
 namespace rakelight {
@@ -66,7 +67,7 @@ Pixels read_reference(const std::string& picture, const ReferenceRequest& reques
 
 std::string name_of(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-std::string size_of(const Pixels& p) { return std::to_string(p.width) + " x " + std::to_string(p.height); }
+std::string size_of(const Pixels& p) { return format_text("{} x {}", p.width, p.height); }
 
 }  // namespace
 
@@ -77,11 +78,10 @@ ReferenceResult compare_with_reference(const std::string& picture, const Referen
     context.progress("compare", 0);
     Pixels reference = read_reference(picture, request, context), made = read_picture(picture, context);
     if (made.width != reference.width || made.height != reference.height)
-        throw Error(
-            ErrorCode::check_failed,
-            "the picture has " + size_of(made) + " pixels, its reference '" + one_line(request.picture, 160) +
-                "' has " + size_of(reference),
-            {}, "draw it with 'resolution' " + std::to_string(reference.width) + "," + std::to_string(reference.height))
+        throw Error(ErrorCode::check_failed,
+                    "the picture has " + size_of(made) + " pixels, its reference '" + one_line(request.picture, 160) +
+                        "' has " + size_of(reference),
+                    {}, format_text("draw it with 'resolution' {},{}", reference.width, reference.height))
             .naming({"resolution"})
             .with_file(picture);
     const CompareOptions options;

@@ -4,6 +4,7 @@
 #include <rakelight/smooth_file.h>
 #include <rakelight/tools/rows.h>
 
+#include "base/format_text.h"
 #include "prepare/repair_borders.h"
 #include "prepare/repair_seams.h"
 #include "tools/report_json.h"
@@ -94,12 +95,11 @@ std::string summary(const SmoothedFile& result) {
         normals += m.normals == Change::made || m.normals == Change::replaced;
         tangents += m.tangents == Change::made || m.tangents == Change::replaced;
     }
-    const std::string written = "normals of " + std::to_string(normals) + " meshes and tangents of " +
-                                std::to_string(tangents) + " written, " + std::to_string(split_of(result)) +
-                                " vertices split";
+    const std::string written = format_text("normals of {} meshes and tangents of {} written, {} vertices split",
+                                            normals, tangents, split_of(result));
     std::string text = result.output + ": " + (result.seams ? seams : written);
     if (result.seams && normals + tangents > 0) text += ", " + written;
-    return text + borders + ", " + std::to_string(result.meshes_added) + " meshes added";
+    return format_text("{}{}, {} meshes added", text, borders, result.meshes_added);
 }
 
 }  // namespace rakelight

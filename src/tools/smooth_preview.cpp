@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "math/color.h"
 #include "prepare/repair_borders.h"
@@ -79,7 +80,7 @@ std::string totals_html(const SeamTotals& before, const SeamTotals& after) {
     };
     return "<div class=\"scroll\"><table>\n" +
            row_html("th", {"normals", "largest seam [deg]", "largest angle [deg]", "mean angle [deg]",
-                           "continuous of " + std::to_string(before.positions) + " shared positions"}) +
+                           format_text("continuous of {} shared positions", before.positions)}) +
            row("before", before) + row("after", after) + "</table></div>\n";
 }
 

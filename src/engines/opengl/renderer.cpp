@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "base/format_text.h"
 #include "engines/channel_arrays.h"
 #include "engines/empty_pixel.h"
 #include "engines/opengl/blended.h"
@@ -314,8 +315,8 @@ void Renderer::remark_dropped_maps(Report& report) const {
     for (const TextureRole& role : texture_roles())
         if ((dropped_maps_ >> role.number & 1u) != 0) names += (names.empty() ? "" : ", ") + std::string(role.name);
     report.add(Remark::warning, list_.scene.source, list_.scene_material(list_.material(list_.draws[dropped_of_])).name,
-               "textures left out: " + names + ": this OpenGL driver samples " + std::to_string(driver_.texture_units) +
-                   " textures at once");
+               format_text("textures left out: {}: this OpenGL driver samples {} textures at once", names,
+                           driver_.texture_units));
 }
 
 void Renderer::end_picture(RenderStats& stats, Context& context) {

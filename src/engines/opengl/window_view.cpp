@@ -10,6 +10,7 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "engines/opengl/line_pass.h"
 #include "engines/opengl/renderer.h"
 #include "engines/opengl/screen.h"
@@ -139,7 +140,7 @@ RenderStats WindowView::draw(const Camera& camera, const RenderSettings& setting
     RenderStats stats;
     if (std::max(settings.width, settings.height) > s.driver().picture_size)
         throw Error(ErrorCode::failed,
-                    "this OpenGL driver draws at most " + std::to_string(s.driver().picture_size) + " pixels per side");
+                    format_text("this OpenGL driver draws at most {} pixels per side", s.driver().picture_size));
     // Of the picture before: what is asked of this one would have to be waited for.
     s.renderer.end_picture(s.stats, context);
     stats.gpu_passes = std::move(s.stats.gpu_passes);
@@ -154,8 +155,8 @@ RenderStats WindowView::draw(const Camera& camera, const RenderSettings& setting
 
 void WindowView::show(int width, int height, std::span<const std::uint32_t> srgb8, bool smooth) {
     if (width <= 0 || height <= 0 || srgb8.size() != std::size_t(width) * std::size_t(height))
-        throw Error(ErrorCode::usage, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                                          " pixels does not have " + std::to_string(srgb8.size()) + " of them");
+        throw Error(ErrorCode::usage,
+                    format_text("a picture of {} x {} pixels does not have {} of them", width, height, srgb8.size()));
     State& s = *state_;
     const Screen screen = Screen::with_own_state(s.driver().is_es);
     s.has_depth = false;

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/format_text.h"
 #include "math/linear.h"
 #include "shading/emitters.h"
 
@@ -146,7 +147,7 @@ public:
         throw Error(error == RTC_ERROR_OUT_OF_MEMORY ? ErrorCode::bad_file : ErrorCode::failed,
                     error == RTC_ERROR_OUT_OF_MEMORY
                         ? "there is not enough memory to trace rays through the scene"
-                        : "Embree cannot build the scene (error " + std::to_string(int(error)) + ")");
+                        : format_text("Embree cannot build the scene (error {})", int(error)));
     }
 
 private:

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/format_text.h"
 #include "cpu_shading/environment_maps.h"
 #include "cpu_shading/scratch_pool.h"
 #include "cpu_shading/textures.h"
@@ -241,9 +242,9 @@ private:
         const auto count = std::ranges::count(is_too_bright, true);
         if (count > 0)
             report.add(Remark::note, list_.scene.source, {},
-                       "where the classical colors of " + std::to_string(count) +
-                           (count == 1 ? " material" : " materials") +
-                           " would reflect more light than arrives, they are divided by their sum");
+                       format_text("where the classical colors of {}{} would reflect more light than arrives, they are "
+                                   "divided by their sum",
+                                   count, count == 1 ? " material" : " materials"));
     }
 
     static bool may_reflect_too_much(const HitJob& job) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <string_view>
 
+#include "base/format_text.h"
 #include "io/gltf/container.h"
 #include "scene/material_table.h"
 
@@ -74,9 +75,8 @@ Document::Document(const std::string& path, Bytes file, const ReadOptions& optio
 Value Document::element_of(const Value& owner, Kind kind, std::uint32_t index, const Value& from) const {
     const Value list = owner.list(kind.list);
     if (index >= list.size())
-        from.fail(std::string(kind.word) + " " + std::to_string(index) + " does not exist (the file has " +
-                  std::to_string(list.size()) + ")");
-    std::string place = std::string(kind.word) + " " + std::to_string(index);
+        from.fail(format_text("{} {} does not exist (the file has {})", kind.word, index, list.size()));
+    std::string place = format_text("{} {}", kind.word, index);
     const Value element = list.element(index, place);
     const std::string* name = element.has("name") ? element.text_pointer("name") : nullptr;
     if (!name || name->empty()) return element;
@@ -85,7 +85,7 @@ Value Document::element_of(const Value& owner, Kind kind, std::uint32_t index, c
 
 std::string Document::name_of(const Value& element, Kind kind, std::uint32_t index) {
     std::string name = element.text("name");
-    return name.empty() ? std::string(kind.word) + " " + std::to_string(index) : name;
+    return name.empty() ? format_text("{} {}", kind.word, index) : name;
 }
 
 void Document::remark(Remark kind, const std::string& place, std::string message) const {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::gltf {
 namespace {
 
@@ -55,7 +57,7 @@ Strongest strongest(std::vector<Weighted>& all, Counts& counts) {
 
 void report(const Counts& counts, const Document& document, const Value& primitive) {
     const auto say = [&](Remark kind, std::uint64_t n, const char* what) {
-        if (n) document.remark(kind, primitive.place(), std::to_string(n) + " vertices " + what);
+        if (n) document.remark(kind, primitive.place(), format_text("{} vertices {}", n, what));
     };
     say(Remark::dropped, counts.surplus, "have more than eight joints; the strongest eight are kept");
     say(Remark::changed, counts.bad_weights, "have negative or non-finite joint weights, taken as 0");

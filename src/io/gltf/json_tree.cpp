@@ -6,6 +6,8 @@
 #include <cstring>
 #include <vector>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::gltf {
 namespace {
 
@@ -63,7 +65,7 @@ private:
     bool open(Json container) {
         if (stack_.size() >= max_json_depth)
             throw Error(ErrorCode::bad_file,
-                        "the JSON is nested more than " + std::to_string(max_json_depth) + " levels deep");
+                        format_text("the JSON is nested more than {} levels deep", max_json_depth));
         stack_.push_back(place(std::move(container)));
         return true;
     }

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/gltf/container.h"
 #include "io/gltf/save_files.h"
@@ -142,7 +143,7 @@ private:
         if (const auto known = edited_.find(m); known != edited_.end()) return known->second;
         const Mesh& mesh = after_.meshes[m];
         const Value source_mesh = document_.element(mesh_kind, mesh.source_mesh, document_.root());
-        const std::string place = source_mesh.place() + ", primitive " + std::to_string(mesh.source_primitive);
+        const std::string place = format_text("{}, primitive {}", source_mesh.place(), mesh.source_primitive);
         const Value source = source_mesh.list("primitives").element(mesh.source_primitive, place);
         OrderedJson json = originals_.at(mesh.source_mesh)["primitives"][mesh.source_primitive];
         const PrimitiveEdit done =

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::gltf {
 namespace {
 
@@ -66,7 +68,7 @@ std::vector<std::string> Value::names() const {
 std::size_t Value::size() const { return json_ && json_->is_array() ? json_->size() : 0; }
 
 Value Value::element(std::size_t i) const {
-    return element(i, (place_.empty() ? std::string() : place_ + ", ") + name_ + " " + std::to_string(i));
+    return element(i, format_text("{}{} {}", place_.empty() ? std::string() : place_ + ", ", name_, i));
 }
 
 Value Value::element(std::size_t i, std::string place) const {
@@ -124,7 +126,7 @@ std::uint32_t Value::index(const char* name) const { return find(name) ? require
 
 std::uint32_t Value::required_index(const char* name) const {
     const std::uint64_t n = required_count(name);
-    if (n >= no_index) fail(std::string(name) + " " + std::to_string(n) + " is not an index");
+    if (n >= no_index) fail(format_text("{} {} is not an index", name, n));
     return std::uint32_t(n);
 }
 
@@ -143,8 +145,7 @@ std::string Value::text(const char* name, const std::string& fallback) const {
 bool Value::read_numbers(const char* name, double* out, std::size_t n) const {
     const Value values = list(name);
     if (!values) return false;
-    if (values.size() != n)
-        fail(std::string(name) + " must hold " + std::to_string(n) + " numbers, not " + std::to_string(values.size()));
+    if (values.size() != n) fail(format_text("{} must hold {} numbers, not {}", name, n, values.size()));
     for (std::size_t i = 0; i < n; ++i) {
         const Json& value = (*values.json_)[i];
         if (!value.is_number()) fail(std::string(name) + " must hold numbers, not " + described(value));

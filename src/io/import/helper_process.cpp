@@ -17,6 +17,7 @@
 #include <cstring>
 #include <vector>
 
+#include "base/format_text.h"
 #include "io/file.h"
 
 namespace rakelight::io {
@@ -84,7 +85,7 @@ void reset_signals(Attributes& a) {
 std::string seconds_text(double seconds) {
     const double tenths = std::round(seconds * 10);
     const auto whole = static_cast<long long>(tenths / 10), tenth = static_cast<long long>(tenths) % 10;
-    return std::to_string(whole) + (tenth != 0 ? "." + std::to_string(tenth) : "") + " s";
+    return format_text("{}{} s", whole, tenth != 0 ? "." + std::to_string(tenth) : "");
 }
 
 const char* name_of_signal(int number) {
@@ -246,13 +247,12 @@ void HelperProcess::ended_early() {
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) too_slow(limits_.seconds);
     if (WIFSIGNALED(status)) {
         const int number = WTERMSIG(status);
-        throw Error(
-            ErrorCode::bad_file,
-            "the import helper crashed (signal " + std::to_string(number) + name_of_signal(number) + ") on this file",
-            {}, "the file may be broken; export glTF instead");
+        throw Error(ErrorCode::bad_file,
+                    format_text("the import helper crashed (signal {}{}) on this file", number, name_of_signal(number)),
+                    {}, "the file may be broken; export glTF instead");
     }
-    throw Error(ErrorCode::bad_file, "the import helper ended early (exit code " +
-                                         std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : -1) + ")");
+    throw Error(ErrorCode::bad_file, format_text("the import helper ended early (exit code {})",
+                                                 WIFEXITED(status) ? WEXITSTATUS(status) : -1));
 }
 
 }  // namespace rakelight::io

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/format_text.h"
 #include "io/import/precheck.h"
 
 namespace rakelight::io {
@@ -174,7 +175,7 @@ void check_fbx(const Suspect& s) {
     const auto version = little<std::uint32_t>(s.bytes, 23);
     if (version < 7100)
         throw Error(ErrorCode::bad_file,
-                    "binary FBX of version " + std::to_string(version) + " is not supported (7100 or newer is)", {},
+                    format_text("binary FBX of version {} is not supported (7100 or newer is)", version), {},
                     "save it as FBX 2013 or newer, or as glTF");
     if (version > 7900) throw Error(ErrorCode::bad_file, "unknown FBX version " + std::to_string(version));
     walk_fbx(s.bytes, version >= 7500);
@@ -189,8 +190,8 @@ void check_3ds(const Suspect& s) {
         throw Error(ErrorCode::bad_file, "not a 3DS file (it does not begin with block 0x4D4D)");
     const auto whole = little<std::uint32_t>(s.bytes, 2);
     if (whole > size)
-        throw Error(ErrorCode::bad_file, "it promises " + std::to_string(whole) + " bytes, but " +
-                                             std::to_string(size) + " are there; the file is cut short");
+        throw Error(ErrorCode::bad_file,
+                    format_text("it promises {} bytes, but {} are there; the file is cut short", whole, size));
     if (whole < size) s.report.add(Remark::warning, s.path, {}, "bytes follow the last block");
     Faces3ds faces(s);
     std::vector<Open> open{{0, whole}};

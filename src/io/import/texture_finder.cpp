@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_io.h"
 
@@ -106,7 +107,7 @@ std::optional<std::string> find_texture_file(const std::string& model, const std
 ImageHandle TextureTable::embedded(std::uint32_t number) {
     Picture& p = pictures_[number];
     const std::string name =
-        "image " + std::to_string(number) + (p.name.empty() ? "" : " '" + one_line(p.name, 80) + "'") + " (embedded)";
+        format_text("image {}{} (embedded)", number, p.name.empty() ? "" : " '" + one_line(p.name, 80) + "'");
     if (p.bytes.empty() || p.width > 32768 || p.height > 32768) {
         context_.report().add(Remark::warning, model_, name,
                               "an embedded picture is empty or too large and is left out");

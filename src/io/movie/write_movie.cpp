@@ -8,6 +8,7 @@
 
 #include <rakelight/movie.h>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/movie/ffmpeg_process.h"
 #include "io/movie/movie_writers.h"
@@ -73,7 +74,7 @@ void check_movie(const std::string& path, const MovieSize& size) {
             .with_file(path);
     if (std::max(size.width, size.height) > kind->most_side)
         throw Error(ErrorCode::usage,
-                    "a movie of this kind has at most " + std::to_string(kind->most_side) + " pixels per side")
+                    format_text("a movie of this kind has at most {} pixels per side", kind->most_side))
             .with_file(path);
     const bool is_by_ffmpeg =
         kind->kind == io::MovieKind::gif || kind->kind == io::MovieKind::mp4 || kind->kind == io::MovieKind::webm;

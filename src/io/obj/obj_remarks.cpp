@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/obj/obj_remarks.h"
 
+#include "base/format_text.h"
+
 namespace rakelight::io::obj {
 namespace {
 
@@ -67,7 +69,7 @@ void Remarks::flush(Report& report) {
         Tally& t = tallies_[std::size_t(text.issue)];
         if (t.count == 0) continue;
         std::string message = text.message;
-        if (t.count > 1) message += " (" + std::to_string(t.count) + " times)";
+        if (t.count > 1) message += format_text(" ({} times)", t.count);
         std::string place = t.first_line ? "line " + std::to_string(t.first_line) : std::string();
         report.add(text.remark, file_, std::move(place), std::move(message));
         t = {};

@@ -13,6 +13,7 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/position_origin.h"
 #include "math/color.h"
@@ -58,12 +59,12 @@ std::string library_name(const std::string& model) {
     std::string name = stem + ".mtl";
     std::error_code error;
     for (int n = 2; fs::exists(folder / name, error) && !names_library(model, name); ++n)
-        name = stem + "." + std::to_string(n) + ".mtl";
+        name = format_text("{}.{}.mtl", stem, n);
     return name;
 }
 
 std::string material_word(const Scene& scene, std::uint32_t m) {
-    return word(scene.materials[m].name, "material") + "_" + std::to_string(m);  // names need not be unique
+    return format_text("{}_{}", word(scene.materials[m].name, "material"), m);  // names need not be unique
 }
 
 class ObjWriter {

@@ -6,6 +6,8 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::ply {
 namespace {
 
@@ -91,9 +93,9 @@ void check_counts(const Header& header, std::uint64_t body) {
     for (const Element& e : header.elements) {
         const std::uint64_t least = e.least_bytes(header.format);
         if (least > 0 && e.count > (body + 1) / least)
-            throw Error(ErrorCode::bad_file, "it promises " + std::to_string(e.count) + " elements (at least " +
-                                                 std::to_string(e.count * least) + " bytes), but " +
-                                                 std::to_string(body) + " bytes are there");
+            throw Error(ErrorCode::bad_file,
+                        format_text("it promises {} elements (at least {} bytes), but {} bytes are there", e.count,
+                                    e.count * least, body));
     }
 }
 

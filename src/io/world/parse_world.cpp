@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/world/material_keys.h"
 #include "io/world/motion_keys.h"
@@ -50,7 +51,7 @@ void read_entries(const TomlEntry& entry, const WorldSection& section, Reading r
         !std::all_of(entry.value.items.begin(), entry.value.items.end(), is_table))
         fail(entry.place, "'" + name + "' is a list of tables", "write [[" + name + "]]");
     if (entry.value.items.size() > most_entries)
-        fail(entry.place, "more than " + std::to_string(most_entries) + " of [[" + name + "]]");
+        fail(entry.place, format_text("more than {} of [[{}]]", most_entries, name));
     for (const TomlNode& item : entry.value.items) read(SectionValues(item, section), world);
 }
 
@@ -78,7 +79,7 @@ void read_section(const TomlEntry& entry, WorldFile& world) {
 
 std::string to_text(WorldPlace place) {
     if (place.line == 0) return {};
-    return "line " + std::to_string(place.line) + ", column " + std::to_string(place.column);
+    return format_text("line {}, column {}", place.line, place.column);
 }
 
 bool is_world_file(std::string_view path) {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/format_text.h"
 #include "math/color.h"
 #include "math/color_names.h"
 #include "math/linear.h"
@@ -153,8 +154,8 @@ private:
             return std::vector<double>(3, read_number(node));
         if (node.kind != TomlNode::Kind::array || node.items.size() != count_of(key_.kind)) {
             if (node.kind == TomlNode::Kind::array && written_ == Written::in_file)
-                fail(node.place, quoted(entry_.key) + " must be " + expectation(key_.kind) + ", not " +
-                                     std::to_string(node.items.size()) + " values");
+                fail(node.place, format_text("{} must be {}, not {} values", quoted(entry_.key), expectation(key_.kind),
+                                             node.items.size()));
             refuse(node);
         }
         std::vector<double> numbers;
@@ -237,7 +238,7 @@ void SectionValues::read_tables(const TomlEntry& entry, const WorldKey& key, con
         fail(entry.value.place, quoted(entry.key) + " must be " + expectation(key.kind), "write [{ ... }, { ... }]");
     if (items.empty()) fail(entry.value.place, quoted(entry.key) + " is empty");
     if (items.size() > most_tables)
-        fail(entry.value.place, "more than " + std::to_string(most_tables) + " of " + quoted(entry.key));
+        fail(entry.value.place, format_text("more than {} of {}", most_tables, quoted(entry.key)));
     const std::string name = std::string(section.name) + "." + key.name;
     const WorldSection of_tables{name.c_str(), true, key.help, key.parts};
     for (const TomlNode& item : items) tables_.emplace_back(item, of_tables);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/format_text.h"
 #include "engines/raster/geometry/clip.h"
 #include "tools/stages/plot.h"
 
@@ -133,8 +134,7 @@ Stage clipped_stage(const Sources& of, const Vertices& vertices) {
     }
     s.columns = {"object", "triangle", "corners", "x, y, w of each"};
     s.rows_note = all.clipped == 0 ? "Nothing had to be clipped."
-                                   : "The first " + std::to_string(s.rows.size()) + " of " +
-                                         std::to_string(all.clipped) + " clipped triangles";
+                                   : format_text("The first {} of {} clipped triangles", s.rows.size(), all.clipped);
     return s;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/format_text.h"
 #include "engines/raster/raster_engine.h"
 #include "math/linear.h"
 #include "prepare/displace.h"
@@ -201,15 +202,13 @@ private:
         stage_.pictures.push_back({"displacement-base",
                                    base.edges ? "The base mesh, with its triangles." : "The base mesh.",
                                    drawn(of_, scene_of(*base_.prepared), base_.camera, base, quiet_)});
-        stage_.pictures.push_back(
-            {"displacement",
-             "Cut and moved: " + std::to_string(after_) + " triangles in place of " + std::to_string(before_) + ".",
-             picture(of_.pixels.color)});
+        stage_.pictures.push_back({"displacement",
+                                   format_text("Cut and moved: {} triangles in place of {}.", after_, before_),
+                                   picture(of_.pixels.color)});
         const int times = std::min(enlarged, 65536 / std::max(s.width, s.height));
         const Window part = liveliest(of_, height, times);
-        const std::string where = std::to_string(times) + " times as large, about pixel " +
-                                  std::to_string(part.x + part.width / 2) + ", " +
-                                  std::to_string(part.y + part.height / 2);
+        const std::string where = format_text("{} times as large, about pixel {}, {}", times, part.x + part.width / 2,
+                                              part.y + part.height / 2);
         stage_.pictures.push_back({"displacement-base-enlarged", "The triangles of the base, " + where + ".",
                                    close_up(scene_of(*base_.prepared), base_request_.settings, part, times)});
         stage_.pictures.push_back({"displacement-enlarged", "Those that it was cut into, at the same place.",

@@ -10,6 +10,7 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_io.h"
 #include "tools/report_json.h"
@@ -65,7 +66,7 @@ void check_target(const fs::path& target) {
 }
 
 fs::path beside(const fs::path& target, const char* what) {
-    return target.parent_path() / ("." + target.filename().string() + "." + what + "-" + std::to_string(getpid()));
+    return target.parent_path() / (format_text(".{}.{}-{}", target.filename().string(), what, getpid()));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // How often lighting is evaluated: the picture in its own color, lit once per face, once per vertex and once per pixel.
 #include <cmath>
 
+#include "base/format_text.h"
 #include "engines/raster/inspect/inspect_shading.h"
 #include "math/color.h"
 #include "tools/stages/paint.h"
@@ -48,10 +49,9 @@ Stage frequency_stage(const Sources& of, Context& context) {
         Canvas canvas = paint(of, [&](std::size_t p) { return displayed_code(of, drawn.color[p]); });
         s.rows.push_back(
             {f.name, f.evaluated, drawn.stats.lighting_evaluations, difference(of, drawn.color, phong.color)});
-        s.pictures.push_back(
-            {std::string("shading-") + f.name,
-             std::string(f.caption) + " " + std::to_string(drawn.stats.lighting_evaluations) + " evaluations.",
-             std::move(canvas)});
+        s.pictures.push_back({std::string("shading-") + f.name,
+                              format_text("{} {} evaluations.", f.caption, drawn.stats.lighting_evaluations),
+                              std::move(canvas)});
     }
     return s;
 }

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/format_text.h"
 #include "tools/html.h"
 #include "tools/report_json.h"
 #include "tools/stages/stage.h"
@@ -77,9 +78,8 @@ std::string rows_html(const Stage& stage) {
 /// A link to a picture opens it; one in the page itself is shown as large as it is by the browser.
 std::string picture_html(const Picture& p, bool is_whole) {
     const std::string file = p.name + ".png", address = is_whole ? png_uri(p.canvas.pixels()) : file;
-    const std::string image = "<img src=\"" + address + "\" width=\"" + std::to_string(p.canvas.width()) +
-                              "\" height=\"" + std::to_string(p.canvas.height()) + "\" alt=\"" + html_text(p.caption) +
-                              "\">";
+    const std::string image = format_text("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\">", address,
+                                          p.canvas.width(), p.canvas.height(), html_text(p.caption));
     return "<figure>" + (is_whole ? image : "<a href=\"" + file + "\">" + image + "</a>") + "<figcaption>" +
            html_text(p.caption) + "</figcaption></figure>\n";
 }
@@ -93,8 +93,8 @@ std::string table_link(const Stage& stage, bool is_whole) {
 }
 
 std::string stage_html(const Stage& stage, std::size_t number, bool is_whole) {
-    std::string out = "<section id=\"" + stage.id + "\">\n<h2>" + std::to_string(number) + ". " +
-                      html_text(stage.title) + "</h2>\n<p>" + html_text(stage.text) + "</p>\n";
+    std::string out = format_text("<section id=\"{}\">\n<h2>{}. {}</h2>\n<p>{}</p>\n", stage.id, number,
+                                  html_text(stage.title), html_text(stage.text));
     out += stage.pictures.size() > 1 ? "<div class=\"pictures\">\n" : "";
     for (const Picture& p : stage.pictures) out += picture_html(p, is_whole);
     out += stage.pictures.size() > 1 ? "</div>\n" : "";

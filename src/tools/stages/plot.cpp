@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/format_text.h"
+
 namespace rakelight::stages {
 namespace {
 
@@ -31,9 +33,7 @@ public:
                 draws_.push_back(d), total += vertices.mesh(d).triangle_count();
         step_ = total / drawn_triangles + 1;
     }
-    std::string note() const {
-        return step_ > 1 ? " About one of " + std::to_string(step_) + " triangles is drawn." : "";
-    }
+    std::string note() const { return step_ > 1 ? format_text(" About one of {} triangles is drawn.", step_) : ""; }
 
     template <class Visit>
     void visit(const Visit& visit) const {
@@ -156,8 +156,7 @@ void add_table(Stage& stage, const Vertices& vertices, bool only_transformed, co
     stage.columns = {"object", "vertex"};
     stage.columns.insert(stage.columns.end(), columns.begin(), columns.end());
     stage.rows_note =
-        count == 0 ? "There are no vertices."
-                   : "The first " + std::to_string(stage.rows.size()) + " of " + std::to_string(count) + " vertices";
+        count == 0 ? "There are no vertices." : format_text("The first {} of {} vertices", stage.rows.size(), count);
 }
 
 }  // namespace rakelight::stages

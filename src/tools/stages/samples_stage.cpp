@@ -2,6 +2,7 @@
 // Pictures of several samples per pixel: what they cover, how often their pixels are shaded, and their mean.
 #include <algorithm>
 
+#include "base/format_text.h"
 #include "engines/raster/inspect/inspect_samples.h"
 #include "tools/stages/paint.h"
 
@@ -51,12 +52,12 @@ Picture enlarged(const Sources& of) {
                 square(canvas, middle_x - 2, middle_y - 2, 5, displayed_code(of, part.color[next++]));
             }
         }
-    const std::string corner = std::to_string(part.window.x) + "," + std::to_string(part.window.y);
-    return {
-        "samples-enlarged",
-        "The part whose samples differ most, from pixel " + corner + " on, " + std::to_string(cell_px) +
-            " times as large: each pixel has the mean of its samples, each dot the color of one sample in its place.",
-        std::move(canvas)};
+    const std::string corner = format_text("{},{}", part.window.x, part.window.y);
+    return {"samples-enlarged",
+            format_text("The part whose samples differ most, from pixel {} on, {} times as large: each pixel has the "
+                        "mean of its samples, each dot the color of one sample in its place.",
+                        corner, cell_px),
+            std::move(canvas)};
 }
 
 }  // namespace
@@ -65,11 +66,11 @@ Stage samples_stage(const Sources& of) {
     const int samples = of.engine.settings().samples;
     const raster::PixelStageData& d = of.pixels;
     Stage s{.id = "samples", .title = "Several samples per pixel, and their mean"};
-    s.text =
-        "With " + std::to_string(samples) +
-        " samples coverage and depth are looked at in as many places of every pixel, and each triangle that they show "
-        "is shaded once, in the middle of those that show it. The pixel is the mean of its samples in linear light. "
-        "The stages before look at the pixels' centers, as the data channels do.";
+    s.text = format_text(
+        "With {} samples coverage and depth are looked at in as many places of every pixel, and each triangle that "
+        "they show is shaded once, in the middle of those that show it. The pixel is the mean of its samples in linear "
+        "light. The stages before look at the pixels' centers, as the data channels do.",
+        samples);
     std::vector<std::uint64_t> covered(std::size_t(samples) + 1, 0), shaded(std::size_t(samples) + 1, 0);
     std::uint64_t sum = 0, all = 0;
     for (std::size_t p = 0; p < d.color.size(); ++p) {
@@ -88,14 +89,15 @@ Stage samples_stage(const Sources& of) {
     s.rows_note = "Opaque surfaces; blended ones are laid sample by sample over what is there";
     s.pictures.push_back({"samples-covered", "Samples that something opaque covers: black none, white all.",
                           paint(of, [&](std::size_t p) { return gray(double(d.samples_covered[p]) / samples); })});
-    s.pictures.push_back({"samples-triangles",
-                          "How many opaque triangles the pixel is shaded for: blue 1, over green and yellow to white " +
-                              std::to_string(std::min(samples, 4)) + " and more.",
-                          paint(of, [&](std::size_t p) {
-                              return d.visible_triangles[p] == 0
-                                         ? backdrop
-                                         : heat(double(d.visible_triangles[p]) / std::min(samples, 4));
-                          })});
+    s.pictures.push_back(
+        {"samples-triangles",
+         format_text(
+             "How many opaque triangles the pixel is shaded for: blue 1, over green and yellow to white {} and more.",
+             std::min(samples, 4)),
+         paint(of, [&](std::size_t p) {
+             return d.visible_triangles[p] == 0 ? backdrop
+                                                : heat(double(d.visible_triangles[p]) / std::min(samples, 4));
+         })});
     s.pictures.push_back({"samples-difference",
                           "The greatest difference between samples of the pixel, as light: what the mean makes smooth.",
                           paint(of, [&](std::size_t p) {

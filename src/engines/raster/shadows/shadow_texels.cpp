@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string>
 
+#include "base/format_text.h"
 #include "engines/raster/multisample.h"
 
 namespace rakelight::raster {
@@ -100,7 +101,7 @@ void ShadowTexels::remark(const Scene& scene, std::span<const lighting::LightPar
     std::string text = name_of(scene.lights[light], light) + ": a texel of its shadow map covers " +
                        rounded(widest.meters) + " m (about " + rounded(widest.pixels) + " pixels)";
     if (is_wide) text += "; raise 'shadow-size'";
-    if (others > 1) text += "; so with " + std::to_string(others - 1) + " more";
+    if (others > 1) text += format_text("; so with {} more", others - 1);
     context.report().add(is_wide ? Remark::warning : Remark::note, scene.source, {}, text, {"shadow-size"});
 }
 
