@@ -67,7 +67,7 @@ namespace rakelight::lighting::RL_ISA {
 #include "lighting/material/transport.glsl"
 #include "lighting/material/transmission.glsl"
 #include "lighting/environment/irradiance.glsl"
-#include "lighting/environment/facet_fan.glsl"
+#include "lighting/environment/anisotropic_fan.glsl"
 #include "lighting/environment/mirrored.glsl"
 #include "lighting/environment/environment_terms.glsl"
 #include "lighting/environment/sky.glsl"

@@ -65,7 +65,7 @@ dvec3 mean_of_lobe(dvec3 v, double ax, double ay) {
 
 double degrees_between(dvec3 a, dvec3 b) { return std::acos(std::min(1.0, dot(a, b))) * 180 / pi_d; }
 
-TEST(FacetFan, ItsMeanDirectionIsThatOfTheLobe) {
+TEST(AnisotropicFan, ItsMeanDirectionIsThatOfTheLobe) {
     for (const double roughness : {0.15, 0.3})
         for (const double strength : {0.3, 0.6, 1.0}) {
             const double ay = roughness * roughness, ax = ay + (1 - ay) * strength * strength;
@@ -81,7 +81,7 @@ TEST(FacetFan, ItsMeanDirectionIsThatOfTheLobe) {
         }
 }
 
-TEST(FacetFan, WithoutWidthEveryFacetMirrorsAboutTheNormal) {
+TEST(AnisotropicFan, WithoutWidthEveryFacetMirrorsAboutTheNormal) {
     const vec3 v = cast<float>(view_from(50, 30));
     for (const Ray& ray : fan_of(v, 0)) {
         EXPECT_NEAR(ray.l.x, -v.x, 1e-6);
@@ -91,7 +91,7 @@ TEST(FacetFan, WithoutWidthEveryFacetMirrorsAboutTheNormal) {
     }
 }
 
-TEST(FacetFan, RaysLieOnTheConeAboutTheGrainThroughTheMirrorDirection) {
+TEST(AnisotropicFan, RaysLieOnTheConeAboutTheGrainThroughTheMirrorDirection) {
     // facets that are tilted along t alone keep the part of v along the grain
     for (const double about : {20, 70, 200}) {
         const vec3 v = cast<float>(view_from(60, about));
@@ -105,7 +105,7 @@ TEST(FacetFan, RaysLieOnTheConeAboutTheGrainThroughTheMirrorDirection) {
     }
 }
 
-TEST(FacetFan, WhatLiesBelowTheHorizonHasNoShare) {
+TEST(AnisotropicFan, WhatLiesBelowTheHorizonHasNoShare) {
     bool any = false;
     for (const Ray& ray : fan_of(cast<float>(view_from(80, 0)), 1)) {
         EXPECT_EQ(ray.weight > 0, ray.l.z > 0);
@@ -114,7 +114,7 @@ TEST(FacetFan, WhatLiesBelowTheHorizonHasNoShare) {
     EXPECT_TRUE(any);
 }
 
-TEST(FacetFan, TheOtherSideIsItsMirrorImage) {
+TEST(AnisotropicFan, TheOtherSideIsItsMirrorImage) {
     const std::vector<Ray> right = fan_of(cast<float>(view_from(55, 25)), 0.7),
                            left = fan_of(cast<float>(view_from(55, 155)), 0.7);
     for (std::size_t i = 0; i < facets; ++i) {
