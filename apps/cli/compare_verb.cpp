@@ -110,7 +110,7 @@ Pixels pixels_of(const ComparedSide& side, Context& context) {
     }
 }
 
-/// Nobody has said how large the picture of a scene is.
+/// The size of the picture of a scene is not given.
 bool has_free_size(const Run& run, const ComparedSide& side) {
     if (!side.scene || run.given.has("resolution") || run.given.has("window")) return false;
     const std::optional<WorldRequest>& world = side.scene->world;

@@ -57,7 +57,7 @@ std::vector<PixelPlace> pixels_of(const Run& run) {
     return pixels;
 }
 
-/// The rows of one input: one for each pixel, all with what is said of the input.
+/// The rows of one input: one for each pixel, all with the remarks about the input.
 int explain_input(const Run& run, const InputRequest& input, const std::vector<PixelPlace>& pixels,
                   std::vector<ExplainRow>& rows) {
     ExplainRow common{.file = input.picture.input};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands below the options in --help.
+// The texts below the options in --help.
 #pragma once
 
 namespace rakelight::cli {

@@ -231,7 +231,7 @@ void inspect_file(const PictureRequest& picture, Task task, InspectionRow& row, 
     row.inspection->seam_lines = {};
 }
 
-/// What is said of a model on standard output: of one that is only checked that it passed, of others all tables.
+/// The output about a model: whether it passed if it is only checked, else all tables.
 std::string text_of(const Run& run, const InspectionRow& row, const std::optional<CheckLimits>& limits, bool is_first) {
     if (!row.check || run.loudness == Loudness::verbose) return (is_first ? "" : "\n") + to_text(*row.inspection);
     if (!row.check->empty() || run.loudness == Loudness::quiet) return {};

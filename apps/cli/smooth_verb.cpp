@@ -127,7 +127,7 @@ SmoothedFile smooth_input(const Run& run, const PictureRequest& request, const S
     if (!run.given.has("preview")) return smooth_file(request.input, request.output, options, c);
     const PreviewPlace place = preview_place(run, request.output);
     if (!place.picture_before.empty()) {
-        std::error_code fault;  // what is not there then is said when the page is written
+        std::error_code fault;  // missing files are reported when the page is written
         std::filesystem::create_directories(std::filesystem::path(place.page).parent_path(), fault);
     }
     return preview_smooth(request.input, place, options, request.view, request.settings, c);

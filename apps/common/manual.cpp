@@ -16,7 +16,7 @@ std::string written(const Option& option) {
     return *option.type ? text + " " + option.type : text;
 }
 
-/// What stands behind the help.
+/// The remark after the help.
 std::string remark(const Option& option) { return option.is_required ? " (required)" : ""; }
 
 /// "rakelight render MODEL... [OPTIONS]"

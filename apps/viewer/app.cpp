@@ -139,7 +139,7 @@ void App::step() {
     draw();
 }
 
-/// How long the window did not look at events.
+/// How long the window did not process events.
 void App::note_pause() {
     const double pause_ms = 1e3 * seconds(Clock::now() - woke_);
     longest_block_ms_ = std::max(longest_block_ms_, pause_ms);
@@ -194,7 +194,7 @@ void App::poll_view(View& view) {
     if (can_go_back) view.look = view.good;  // what worked last
 }
 
-/// Says the first of them that was not said before.
+/// Shows the first of them that was not shown before.
 void App::note_warnings(const Painting& painting) {
     for (const std::string& warning : painting.warnings)
         if (ui_.announces && std::ranges::find(warned_, warning) == warned_.end()) {

@@ -26,7 +26,7 @@ std::string prefix_of(std::string folder) {
     return folder.empty() ? folder : folder + "/";
 }
 
-/// Takes a folder away where it begins a path: what stands before is no part of a name.
+/// Removes a folder at the start of a path, but not inside a name.
 void replace_folder(std::string& text, const std::string& prefix, const std::string& by) {
     if (prefix.empty()) return;
     for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at)) {

@@ -9,7 +9,7 @@ namespace rakelight::viewer {
 std::string short_path(const std::string& file);
 /// As short_path(), but the file's name alone where its path would still begin at the root.
 std::string display_path(const std::string& file);
-/// A text with paths in it, shortened likewise: those in the model's folder from there.
+/// A text with paths in it: those in the model's folder are shortened to start there.
 std::string with_short_paths(std::string text, const std::string& model_file = {});
 
 }  // namespace rakelight::viewer

@@ -74,7 +74,7 @@ struct Look {
     bool operator==(const Look&) const = default;
 };
 
-/// The request of a picture of that size: what render_picture() draws to the pixel, except for edited materials.
+/// The request for a picture of that size: the same as render_picture() draws, except for edited materials.
 PictureRequest request_of(const Look& look, int width, int height);
 /// The clips that it shows, at their moments.
 std::vector<ClipTime> clips_of(const Look& look, const Model& model);
@@ -99,7 +99,7 @@ void carry_lights(Look& look, const Camera& from, const Camera& to);
 /// Pictures that it names.
 std::vector<std::string> files_of(const Look& look);
 
-/// A fresh look at a model: as its request says.
+/// The initial look of a model, from its request.
 Look first_look(const Model& model);
 
 /// By paths, pass after pass.

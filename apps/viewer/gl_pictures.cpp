@@ -63,7 +63,7 @@ GlPicturePool::~GlPicturePool() {
     for (const GlPicture& picture : store_->free) glDeleteSync(static_cast<GLsync>(picture.display_fence));
 }
 
-/// One that nobody holds, of this size if there is one; else a new one.
+/// An unused one, of this size if possible; else a new one.
 GlPicture GlPicturePool::take_free(int texture_width, int texture_height) {
     const std::scoped_lock lock(store_->mutex);
     auto& free = store_->free;

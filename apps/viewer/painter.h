@@ -59,7 +59,7 @@ public:
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    /// Replaces the job before, whose refinement is broken off.
+    /// Replaces the job before, whose refinement is stopped.
     void paint(PaintJob job);
     /// The newest picture since the last call; null: there is none.
     std::shared_ptr<const Painting> take();

@@ -17,7 +17,7 @@ bool leaves_lights_to_the_session(const PictureRequest& r, const Scene& scene) {
            scene.lights.empty();
 }
 
-/// What the request says of materials stands above what clips say: it has to be said again at each moment.
+/// Material settings of the request override clips, so they are applied again at each moment.
 bool moves_overridden_materials(const Scene& scene, std::span<const ClipTime> clips, const PictureRequest& request) {
     if (request.materials == MaterialOverrides{} && !request.coloring.is_on) return false;
     return std::ranges::any_of(clips, [&](const ClipTime& clip) {

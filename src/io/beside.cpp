@@ -45,7 +45,7 @@ void copy_beside(const std::vector<NamedFile>& files, const std::string& output,
     }
     for (const NamedFile* file : missing) {
         const std::string to = (folder_of(output) / file->name).string();
-        std::error_code error;  // that a folder is missing is said by the writing
+        std::error_code error;  // a missing folder is reported on writing
         fs::create_directories(fs::path(to).parent_path(), error);
         write_file(to, *read_file(file->path, context));
     }

@@ -69,7 +69,7 @@ void read_all(const std::string& path, int fd, std::vector<std::byte>& bytes) {
     bytes.resize(done);
 }
 
-/// "http://x", "file:x" and "data:x"; a colon elsewhere may stand in a file name.
+/// "http://x", "file:x" and "data:x"; a colon elsewhere may be part of a file name.
 bool has_scheme(const std::string& reference) {
     const std::size_t colon = reference.find(':');
     if (colon == std::string::npos || colon == 0 || !is_ascii_letter(reference[0])) return false;

@@ -30,7 +30,7 @@ int minify_code(const Sampler& s) {
     return s.mip == MipFilter::none ? 9728 + linear : (s.mip == MipFilter::nearest ? 9984 : 9986) + linear;
 }
 
-/// A picture that is there as pixels alone. @throws Error bad_file: PNG cannot hold it
+/// A picture that exists only as pixels. @throws Error bad_file: PNG cannot hold it
 Bytes png_of(const EncodedImage& image, Context& context) {
     if (!image.decode) throw Error(ErrorCode::bad_file, "it contains no picture");
     const Pixels pixels = image.decode(image, context);
@@ -237,7 +237,7 @@ OrderedJson camera_json(const Camera& camera) {
     if (!camera.name.empty()) json["name"] = one_line(camera.name);
     if (camera.projection == Projection::perspective) {
         json["type"] = "perspective";
-        // glTF cannot say a width alone: that of a square picture then
+        // glTF cannot store only a width: that of a square picture then
         const double up_rad =
             camera.vertical_fov_rad > 0 ? camera.vertical_fov_rad : camera.horizontal_fov_rad.value_or(0);
         OrderedJson& p = json["perspective"] = {{"yfov", up_rad}, {"znear", camera.z_near}};

@@ -40,7 +40,7 @@ bool begins_with(std::span<const std::byte> bytes, std::string_view magic) {
     return bytes.size() >= magic.size() && std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
 }
 
-/// Formats that models are seen to carry but that are not read here get their name said.
+/// Formats that occur in models but are not read here are named in the message.
 void refuse_known_formats(std::span<const std::byte> bytes) {
     using namespace std::string_view_literals;
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> known{

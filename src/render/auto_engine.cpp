@@ -100,7 +100,7 @@ private:
         if (posing && poses_) return posing->prepare_unposed(scene, poses_, context);
         gpu_->prepare(posed(scene, context), context);
     }
-    /// As soft takes it: whatever the GPU has posed, the processor does from the bind pose.
+    /// The scene as soft takes it: meshes posed by the GPU are posed again on the processor.
     Scene posed(Scene scene, Context& context) const {
         return poses_ ? with_posed_arrays(std::move(scene), *poses_, context) : scene;
     }

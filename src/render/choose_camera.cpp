@@ -40,8 +40,8 @@ Camera checked_camera_of_file(const Scene& scene, std::size_t index, const ViewR
     return camera;
 }
 
-/// The nearer the angle is to 0, the farther away stands a camera that sees the whole model. Engines take distances as
-/// floats: where those of the model's front and back are one, they draw nothing.
+/// The smaller the angle, the farther away a camera must be to see the whole model. Engines take distances as floats:
+/// if those of the model's front and back are equal, they draw nothing.
 void check_fitted(const Camera& camera) {
     if ((camera.z_far - camera.z_near) * 0x1p24 >= camera.z_far) return;
     char distance[32];

@@ -45,7 +45,7 @@ void check_engine_name(const std::string& name) {
 
 namespace {
 
-/// The first thing that settings ask for and an engine cannot do; empty: it can do all.
+/// The first requirement of the settings that an engine cannot meet; empty: it meets all.
 std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
     std::string first;
     const auto require = [&first](bool can_do, const std::string& what) {

@@ -71,7 +71,7 @@ GroundGrid::GroundGrid(const shading::PictureCamera& view, dvec3 up, const Bound
     step_ = step_of_scale(size / steps_across);
     major_ = 10 * power_of_ten(step_);
     reach_ = faded * size;
-    height_ -= 1e-4 * size;  // what stands on the ground hides it
+    height_ -= 1e-4 * size;  // surfaces on the ground hide it
     tolerance_ = 1e-5;
     color_ = dark ? vec3{0.02f, 0.02f, 0.02f} : vec3{0.9f, 0.9f, 0.9f};
 }

@@ -37,8 +37,8 @@ std::string text_of(double depth) {
     return text;
 }
 
-/// Where parts of a picture stand side by side, as atlases have them, their heights fit nowhere: what is a step in the
-/// texture alone would be one in the geometry.
+/// If unrelated parts of a picture are side by side, as in atlases, their heights do not match at the borders: a step
+/// in the texture would become one in the geometry.
 constexpr const char* displaced =
     "displaced by heights computed from the normal map: the relative height of its parts is guessed, and borders of "
     "its texture may bulge; a height map or 'bump' occlusion avoids this";

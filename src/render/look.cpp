@@ -61,7 +61,7 @@ bool take_camera(const Scene& scene, PictureRequest& request, Context& context) 
     return false;
 }
 
-/// Where nobody has said how the model stands, and its format does not.
+/// If neither the request nor the format gives the up axis.
 void note_up(const Scene& scene, PictureRequest& request, Context& context) {
     const bool is_placed =
         names(request, {"up", "camera-view-up", "camera-position", "camera-direction", "view", "camera-index"});
@@ -71,7 +71,7 @@ void note_up(const Scene& scene, PictureRequest& request, Context& context) {
         note(context, request, "the model looks as if Z were up: " + why + "; 'up' +Z turns it upright", {"up"});
 }
 
-/// Metallic-roughness materials are lit by the studio, where nobody has said what lights the scene.
+/// Metallic-roughness materials are lit by the studio, unless a light is given.
 void take_light(const Scene& scene, bool takes_file, PictureRequest& request) {
     if (!takes_file && !names(request, "light")) request.default_lights = !scene.lights.empty();
     if (request.preset != Preset::none) return;

@@ -94,7 +94,7 @@ Window whole_window(const RenderSettings& s) {
 
 namespace {
 
-/// What is drawn over the picture, if anything is. Its settings ask for depths then, where it needs them.
+/// The overlay of the picture, if any. Depths are then requested if it needs them.
 /// @param range  what is shown; of a sequence by all of its pictures
 std::optional<Overlay> overlay_of(const PictureRequest& request, const ViewRange& range, Session& session,
                                   const Camera& camera, RenderSettings& settings, Context& context) {
@@ -202,7 +202,7 @@ void draw_to_memory(Session& session, const Camera& camera, const PictureRequest
 
 namespace {
 
-/// Prepares a scene that was loaded, draws it and looks at what was drawn.
+/// Prepares a loaded scene, draws it and checks the picture.
 /// @param draw  with the session, the camera and the result that it completes
 template <class Draw>
 PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session, Context& context, const Draw& draw) {

@@ -49,8 +49,8 @@ double radius_of(const Bounds& bounds) {
     return half > 0 ? half : std::max(1.0, 1e-6 * std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)}));
 }
 
-/// What is up in a view along `along`, with a remark where what was requested, or is up otherwise, says nothing there:
-/// a warning only where somebody asked for it.
+/// The up direction of a view along `along`, with a remark if the requested or usual one is parallel to it: a warning
+/// only if it was requested.
 dvec3 choose_up(const ViewRequest& view, dvec3 base_up, dvec3 along, const std::string& file, Report& report) {
     const dvec3 up = view.up.value_or(view.position ? view.world_up.value_or(dvec3{0, 1, 0}) : base_up);
     if (!is_along(up, along)) return up;
@@ -93,7 +93,8 @@ Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view,
     }
     const dvec3 base_eye = base.to_world[3].xyz(), base_z = base.to_world[2].xyz();
 
-    // 1. What the base camera looks at: the model's center, or the point on a file camera's axis that is nearest to it.
+    // 1. The focal point of the base camera: the model's center, or the point on a file camera's axis that is nearest
+    // to it.
     double distance = dot(base_eye - bounds.center(), base_z);
     if (!(distance > 0)) distance = radius_of(bounds);
     const dvec3 base_focal = is_fitted ? bounds.center() : base_eye - base_z * distance;

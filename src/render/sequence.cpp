@@ -91,7 +91,7 @@ private:
     Stopwatch clock_;
     double load_ms_ = 0;
     Scene loaded_;
-    Scene asked_;                       ///< loaded_ as asked for, where that does not depend on the moment
+    Scene asked_;                       ///< loaded_ with the requested changes, if they do not depend on the moment
     bool is_asked_at_moments_ = false;  ///< it does
     SequencePlan plan_;
     std::optional<SequenceViews> views_;  ///< absent: nothing was drawn yet

@@ -61,7 +61,7 @@ bool has_highlights_at_most(const Material& m, Lighting lighting) {
     return is_black(m.emission) && (is_black(m.base_color.xyz()) || (is_metal(m) && !is_diffuse_model(lighting)));
 }
 
-/// May have a highlight, a coat or a sheen. Microfacets reflect at grazing angles whatever their color.
+/// May have a highlight, a coat or a sheen. Microfacets reflect at grazing angles for any color.
 bool has_highlights(const Material& m, Lighting lighting) {
     if (m.model == MaterialModel::unlit || is_diffuse_model(lighting)) return false;
     if (m.model == MaterialModel::classical) return !is_black(m.classical.specular);

@@ -150,7 +150,7 @@ void look_at_surfaces(Inspection& result, const geometry::PlacedMeshes& placed, 
     }
 }
 
-/// Instances are looked at one by one, so a small file can ask for much.
+/// Instances are inspected one by one, so a small file can cause much work.
 void check_memory(const Surfaces& surfaces, Context& context) {
     constexpr std::uint64_t bytes_per_vertex = 32, bytes_per_corner = 8;  // at the peak: weld, edges
     constexpr std::uint64_t bytes_per_part = 3 * sizeof(AttributeMesh) + sizeof(ObjectSummary) + sizeof(SurfaceSummary);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inspections as a page: one file, no script. The worst stands first: what a limit found, the heat maps, the seams, the faults.
+// Inspections as a page: one file, no script. The worst comes first: exceeded limits, heat maps, seams, faults.
 #include <rakelight/tools/inspection_report.h>
 #include <rakelight/tools/text_file.h>
 
@@ -115,7 +115,7 @@ ReportPicture report_picture(std::string caption, const Frame& frame) {
 
 void InspectionPage::add(const InspectionRow& row, std::span<const ReportPicture> pictures) {
     const std::string id = "model-" + std::to_string(++models_),
-                      name = std::filesystem::path(row.file).filename().string();  // folders are nobody else's business
+                      name = std::filesystem::path(row.file).filename().string();  // folder names may be private
     const std::string seam = row.inspection ? seam_cell(*row.inspection) : "-";
     contents_ += "<tr><td><a href=\"#" + id + "\">" + html_text(name) + "</a></td><td class=\"r\">" +
                  (row.inspection ? std::to_string(row.inspection->objects.size()) : "-") + "</td><td class=\"r\">" +

@@ -18,7 +18,7 @@ std::uint64_t bad_normals(const SurfaceSummary& s) {
     return s.zero_normals + s.non_finite_normals + s.non_unit_normals;
 }
 
-/// Faults that are nobody's intention; open edges and mirrored charts often are.
+/// Faults that are never intended; open edges and mirrored charts often are.
 std::uint64_t fault_count(const SurfaceSummary& s) {
     return s.degenerate_faces + bad_normals(s) + s.inconsistent_edges + s.non_manifold_edges + s.t_junctions;
 }

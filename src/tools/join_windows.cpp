@@ -49,7 +49,7 @@ void check_kind(const Part& part, const Part& first) {
     throw Error(ErrorCode::bad_file, reason, {}, "join windows of one picture").with_file(part.file);
 }
 
-/// Where it lies: as the caller says, else as the file does. A file alone that says nothing is the whole picture.
+/// Its place: given by the caller, else recorded in the file. A single file without a place is the whole picture.
 void place(Part& part, const WindowPart& asked, bool is_alone) {
     io::ImagePlace& place = part.header.place;
     if (asked.x >= 0 && asked.y >= 0)

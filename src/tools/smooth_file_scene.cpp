@@ -60,7 +60,7 @@ Scene with_new_normals(const Scene& scene, const SmoothFileOptions& options, boo
         if (hidden[i]) open.meshes[i].texcoords.clear();
     }
     Scene out = smooth_meshes(std::move(open), request, context);
-    // A copy stands for the mesh that its node showed in the same slot.
+    // A copy replaces the mesh in the same slot of its node.
     for (std::size_t n = 0; n < out.nodes.size(); ++n)
         for (std::size_t slot = 0; slot < out.nodes[n].meshes.size(); ++slot) {
             const std::uint32_t was = scene.nodes[n].meshes[slot];

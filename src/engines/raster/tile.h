@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One tile of the picture: visibility first, so that each pixel is shaded once whatever the overdraw, then shading.
+// One tile of the picture: visibility first, then shading, so each pixel is shaded once despite overdraw.
 #pragma once
 #include <functional>
 #include <memory>
@@ -32,7 +32,7 @@ struct TileJob {
     bool to_srgb8 = false;              ///< the sink takes display values
     bool whole_records = false;         ///< records have what no texture of their material needs, too: for inspection
     const Marks* marks = nullptr;       ///< lines and points; null: none
-    const Context* context = nullptr;   ///< null: nobody cancels
+    const Context* context = nullptr;   ///< null: not cancellable
     const LightReach* reach = nullptr;  ///< null: every pixel is lit by all lights; else `tile_lights` holds the tile's
     ShadowTexels* shadow_texels = nullptr;        ///< null: no shadows
     const AmbientOcclusion* occlusion = nullptr;  ///< null: none

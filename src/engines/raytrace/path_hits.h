@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surfaces that the paths of a wave meet: their light, the emitters that they ask, and where the paths continue.
+// The surfaces that the paths of a wave hit: their light, the emitters that they sample, and where the paths continue.
 #pragma once
 #include "engines/raytrace/path_tile.h"
 

@@ -28,7 +28,7 @@ void find_bounds(const RTCBoundsFunctionArguments* args) {
 
 }  // namespace
 
-/// What Embree hands on to meet().
+/// The data that Embree passes to meet().
 struct RayPoints::Ray {
     RTCIntersectContext embree;  // first: Embree hands a pointer to it
     const std::vector<Cloud>* clouds;

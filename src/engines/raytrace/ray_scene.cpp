@@ -31,8 +31,8 @@ struct RayContext {
     const RayScene* scene;
 };
 
-/// Meshes that have no more triangles than that, in all places together, are for the crowd: a scene of Embree's own for each
-/// costs more than they do.
+/// Meshes with at most this many triangles, over all their placements, go into the shared scene: an Embree scene for
+/// each would cost more.
 constexpr std::uint64_t most_in_crowd = 4096;
 /// Meshes with a single placement go into it too, up to this total: rays through one tree are up to a third faster
 /// than through instances, and it is built in less than a second.
@@ -350,7 +350,7 @@ void RayScene::meet_nearest(const RTCIntersectFunctionNArguments* args) {
     if (meeting.draw == no_index) return;
     both.ray.tfar = meeting.t;
     both.hit.u = float(meeting.triangle), both.hit.v = 0;
-    // Ng tells which side is met, no more.
+    // Ng only tells which side is hit.
     const float sign = meeting.is_against ? -1.0f : 1.0f;
     both.hit.Ng_x = sign * both.ray.dir_x, both.hit.Ng_y = sign * both.ray.dir_y, both.hit.Ng_z = sign * both.ray.dir_z;
     both.hit.geomID = args->geomID, both.hit.primID = args->primID;

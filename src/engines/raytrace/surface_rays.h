@@ -19,7 +19,7 @@ struct SurfaceHit {
     double weight[3] = {};       ///< of the triangle's corners at the place, sum 1
 };
 
-/// Immutable once made; from any thread. The same hits whatever RAKELIGHT_ISA says.
+/// Immutable once made; from any thread. The same hits for any RAKELIGHT_ISA.
 class SurfaceRays {
 public:
     /// @param scene  valid, posed and prepared; shapes are met as their triangles
@@ -33,7 +33,7 @@ public:
     /// @param from       [m] world
     /// @param direction  not 0; `least` and `most` count in it. Both sides of a triangle count
     std::optional<SurfaceHit> first(dvec3 from, dvec3 direction, double least, double most) const;
-    /// Whether something stands between two places in the world: from a share `margin` of the way to 1 - `margin`.
+    /// Whether something is between two places in the world: from a fraction `margin` of the way to 1 - `margin`.
     bool is_blocked(dvec3 from, dvec3 to, double margin = 1e-4) const;
 
 private:

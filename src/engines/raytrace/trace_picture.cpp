@@ -215,7 +215,7 @@ vec3 TracePicture::light_through(const RayView& ray, float to, const RayFilter& 
         if (surface.is_body == 0) continue;
         if (meets_front(m, direction)) {
             media.enter(body);
-        } else if (!media.holds(body)) {  // it began in there, and nobody knew
+        } else if (!media.holds(body)) {  // the ray started inside, which was unknown
             light = light * absorbed(surface, std::exchange(outside, 0.0f));
         } else {
             media.leave(body);

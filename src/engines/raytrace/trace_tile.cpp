@@ -16,7 +16,7 @@ void fill(RayWave& wave, std::int32_t number, dvec3 v) {
     for (std::size_t c = 0; c < 3; ++c) std::fill_n(wave.plane(number + std::int32_t(c)), plane_stride, float(v[c]));
 }
 
-/// The colors of what rays of the wave meet when they meet no surface, into red, green and blue. @return false: `background` is there
+/// The colors of rays of the wave that hit no surface, into red, green and blue. @return false: `background` is there
 bool find_sky(const TracePicture& picture, WaveScratch& s) {
     if (!picture.list.views.environment) return false;
     if (s.wave.is_primary() && !picture.list.scene.environment->is_background) return false;
@@ -37,7 +37,7 @@ void lay_background(const TracePicture& picture, TileScratch& s) {
     }
 }
 
-/// What the rays of a wave bring that meet nothing: the environment wherever there is one, else the background.
+/// The light of rays that hit nothing: the environment if there is one, else the background.
 void lay_surroundings(const TracePicture& picture, TileScratch& s) {
     const vec3 behind = light_of_background(picture.settings) * picture.settings.background.w;
     const bool has_sky = find_sky(picture, s);

@@ -60,8 +60,8 @@ struct WaveScratch {
     RayCounts counts;
 };
 
-/// Follows the rays of s.wave from s.from until they meet something opaque, or nothing; what they bring goes into s.sum, what
-/// continues into s.next. @param depth  of reflections and refractions before
+/// Follows the rays of s.wave from s.from until they hit something opaque, or nothing. Their light goes into s.sum,
+/// continuing rays into s.next. @param depth of reflections and refractions before
 void follow(const TracePicture& picture, const Context& context, int depth, WaveScratch& s);
 
 /// The environment's picture in the directions of s.wave's rays, into red, green and blue.

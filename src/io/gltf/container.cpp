@@ -18,7 +18,7 @@ std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
     return word;
 }
 
-/// JSON may stand after white space and a byte order mark; anything else is some other kind of file.
+/// JSON may follow white space and a byte order mark; anything else is another kind of file.
 bool looks_like_json(std::span<const std::byte> file) {
     for (const std::byte b : file) {
         const auto c = static_cast<unsigned char>(b);

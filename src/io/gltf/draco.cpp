@@ -21,8 +21,7 @@ namespace {
 /// What the library takes while it decodes (corner table, traversal, attributes), measured on real meshes and rounded
 /// up.
 constexpr std::uint64_t working_bytes_per_face = 64, working_bytes_per_point = 96;
-/// Faces or points for which a byte of compressed data can stand; a regular grid under the valence code reaches about
-/// 200.
+/// The most faces or points per byte of compressed data; a regular grid under the valence code reaches about 200.
 constexpr std::uint64_t densest = 1024, slack = 65536;
 
 std::optional<ComponentType> component_type(draco::DataType type) {

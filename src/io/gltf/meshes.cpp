@@ -12,8 +12,8 @@ namespace rakelight::io::gltf {
 namespace {
 
 constexpr std::uint32_t max_texcoord_sets = 8;
-/// What later stages (normals, tangents, engines) ask for a vertex or a corner. Charged for every mesh, so that many
-/// primitives over one large array cannot make them ask for more than the budget.
+/// Bytes that later stages (normals, tangents, engines) need per vertex or corner. Charged for every mesh, so that
+/// many primitives over one large array cannot exceed the budget.
 constexpr std::uint64_t later_bytes_per_vertex = 48, later_bytes_per_corner = 8;
 
 PrimitiveMode mode_of(const Value& primitive) {

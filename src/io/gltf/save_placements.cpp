@@ -39,7 +39,7 @@ std::vector<MeshVersion> mesh_versions(const Scene& before, const Scene& after, 
             version = known.begin();
         }
         if (version == known.end()) {
-            // The first result of smooth_scene() stands instead of the mesh that it came from.
+            // The first result of smooth_scene() replaces the mesh that it came from.
             versions.push_back({mesh, wanted, {}, known.empty()});
             version = known.emplace(wanted, versions.size() - 1).first;
         }

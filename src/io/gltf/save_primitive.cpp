@@ -114,8 +114,8 @@ std::string PrimitiveEditor::compression_of(const OrderedJson& accessor) const {
     return view ? meshopt_extension(*view) : std::string();
 }
 
-/// Some attribute that was compressed is not any more. An ordered object looks a name up by comparing it with all
-/// before it: sorted once, a primitive of many attributes costs no more than reading it.
+/// Whether an attribute that was compressed no longer is. An ordered object searches names linearly, so they are
+/// sorted once: the cost of many attributes stays that of reading them.
 bool PrimitiveEditor::is_plain_now(const OrderedJson& before, const OrderedJson& now) const {
     std::map<std::string_view, const OrderedJson*> accessors;
     for (const auto& [name, accessor] : now.get_ref<const OrderedJson::object_t&>()) accessors.emplace(name, &accessor);

@@ -45,7 +45,7 @@ std::string folder_of_this_library() {
 
 bool is_program(const std::string& path) { return is_regular_file(path) && access(path.c_str(), X_OK) == 0; }
 
-/// The environment of the helper: plain numbers whatever the user's locale, and what loading it may need.
+/// The environment variables of the helper: the C locale for numbers, and what loading it may need.
 std::vector<std::string> helper_environment() {
     std::vector<std::string> variables{"LC_ALL=C", "MALLOC_ARENA_MAX=1"};
     for (const char* name : {"LD_LIBRARY_PATH", "ASAN_OPTIONS", "UBSAN_OPTIONS"})

@@ -19,7 +19,7 @@ std::string line_of(std::string_view text, std::size_t at) {
 
 namespace {
 
-/// What stands in front of a list ("*MESH_NUMVERTEX 8"): Assimp asks for memory for so many before it reads the list.
+/// The counts in front of lists ("*MESH_NUMVERTEX 8"): Assimp allocates this much before it reads the list.
 void check_ase_counts(std::string_view text) {
     constexpr std::uint64_t least = 4;  // bytes of an entry: "*X 0"
     for (std::size_t at = text.find('*'); at != text.npos; at = text.find('*', at + 1)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// FBX, 3DS, Blend: files of nested blocks whose sizes stand in front of them, so a cut or a shift shows at once.
+// FBX, 3DS, Blend: files of nested blocks with their sizes in front, so a truncation or shift is detected at once.
 #include <cstdint>
 #include <cstring>
 #include <string_view>
@@ -46,7 +46,7 @@ FbxNode read_fbx_node(std::span<const std::byte> bytes, std::uint64_t at, bool w
     return n;
 }
 
-/// Nodes inside nodes, without recursion: the ends of those that are open stand on a stack.
+/// Nested nodes, without recursion: a stack holds the ends of the open ones.
 void walk_fbx(std::span<const std::byte> bytes, bool wide) {
     std::uint64_t at = 27;
     std::vector<std::uint64_t> ends;

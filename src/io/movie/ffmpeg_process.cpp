@@ -45,7 +45,7 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
     return result;
 }
 
-/// Plain numbers and English words, whatever the user's locale.
+/// The C locale: plain numbers and English messages.
 std::vector<std::string> environment() {
     std::vector<std::string> variables{"LC_ALL=C"};
     for (const char* name : {"PATH", "LD_LIBRARY_PATH", "HOME"})
@@ -118,7 +118,7 @@ private:
     pid_t pid_ = -1;
 };
 
-/// @return false: nobody reads any more
+/// @return false: the reader has closed its end
 bool send_all(int to, std::span<const std::byte> bytes, Context& context) {
     while (!bytes.empty()) {
         context.throw_if_cancelled();
@@ -175,7 +175,7 @@ void run_ffmpeg(const FfmpegRun& run, Context& context) {
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) failed("no pipe for ffmpeg", errno);
     Descriptor ours{ends[0]}, theirs{ends[1]};
     Child child(run, theirs.fd, words.fd);
-    ::close(std::exchange(theirs.fd, -1));  // the child has the only other end: that it reads no more is noticed
+    ::close(std::exchange(theirs.fd, -1));  // the child has the only other end, so its end is noticed
     feed(ours.fd, run, context);
     ::close(std::exchange(ours.fd, -1));
     if (!child.wait(context)) throw Error(ErrorCode::failed, "ffmpeg failed" + last_messages(words.fd));

@@ -31,7 +31,7 @@ void put_frame(std::vector<std::byte>& to, std::uint32_t number, const PngHeader
     put_chunk(to, "fcTL", {}, data);
 }
 
-/// Signature, IHDR and what else stands before the first picture's data, with the count of pictures.
+/// Signature, IHDR and all other chunks before the first picture's data, with the number of pictures.
 void put_head(std::vector<std::byte>& to, std::span<const PngChunk> chunks, std::size_t pictures) {
     for (const std::uint8_t byte : png_signature) to.push_back(std::byte(byte));
     std::vector<std::byte> control;

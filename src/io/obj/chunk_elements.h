@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Last pass over an OBJ file: the faces, lines and points of one chunk, with references into the whole file, and the changes of
-// state among them (o, g, usemtl, s). What these mean is known only beside the chunks before: obj_faces.h puts chunks together.
+// Last pass over an OBJ file: the faces, lines and points of one chunk, with references into the whole file, and the
+// changes of state among them (o, g, usemtl, s). Their meaning depends on the chunks before: obj_faces.h joins the
+// chunks.
 #pragma once
 #include <cstdint>
 #include <string>

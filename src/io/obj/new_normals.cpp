@@ -121,7 +121,8 @@ void number_in_blocks(std::vector<ChunkWork>& work, NewNormals& out, Context& co
     });
 }
 
-/// After the last v, vt or vn line before the object's first face, unless another block stands there; then right before that face.
+/// After the last v, vt or vn line before the object's first face, unless another block is there; then right before
+/// that face.
 void place_blocks(const Elements& elements, const Contents& contents, NewNormals& out) {
     std::vector<bool> placed(out.blocks.size(), false);
     std::size_t vertices_end = 0, last = 0;

@@ -56,7 +56,7 @@ Contents read_elements(std::string_view file, const Header& header, const std::s
     return out;
 }
 
-/// What a corner of a face has for itself makes a vertex of its own of it, shared by the corners that have the same.
+/// Corners with per-corner data become separate vertices, shared by corners with the same data.
 class CornerSplitter {
 public:
     CornerSplitter(std::size_t vertices, Context& context)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What may stand in a world file: sections and their keys, as tables that the reader and the JSON schema share.
+// The contents of world files: sections and their keys, as tables that the reader and the JSON schema share.
 #pragma once
 #include <limits>
 #include <span>

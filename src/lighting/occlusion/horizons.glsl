@@ -32,7 +32,7 @@ struct OcclusionFactors {
 struct OcclusionPoint {
     vec3 position;      // [m]
     vec3 normal;        // unit, towards the viewer
-    real radius;        // [m] as far as the picture is looked at
+    real radius;        // [m] how far the picture is searched
     real pixels;        // the same on the screen
     real scale;         // 1 / radius as a length where the point is: perspective: of rays at distance 1
     vec3 scaled;        // the position, times nearness and `scale`

@@ -29,7 +29,7 @@ RL_FN real relief_layers(real cosine, int fewest, int most)
     return floor(real(float(most)) + (real(float(fewest)) - real(float(most))) * share + 0.5f);
 }
 
-// Height of the point that plain parallax takes: the one under the pixel, whatever stands between.
+// Height of the point that plain parallax takes: the one under the pixel, even if it is hidden.
 RL_MAP_FN real parallax_height(RL_IN(Maps) maps, vec2 uv, real lod)
 {
     return sample_height(maps, uv, lod);

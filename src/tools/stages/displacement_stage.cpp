@@ -62,7 +62,7 @@ Moved moved(const Mesh& fine, const Mesh& flat, const dmat4& to_world) {
     return out;
 }
 
-/// The mesh that stands where another scene's draw has its own.
+/// The mesh that corresponds to that of a draw in another scene.
 const Mesh& same_place(const Scene& scene, const Scene& of, const shading::Draw& draw) {
     const std::vector<std::uint32_t>& meshes = of.nodes[draw.node].meshes;
     const auto slot = std::find(meshes.begin(), meshes.end(), draw.mesh) - meshes.begin();

@@ -69,7 +69,7 @@ Stage frustum_stage(const Sources& of, const Vertices& vertices) {
     return s;
 }
 
-/// Rays from the eye to a dozen vertices before it, and where they meet a plane; a dozen that are spread over the list.
+/// Rays from the eye to a dozen vertices in front of it, spread over the list, and where they hit a plane.
 void add_rays(Space& space, const Vertices& vertices, const Normalized& normalized, double plane) {
     std::vector<dvec3> before;
     for (std::size_t d = 0; d < vertices.draws().size(); ++d)

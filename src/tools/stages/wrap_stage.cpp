@@ -21,7 +21,7 @@ constexpr Code mirrored{200, 110, 230}, area{60, 80, 115};
 constexpr std::uint64_t filled_triangles = 256;  ///< more are shown by their outlines
 constexpr int example_width = 640, example_height = 360;
 
-/// To pixels, whatever the sign of w.
+/// To pixels, for any sign of w.
 dvec2 divided(const Corner& c, const Canvas& canvas) {
     return {(c.x / c.w * 0.5 + 0.5) * canvas.width(), (0.5 - c.y / c.w * 0.5) * canvas.height()};
 }

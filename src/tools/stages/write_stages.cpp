@@ -58,7 +58,7 @@ std::string title_of(const PictureRequest& request) {
 }
 
 StagesResult write_folder(const PictureRequest& request, Context& context) {
-    stages::NewFolder folder(request.output);  // first: what stands in the way is reported at once
+    stages::NewFolder folder(request.output);  // first: an obstacle is reported at once
     const std::vector<stages::Stage> all = make_stages(request, context);
     folder.write("index.html", stages::page(title_of(request), all, false, context));
     std::size_t done = 0;

@@ -69,7 +69,7 @@ struct LaidSample {
     vec4 before, after;  ///< the sample's color, linear
 };
 
-/// One surface that was shaded for the pixel: once, whatever the number of samples that show it.
+/// One surface that was shaded for the pixel, once for all samples that show it.
 struct ShadedLayer {
     std::size_t triangle = 0;  ///< into PixelExplanation::triangles
     vec2 place;                ///< [px] from the pixel's center to where it was shaded, y down
@@ -104,7 +104,7 @@ struct PixelExplanation {
     /// Visible surfaces, in the order of the first sample that shows them, then blended ones as they were laid.
     std::vector<ShadedLayer> layers;
     std::vector<SeenSample> samples;  ///< as many as the picture has a pixel
-    vec4 sum;                         ///< what the layers come to: the mean of the samples
+    vec4 sum;                         ///< the result of the layers: the mean of the samples
     vec4 color;                       ///< the pixel's surfaces as the engine draws them: equal to `sum` to the bit
     bool has_marks = false;           ///< lines or points of the scene may lie over them
     std::optional<VisibleMark> mark;  ///< the opaque one that hides them at the pixel's center

@@ -30,8 +30,8 @@ struct PixelStageData {
     std::vector<vec2> depth_slope;    ///< [1/px] its change per pixel to the right and down, on the triangle's plane
     std::vector<std::uint32_t> draw, triangle;  ///< the visible surface; `no_index` where nothing opaque is
     std::vector<vec3> normal;                   ///< that is lit
-    /// As Scene::lights but at most `max_lights`: what the terms of the visible surface and of those that are laid over
-    /// it come to in the picture. A layer's count by its alpha, those behind it by what it lets through.
+    /// As Scene::lights but at most `max_lights`: what the terms of the visible surface and of blended ones contribute
+    /// to the picture. A layer's count by its alpha, those behind it by what it lets through.
     std::vector<TermPictures> lights;
     std::vector<vec3> other_lights;  ///< the same, of all lights beyond `max_lights` together; empty: there are none
     std::vector<vec3> emission;      ///< the same

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The soft engine with its stages open to look at: the door for tools that show what happens on the way
-// (`rakelight explain`, `rakelight stages`). Behind it stands open_scene.h.
+// The soft engine with access to its stages, for tools that show intermediate results (`rakelight explain`, `rakelight
+// stages`). open_scene.h implements it.
 #pragma once
 #include <memory>
 #include <optional>

@@ -11,7 +11,7 @@ namespace rakelight::raster {
 struct TracedTexel {
     int32_t probe;        ///< of an anisotropic filter; 0 without
     int32_t level, x, y;  ///< of the mip chain; from the level's top left texel
-    float weight;         ///< all of a sample's come to 1
+    float weight;         ///< all of a sample's sum to 1
     float value[4];       ///< linear
 };
 inline constexpr int most_texels = 16 * 8 * 4;  ///< 2 x 2 of two levels, of 16 probes, of the four heights of a slope
@@ -40,7 +40,7 @@ enum class TracedQuantity : int32_t {
     k_specular,
     light_color,      ///< that arrives: of the light, attenuated
     n_dot_l,          ///< 0..1
-    n_dot_l_diffuse,  ///< 0..1, of the normal that the diffuse term has for itself
+    n_dot_l_diffuse,  ///< 0..1, with the separate normal of the diffuse term
     n_dot_l_coat,     ///< 0..1, of the coat's normal
     pi,               ///< a light's color is irradiance / pi
     oren_nayar,       ///< A + B ...
@@ -90,7 +90,7 @@ enum class TracedTerm : int32_t { ambient, diffuse, specular, emission };
 /// Layers of a material, from below.
 enum class TracedLayer : int32_t { base, scattering, sheen, coat };
 
-/// A product that is added to a term. Parts of one term come to it except for rounding.
+/// A product that is added to a term. The parts of a term sum to it except for rounding.
 struct TracedPart {
     TracedTerm term;
     TracedLayer layer;

@@ -63,7 +63,7 @@ const Draw* TileMarks::draw_at(std::size_t pixel) {
     return top_[pixel].key < 0 ? nullptr : marks_.draws[top_[pixel].item >> 32];
 }
 
-/// A mark has no triangle, normal or texture coordinates, and is not lit: there stands what stands where nothing is.
+/// A mark has no triangle, normal or texture coordinates, and is not lit: these channels have their background values.
 void TileMarks::put(std::size_t pixel, const TopMark& top) {
     const std::uint32_t channels = job_.front.settings.channels;
     for_each_channel(
