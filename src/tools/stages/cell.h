@@ -7,26 +7,27 @@
 #include <initializer_list>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace rakelight::stages {
 
-class Cell {
-public:
+struct Cell {
     using List = std::vector<Cell>;
+    enum class Kind : std::uint8_t { whole, number, text, list };
 
-    Cell(std::integral auto value) : value(std::int64_t(value)) {}
-    Cell(std::floating_point auto value) : value(double(value)) {}
-    Cell(std::string text) : value(std::move(text)) {}
-    Cell(const char* text) : value(std::string(text)) {}
-    Cell(List list) : value(std::move(list)) {}
-    Cell(std::initializer_list<Cell> list) : value(List(list)) {}
+    Cell(std::integral auto v) : kind(Kind::whole), whole(std::int64_t(v)) {}
+    Cell(std::floating_point auto v) : kind(Kind::number), number(double(v)) {}
+    Cell(std::string v) : kind(Kind::text), text(std::move(v)) {}
+    Cell(const char* v) : kind(Kind::text), text(v) {}
+    Cell(List v) : kind(Kind::list), list(std::move(v)) {}
+    Cell(std::initializer_list<Cell> v) : kind(Kind::list), list(v) {}
 
-    /// Null: it is none.
-    const List* list() const { return std::get_if<List>(&value); }
-
-    std::variant<std::int64_t, double, std::string, List> value;
+    // The member that `kind` names is the value.
+    Kind kind;
+    std::int64_t whole = 0;
+    double number = 0;
+    std::string text;
+    List list;
 };
 
 /// Values by name, in the order in which they were added.

@@ -156,9 +156,9 @@ private:
 Stage planes_stage(const Sources& of, const Vertices& vertices) {
     Stage s{.id = "clip-planes", .title = "Clipping, plane by plane"};
     s.text =
-        "The textbook's way: each plane of the frustum in turn cuts every polygon that passes it; of a triangle up to "
-        "nine corners are left. The engine cuts at the near and far plane alone, see above, "
-        "and leaves the sides to rasterization. Objects that are wholly outside were dropped before.";
+        "The textbook's way: each plane of the frustum in turn cuts every polygon that crosses it; a triangle may "
+        "become a polygon of up to nine corners. The engine clips only at the near and far plane, see above, and "
+        "leaves the sides to rasterization. Objects that are entirely outside were dropped before.";
     PlaneByPlane all(of, vertices);
     s.columns = {"plane", "polygons that reach it", "cut", "wholly outside", "corners before", "corners after"};
     for (std::size_t p = 0; p < planes; ++p) {
@@ -166,14 +166,14 @@ Stage planes_stage(const Sources& of, const Vertices& vertices) {
         s.rows.push_back({cut_planes[p].name, n.reached, n.cut, n.outside, n.corners_before, n.corners_after});
         if (n.cut == 0) continue;
         s.pictures.push_back({std::string("clip-") + cut_planes[p].name,
-                              std::string("Polygons that pass the ") + cut_planes[p].name +
+                              std::string("Polygons that cross the ") + cut_planes[p].name +
                                   " plane (orange): blue is kept, red is cut off. Distance to the right, " +
                                   (cut_planes[p].shows_x ? "x" : "y") + " up.",
                               std::move(all.canvas(p))});
     }
     s.rows_note = "What each plane does, in this order";
     if (!s.pictures.empty()) return s;
-    s.text += " Of this model no triangle passes a plane.";
+    s.text += " No triangle of this model crosses a plane.";
     const double far = vertices.farthest();
     Space space{.caption = "Distance to the right, x up: everything lies between the planes (orange).",
                 .only_transformed = true,

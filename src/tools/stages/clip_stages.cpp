@@ -106,10 +106,10 @@ void add_screen_plot(Stage& s, const Sources& of, const Vertices& vertices) {
 Stage clipped_stage(const Sources& of, const Vertices& vertices) {
     Stage s{.id = "clipped", .title = "Clipped polygons"};
     s.text =
-        "Triangles that pass the near or the far plane, or leave the guard band (a million pixels round the picture), "
-        "are cut to polygons of up to 9 corners before the division (Sutherland and Hodgman). "
-        "The sides of the picture only reject what is wholly outside: rasterization leaves out the rest for less than "
-        "cutting costs.";
+        "Triangles that cross the near or the far plane, or leave the guard band (a million pixels around the "
+        "picture), are clipped to polygons of up to 9 corners before the division (Sutherland and Hodgman). The sides "
+        "of the picture only reject triangles that are entirely outside: rasterization skips the rest at less cost "
+        "than clipping.";
     const shading::PictureCamera& view = of.engine.view();
     add_screen_plot(s, of, vertices);
     Canvas& canvas = s.pictures.back().canvas;
@@ -124,13 +124,13 @@ Stage clipped_stage(const Sources& of, const Vertices& vertices) {
             s.rows.push_back({vertices.object(d), t, corners, list});
         });
     s.pictures.back().caption =
-        (all.clipped == 0 ? "No triangle was clipped: these lie on the screen as they are."
-                          : "On the screen: red what is left of triangles that were clipped, blue the others.") +
+        (all.clipped == 0 ? "No triangle was clipped: these are on the screen unchanged."
+                          : "On the screen: the rest of clipped triangles in red, the others in blue.") +
         s.pictures.back().caption;
     s.numbers["triangles clipped"] = all.clipped;
     for (std::size_t p = 0; p < std::size(planes); ++p) {
-        s.numbers[std::string("wholly outside of: ") + planes[p].second] = all.outside[p];
-        s.numbers[std::string("passing, not wholly outside: ") + planes[p].second] = all.passing[p];
+        s.numbers[std::string("entirely outside of: ") + planes[p].second] = all.outside[p];
+        s.numbers[std::string("crossing, not entirely outside: ") + planes[p].second] = all.passing[p];
     }
     s.columns = {"object", "triangle", "corners", "x, y, w of each"};
     s.rows_note = all.clipped == 0 ? "Nothing had to be clipped."

@@ -128,16 +128,14 @@ Picture step_picture(const DepthRange& r) {
 
 Stage depth_precision_stage(const Sources& of) {
     const DepthRange r = plotted_range(of.engine.view());
-    Stage s{.id = "depth-precision",
-            .title = "Precision of the depth",
-            .text =
-                "What the depth test compares is not the distance but a number that is affine on the screen. In "
-                "perspective the textbook's number "
-                "is far (z - near) / (z (far - near)): most of its values lie close to the near plane, and a step of "
-                "the stored number grows "
-                "with the square of the distance. The reversed number near / z as a float has its finest values where "
-                "the steps are widest. "
-                "The setting visibility draws with each."};
+    Stage s{
+        .id = "depth-precision",
+        .title = "Precision of the depth",
+        .text =
+            "The depth test does not compare distances but a number that is affine on the screen. In perspective the "
+            "textbook's number is far (z - near) / (z (far - near)): most of its values lie close to the near plane, "
+            "and a step of the stored number grows with the square of the distance. The reversed number near / z as a "
+            "float has its finest values where the steps are widest. The setting visibility draws with each."};
     s.numbers = {
         {"near [m]", r.z_near},
         {"far [m]", cell(of.engine.view().z_far)},

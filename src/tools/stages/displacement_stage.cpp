@@ -134,10 +134,9 @@ public:
         stage_.id = "displacement";
         stage_.title = "Displacement: height maps become geometry";
         stage_.text =
-            "Before anything is drawn, triangles of displaced materials are cut until no edge is longer than "
-            "the setting displacement-edge says, and their corners moved along the normal by what the height map says "
-            "there. All "
-            "stages after this one see these triangles alone.";
+            "Before anything is drawn, triangles of displaced materials are split until no edge is longer than the "
+            "setting displacement-edge, and their corners are moved along the normal by the value of the height map. "
+            "All later stages see only these triangles.";
         add_numbers();
         add_pictures();
         add_rows();
@@ -182,7 +181,7 @@ private:
     }
 
     void add_numbers() {
-        stage_.numbers = {{"triangles before, of what is displaced", before_},
+        stage_.numbers = {{"triangles before, of displaced meshes", before_},
                           {"triangles after", after_},
                           {"longest edge before [m]", edge_before_},
                           {"longest edge after, moved [m]", edge_after_}};
@@ -203,7 +202,7 @@ private:
                                    base.edges ? "The base mesh, with its triangles." : "The base mesh.",
                                    drawn(of_, scene_of(*base_.prepared), base_.camera, base, quiet_)});
         stage_.pictures.push_back({"displacement",
-                                   format_text("Cut and moved: {} triangles in place of {}.", after_, before_),
+                                   format_text("Split and moved: {} triangles instead of {}.", after_, before_),
                                    picture(of_.pixels.color)});
         const int times = std::min(enlarged, 65536 / std::max(s.width, s.height));
         const Window part = liveliest(of_, height, times);
@@ -211,7 +210,7 @@ private:
                                               part.y + part.height / 2);
         stage_.pictures.push_back({"displacement-base-enlarged", "The triangles of the base, " + where + ".",
                                    close_up(scene_of(*base_.prepared), base_request_.settings, part, times)});
-        stage_.pictures.push_back({"displacement-enlarged", "Those that it was cut into, at the same place.",
+        stage_.pictures.push_back({"displacement-enlarged", "The triangles after splitting, at the same place.",
                                    close_up(scene_, fine_request_.settings, part, times)});
         stage_.pictures.push_back({"displacement-heights", heights_caption(), paint(of_, [&](std::size_t p) {
                                        if (of_.pixels.draw[p] == no_index) return backdrop;

@@ -59,7 +59,7 @@ void check_target(const fs::path& target) {
         if (!is_read) ours = listed_files(target);
         is_read = true;
         if (!fs::is_regular_file(entries->symlink_status(error)) || !ours.contains(entries->path().filename().string()))
-            throw Error(ErrorCode::failed, "the folder holds other things", entries->path().filename().string(),
+            throw Error(ErrorCode::failed, "the folder contains other files", entries->path().filename().string(),
                         "name a new or an empty folder")
                 .with_file(target.string());
     }

@@ -16,9 +16,10 @@ struct Frequency {
 };
 constexpr Frequency frequencies[] = {
     {Shading::unlit, "unlit", "Own color: no light at all.", "never"},
-    {Shading::flat, "flat", "Flat: once a face, at its centroid.", "once a face"},
-    {Shading::gouraud, "gouraud", "Gouraud: once a vertex, and the colors between are interpolated.", "once a vertex"},
-    {Shading::phong, "phong", "Phong: once a pixel, with the normal interpolated and bumped.", "once a pixel"},
+    {Shading::flat, "flat", "Flat: once per face, at its centroid.", "once a face"},
+    {Shading::gouraud, "gouraud", "Gouraud: once per vertex, and the colors between are interpolated.",
+     "once a vertex"},
+    {Shading::phong, "phong", "Phong: once per pixel, with the normal interpolated and bumped.", "once a pixel"},
 };
 
 /// Root of the mean square over all channels, [1/255] as displayed.
@@ -36,10 +37,9 @@ double difference(const Sources& of, const std::vector<vec4>& a, const std::vect
 Stage frequency_stage(const Sources& of, Context& context) {
     Stage s{.id = "shading-frequency", .title = "How often lighting is evaluated"};
     s.text =
-        "The sum over the lights can be made once a face (flat), once a vertex (Gouraud) or once a pixel (Phong), or "
-        "not at all (own color). The rarer it is, the more the shape of the triangles shows: highlights "
-        "and the cones of spot lights that lie between the vertices are lost. Normal maps, height bumps and shadows "
-        "act in Phong shading alone.";
+        "The sum over the lights can be evaluated per face (flat), per vertex (Gouraud), per pixel (Phong), or not at "
+        "all (own color). The less often, the more the shape of the triangles shows: highlights and spot-light cones "
+        "between the vertices are lost. Normal maps, height bumps and shadows act only in Phong shading.";
     s.columns = {"shading", "lighting is evaluated", "evaluations", "difference to phong [1/255]"};
     s.rows_note = "Evaluations, and the root of the mean square difference of the pictures as displayed";
     const raster::ShadedPicture phong = draw_shaded(of.engine, Shading::phong, context);

@@ -32,20 +32,21 @@ std::string matrix_html(const Cell::List& rows) {
     std::string out = "<table class=\"matrix\">";
     for (const Cell& row : rows) {
         out += "<tr>";
-        for (const Cell& v : *row.list()) out += "<td>" + cell_text(v) + "</td>";
+        for (const Cell& v : row.list) out += "<td>" + cell_text(v) + "</td>";
         out += "</tr>";
     }
     return out + "</table>";
 }
 
+bool is_list(const Cell& v) { return v.kind == Cell::Kind::list; }
+
 std::string cell_text(const Cell& v) {
-    if (const auto* const text = std::get_if<std::string>(&v.value)) return html_text(*text);
-    if (const auto* const number = std::get_if<double>(&v.value)) return digits(*number);
-    if (const auto* const whole = std::get_if<std::int64_t>(&v.value)) return std::to_string(*whole);
-    const Cell::List& parts = *v.list();
-    if (parts.size() == 4 && parts[0].list() && parts[0].list()->size() == 4) return matrix_html(parts);
+    if (v.kind == Cell::Kind::text) return html_text(v.text);
+    if (v.kind == Cell::Kind::number) return digits(v.number);
+    if (v.kind == Cell::Kind::whole) return std::to_string(v.whole);
+    if (v.list.size() == 4 && is_list(v.list[0]) && v.list[0].list.size() == 4) return matrix_html(v.list);
     std::string out;
-    for (const Cell& part : parts) out += (out.empty() ? "" : part.list() ? " | " : " ") + cell_text(part);
+    for (const Cell& part : v.list) out += (out.empty() ? "" : is_list(part) ? " | " : " ") + cell_text(part);
     return out;
 }
 
@@ -53,10 +54,10 @@ std::string numbers_html(const Numbers& numbers) {
     if (numbers.empty()) return {};
     std::string out = "<div class=\"scroll\"><table>\n";
     for (const auto& [name, value] : numbers) {
-        const Cell::List* const list = value.list();
-        const bool is_range = name.starts_with("range of ") && list && list->size() == 2;
+        const bool is_range = name.starts_with("range of ") && is_list(value) && value.list.size() == 2;
         out += "<tr><td>" + html_text(name) + "</td><td>" +
-               (is_range ? cell_text((*list)[0]) + " to " + cell_text((*list)[1]) : cell_text(value)) + "</td></tr>\n";
+               (is_range ? cell_text(value.list[0]) + " to " + cell_text(value.list[1]) : cell_text(value)) +
+               "</td></tr>\n";
     }
     return out + "</table></div>\n";
 }
@@ -103,11 +104,11 @@ std::string stage_html(const Stage& stage, std::size_t number, bool is_whole) {
 }
 
 Json json_of(const Cell& cell) {
-    if (const auto* const text = std::get_if<std::string>(&cell.value)) return *text;
-    if (const auto* const number = std::get_if<double>(&cell.value)) return *number;
-    if (const auto* const whole = std::get_if<std::int64_t>(&cell.value)) return *whole;
+    if (cell.kind == Cell::Kind::text) return cell.text;
+    if (cell.kind == Cell::Kind::number) return cell.number;
+    if (cell.kind == Cell::Kind::whole) return cell.whole;
     Json all = Json::array();
-    for (const Cell& part : *cell.list()) all.push_back(json_of(part));
+    for (const Cell& part : cell.list) all.push_back(json_of(part));
     return all;
 }
 
@@ -137,8 +138,8 @@ std::string page(const std::string& model, const std::vector<Stage>& stages, boo
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
         "content=\"width=device-width, initial-scale=1\">\n<title>" +
         html_text(model) + ": stages</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + html_text(model) +
-        ": from the model to the picture</h1>\n<p>Numbers and pictures are what the soft engine itself made on the "
-        "way; where a stage shows what a textbook does instead, it says so.</p>\n<nav><ol>\n";
+        ": from the model to the picture</h1>\n<p>Numbers and pictures are intermediate results of the soft engine "
+        "itself; a stage that shows a textbook's method instead says so.</p>\n<nav><ol>\n";
     for (const Stage& s : stages) out += "<li><a href=\"#" + s.id + "\">" + html_text(s.title) + "</a></li>\n";
     out += "</ol></nav>\n<main>\n";
     for (std::size_t i = 0; i < stages.size(); ++i) {

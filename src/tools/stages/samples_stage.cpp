@@ -67,9 +67,9 @@ Stage samples_stage(const Sources& of) {
     const raster::PixelStageData& d = of.pixels;
     Stage s{.id = "samples", .title = "Several samples per pixel, and their mean"};
     s.text = format_text(
-        "With {} samples coverage and depth are looked at in as many places of every pixel, and each triangle that "
-        "they show is shaded once, in the middle of those that show it. The pixel is the mean of its samples in linear "
-        "light. The stages before look at the pixels' centers, as the data channels do.",
+        "With {} samples, coverage and depth are tested at as many places in every pixel, and each visible triangle is "
+        "shaded once, at the centroid of its visible samples. The pixel is the mean of its samples in linear light. "
+        "The stages before use the pixels' centers, as the data channels do.",
         samples);
     std::vector<std::uint64_t> covered(std::size_t(samples) + 1, 0), shaded(std::size_t(samples) + 1, 0);
     std::uint64_t sum = 0, all = 0;
@@ -78,13 +78,13 @@ Stage samples_stage(const Sources& of) {
         sum += d.samples_covered[p], all += d.visible_triangles[p];
     }
     const std::uint64_t pixels = d.color.size() - covered[0];
-    s.numbers = {{"samples a pixel", samples},
+    s.numbers = {{"samples per pixel", samples},
                  {"pixels covered", pixels},
                  {"samples covered", sum},
                  {"opaque triangles shaded, over all pixels", all},
                  {"times a covered pixel is shaded, mean", pixels > 0 ? double(all) / double(pixels) : 0.0}};
-    s.columns = {"number", "pixels with so many samples covered",
-                 "pixels that so many opaque triangles are shaded for"};
+    s.columns = {"number", "pixels with this number of covered samples",
+                 "pixels with this number of shaded opaque triangles"};
     for (std::size_t n = 0; n < covered.size(); ++n) s.rows.push_back({n, covered[n], shaded[n]});
     s.rows_note = "Opaque surfaces; blended ones are laid sample by sample over what is there";
     s.pictures.push_back({"samples-covered", "Samples that something opaque covers: black none, white all.",

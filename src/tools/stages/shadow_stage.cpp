@@ -60,19 +60,18 @@ Cell::List seen_cells(const std::vector<float>& seen) {
 Stage shadow_stage(const Sources& of) {
     Stage s{.id = "shadows", .title = "Shadows"};
     s.text =
-        "Before the picture is drawn each light draws what it sees: a shadow map, which keeps how near the nearest "
-        "surface is. A pixel compares the plane of its triangle with the texels about its place on the map; the share "
-        "of those that nothing covers is how much of the light's diffuse and specular terms it keeps. Faces that look "
-        "away from the light have none of it. Height maps with the setting bump-self-shadow darken the hollows of "
-        "their relief "
-        "here, too. Ambient light has no shadow. Flat and Gouraud shading throw shadows and receive none.";
+        "Before the picture, each light draws a shadow map: the distance of the nearest surface. A pixel compares the "
+        "plane of its triangle with the texels around its place on the map; the fraction of uncovered ones multiplies "
+        "the light's diffuse and specular terms. Faces that face away from the light get none of it. Height maps with "
+        "the setting bump-self-shadow also darken the hollows of their relief here. Ambient light has no shadow. With "
+        "flat and Gouraud shading, surfaces cast shadows but receive none.";
     const std::vector<raster::ShadowMapView> maps = of.engine.shadow_maps();
     const RenderSettings& settings = of.engine.settings();
-    s.numbers = {{"texels a side", settings.shadow_size},
+    s.numbers = {{"texels per side", settings.shadow_size},
                  {"filter radius [texels]", settings.shadow_filter},
                  {"bias", double(settings.shadow_bias)}};
     if (maps.empty()) s.numbers = {{"shadow maps", 0}};
-    s.columns = {"light", "maps", "texels a meter", "lit pixels", "mean share", "in shadow", "in part", "in light"};
+    s.columns = {"light", "maps", "texels per meter", "lit pixels", "mean share", "in shadow", "in part", "in light"};
     for (std::size_t i = 0; i < of.pixels.seen.size(); ++i) {
         const Light& light = of.engine.list().scene.lights[i];
         const std::int32_t map = !maps.empty() ? of.engine.lights()[i].shadow : -1;
@@ -90,9 +89,8 @@ Stage shadow_stage(const Sources& of) {
         if (map >= 0) s.pictures.push_back(map_picture(maps[std::size_t(map)], number, name));
     }
     s.rows_note =
-        "Pixels that the light would reach if nothing stood before them, and the share of it that does; texels a meter "
-        "on the map, of "
-        "lamps at a distance of 1 m";
+        "Pixels that the light would reach without occluders, and the fraction of it that does; texels per meter on "
+        "the map, for lamps at a distance of 1 m";
     return s;
 }
 

@@ -17,8 +17,8 @@ Stage model_stage(const Sources& of, const Vertices& vertices) {
     Stage s{.id = "model",
             .title = "Model space",
             .text =
-                "Each mesh as its file has it: every object about its own origin, so several lie in one place. "
-                "Vertices and triangles are read once and never changed."};
+                "Each mesh as in its file: every object is at its own origin, so several are in one place. Vertices "
+                "and triangles are read once and never changed."};
     add_plot(s, of, vertices, "model",
              {.caption = "All meshes in their own coordinates, seen obliquely.",
               .place = [&](std::size_t d, std::uint32_t v) { return oblique(vertices.model(d, v)); }});
@@ -57,7 +57,7 @@ Stage world_stage(const Sources& of, const Vertices& vertices) {
     const dvec3 eye = view.camera_to_world[3].xyz();
     const SeenFromAside seen(view);
     Space space{.caption =
-                    "The objects in place, and in orange the camera with what it can see; turned about the vertical so "
+                    "The objects in place, and in orange the camera with its frustum; rotated about the vertical so "
                     "that the camera looks to the right.",
                 .place = [&](std::size_t d, std::uint32_t v) { return seen(vertices.world(d, v)); }};
     const std::array<dvec3, 8> corners = frustum(view, std::min(view.z_far, vertices.farthest()));
