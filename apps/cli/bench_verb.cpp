@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench_verb.h"
-
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "../common/picture_options.h"
 #include "help_texts.h"
 #include "interrupt.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 namespace {

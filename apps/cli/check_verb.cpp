@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "check_verb.h"
-
 #include <algorithm>
 
 #include <rakelight/tools/rows.h>
@@ -10,6 +8,7 @@
 #include "help_texts.h"
 #include "interrupt.h"
 #include "run_file.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare_verb.h"
-
 #include <algorithm>
 #include <filesystem>
 
@@ -13,6 +11,7 @@
 #include "help_texts.h"
 #include "interrupt.h"
 #include "run_file.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 namespace {

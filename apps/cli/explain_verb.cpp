@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "explain_verb.h"
-
 #include <algorithm>
 
 #include <rakelight/compare.h>
@@ -12,6 +10,7 @@
 #include "help_texts.h"
 #include "interrupt.h"
 #include "run_file.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 

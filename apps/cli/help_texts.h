@@ -9,7 +9,7 @@ inline constexpr const char* models_help =
     "- for standard input";
 
 inline constexpr const char* main_footer =
-    R"(Without a command, models are rendered if -o names a picture, and opened in a window otherwise.
+    R"(Without a subcommand, models are rendered if -o names a picture, and opened in a window otherwise.
 
 Examples:
   rakelight helmet.glb -o helmet.png                       # a picture

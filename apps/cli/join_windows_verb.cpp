@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "join_windows_verb.h"
-
 #include <charconv>
 #include <filesystem>
 
@@ -10,6 +8,7 @@
 #include "../common/picture_options.h"
 #include "help_texts.h"
 #include "run_file.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 

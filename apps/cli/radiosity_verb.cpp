@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "radiosity_verb.h"
-
 #include <algorithm>
 #include <string_view>
 
@@ -11,6 +9,7 @@
 #include "interrupt.h"
 #include "map_size.h"
 #include "run_file.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render_verb.h"
-
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,6 +15,7 @@
 #include "run_file.h"
 #include "sequence_verb.h"
 #include "stats_text.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 

@@ -157,7 +157,7 @@ CommandLine read_command_line(const Program& program, const std::vector<std::str
     CLI::App app(program.help, program.name);
     app.formatter(std::make_shared<HelpLayout>(program.usage));  // before the commands, which inherit it
     app.set_help_flag("-h,--help",
-                      std::string("Show this help; ") + program.name + " COMMAND --help shows the help of a command");
+                      std::string("Show this help; ") + program.name + " SUBCOMMAND --help shows that of a subcommand");
     app.set_version_flag("-V,--version", std::string("-"), "Print version, formats, engines and instruction sets");
     app.require_subcommand(1);
     app.footer(program.footer);
