@@ -20,7 +20,7 @@ Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Comp
                    Context& context) {
     if (width == 0 || height == 0) bad_picture("the picture has no pixels");
     if (width > max_side || height > max_side)
-        bad_picture(format_text("the picture is {} x {} pixels, more than {} a side", width, height, max_side));
+        bad_picture(format_text("the picture is {} x {} pixels, more than {} per side", width, height, max_side));
     Pixels pixels{int(width), int(height), channels, component, false, {}};
     if (want == Want::header) return pixels;
     const std::uint64_t size = std::uint64_t(pixels.row_bytes()) * height;

@@ -58,7 +58,7 @@ void read_window(std::span<const std::byte> value, Part& part, std::uint64_t mos
     part.height = std::uint64_t(at(3) - at(1) + 1);
     if (part.width > most_a_side || part.height > most_a_side)
         bad_picture(
-            format_text("the picture is {} x {} pixels, more than {} a side", part.width, part.height, most_a_side));
+            format_text("the picture is {} x {} pixels, more than {} per side", part.width, part.height, most_a_side));
 }
 
 /// Bytes of one pixel in all channels.

@@ -14,7 +14,7 @@ namespace codec {
 void check_row_size(std::uint64_t width, std::uint64_t height) {
     if (width == 0 || height == 0) bad_picture("the picture has no pixels");
     if (width > max_row_side || height > max_row_side)
-        bad_picture(format_text("the picture is {} x {} pixels, more than {} a side", width, height, max_row_side));
+        bad_picture(format_text("the picture is {} x {} pixels, more than {} per side", width, height, max_row_side));
 }
 
 namespace {

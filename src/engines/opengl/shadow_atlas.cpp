@@ -39,7 +39,7 @@ std::vector<ShadowAtlas::Place> ShadowAtlas::reserve(const std::vector<int>& fac
     if (shelves.columns > shelves.most || shelves.rows() > shelves.most)
         throw Error(ErrorCode::failed,
                     format_text("shadow maps of {} x {} texels for {} lights do not fit into a texture of this OpenGL "
-                                "driver, {} a side",
+                                "driver, {} per side",
                                 size, size, faces.size(), driver_.picture_size),
                     {}, "make them smaller")
             .about("shadow-size");

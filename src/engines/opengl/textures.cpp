@@ -77,7 +77,7 @@ std::size_t levels_beyond(const std::vector<MipLevel>& levels, int texture_size)
 }
 
 std::string drawn_smaller(const MipLevel& whole, const Driver& driver) {
-    return format_text("of {} x {} is drawn with fewer texels: the OpenGL driver has at most {} a side", whole.width,
+    return format_text("of {} x {} is drawn with fewer texels: the OpenGL driver has at most {} per side", whole.width,
                        whole.height, driver.texture_size);
 }
 
