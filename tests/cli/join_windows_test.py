@@ -89,7 +89,7 @@ class JoinWindows(program.Case):
         self.check_refused(join([*parts[:3], "alpha.png"]), 4, "alpha.png: is PNG of 4 channels")
         self.check_refused(join([*parts[:3], "broken.png"]), 4, "broken.png: broken PNG")
         self.check_refused(join([*parts[:3], "none.png"]), 3, "none.png: cannot be opened")
-        self.check_refused(join([*parts[:3], "whole.png"]), 2, "whole.png: does not say which window", "whole.png@X,Y")
+        self.check_refused(join([*parts[:3], "whole.png"]), 2, "whole.png: does not record which window", "whole.png@X,Y")
         self.check_refused(join([parts[0] + "@0,0", parts[1] + "@80,0"]), 2, "--resolution")
         self.check_refused(join([*parts[:3], parts[3] + "@81,50"]), 4, "part3.png: ", "extends beyond")
         self.check_refused(join(parts, "--resolution", "200,200"), 4, "not of 200 x 200")

@@ -157,7 +157,7 @@ TEST(HostileSkins, WeightsThatSumToZeroAreSaidAndStandStill) {
     const Scene scene = file.load(context);
     EXPECT_NO_THROW(validate(scene));
     EXPECT_EQ(scene.nodes[0].skin, no_index) << "nothing follows a joint";
-    EXPECT_TRUE(is_said(context, Remark::changed, "3 vertices have joint weights without a sum"));
+    EXPECT_TRUE(is_said(context, Remark::changed, "3 vertices have joint weights whose sum is zero"));
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(AutoEngine, DrawsByOneOfTheTwo) {
     session.render(test::flat_camera(), small(), frame, context);
     const std::string by = session.engine().name();
     ASSERT_TRUE(by == "soft" || by == "gl") << by;
-    EXPECT_EQ(says(context, "engine auto: it takes engine soft"), by == "soft");
+    EXPECT_EQ(says(context, "engine auto: it uses engine soft"), by == "soft");
     if (by == "soft") {
         EXPECT_TRUE(test::same_bits(frame, render(square(), test::flat_camera(), small(), context)));
     }

@@ -57,13 +57,13 @@ TEST(HeightMaps, DisplacementByHeightsThatWereGuessedIsAWarningForEachMaterial) 
         with_height_maps(scene, with(bump), context);
         std::string places;
         for (const ReportEntry& e : context.report().entries())
-            if (e.remark == Remark::warning) places += "[" + e.place + "] " + e.message.substr(0, 45);
+            if (e.remark == Remark::warning) places += "[" + e.place + "] " + e.message.substr(0, 49);
         return places;
     };
-    EXPECT_EQ(warnings(Bump::displacement), "[atlas] displaced by heights made from the normal map");
+    EXPECT_EQ(warnings(Bump::displacement), "[atlas] displaced by heights computed from the normal map");
     EXPECT_EQ(warnings(Bump::occlusion), "");
     scene.materials[0].bump = Bump::displacement;
-    EXPECT_EQ(warnings(Bump::steep), "[atlas] displaced by heights made from the normal map");
+    EXPECT_EQ(warnings(Bump::steep), "[atlas] displaced by heights computed from the normal map");
     scene.materials[0].height_texture = scene.materials[0].normal_texture;
     EXPECT_EQ(warnings(Bump::displacement), "");
 }

@@ -146,7 +146,7 @@ TEST_F(TooDarkOrBright, FogOfThatColorIsNamedAndOtherFogIsNot) {
     EXPECT_EQ(in_fog(inside, {0.5f, 0.5f, 0.5f}, 1e-9f),
               black + "no light reaches its visible surfaces: they face away from the light\n");
     const std::string white = " are white, 1 or more in red, green and blue";
-    EXPECT_EQ(in_fog(front, {1, 1, 1}, 80), "100 % of what the model covers" + white +
+    EXPECT_EQ(in_fog(front, {1, 1, 1}, 80), "100 % of the pixels that the model covers" + white +
                                                 ", and so is the fog: see 'fog', 'exposure', 'tone-mapping', "
                                                 "'light-intensity'\n");
     Light sun = front;
