@@ -108,7 +108,7 @@ std::optional<Scene> lit_high(const Scene& high, const BakeOptions& options, Bak
                     "give it some, in a world file")
             .with_file(high.source)
             .naming({"maps"});
-    return with_radiosity(high, {.elements = options.light_elements}, report.radiosity, context, LitColors::arriving);
+    return with_radiosity(high, {.elements = options.light_elements}, report.radiosity, context, LitColors::irradiance);
 }
 
 void make_maps(const BakeOptions& options, BakeResult& result, Context& context) {

@@ -13,7 +13,7 @@
 #include "math/color.h"
 #include "prepare/back_side.h"
 #include "prepare/variants.h"
-#include "radiosity/still_scene.h"
+#include "radiosity/static_scene.h"
 #include "scene/scene_tools.h"
 #include "shading/choices.h"
 
@@ -128,7 +128,7 @@ Lightmap with_lightmap(Scene scene, const RadiositySettings& settings, const Lig
     const std::vector<float> most = bake::brightest(texels, made.scene.materials.size());
     report.brightest = *std::ranges::max_element(most);
     Lightmap out{.picture = bake::coded(texels, most, options, context)};
-    out.scene = bake::showing_map(radiosity::still_scene(std::move(made.scene)), set, most, out.picture);
+    out.scene = bake::showing_map(radiosity::static_scene(std::move(made.scene)), set, most, out.picture);
     return out;
 }
 

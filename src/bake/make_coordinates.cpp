@@ -76,8 +76,8 @@ private:
 
 /// @param place  [charts of the part] [px]
 Mesh with_coordinates(const Mesh& source, const Part& part, const dvec2* place, double scale,
-                      const CoordinateWishes& wishes, Context& context) {
-    const dvec2 size{double(wishes.width), double(wishes.height)};
+                      const CoordinateOptions& options, Context& context) {
+    const dvec2 size{double(options.width), double(options.height)};
     std::vector<std::uint32_t> indices(source.indices.begin(), source.indices.end());
     ChartVertices vertices(source.positions.size());
     for (std::size_t c = 0; c < indices.size(); ++c)
@@ -92,27 +92,27 @@ Mesh with_coordinates(const Mesh& source, const Part& part, const dvec2* place, 
     }
     Mesh mesh = source;
     mesh.tangents = {};
-    mesh.texcoords.resize(std::min<std::size_t>(mesh.texcoords.size(), wishes.set));
+    mesh.texcoords.resize(std::min<std::size_t>(mesh.texcoords.size(), options.set));
     split_vertices(mesh, std::move(indices), vertices.source(), context);
     const Block<vec2> made(std::move(uv));
     for (Block<vec2>& set : mesh.texcoords)
         if (set.empty()) set = made;
-    mesh.texcoords.resize(wishes.set + 1, made);
+    mesh.texcoords.resize(options.set + 1, made);
     charge_new_arrays(mesh, source, context);
     return mesh;
 }
 
 }  // namespace
 
-MadeCoordinates make_coordinates(Scene scene, const CoordinateWishes& wishes, Context& context) {
-    const auto [width, height, margin] = std::array{wishes.width, wishes.height, wishes.margin};
+MadeCoordinates make_coordinates(Scene scene, const CoordinateOptions& options, Context& context) {
+    const auto [width, height, margin] = std::array{options.width, options.height, options.margin};
     const std::vector<dmat4> world = world_matrices(scene);
     const std::vector<Mesh> originals = scene.meshes;
     std::vector<Part> parts;
     std::vector<dvec2> sizes;
     for (const Instance& instance : drawn_instances(scene)) {
         const Mesh& mesh = originals[instance.mesh];
-        if (wishes.only_lit && scene.materials[mesh.material].model == MaterialModel::unlit) continue;
+        if (options.only_lit && scene.materials[mesh.material].model == MaterialModel::unlit) continue;
         parts.push_back(make_part(mesh, instance, world[instance.node] * translation(mesh.origin), context));
         const Charts& charts = parts.back().charts;
         for (std::size_t i = 0; i < charts.low.size(); ++i) sizes.push_back(charts.high[i] - charts.low[i]);
@@ -124,12 +124,12 @@ MadeCoordinates make_coordinates(Scene scene, const CoordinateWishes& wishes, Co
                         std::to_string(sizes.size()) + (sizes.size() == 1 ? " chart with " : " charts with ") +
                         std::to_string(margin) + " pixels around each",
                     {}, "make the map larger")
-            .about(wishes.size_setting);
+            .about(options.size_setting);
     MeshVariants variants(scene, context);
     const dvec2* place = packing->place.data();
     for (const Part& part : parts) {
         variants.place(part.instance,
-                       with_coordinates(originals[part.instance.mesh], part, place, packing->scale, wishes, context));
+                       with_coordinates(originals[part.instance.mesh], part, place, packing->scale, options, context));
         place += part.charts.low.size();
     }
     return {std::move(scene), std::uint32_t(parts.size()), packing->scale};

@@ -14,7 +14,7 @@ struct MadeCoordinates {
     double scale = 0;          ///< [px/m]
 };
 
-struct CoordinateWishes {
+struct CoordinateOptions {
     int width = 1024, height = 1024, margin = 8;  ///< [px]
     std::uint32_t set = 0;                        ///< which set they become: those above it go
     bool only_lit = false;                        ///< unlit materials get none
@@ -25,6 +25,6 @@ struct CoordinateWishes {
 /// mesh of its own; vertices on the borders of charts are split.
 /// @param scene  valid, posed
 /// @throws Error usage: the charts do not fit; bad_file: over the memory budget
-MadeCoordinates make_coordinates(Scene scene, const CoordinateWishes& wishes, Context& context);
+MadeCoordinates make_coordinates(Scene scene, const CoordinateOptions& options, Context& context);
 
 }  // namespace rakelight::bake

@@ -82,7 +82,7 @@ void Context::progress(std::string_view stage, double fraction) {
     options_.progress(stage, progress_from_ + (progress_to_ - progress_from_) * fraction);
 }
 
-void Context::set_progress_part(double from, double to) {
+void Context::set_progress_range(double from, double to) {
     const std::lock_guard lock(progress_mutex_);
     progress_from_ = from;
     progress_to_ = to;

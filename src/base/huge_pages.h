@@ -15,7 +15,7 @@ inline constexpr std::size_t huge_page = std::size_t(1) << 21;
 
 /// For memory that nothing was written to yet; concerns the whole huge pages in it. A wish: without it all works, more
 /// slowly.
-inline void wish_huge_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes) {
+inline void advise_huge_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__)
     const auto first = (reinterpret_cast<std::uintptr_t>(begin) + huge_page - 1) / huge_page * huge_page;
     const auto end = (reinterpret_cast<std::uintptr_t>(begin) + bytes) / huge_page * huge_page;

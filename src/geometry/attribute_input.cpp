@@ -10,7 +10,7 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::uint64_t most_vertices = 0xffffffffull - 1, most_corners = 0xffffffffull - 2;
+constexpr std::uint64_t max_vertices = 0xffffffffull - 1, max_corners = 0xffffffffull - 2;
 constexpr std::uint32_t no_index = 0xffffffffu;
 constexpr double angle_slack = 1e-9;  // degrees turned into radians may land just beyond pi
 
@@ -124,7 +124,7 @@ AttributeInput number_input(std::span<const AttributeMesh> meshes) {
         vertices += meshes[m].positions.size();
         triangles += meshes[m].indices.size() / 3;
         // Splitting can add a vertex for each corner, and all are numbered with 32 bits.
-        if (vertices + 3 * triangles > most_vertices || 3 * triangles > most_corners)
+        if (vertices + 3 * triangles > max_vertices || 3 * triangles > max_corners)
             fail(m, "more than 2^32 vertices and corners in one call");
         input.placements.push_back(meshes[m].to_world);
     }
@@ -172,19 +172,19 @@ CreaseRange crease_range(std::span<const AttributeMesh> meshes, const AttributeO
 }
 
 std::vector<Chunk> make_chunks(std::span<const std::uint32_t> base, std::uint32_t target) {
-    constexpr std::uint32_t most_pieces = 64;  // the outboxes of the sums are pieces^2
-    constexpr std::uint32_t most_meshes = 4096;
+    constexpr std::uint32_t max_pieces = 64;  // the outboxes of the sums are pieces^2
+    constexpr std::uint32_t max_meshes = 4096;
     std::vector<Chunk> chunks;
     std::uint32_t open = 0;  // items in the last chunk of whole meshes; 0: none is open
     for (std::uint32_t m = 0; m + 1 < base.size(); ++m) {
         const std::uint32_t count = base[m + 1] - base[m];
         if (count > target) {
-            const std::uint32_t pieces = std::min(most_pieces, count / target + 1);
+            const std::uint32_t pieces = std::min(max_pieces, count / target + 1);
             for (std::uint32_t p = 0; p < pieces; ++p) chunks.push_back({m, m + 1, p, pieces});
             open = 0;
             continue;
         }
-        if (open == 0 || open + count > target || m - chunks.back().mesh_begin >= most_meshes) {
+        if (open == 0 || open + count > target || m - chunks.back().mesh_begin >= max_meshes) {
             chunks.push_back({m, m + 1, 0, 1});
             open = 1;
         }

@@ -201,7 +201,7 @@ private:
     bool follows(std::uint32_t i) const {
         const Match& m = matches_[i];
         const Stretch& stretch = stretch_of(i);
-        if (std::max(stretch.low_length, stretch.high_length) < least_run * distance_) return false;
+        if (std::max(stretch.low_length, stretch.high_length) < min_run * distance_) return false;
         const std::uint32_t own = stretch.of(m.mesh), other = stretch.of(m.other);
         return std::tuple(other, standing(m.other)) < std::tuple(own, standing(m.mesh));
     }
@@ -281,7 +281,7 @@ private:
                 look(links[i].counts_a(), links[i].node_a);
                 if (!waits) look(links[i].counts_b(), links[i].node_b);
                 if (waits) continue;
-                links[i].depth = circles || depth >= most_depth ? 0 : depth + 1;
+                links[i].depth = circles || depth >= max_depth ? 0 : depth + 1;
                 state[i] = done;
                 stack.pop_back();
             }

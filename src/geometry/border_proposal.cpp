@@ -14,12 +14,12 @@ namespace rakelight {
 namespace geometry {
 namespace {
 
-constexpr std::size_t most_asked = 4096, edges_per_chunk = 64;
+constexpr std::size_t max_asked = 4096, edges_per_chunk = 64;
 constexpr int samples_per_edge = 4;
 constexpr double widest_gap = 0.5;       // of an edge's length
 constexpr double widest_spread = 0.25;   // of an edge's length, by which its gaps differ: an angle of about 18 degrees
 constexpr double proposed_share = 0.98;  // of the length
-constexpr double least_share = 1e-3;     // of an edge, where there is no gap to speak of
+constexpr double min_share = 1e-3;       // of an edge, where there is no gap to speak of
 
 /// What the other border along one edge is like.
 struct Neighbor {
@@ -57,7 +57,7 @@ std::optional<Neighbor> neighbor_of(const BorderSearch& search, const BorderEdge
     return out;
 }
 
-/// Every edge, or one at a place of its own in each of `most_asked` equal parts of the list: a fixed step could fall in
+/// Every edge, or one at a place of its own in each of `max_asked` equal parts of the list: a fixed step could fall in
 /// with how a grid is numbered.
 std::size_t edge_to_ask(std::size_t k, std::size_t asked, std::size_t edges) {
     if (asked == edges) return k;
@@ -93,7 +93,7 @@ Neighbors ask(const BorderSearch& search, std::size_t asked, Context& context, c
 double distance_of(const Neighbors& neighbors) {
     std::vector<Weighted> gaps;
     for (const std::optional<Neighbor>& n : neighbors)
-        if (n) gaps.push_back({std::fmax(n->gap, least_share * n->length), n->length});
+        if (n) gaps.push_back({std::fmax(n->gap, min_share * n->length), n->length});
     return rounded_up(1.25 * weighted_quantile(std::move(gaps), proposed_share));
 }
 
@@ -116,7 +116,7 @@ ProposedDistance propose_distance(std::span<const AttributeMesh> meshes, const M
     const std::span<const BorderEdge> edges = surface.edges;
     if (edges.empty() || any.scope == Scope::face) return {};
     const BorderSearch search(edges, surface.placed.input, any, context);
-    const std::size_t asked = std::min(edges.size(), most_asked);
+    const std::size_t asked = std::min(edges.size(), max_asked);
     const double distance =
         distance_of(ask(search, asked, context, [](const BorderEdge& edge) { return widest_gap * edge.length; }));
     if (!(distance > 0)) return {};

@@ -14,7 +14,7 @@ namespace rakelight::geometry {
 namespace {
 
 constexpr std::size_t leaf_edges = 4;
-constexpr std::uint32_t most_visits = 512;   // boxes and edges, for one question
+constexpr std::uint32_t max_visits = 512;    // boxes and edges, for one question
 constexpr double cosine_of_opposite = -0.5;  // edges run in opposite directions within 60 degrees
 constexpr double overlap_share = 0.5;        // of the distance, by which faces may lie over one another
 constexpr double normal_share = 0.25;        // of the distance: how far off a wrong normal counts as
@@ -151,7 +151,7 @@ void BorderSearch::find(const BorderEdge& own, dvec3 point, dvec3 normal, double
     while (top > 0) {
         const Waiting at = stack[--top];
         if (!(at.square <= limit(q, boxes_[at.node], out))) continue;
-        if (++visits > most_visits) {
+        if (++visits > max_visits) {
             out.gave_up = true;
             return;
         }

@@ -13,7 +13,7 @@
 namespace rakelight::geometry {
 
 /// How long borders have to run along each other to match [distances]: cards and scraps that are shorter meet anywhere.
-constexpr double least_run = 10;
+constexpr double min_run = 10;
 
 /// A point on an edge of another mesh.
 struct BorderHit {

@@ -108,7 +108,7 @@ inline FaceTangent face_tangent(const AttributeMesh& mesh, const std::uint32_t* 
 }
 
 /// The handedness of a face, seen from a given normal that may point to the face's back.
-inline double hand_from(dvec3 given, const Direction& face, double hand) {
+inline double handedness_from(dvec3 given, const Direction& face, double hand) {
     return dot(given, face.unit) < 0 ? -hand : hand;
 }
 

@@ -11,8 +11,8 @@ namespace rakelight::geometry {
 namespace {
 
 constexpr std::uint32_t faces_per_piece = 1u << 18;
-constexpr std::uint32_t most_pieces = 1u << 10;  // of one mesh
-constexpr std::uint32_t pieces_in_flight = 64;   // whose outboxes are kept at one time: bounds them for shuffled meshes
+constexpr std::uint32_t max_pieces = 1u << 10;  // of one mesh
+constexpr std::uint32_t pieces_in_flight = 64;  // whose outboxes are kept at one time: bounds them for shuffled meshes
 constexpr std::uint32_t faces_per_small_chunk = 1u << 15;
 constexpr std::uint32_t vertices_per_step = 1u
                                             << 10;  // made ready at a time, so that faces find their rows in the cache
@@ -32,7 +32,7 @@ public:
         std::uint32_t open = 0;
         for (std::uint32_t m = 0; m < meshes; ++m) {
             const std::uint32_t faces = base[m + 1] - base[m];
-            const std::uint32_t pieces = std::min(most_pieces, faces / faces_per_piece + 1);
+            const std::uint32_t pieces = std::min(max_pieces, faces / faces_per_piece + 1);
             if (pieces > 1) {
                 if (!tasks.empty() && tasks.size() + pieces > pieces_in_flight && !flush(tasks)) return false;
                 if (pieces > pieces_in_flight) clear_mesh(m);

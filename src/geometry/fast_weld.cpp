@@ -11,7 +11,7 @@ namespace rakelight::geometry {
 namespace {
 
 constexpr std::uint32_t records_per_partition = 1u << 11, partitions_per_task = 8;
-constexpr std::uint32_t most_partitions = 1u << 13;
+constexpr std::uint32_t max_partitions = 1u << 13;
 constexpr std::uint32_t rounds_by_hash = 4;  // after them strangers may share a hash: it is made anew from the position
 
 // Where the matrix is the identity, the bits of the float position; else those of the world position in double.
@@ -203,8 +203,8 @@ private:
 }  // namespace
 
 std::uint32_t weld_partition_bits(std::uint32_t vertices) {
-    return std::uint32_t(
-        std::bit_width(std::min(std::bit_ceil(vertices / records_per_partition + 1), most_partitions)) - 1);
+    return std::uint32_t(std::bit_width(std::min(std::bit_ceil(vertices / records_per_partition + 1), max_partitions)) -
+                         1);
 }
 
 void hash_places(const FastState& state, LaneScratch& lane, std::uint32_t mesh, std::uint32_t first,

@@ -11,10 +11,10 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::size_t most_bodies = 1000, most_looks = 30'000'000;
+constexpr std::size_t max_bodies = 1000, max_looks = 30'000'000;
 constexpr std::uint32_t nobody = ~0u;
-constexpr double least_fill = 1e-6;    ///< 36 pi volume^2 / area^3: 1 of a ball, 0 of a sheet
-constexpr double most_opening = 1e-5;  ///< sum of the area vectors, in areas: 0 of what is closed and wound one way
+constexpr double min_fill = 1e-6;     ///< 36 pi volume^2 / area^3: 1 of a ball, 0 of a sheet
+constexpr double max_opening = 1e-5;  ///< sum of the area vectors, in areas: 0 of what is closed and wound one way
 
 struct Body {
     dvec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
@@ -23,9 +23,9 @@ struct Body {
     bool is_open = false;
     InsideOutBody found;
 
-    bool is_closed() const { return !is_open && length(area_vector) <= most_opening * area; }
+    bool is_closed() const { return !is_open && length(area_vector) <= max_opening * area; }
     bool is_inside_out() const {
-        return is_closed() && volume < 0 && 36 * pi * volume * volume > least_fill * area * area * area;
+        return is_closed() && volume < 0 && 36 * pi * volume * volume > min_fill * area * area * area;
     }
     bool holds(const Body& other) const {
         for (std::size_t a = 0; a < 3; ++a)
@@ -128,7 +128,7 @@ public:
     /// Also true when too much was looked at already: nothing is known then.
     bool may_hold(const Body& body) {
         for (const Body* other : closed_) {
-            if (looks_++ == most_looks) return --looks_, true;
+            if (looks_++ == max_looks) return --looks_, true;
             if (other != &body && other->holds(body)) return true;
         }
         return false;
@@ -148,7 +148,7 @@ std::vector<InsideOutBody> find_inside_out(const PlacedMeshes& placed, std::span
     Enclosures enclosures(bodies.list);
     std::vector<InsideOutBody> found;
     for (Body& body : bodies.list) {
-        if (found.size() == most_bodies) break;
+        if (found.size() == max_bodies) break;
         context.throw_if_cancelled();
         if (!body.is_inside_out() || enclosures.may_hold(body)) continue;  // the inner side of a hollow one
         std::vector<std::uint32_t>& objects = body.found.objects;

@@ -36,8 +36,8 @@ JoinRules::JoinRules(const AttributeInput& input, const Topology& topology, cons
       rule_(rule),
       groups_across_(options.groups_across) {
     const CreaseRange creases = crease_range(input.meshes, options);
-    least_cos_ = crease_cosine(creases.least);
-    joins_all_ = least_cos_ == -2 && !options.fans;
+    min_cos_ = crease_cosine(creases.least);
+    joins_all_ = min_cos_ == -2 && !options.fans;
     joins_some_ = crease_cosine(creases.most) == -2 && !options.fans;
     if (creases.least != creases.most)
         for (const AttributeMesh& mesh : input.meshes) own_cos_.push_back(crease_cosine(crease_angle(mesh, options)));
@@ -94,7 +94,7 @@ bool JoinRules::is_calm(std::span<const std::uint32_t> corners, std::uint32_t& m
         for (std::size_t at = 0; met < fan.size;) {
             std::size_t j = met;
             while (j < fan.size && behind[j] != ahead[at]) ++j;
-            if (j == fan.size || !(dot(*fan.normal[at], *fan.normal[j]) >= least_cos_)) break;
+            if (j == fan.size || !(dot(*fan.normal[at], *fan.normal[j]) >= min_cos_)) break;
             std::swap(fan.next[j], fan.next[met]);
             std::swap(fan.previous[j], fan.previous[met]);
             std::swap(fan.normal[j], fan.normal[met]);
@@ -198,15 +198,15 @@ void JoinRules::join_edges(Fan& fan, UnionFind& sets) const {
 }
 
 // At an edge between two meshes the one that is sharper rules.
-double JoinRules::least_cos(const Fan& fan, std::uint32_t i, std::uint32_t j) const {
-    return own_cos_.empty() ? least_cos_ : std::max(own_cos_[fan.mesh[i]], own_cos_[fan.mesh[j]]);
+double JoinRules::min_cos(const Fan& fan, std::uint32_t i, std::uint32_t j) const {
+    return own_cos_.empty() ? min_cos_ : std::max(own_cos_[fan.mesh[i]], own_cos_[fan.mesh[j]]);
 }
 
 // Of two faces with a common edge; on sides of a shell they run along it in opposite ways.
 bool JoinRules::joined(const Fan& fan, std::uint32_t i, std::uint32_t j) const {
     const double cosine = dot(fan.normal[i], fan.normal[j]);
     if (rule_ == JoinRule::side) return cosine > turned_back;
-    if (fan.authority[i] == 0 || fan.authority[i] != fan.authority[j]) return cosine >= least_cos(fan, i, j);
+    if (fan.authority[i] == 0 || fan.authority[i] != fan.authority[j]) return cosine >= min_cos(fan, i, j);
     if (fan.kind[i] == GroupKind::masks) return (fan.group[i] & fan.group[j]) != 0;
     return fan.kind[i] == GroupKind::numbers && fan.group[i] != 0 && fan.group[i] == fan.group[j];
 }

@@ -62,7 +62,7 @@ public:
 
 private:
     void gather_groups(Fan& fan) const;
-    double least_cos(const Fan& fan, std::uint32_t i, std::uint32_t j) const;
+    double min_cos(const Fan& fan, std::uint32_t i, std::uint32_t j) const;
     bool joined(const Fan& fan, std::uint32_t i, std::uint32_t j) const;
     bool joined(const Fan& fan, const Spoke& a, const Spoke& b) const;
     void gather_places(Fan& fan) const;
@@ -84,7 +84,7 @@ private:
     JoinRule rule_;
     bool groups_across_;
     bool joins_all_, joins_some_;  ///< crease angle pi, of all meshes, of some
-    double least_cos_;             ///< of the crease angle
+    double min_cos_;               ///< of the crease angle
     /// [meshes] where crease angles differ, else empty: above is that of the smallest then.
     std::vector<double> own_cos_;
     bool has_groups_ = false, has_hints_ = false;

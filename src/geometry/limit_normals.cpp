@@ -84,7 +84,7 @@ private:
         const auto edges = level_.GetVertexEdges(vertex);
         const dvec3 first = from(vertex, edges[sector.first]);
         const dvec3 last = from(vertex, edges[(sector.first + sector.count) % edges.size()]);
-        if (corner.rule == Rule::crease && sector.count <= most_with_tangents(scheme_))
+        if (corner.rule == Rule::crease && sector.count <= max_with_tangents(scheme_))
             return towards(cross(first - last, across(vertex, sector, first, last)), facets);
         if (corner.rule == Rule::crease) return facets;
         // A corner: its edges span the tangent plane, where they are not nearly one line
@@ -95,7 +95,7 @@ private:
 
     /// With more faces on one side of a crease the largest eigenvalues (after 1) are both of the inside: the surface
     /// has no tangent plane there that holds the crease (Biermann, Levin & Zorin 2000, section 3).
-    static int most_with_tangents(Scheme scheme) { return scheme == Scheme::loop ? 5 : 3; }
+    static int max_with_tangents(Scheme scheme) { return scheme == Scheme::loop ? 5 : 3; }
 
     static dvec3 towards(dvec3 normal, dvec3 way) { return dot(normal, way) < 0 ? -normal : normal; }
 

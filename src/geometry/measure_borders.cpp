@@ -157,7 +157,7 @@ void find_samples(const geometry::BorderSearch& search, std::span<const std::uin
         edge_of.insert(edge_of.end(), f.edges.begin(), f.edges.end());
         measure.edges_not_searched += f.given_up;
     }
-    Runs(edges, place, measure.samples, edge_of).drop_shorter_than(geometry::least_run * radius);
+    Runs(edges, place, measure.samples, edge_of).drop_shorter_than(geometry::min_run * radius);
 }
 
 }  // namespace

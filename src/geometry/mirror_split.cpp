@@ -28,7 +28,8 @@ void for_each_hand(const AttributeInput& input, bool keep_normals, const std::ve
                 const Direction normal = keep_normals ? face_normal(placement, face) : Direction{};
                 for (std::uint32_t k = 0; k < 3; ++k) {
                     const double seen =
-                        keep_normals ? hand_from(given_normal(placement, mesh.normals[index[k]]), normal, hand) : hand;
+                        keep_normals ? handedness_from(given_normal(placement, mesh.normals[index[k]]), normal, hand)
+                                     : hand;
                     body(m, 3 * (input.triangle_base[m] + t) + k, seen);
                 }
             }

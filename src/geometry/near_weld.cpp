@@ -11,7 +11,7 @@
 #include <tuple>
 
 #include "geometry/near_cells.h"
-#include "geometry/rounding_reach.h"
+#include "geometry/rounding_tolerances.h"
 #include "geometry/union_find.h"
 
 namespace rakelight::geometry {
@@ -69,7 +69,7 @@ private:
     }
 
     double widest_reach(const Box& box) {
-        reach_ = rounding_reach(input_, box, context_);
+        reach_ = rounding_tolerances(input_, box, context_);
         return 2 * *std::max_element(reach_.begin(), reach_.end());
     }
 

@@ -10,7 +10,7 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::size_t most_in_group = 16;
+constexpr std::size_t max_in_group = 16;
 constexpr std::size_t smallest_task = 1 << 15;
 
 struct Box {
@@ -71,7 +71,7 @@ private:
     }
 
     void descend(std::size_t first, std::size_t end) {
-        if (end - first > most_in_group) {
+        if (end - first > max_in_group) {
             const std::size_t middle = split(first, end);
             descend(first, middle), descend(middle, end);
             return;

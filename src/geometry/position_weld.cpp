@@ -27,7 +27,7 @@ struct Place {
 };
 
 constexpr std::uint32_t records_per_partition = 1u << 14;
-constexpr std::uint32_t most_partitions = 1u << 12;
+constexpr std::uint32_t max_partitions = 1u << 12;
 constexpr std::uint32_t empty = 0xffffffffu;
 
 // Canonical zero: -0 + 0 is +0.
@@ -59,7 +59,7 @@ public:
     Weld(const AttributeInput& input, WeldKey key, Context& context)
         : input_(input), key_(key), context_(context), chunks_(make_chunks(input.vertex_base, vertices_per_chunk)) {
         const std::uint32_t wanted = input.vertex_count() / records_per_partition + 1;
-        shift_ = 32 - std::uint32_t(std::bit_width(std::min(std::bit_ceil(wanted), most_partitions)) - 1);
+        shift_ = 32 - std::uint32_t(std::bit_width(std::min(std::bit_ceil(wanted), max_partitions)) - 1);
         partitions_ = 1u << (32 - shift_);
     }
 

@@ -12,7 +12,7 @@ namespace {
 
 namespace Far = OpenSubdiv::Far;
 
-constexpr std::uint64_t most_indices = 0x7FFFFFFF;  // OpenSubdiv numbers with int
+constexpr std::uint64_t max_indices = 0x7FFFFFFF;  // OpenSubdiv numbers with int
 
 /// The points of one level from those of the level before.
 template <class V>
@@ -156,7 +156,7 @@ std::vector<std::uint32_t> corners_of(const Level& level, std::uint32_t corners_
 void check_size(const ControlSurface& s) {
     const std::uint64_t faces = fine_face_count(s.scheme, s.level, s.faces);
     RL_ASSERT(s.level >= 1 && s.level <= 10, "subdivision goes by 1 to 10 levels");
-    if (faces > most_indices / 4 || s.faces.corners.size() > most_indices || s.positions.size() > most_indices)
+    if (faces > max_indices / 4 || s.faces.corners.size() > max_indices || s.positions.size() > max_indices)
         throw Error(ErrorCode::bad_file, "subdivision makes more faces than can be numbered", {}, "use fewer levels");
 }
 

@@ -12,7 +12,7 @@ namespace rakelight::geometry {
 namespace {
 
 constexpr std::uint32_t nothing = 0xFFFFFFFF;
-constexpr std::size_t most_at_an_edge = 64;  ///< of more faces none is joined: pairing them costs the square
+constexpr std::size_t max_at_an_edge = 64;  ///< of more faces none is joined: pairing them costs the square
 
 /// A corner and the edge that begins at it.
 struct EdgeUse {
@@ -89,7 +89,7 @@ private:
     void join_edge(std::span<const EdgeUse> uses) {
         std::vector<Match>& matches = matches_;
         matches.clear();
-        for (const EdgeUse& a : uses.size() <= most_at_an_edge ? uses : std::span<const EdgeUse>{})
+        for (const EdgeUse& a : uses.size() <= max_at_an_edge ? uses : std::span<const EdgeUse>{})
             for (const EdgeUse& b : uses)
                 if (place(a.corner) == a.low && place(b.corner) == b.high && !are_reverse(a.corner, b.corner))
                     matches.push_back({-cosine(a.corner, b.corner), a.corner, b.corner});

@@ -155,7 +155,7 @@ std::vector<Point> ends_of_edges(const PlacedMeshes& placed, std::span<const std
 }  // namespace
 
 TJunctions find_t_junctions(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
-                            std::uint32_t objects, std::size_t most_places, const Context& context,
+                            std::uint32_t objects, std::size_t max_places, const Context& context,
                             std::uint64_t visits_per_edge) {
     TJunctions result;
     result.of_objects.assign(objects, 0);
@@ -167,10 +167,10 @@ TJunctions find_t_junctions(const PlacedMeshes& placed, std::span<const std::uin
         return result;
     }
     const double rounding = 4 * (double(std::nextafter(float(diagonal), INFINITY)) - double(float(diagonal)));
-    const std::uint64_t most_visits = visits_per_edge * (few_edges + open_corners.size());
+    const std::uint64_t max_visits = visits_per_edge * (few_edges + open_corners.size());
     for (std::size_t i = 0; i < open_corners.size(); ++i) {
         if (i % 64 == 0) context.throw_if_cancelled();
-        if (tree.visits() > most_visits) {
+        if (tree.visits() > max_visits) {
             result.edges_not_searched = open_corners.size() - i;
             break;
         }
@@ -186,7 +186,7 @@ TJunctions find_t_junctions(const PlacedMeshes& placed, std::span<const std::uin
     }
     result.count = result.places.size();
     std::sort(result.places.begin(), result.places.end(), [](TJunction a, TJunction b) { return a.place < b.place; });
-    if (result.places.size() > most_places) result.places.resize(most_places);
+    if (result.places.size() > max_places) result.places.resize(max_places);
     return result;
 }
 

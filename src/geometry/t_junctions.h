@@ -23,13 +23,13 @@ struct TJunctions {
 };
 
 /// @param open_corners  edges of one face only (EdgeCensus::open_corners); only their ends are looked at
-/// @param most_places   how many are listed
+/// @param max_places   how many are listed
 /// A place is on an edge when it is off by at most 1e-5 of the edge's length, or 4 float ulps of the open borders'
 /// diagonal where that is more, and farther than that from its ends. A k-d tree: unlike a grid it has no cell size that
 /// fits neither the short nor the long edges. Expected O(n log n).
 /// @param visits_per_edge  bound of the work: boxes looked at, on average and beyond some for small models
 TJunctions find_t_junctions(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
-                            std::uint32_t objects, std::size_t most_places, const Context& context,
+                            std::uint32_t objects, std::size_t max_places, const Context& context,
                             std::uint64_t visits_per_edge = 256);
 
 }  // namespace rakelight::geometry

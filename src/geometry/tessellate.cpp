@@ -12,7 +12,7 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr int most_rounds = 40;  ///< each halves what is too long
+constexpr int max_rounds = 40;  ///< each halves what is too long
 
 double squared_length(dvec3 a, dvec3 b) { return dot(a - b, a - b); }  // the same to the bit for b, a
 
@@ -174,21 +174,20 @@ FineMesh uncut(CoarseMesh mesh) {
     return fine;
 }
 
-bool halve_edges(std::span<FineMesh> meshes, const EdgeRule& is_halved, std::uint64_t most_triangles,
-                 Context& context) {
+bool halve_edges(std::span<FineMesh> meshes, const EdgeRule& is_halved, std::uint64_t max_triangles, Context& context) {
     std::vector<Cutter> cutters;
     cutters.reserve(meshes.size());
     for (FineMesh& mesh : meshes) cutters.emplace_back(std::move(mesh), std::vector<std::uint8_t>{}, is_halved);
-    const bool fits = count_triangles(cutters, context).after <= most_triangles;
+    const bool fits = count_triangles(cutters, context).after <= max_triangles;
     if (fits) run_round(cutters, context);
     for (std::size_t i = 0; i < meshes.size(); ++i) meshes[i] = std::move(cutters[i].fine);
     return fits;
 }
 
-Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::uint64_t most_triangles, Context& context,
+Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::uint64_t max_triangles, Context& context,
                         std::uint64_t* met) {
-    const double most_squared = edge * edge;
-    const EdgeRule is_long = [=](dvec3 a, dvec3 b) { return squared_length(a, b) > most_squared; };
+    const double max_squared = edge * edge;
+    const EdgeRule is_long = [=](dvec3 a, dvec3 b) { return squared_length(a, b) > max_squared; };
     std::vector<Cutter> cutters;
     cutters.reserve(meshes.size());
     for (const CoarseMesh& mesh : meshes) cutters.emplace_back(uncut(mesh), mesh.on_border, is_long);
@@ -197,7 +196,7 @@ Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::ui
         context.throw_if_cancelled();
         const Counts count = count_triangles(cutters, context);
         if (count.after == count.now) break;
-        out.is_complete = count.after <= most_triangles && round < most_rounds;
+        out.is_complete = count.after <= max_triangles && round < max_rounds;
         if (!out.is_complete) break;
         run_round(cutters, context);
     }

@@ -43,10 +43,10 @@ struct Tessellation {
 /// Halves every edge that is longer than `edge` (and the triangles at it: one edge gives 2, two give 3, three give 4),
 /// again and again. Whether an edge is halved depends on its two places alone, so that all triangles at it, of any
 /// mesh, agree: nothing opens. The same result for any number of threads. Stops, for all meshes at once, before the sum
-/// passes `most_triangles`.
+/// passes `max_triangles`.
 /// @param edge  [m] > 0
 /// @param met  out, for tests: pairs of edges that shared a slot of a table, of the last round; null: not wanted
-Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::uint64_t most_triangles, Context& context,
+Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::uint64_t max_triangles, Context& context,
                         std::uint64_t* met = nullptr);
 
 /// Whether an edge is halved, by its two places alone: the same for (a, b) and (b, a). Called by any thread.
@@ -57,7 +57,7 @@ FineMesh uncut(CoarseMesh mesh);
 
 /// Cuts the triangles at every edge that the rule names once, as tessellate() does: triangles that stay keep the order of
 /// their corners. `source_triangle` follows, of what it counted before.
-/// @return false: the sum would pass `most_triangles`, and nothing was cut
-bool halve_edges(std::span<FineMesh> meshes, const EdgeRule& is_halved, std::uint64_t most_triangles, Context& context);
+/// @return false: the sum would pass `max_triangles`, and nothing was cut
+bool halve_edges(std::span<FineMesh> meshes, const EdgeRule& is_halved, std::uint64_t max_triangles, Context& context);
 
 }  // namespace rakelight::geometry

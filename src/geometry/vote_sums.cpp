@@ -250,7 +250,7 @@ private:
             const double w = weights[k];
             double hand = tangent.hand * w;
             if (tangents && !options_.normals)
-                hand = hand_from(given_normal(placement, mesh.normals[index[k]]), normal, hand);
+                hand = handedness_from(given_normal(placement, mesh.normals[index[k]]), normal, hand);
             to.add_vote<tangents>(rows.of(index, t, k), {normal.unit * w, w}, {tangent.unit * w, hand});
         }
         return true;

@@ -9,8 +9,8 @@ namespace rakelight::denoise {
 inline constexpr int search_radius = 10, patch_radius = 2, variance_radius = 2, firefly_radius = 2;  // [px]
 inline constexpr int margin = search_radius + patch_radius + variance_radius + firefly_radius;       // [px]
 inline constexpr int tile_width = 64, tile_height = 64;  // [px] of the result; the planes stay in the L2 cache
-inline constexpr int most_lanes = 16;                    // rows end with as many floats that are read and never used
-inline constexpr int stride = tile_width + 2 * margin + most_lanes;
+inline constexpr int max_lanes = 16;                     // rows end with as many floats that are read and never used
+inline constexpr int stride = tile_width + 2 * margin + max_lanes;
 inline constexpr int plane_floats = stride * (tile_height + 2 * margin);
 
 /// Bandwidths of the features; the planes hold them divided by these.

@@ -16,7 +16,7 @@ std::size_t smallest_factor(std::size_t n) {
 
 }  // namespace
 
-std::size_t friendly_length(std::size_t n) {
+std::size_t good_fft_size(std::size_t n) {
     for (;; ++n) {
         std::size_t rest = n;
         for (const std::size_t factor : {2u, 3u, 5u})

@@ -29,6 +29,6 @@ private:
 };
 
 /// The least length >= n (>= 1) that has no factor but 2, 3 and 5.
-std::size_t friendly_length(std::size_t n);
+std::size_t good_fft_size(std::size_t n);
 
 }  // namespace rakelight

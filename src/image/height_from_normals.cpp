@@ -26,7 +26,7 @@ struct Slopes {
 
 Slopes slopes_of(const Pixels& normals, bool green_down, Context& context) {
     Slopes s{std::size_t(normals.width), std::size_t(normals.height), {}};
-    const std::size_t largest = std::max(s.width * s.height, friendly_length(s.width) * friendly_length(s.height));
+    const std::size_t largest = std::max(s.width * s.height, good_fft_size(s.width) * good_fft_size(s.height));
     s.charge = MemoryCharge(context.memory(), largest * sizeof(Complex) * 2,
                             "height map");  // of every step: what it reads, what it makes
     const MemoryCharge texels_charge(context.memory(), s.width * s.height * sizeof(vec4), "height map");
@@ -73,7 +73,7 @@ Between between(std::size_t i, std::size_t from, std::size_t to) {
 /// At sides that the transform is fast for, linearly between texels. A texel is narrower, so heights change less
 /// across.
 Slopes with_friendly_sides(Slopes s, const Context& context) {
-    Slopes to{friendly_length(s.width), friendly_length(s.height), {}};
+    Slopes to{good_fft_size(s.width), good_fft_size(s.height), {}};
     if (to.width == s.width && to.height == s.height) return s;
     to.values.resize(to.width * to.height);
     const double x_scale = double(s.width) / double(to.width), y_scale = double(s.height) / double(to.height);

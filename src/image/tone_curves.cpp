@@ -64,7 +64,7 @@ ToneNumber number_of(ToneMapping mapping) {
 }
 
 float gain_of(double exposure_ev) {
-    if (!(std::abs(exposure_ev) <= most_exposure_ev))
+    if (!(std::abs(exposure_ev) <= max_exposure_ev))
         throw Error(ErrorCode::usage, "the exposure must be from -32 to 32 EV");
     return float(math::exp2(exposure_ev));
 }

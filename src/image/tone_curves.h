@@ -9,7 +9,7 @@
 namespace rakelight {
 
 /// [EV] limit of exposures on either side: 2^32 is more than any picture spans.
-inline constexpr double most_exposure_ev = 32;
+inline constexpr double max_exposure_ev = 32;
 
 /// Exposure and curve. The same bits on every machine: + - * / and tables made by math/functions.h.
 ///
@@ -26,7 +26,7 @@ class ToneCurve {
 public:
     /// @param behind  linear color that lies behind pixels which are not opaque, and its alpha: what is seen of it is not changed
     ///                by exposure and curve. Alpha 0: nothing lies there
-    /// @throws Error usage: an exposure that is not a number or beyond most_exposure_ev
+    /// @throws Error usage: an exposure that is not a number or beyond max_exposure_ev
     explicit ToneCurve(const ToneSettings& settings = {}, vec4 behind = {});
     /// Nothing changes: no curve, exposure 0, and nothing lies behind.
     bool is_identity() const { return is_identity_; }

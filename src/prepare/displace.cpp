@@ -68,7 +68,7 @@ private:
                               .position_step = mesh.position_step});
         }
         const geometry::PlacedMeshes placed = geometry::place_vertices(meshes, -1, context_);
-        const std::uint64_t most = std::min(options_.most_triangles, std::uint64_t(1) << 32);
+        const std::uint64_t most = std::min(options_.max_triangles, std::uint64_t(1) << 32);
         check_memory(meshes, most);
         std::vector<std::uint8_t> moves(placed.place.size(), 0);  // some displaced mesh has a vertex at the place
         for (std::uint32_t v = 0; v < placed.place.size(); ++v)
@@ -110,7 +110,7 @@ private:
         std::snprintf(text, sizeof text,
                       "displacement stops at %llu of %llu triangles: edges are up to %.3g m long, not %.3g m",
                       static_cast<unsigned long long>(count_triangles(true)),
-                      static_cast<unsigned long long>(options_.most_triangles), fine_.longest_edge, edge_);
+                      static_cast<unsigned long long>(options_.max_triangles), fine_.longest_edge, edge_);
         context_.report().add(Remark::warning, scene_.source, {}, text);
     }
 

@@ -8,7 +8,7 @@
 #include <rakelight/prepare.h>
 #include <rakelight/scene.h>
 
-#include "prepare/made_attributes.h"
+#include "prepare/generated_attributes.h"
 #include "prepare/pose_scene.h"
 #include "prepare/repair_borders.h"
 
@@ -21,8 +21,8 @@ Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context
 
 /// A scene on the way: it has the normals and tangents that its rest asks for, and nothing of it has moved yet.
 struct BoundScene {
-    Scene scene;                          ///< Scene::pose is left out
-    std::vector<MadeAttributes> made{};   ///< that have to be made again of what moves
+    Scene scene;                              ///< Scene::pose is left out
+    std::vector<GeneratedAttributes> made{};  ///< that have to be made again of what moves
     std::vector<BoundBorders> borders{};  ///< that have to be joined again after that: `scene` has the normals before
 };
 /// Whether a scene is better prepared in two halves: it can move, and the first half does not depend on the pose. (It

@@ -40,7 +40,7 @@ SmoothRequest request_for(const PrepareOptions& options) {
     request.keep_instances = options.keep_instances;
     request.bitangents = options.bitangents;
     if (options.tangents) request.attributes.tangent_mode = request.kept_tangents = *options.tangents;
-    if (options.all_tangents) request.tangents = TangentWish::everywhere;
+    if (options.all_tangents) request.tangents = TangentNeed::everywhere;
     request.only_missing = true;
     request.source = options.normals;
     return request;
@@ -55,8 +55,8 @@ BorderRequest border_request_for(const PrepareOptions& options) {
     return request;
 }
 
-bool wants_tangents(const Scene& scene, const Mesh& mesh) {
-    return mesh.material != no_index && wants_tangents(scene.materials[mesh.material]);
+bool needs_tangents(const Scene& scene, const Mesh& mesh) {
+    return mesh.material != no_index && needs_tangents(scene.materials[mesh.material]);
 }
 
 /// True if some triangle has an area in the texture; ends at the first one.
@@ -107,7 +107,7 @@ const char* fault_of_coordinates(const Scene& scene, const Mesh& mesh, Bump want
         return "the normal map is not used: the mesh has no texture coordinates for it";
     const bool coats = has_coat_map(m) && !lacks_coat_coordinates(scene, mesh);
     if (!heights && !normals && !coats && !stretched) return nullptr;
-    const std::uint32_t set = tangent_set(scene, mesh, TangentWish::where_needed);
+    const std::uint32_t set = tangent_set(scene, mesh, TangentNeed::where_needed);
     if (set == no_index) return "bumps and stretched highlights have no direction: the mesh has no texture coordinates";
     if (!mesh.tangents.empty() || spans_texture(mesh, set)) return nullptr;
     return heights   ? "no triangle has an area in the height map: tangents have no direction"
@@ -119,7 +119,7 @@ void warn_of_tangents(const Scene& scene, Bump wanted, Report& report) {
     std::vector<bool> seen(scene.meshes.size(), false);
     for (const Instance& instance : drawn_instances(scene)) {
         const Mesh& mesh = scene.meshes[instance.mesh];
-        if (seen[instance.mesh] || !wants_tangents(scene, mesh)) continue;
+        if (seen[instance.mesh] || !needs_tangents(scene, mesh)) continue;
         seen[instance.mesh] = true;
         const std::string place = Place{"mesh", instance.mesh, mesh.name}.text();
         if (const char* const message = fault_of_coordinates(scene, mesh, wanted))
@@ -211,7 +211,7 @@ public:
         warn_of_textures(scene, report);
         if (options_.normals == NormalSource::automatic) note_flat_meshes(scene, report);
         for (Mesh& mesh : scene.meshes)
-            if (options_.tangents && (options_.all_tangents || wants_tangents(scene, mesh)))
+            if (options_.tangents && (options_.all_tangents || needs_tangents(scene, mesh)))
                 mesh.tangents = {};  // the file's do not count
         if (joins_borders() && options_.normals == NormalSource::automatic) join_kept_normals(scene);
         context_.throw_if_cancelled();
@@ -240,11 +240,11 @@ public:
         if (is_posable(unposed.scene)) {
             unposed.scene.pose = pose;
             unposed = valid::unposed_scene(std::move(unposed.scene), context_);
-            for (const MadeAttributes& made : bound.made)
+            for (const GeneratedAttributes& made : bound.made)
                 for (const std::uint32_t mesh : made.numbers) take_pose(unposed, mesh, context_);
             for (const BoundBorders& set : bound.borders)
                 for (const Instance& instance : set.instances) take_pose(unposed, instance.mesh, context_);
-            for (const MadeAttributes& made : bound.made) make_again(made, unposed.scene, context_);
+            for (const GeneratedAttributes& made : bound.made) recompute_attributes(made, unposed.scene, context_);
             MatchReport unread;
             for (const BoundBorders& set : bound.borders)
                 unposed.scene = join_borders(std::move(unposed.scene), set, options_.keep_instances, unread, context_);
@@ -265,11 +265,11 @@ public:
 
 private:
     /// Those that are missing, one pass for each scope: whatever is smoothed over the model is so together.
-    Scene with_normals(Scene scene, std::vector<MadeAttributes>* made) const {
+    Scene with_normals(Scene scene, std::vector<GeneratedAttributes>* made) const {
         SmoothRequest request = request_;
         request.made = made;
         if (is_published(request.kept_tangents))
-            request.tangents = TangentWish::none;  // add_missing_tangents() makes them
+            request.tangents = TangentNeed::none;  // add_missing_tangents() makes them
         for (const Scope scope : {Scope::face, Scope::object, Scope::model}) {
             request.attributes.scope = scope;
             scene = paid(smooth_meshes(std::move(scene), request, context_));

@@ -88,15 +88,15 @@ std::vector<bool> moving(const Scene& scene, const SmoothSelection& s) {
     return result;
 }
 
-/// In two steps, of which the first is kept; MadeAttributes::numbers are still to be found.
+/// In two steps, of which the first is kept; GeneratedAttributes::numbers are still to be found.
 Computed compute_to_keep(const Scene& scene, const SmoothSelection& s, std::vector<AttributeMesh> meshes,
-                         const AttributeOptions& options, std::vector<MadeAttributes>& made, Context& context) {
+                         const AttributeOptions& options, std::vector<GeneratedAttributes>& made, Context& context) {
     Computed computed;
     const AttributePlan plan = group(meshes, options, context);
     computed.attributes = accumulate(plan, meshes, context);
     std::vector<std::uint32_t> islands = geometry::mesh_islands(plan);
     made.push_back({.plan = plan, .meshes = std::move(meshes), .islands = std::move(islands)});
-    MadeAttributes& kept = made.back();
+    GeneratedAttributes& kept = made.back();
     for (const std::size_t i : s.computed) {
         kept.sources.push_back(scene.meshes[s.instances[i].mesh]);
         kept.nodes.push_back(s.instances[i].node);
@@ -161,8 +161,8 @@ void note_creases(const Scene& scene, const SmoothRequest& request, const std::v
 
 }  // namespace
 
-std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentWish wish) {
-    if (wish == TangentWish::none) return no_index;
+std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentNeed need) {
+    if (need == TangentNeed::none) return no_index;
     const auto has = [&](std::uint32_t set) { return set < mesh.texcoords.size() && !mesh.texcoords[set].empty(); };
     if (mesh.material != no_index) {
         const Material& m = scene.materials[mesh.material];
@@ -170,9 +170,9 @@ std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentWish wish
         for (const TextureUse* use :
              {&m.normal_texture, &m.height_texture, &p.clearcoat_normal_texture, &p.anisotropy_texture})
             if (*use) return has(use->texcoord_set) ? use->texcoord_set : no_index;
-        if (wants_tangents(m)) wish = TangentWish::everywhere;
+        if (needs_tangents(m)) need = TangentNeed::everywhere;
     }
-    if (wish == TangentWish::everywhere)
+    if (need == TangentNeed::everywhere)
         for (std::uint32_t set = 0; set < mesh.texcoords.size(); ++set)
             if (has(set)) return set;
     return no_index;
@@ -234,7 +234,7 @@ Scene add_published_tangents(Scene scene, const SmoothRequest& request, Context&
 }  // namespace
 
 Scene add_missing_tangents(Scene scene, const SmoothRequest& request, Context& context) {
-    if (request.tangents == TangentWish::none) return scene;
+    if (request.tangents == TangentNeed::none) return scene;
     if (is_published(request.kept_tangents)) return add_published_tangents(std::move(scene), request, context);
     std::vector<std::uint32_t> numbers;
     std::vector<bool> seen(scene.meshes.size(), false);
@@ -264,12 +264,12 @@ Scene add_missing_tangents(Scene scene, const SmoothRequest& request, Context& c
 Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Context& context) {
     SmoothRequest request;
     request.attributes = options.attributes;
-    request.tangents = options.attributes.tangents ? TangentWish::everywhere : TangentWish::none;
+    request.tangents = options.attributes.tangents ? TangentNeed::everywhere : TangentNeed::none;
     request.only_missing = options.only_missing;
     if (options.tangents) request.attributes.tangent_mode = request.kept_tangents = *options.tangents;
     if (is_published(request.attributes.tangent_mode)) request.kept_tangents = request.attributes.tangent_mode;
     Scene out = options.attributes.normals ? smooth_meshes(scene, request, context) : scene;
-    if (request.tangents != TangentWish::none) {
+    if (request.tangents != TangentNeed::none) {
         if (!options.attributes.normals && !options.only_missing)
             for (Mesh& mesh : out.meshes)
                 if (tangent_set(out, mesh, request.tangents) != no_index) mesh.tangents = {};  // to be made anew

@@ -37,7 +37,7 @@ std::vector<std::uint32_t> first_alike(const Scene& scene, const SmoothRequest& 
         auto& candidates = seen[mesh.positions.identity()];
         for (const std::uint32_t c : candidates) {
             const Mesh& other = scene.meshes[c];
-            const bool moves_alone = request.made && !mesh.influences.empty();  // see MadeAttributes
+            const bool moves_alone = request.made && !mesh.influences.empty();  // see GeneratedAttributes
             if (first[m] == m && !moves_alone && have_same_arrays(mesh, other) &&
                 mesh.normal_choice == other.normal_choice &&
                 tangent_set(scene, mesh, request.tangents) == tangent_set(scene, other, request.tangents))

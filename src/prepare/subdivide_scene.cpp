@@ -19,9 +19,11 @@
 namespace rakelight {
 namespace {
 
-Subdivision wish_of(const Mesh& mesh, const Subdivision& otherwise) { return mesh.subdivision.value_or(otherwise); }
+Subdivision subdivision_of(const Mesh& mesh, const Subdivision& otherwise) {
+    return mesh.subdivision.value_or(otherwise);
+}
 
-/// Placements that are one surface, all of one wish.
+/// Placements that are one surface, all of one subdivision.
 struct Group {
     std::vector<std::size_t> members;  ///< into Subdividing::instances_
     dmat4 to_world;                    ///< of the space it is made in
@@ -42,7 +44,7 @@ public:
     Scene run() {
         for (const Instance& instance : drawn_instances(scene_)) {
             const Mesh& mesh = scene_.meshes[instance.mesh];
-            if (wish_of(mesh, otherwise_).level > 0) instances_.push_back(instance);
+            if (subdivision_of(mesh, otherwise_).level > 0) instances_.push_back(instance);
         }
         if (instances_.empty()) return std::move(scene_);
         weld();
@@ -80,14 +82,14 @@ private:
         geometry::UnionFind sets;
         sets.reset(instances_.size());
         std::vector<std::uint32_t> first_at(place_.size(),
-                                            no_index);  // place -> instance that uses it, of each wish the first
+                                            no_index);  // place -> instance that uses it, of each subdivision the first
         std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> others;
-        std::vector<Subdivision> wishes;
+        std::vector<Subdivision> requested;
         for (std::uint32_t i = 0; i < instances_.size(); ++i) {
-            const Subdivision wish = wish_of(mesh_of(i), otherwise_);
-            const auto known = std::find(wishes.begin(), wishes.end(), wish);
-            const std::size_t number = std::size_t(known - wishes.begin());
-            if (known == wishes.end()) wishes.push_back(wish);
+            const Subdivision subdivision = subdivision_of(mesh_of(i), otherwise_);
+            const auto known = std::find(requested.begin(), requested.end(), subdivision);
+            const std::size_t number = std::size_t(known - requested.begin());
+            if (known == requested.end()) requested.push_back(subdivision);
             dmat4 inverse;
             if (!inverse_affine(matrix(i), inverse)) continue;  // flat: by itself, about its origin
             for (const std::uint32_t v : mesh_of(i).indices) {
@@ -115,7 +117,7 @@ private:
         const bool is_one =
             std::all_of(group.members.begin(), group.members.end(), [&](std::size_t i) { return matrix(i) == first; });
         const bool keeps_angles =
-            !wish_of(mesh_of(group.members[0]), otherwise_).crease_angle_rad || is_similarity(first);
+            !subdivision_of(mesh_of(group.members[0]), otherwise_).crease_angle_rad || is_similarity(first);
         group.is_in_object = is_one && (keeps_angles || !inverse_affine(first, inverse));
         if (group.is_in_object) group.to_world = first;
     }
@@ -128,8 +130,8 @@ private:
     void build_surfaces() {
         std::map<std::pair<std::vector<std::uint32_t>, double>, std::size_t> known;  // meshes and scale
         for (Group& group : groups_) {
-            const Subdivision wish = wish_of(mesh_of(group.members[0]), otherwise_);
-            const double scale = wish.edge > 0 ? scale_of(group.to_world) : 1;
+            const Subdivision subdivision = subdivision_of(mesh_of(group.members[0]), otherwise_);
+            const double scale = subdivision.edge > 0 ? scale_of(group.to_world) : 1;
             std::vector<std::uint32_t> meshes;
             for (const std::size_t i : group.members) meshes.push_back(instances_[i].mesh);
             if (group.is_in_object) {
@@ -150,7 +152,7 @@ private:
                                  group.is_in_object ? translation(origin) : matrix(i) * translation(mesh.origin),
                                  {places, places + std::ptrdiff_t(mesh.positions.size())}});
             }
-            surfaces_.emplace_back(std::move(parts), wish, scale);
+            surfaces_.emplace_back(std::move(parts), subdivision, scale);
         }
     }
 
@@ -265,7 +267,7 @@ private:
 
 bool wants_subdivision(const Scene& scene, const Subdivision& otherwise) {
     return std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
-        return mesh.triangle_count() > 0 && wish_of(mesh, otherwise).level > 0;
+        return mesh.triangle_count() > 0 && subdivision_of(mesh, otherwise).level > 0;
     });
 }
 

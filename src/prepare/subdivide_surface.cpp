@@ -11,7 +11,7 @@
 namespace rakelight {
 namespace {
 
-constexpr std::uint32_t most_corners = 60000;  ///< of a polygon; OpenSubdiv counts them in 16 bits
+constexpr std::uint32_t max_corners = 60000;  ///< of a polygon; OpenSubdiv counts them in 16 bits
 
 bool is_mirrored(const SurfacePart& part) { return determinant(upper_left(part.to_surface)) < 0; }
 
@@ -188,7 +188,7 @@ void SurfaceSubdivider::collect_faces() {
             for (const std::uint32_t v : corners) seen.push_back(parts_[i].places[v]);
             std::sort(seen.begin(), seen.end());
             const bool is_simple =
-                corners.size() <= most_corners && std::adjacent_find(seen.begin(), seen.end()) == seen.end();
+                corners.size() <= max_corners && std::adjacent_find(seen.begin(), seen.end()) == seen.end();
             if (is_simple || corners.size() == 3) {
                 add_face(i, corners);
                 continue;

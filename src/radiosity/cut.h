@@ -24,11 +24,11 @@ struct PatchLevel {
 };
 
 /// The finest cut with at most about so many patches and elements.
-PatchLevel cut_to_patches(const CutScene& cut, const std::vector<geometry::FineMesh>& whole, std::size_t most_patches,
-                          std::uint64_t most_elements, Context& context);
+PatchLevel cut_to_patches(const CutScene& cut, const std::vector<geometry::FineMesh>& whole, std::size_t max_patches,
+                          std::uint64_t max_elements, Context& context);
 
 /// Cut evenly, as fine as leaves at most so many elements. @param edge  [m] the longest of `meshes`
 void cut_evenly(const std::vector<Part>& parts, std::vector<geometry::FineMesh>& meshes, double edge,
-                std::uint64_t most_elements, Context& context);
+                std::uint64_t max_elements, Context& context);
 
 }  // namespace rakelight::radiosity

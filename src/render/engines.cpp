@@ -45,7 +45,7 @@ void check_engine_name(const std::string& name) {
 namespace {
 
 /// The first thing that settings ask for and an engine cannot do; empty: it can do all.
-std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
+std::string beyond(const EngineCapabilities& can, const RenderSettings& s) {
     std::string first;
     const auto require = [&first](bool can_do, const std::string& what) {
         if (!can_do && first.empty()) first = what;
@@ -74,9 +74,9 @@ std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
 
 }  // namespace
 
-bool can_draw(const EngineAbilities& can, const RenderSettings& settings) { return beyond(can, settings).empty(); }
+bool can_draw(const EngineCapabilities& can, const RenderSettings& settings) { return beyond(can, settings).empty(); }
 
-void check_abilities(const std::string& name, const EngineAbilities& can, const RenderSettings& settings) {
+void check_abilities(const std::string& name, const EngineCapabilities& can, const RenderSettings& settings) {
     const std::string what = beyond(can, settings);
     if (!what.empty()) throw Error(ErrorCode::usage, "engine " + one_line(name, 40) + " cannot " + what);
 }

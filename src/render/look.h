@@ -13,7 +13,7 @@ namespace rakelight {
 bool names(const PictureRequest& request, std::string_view key);
 bool names(const PictureRequest& request, std::initializer_list<std::string_view> keys);
 
-/// The rest of take_look(), by looking at a small picture first: the background's tone, and the exposure where the file's lights are in
+/// The rest of apply_look(), by looking at a small picture first: the background's tone, and the exposure where the file's lights are in
 /// physical units. @param session  has the scene of the picture
 void adjust_to_picture(PictureRequest& request, Session& session, const Camera& camera, Context& context);
 

@@ -12,7 +12,7 @@ namespace rakelight {
 /// The window that is rendered: the whole picture where none is asked for.
 Window whole_window(const RenderSettings& settings);
 
-/// asked_lights() before any is cut, without those that the request's preset has no place for.
+/// requested_lights() before any is cut, without those that the request's preset has no place for.
 std::vector<Light> chosen_lights(const Scene& scene, const PictureRequest& request, const Camera& camera);
 
 /// A note of those that the request's preset has no place for. @param scene  before with_lights()
@@ -50,7 +50,7 @@ void check_output_place(const std::string& output);
 
 /// Everything but the choice of the engine and the checks.
 PictureResult draw_picture(const PictureRequest& request, Session& session, Context& context);
-/// @param loaded  as_asked()
+/// @param loaded  as_requested()
 PictureResult draw_picture(Scene loaded, const PictureRequest& request, Session& session, Context& context);
 
 }  // namespace rakelight

@@ -24,7 +24,7 @@ std::uint64_t name_bytes(const std::string& name) {
 template <class Visit>
 void for_each_unpaid(const Mesh& m, const Visit& visit) {
     const auto look = [&](const auto& block) {
-        if (!block.is_paid()) visit(block);
+        if (!block.is_charged()) visit(block);
     };
     look(m.positions), look(m.indices), look(m.normals), look(m.tangents), look(m.bitangents), look(m.colors);
     look(m.smoothing), look(m.smoothing_hint), look(m.polygons), look(m.influences);
@@ -38,7 +38,7 @@ void charge_new_arrays(const Mesh& made, const std::set<const void*>& own, Conte
     for_each_unpaid(made, [&](const auto& block) {
         if (own.contains(block.identity())) return;
         const std::uint64_t bytes = block.size() * sizeof(block[0]) + bytes_beside_array;
-        block.pay(MemoryCharge(context.memory(), bytes, "the prepared scene"));
+        block.attach_charge(MemoryCharge(context.memory(), bytes, "the prepared scene"));
     });
 }
 

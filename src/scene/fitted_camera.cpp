@@ -6,9 +6,9 @@
 
 #include <rakelight/error.h>
 
+#include "math/default_up.h"
 #include "math/functions.h"
 #include "math/linear.h"
-#include "math/up_of_view.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -102,10 +102,10 @@ void make_parallel(Camera& camera, const Extent& extent, double aspect, double s
 }
 
 /// A camera that looks along `axes` at the model, as near as lets all of it be seen.
-Camera fit(const Scene& scene, const Bounds& bounds, double aspect, const dmat4& axes, const FitWishes& wishes) {
+Camera fit(const Scene& scene, const Bounds& bounds, double aspect, const dmat4& axes, const FitOptions& options) {
     Camera camera;
-    camera.vertical_fov_rad = wishes.vertical_fov_rad.value_or(camera.vertical_fov_rad);
-    camera.horizontal_fov_rad = wishes.horizontal_fov_rad;
+    camera.vertical_fov_rad = options.vertical_fov_rad.value_or(camera.vertical_fov_rad);
+    camera.horizontal_fov_rad = options.horizontal_fov_rad;
     const double a = aspect > 0 && std::isfinite(aspect) ? std::clamp(aspect, 1e-4, 1e4) : 1.0;
     const double radius = sphere_radius(bounds), tangent = math::tan(0.5 * camera.vertical_fov_rad);
     camera.to_world = axes;
@@ -114,13 +114,13 @@ Camera fit(const Scene& scene, const Bounds& bounds, double aspect, const dmat4&
     dvec3 eye{0, 0, radius / std::min(tangent * a, tangent)};
     Extent::Seen seen{};
     if (bounds.diagonal() > 1e-100)
-        eye = place_eye(extent, {tangent * a * wishes.fill, tangent * wishes.fill}, radius, seen);
+        eye = place_eye(extent, {tangent * a * options.fill, tangent * options.fill}, radius, seen);
     const dvec3 place = center + (camera.to_world[0].xyz() * eye.x + camera.to_world[1].xyz() * eye.y +
                                   camera.to_world[2].xyz() * eye.z);
     camera.to_world[3] = {place.x, place.y, place.z, 1};
     camera.z_near = std::max(eye.z - 1.05 * radius, 0.5 * (eye.z - seen.front));
     camera.z_far = eye.z + 1.05 * radius;
-    if (wishes.orthographic) make_parallel(camera, extent, a, 1e-3 * radius, wishes.fill, center, eye.z);
+    if (options.orthographic) make_parallel(camera, extent, a, 1e-3 * radius, options.fill, center, eye.z);
     return camera;
 }
 
@@ -134,18 +134,18 @@ constexpr Side sides[] = {{"default", {0.45, 0.35, 1}, {0, 1, 0}}, {"front", {0,
                           {"bottom", {0, -1, 0}, {0, 0, 1}},       {"isometric", {1, 1, 1}, {0, 1, 0}}};
 
 /// How a camera at that side is turned; its eye is 1 m from the origin.
-dmat4 axes_of(const Side& side, const FitWishes& wishes) {
+dmat4 axes_of(const Side& side, const FitOptions& options) {
     const dvec3 y{0, 1, 0}, none{0, 0, 0};
-    const dvec3 axis = normalize_or(wishes.world_up.value_or(wishes.up.value_or(y)), y);
+    const dvec3 axis = normalize_or(options.world_up.value_or(options.up.value_or(y)), y);
     dvec3 toward_eye = turn_with_up(side.toward_eye, axis), up = turn_with_up(side.up, axis);
-    if (wishes.direction) {
-        toward_eye = -normalize_or(*wishes.direction, dvec3{0, 0, -1});
-        up = is_along(axis, toward_eye) ? up_of_view(-toward_eye).up : axis;
+    if (options.direction) {
+        toward_eye = -normalize_or(*options.direction, dvec3{0, 0, -1});
+        up = is_along(axis, toward_eye) ? default_up(-toward_eye).up : axis;
     }
-    if ((wishes.world_up || wishes.direction) && wishes.up && !is_along(*wishes.up, toward_eye)) up = *wishes.up;
+    if ((options.world_up || options.direction) && options.up && !is_along(*options.up, toward_eye)) up = *options.up;
     const dmat4 axes = look_at(toward_eye, none, up);
-    if (wishes.azimuth_rad == 0 && wishes.elevation_rad == 0) return axes;
-    return orbited(axes, none, axis, wishes.azimuth_rad, wishes.elevation_rad);
+    if (options.azimuth_rad == 0 && options.elevation_rad == 0) return axes;
+    return orbited(axes, none, axis, options.azimuth_rad, options.elevation_rad);
 }
 
 }  // namespace
@@ -173,10 +173,10 @@ dmat4 orbited(const dmat4& to_world, dvec3 focal, dvec3 axis, double azimuth_rad
 }
 
 Camera view_camera(const Scene& scene, const Bounds& bounds, double aspect, const std::string& side,
-                   const FitWishes& wishes) {
+                   const FitOptions& options) {
     for (const Side& s : sides) {
         if (side != s.name) continue;
-        Camera camera = fit(scene, bounds, aspect, axes_of(s, wishes), wishes);
+        Camera camera = fit(scene, bounds, aspect, axes_of(s, options), options);
         camera.name = side;
         return camera;
     }
@@ -184,8 +184,8 @@ Camera view_camera(const Scene& scene, const Bounds& bounds, double aspect, cons
                 "use front, back, left, right, top, bottom, isometric or default");
 }
 
-Camera default_camera(const Scene& scene, const Bounds& bounds, double aspect, const FitWishes& wishes) {
-    return view_camera(scene, bounds, aspect, "default", wishes);
+Camera default_camera(const Scene& scene, const Bounds& bounds, double aspect, const FitOptions& options) {
+    return view_camera(scene, bounds, aspect, "default", options);
 }
 
 }  // namespace rakelight

@@ -50,7 +50,7 @@ double reach_of(const Light& light, double cutoff) {
             ? std::sqrt(wanted)
             : distance_of(double(light.constant), double(light.linear), double(light.quadratic), wanted);
     if (!(distance <= farthest)) return std::numeric_limits<double>::infinity();
-    return std::max(distance, least_light_range);
+    return std::max(distance, min_light_range);
 }
 
 bool is_cut(const Light& light, double cutoff) {

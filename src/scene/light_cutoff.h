@@ -11,7 +11,7 @@ namespace rakelight {
 
 /// [m] from where on a light brings at most `cutoff`, measured by its brightest channel at its axis: ambient and the
 /// larger of diffuse and specular together, of photometric lights intensity / pi. Infinity: it brings more at 1e30 m, or does not thin out at all; at
-/// least least_light_range.
+/// least min_light_range.
 /// @param cutoff  > 0 [radiance of a white Lambert surface that faces the light]
 ///
 /// With the window 1 - (d / range)^4 of a range r there, the light that a surface loses is at most `cutoff` at every

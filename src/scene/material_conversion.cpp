@@ -114,7 +114,7 @@ SpecularForm specular_form_of(const Material& m, SpecularForm wanted) {
     return is_normalized ? SpecularForm::normalized : SpecularForm::textbook;
 }
 
-bool wants_tangents(const Material& m) {
+bool needs_tangents(const Material& m) {
     const MetallicRoughnessParameters& p = m.metallic_roughness;
     return m.normal_texture || m.height_texture || p.clearcoat_normal_texture || m.ward_alpha ||
            (m.model == MaterialModel::metallic_roughness && p.anisotropy > 0);

@@ -43,7 +43,7 @@ void farthest_along(const Scene& scene, dvec3 about, std::span<const dvec3> dire
 std::uint64_t triangle_count(const Scene& scene);
 
 /// What a fitted camera shall keep to; the model fits whatever it is.
-struct FitWishes {
+struct FitOptions {
     /// The world's up, which sides turn along with: by it the front of a model that is Z up is at -Y. Not zero, finite; any
     /// length. Absent: `up`, else +Y.
     std::optional<dvec3> world_up;
@@ -65,14 +65,14 @@ dmat4 orbited(const dmat4& to_world, dvec3 focal, dvec3 axis, double azimuth_rad
 
 /// A camera from a named side of the world, as near as lets all that is drawn be seen: it takes `fill` of the picture's
 /// tighter side, and has the same room left and right, and above and below. Perspective, 40 degrees vertical, unless
-/// `wishes` say otherwise. Sides: "front" (+Z), "back", "left" (-X), "right", "top" (+Y), "bottom", "isometric", and
+/// `options` say otherwise. Sides: "front" (+Z), "back", "left" (-X), "right", "top" (+Y), "bottom", "isometric", and
 /// "default", oblique: from the direction (0.45, 0.35, 1).
 /// @param bounds  world_bounds() of the scene
 /// @throws Error usage for another name.
 Camera view_camera(const Scene& scene, const Bounds& bounds, double aspect, const std::string& side,
-                   const FitWishes& wishes = {});
+                   const FitOptions& options = {});
 /// The view by which a model without cameras is shown.
-Camera default_camera(const Scene& scene, const Bounds& bounds, double aspect, const FitWishes& wishes = {});
+Camera default_camera(const Scene& scene, const Bounds& bounds, double aspect, const FitOptions& options = {});
 
 /// camera -> world of a camera of this scene, whether placed by a node or by itself; scale is taken out.
 dmat4 camera_to_world(const Scene& scene, const Camera& camera, const std::vector<dmat4>& world);
@@ -104,7 +104,7 @@ float ior_f0(float ior);
 SpecularForm specular_form_of(const Material& m, SpecularForm wanted);
 
 /// Whether something of a material acts along the tangent: a bump or normal map, an anisotropic highlight.
-bool wants_tangents(const Material& material);
+bool needs_tangents(const Material& material);
 
 /// How a material's bumps act: as it says itself, else as the picture wants; never automatic: the map that it has
 /// decides.

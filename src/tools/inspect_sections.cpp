@@ -30,7 +30,7 @@ std::vector<std::string> seams_lines(const Inspection& i) {
     if (i.shared_positions == 0) return lines;
     lines[0] += ", " + std::to_string(s.continuous) + " continuous (normals: " + s.normals_before + "), " +
                 std::to_string(s.joined) + " once smoothed over the model at " + number(s.crease_angle_deg) +
-                (s.crease_angle_most_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_most_deg) : "") +
+                (s.crease_angle_max_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_max_deg) : "") +
                 " degrees";
     lines.push_back("largest seam " + degrees_text(s.seam_deg) + " degrees; angles at shared positions max " +
                     degrees_text(s.before.max_deg) + ", mean " + degrees_text(s.before.mean_deg) + ", 95% " +

@@ -5,8 +5,8 @@
 
 namespace rakelight {
 
-inline constexpr std::size_t most_fixed_lights = 8;  ///< OpenGL 1.x: GL_MAX_LIGHTS at least, and with most drivers
-inline constexpr float most_fixed_shininess = 128;   ///< OpenGL 1.x: GL_SHININESS
+inline constexpr std::size_t max_fixed_lights = 8;  ///< OpenGL 1.x: GL_MAX_LIGHTS at least, and with most drivers
+inline constexpr float max_fixed_shininess = 128;   ///< OpenGL 1.x: GL_SHININESS
 
 /// The settings that go with a preset, before those that are given.
 void set_preset(Preset preset, PictureRequest& request);

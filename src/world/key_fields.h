@@ -58,7 +58,7 @@ inline Written on_or_off(bool value) { return {value ? "on" : "off"}; }
 /// A word out of a table.
 #define RL_WORD_KEY(name, field, words) \
     RL_KEY(name, value, field, values::word(name, w[0], words), (name_in(words, field)))
-#define RL_SWITCH_KEY(name, field) RL_KEY(name, switched, field, values::switched(name, w[0]), (on_or_off(field)))
+#define RL_SWITCH_KEY(name, field) RL_KEY(name, on_off, field, values::on_off(name, w[0]), (on_or_off(field)))
 #define RL_FLOAT_KEY(name, field, low, high) \
     RL_KEY(name, value, field, float(values::number(name, w[0], low, high)), {text_of_float(field)})
 #define RL_NUMBER_KEY(name, field, low, high) \

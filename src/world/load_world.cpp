@@ -81,7 +81,7 @@ void warn_of_twins(const WorldFile& world, const std::string& path, Report& repo
 }
 
 /// What the world says of a part beside where it stands.
-struct PartWish {
+struct PartOptions {
     const std::string& name;
     const std::string& material;
     const std::optional<Subdivision>& subdivision;
@@ -117,7 +117,7 @@ public:
             throw Error(ErrorCode::bad_file, error.reason(), to_text(is_of_objects ? shape.objects_place : shape.place),
                         error.advice());
         }
-        wishes_.back().shape = &shape;
+        part_options_.back().shape = &shape;
     }
 
     /// Cameras of the world stand before those of its models.
@@ -194,7 +194,7 @@ private:
         Node root = root_node(of.name, of.placement);
         root.shading = of.shading;
         additions_.push_back({scene, std::move(root), taken.lights, taken.cameras});
-        wishes_.push_back({of.name, of.material, of.subdivision, choice_of(of, scene.missing_normals_are_flat)});
+        part_options_.push_back({of.name, of.material, of.subdivision, choice_of(of, scene.missing_normals_are_flat)});
     }
 
     void put_together() {
@@ -202,19 +202,19 @@ private:
         scene_ = std::move(merged.scene);
         scene_.source = path_;
         MemoryCharge names(context_.memory());
-        for (std::size_t i = 0; i < wishes_.size(); ++i) {
+        for (std::size_t i = 0; i < part_options_.size(); ++i) {
             const Scene& part = additions_[i].scene;
             const MergeOffsets& by = merged.offsets[i];
-            const PartWish& wish = wishes_[i];
+            const PartOptions& part_options = part_options_[i];
             const auto end = [](std::uint32_t first, std::size_t count) { return std::uint32_t(first + count); };
-            parts_.push_back({wish.name, by.materials, end(by.materials, part.materials.size()), by.meshes,
+            parts_.push_back({part_options.name, by.materials, end(by.materials, part.materials.size()), by.meshes,
                               end(by.meshes, part.meshes.size()), by.nodes - 1, end(by.nodes, part.nodes.size()),
-                              wish.material});
+                              part_options.material});
             for (std::uint32_t m = by.meshes; m < parts_.back().end_mesh; ++m) {
-                if (wish.subdivision) scene_.meshes[m].subdivision = wish.subdivision;
-                scene_.meshes[m].normal_choice = wish.normals;
+                if (part_options.subdivision) scene_.meshes[m].subdivision = part_options.subdivision;
+                scene_.meshes[m].normal_choice = part_options.normals;
             }
-            if (wish.shape) rename(scene_, parts_.back(), *wish.shape, names);
+            if (part_options.shape) rename(scene_, parts_.back(), *part_options.shape, names);
         }
         scene_.charges.push_back(share(std::move(names)));
     }
@@ -258,7 +258,7 @@ private:
     std::map<std::string, Scene> loaded_;
     std::map<ShapeRequest, Scene> shapes_;
     std::vector<ScenePart> additions_;
-    std::vector<PartWish> wishes_;  ///< [additions]
+    std::vector<PartOptions> part_options_;  ///< [additions]
     Scene scene_;
     std::vector<LoadedPart> parts_;  ///< [additions]
 };

@@ -95,10 +95,10 @@ void check_coloring(const PictureRequest& r, const Given& given) {
 /// The words of a value; those of flags are "on" or "off".
 std::vector<std::string> words_of(const RenderKey& key, const WorldValue& value) {
     if (value.words.empty()) throw values::wrong(key.name, "a value is needed");
-    const bool is_flag = key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::switched;
+    const bool is_flag = key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::on_off;
     if (!is_flag) return value.words;
     if (value.words.size() > 1) throw values::wrong(key.name, "must be on or off");
-    return {values::switched(key.name, value.words[0]) ? "on" : "off"};
+    return {values::on_off(key.name, value.words[0]) ? "on" : "off"};
 }
 
 void check_once(std::span<const WorldValue> values) {
@@ -151,7 +151,7 @@ void read_render_keys(std::span<const WorldValue> values, PictureRequest& to) {
             const std::string one = joined(words);
             key.read(to, key.kind == RenderKey::Kind::list ? words : std::span(&one, 1));
         }
-    for (const WorldValue& value : values) to.named.push_back(value.key);
+    for (const WorldValue& value : values) to.given_keys.push_back(value.key);
     const Given given(values);
     check_picture(to, given);
     check_view(to, given);
@@ -201,7 +201,7 @@ PictureRequest comparable(PictureRequest r) {
 void check_written(const std::vector<WorldValue>& values, const PictureRequest& of) {
     PictureRequest back;
     read_render_keys(values, back);
-    back.named = of.named;
+    back.given_keys = of.given_keys;
     if (!(comparable(back) == comparable(of)))
         throw Error(ErrorCode::usage, "the request asks for something that no key of [render] says");
 }

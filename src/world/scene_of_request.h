@@ -17,10 +17,10 @@ Scene with_environment(Scene scene, const PictureRequest& request, Context& cont
 bool is_lit_by_environment(const Scene& scene);
 
 /// The scene with the clips that a request asks for at their moments. @throws Error usage: see clips_of()
-Scene moved_as_asked(Scene scene, const PictureRequest& request);
+Scene with_requested_clips(Scene scene, const PictureRequest& request);
 
 /// A scene with the materials and the environment that a request asks for.
-Scene as_asked(Scene scene, const PictureRequest& request, Context& context);
+Scene as_requested(Scene scene, const PictureRequest& request, Context& context);
 
 /// The model of a request, as it is asked for.
 Scene scene_of_request(const PictureRequest& request, Context& context);

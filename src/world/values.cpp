@@ -73,7 +73,7 @@ double number(const std::string& option, std::string_view text, double low, doub
     throw wrong(option, limits);
 }
 
-bool switched(const std::string& option, std::string_view text) {
+bool on_off(const std::string& option, std::string_view text) {
     for (const char* const word : {"on", "true", "1"})
         if (same_word(text, word)) return true;
     for (const char* const word : {"off", "false", "0"})

@@ -242,7 +242,7 @@ void write_render(Writer& to, const std::vector<WorldValue>& values) {
     to.section("[render]");
     for (const WorldValue& value : values) {
         const RenderKey* const key = find_render_key(value.key);
-        const bool is_flag = key && (key->kind == RenderKey::Kind::flag || key->kind == RenderKey::Kind::switched);
+        const bool is_flag = key && (key->kind == RenderKey::Kind::flag || key->kind == RenderKey::Kind::on_off);
         std::vector<std::string> items;
         for (const std::string& word : value.words)
             items.push_back(is_flag && (word == "on" || word == "off") ? flag(word == "on") : bare_or_quoted(word));

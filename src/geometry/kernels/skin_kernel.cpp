@@ -76,7 +76,7 @@ static inline vec3 load_threes(const float* from) {
 /// Of length 1. @param odd  gets the lanes in which the square may have under- or overflown
 static inline vec3 unit(vec3 v, mask& odd) {
     const real squared = v.x * v.x + v.y * v.y + v.z * v.z;
-    odd = odd | !((squared > real(least_square)) & (squared < real(greatest_square)));
+    odd = odd | !((squared > real(min_square)) & (squared < real(greatest_square)));
     const real inverse = real(1.0f) / sqrt(squared);
     return {v.x * inverse, v.y * inverse, v.z * inverse};
 }

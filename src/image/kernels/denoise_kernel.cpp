@@ -7,7 +7,7 @@
 namespace rakelight::denoise::RL_ISA {
 RL_USE_WIDE;
 
-static_assert(lanes <= most_lanes && tile_width % lanes == 0);
+static_assert(lanes <= max_lanes && tile_width % lanes == 0);
 
 static inline int at(int x, int y) { return (y + margin) * stride + x + margin; }
 static inline real square(real x) { return x * x; }

@@ -355,7 +355,7 @@ TEST_F(OpenGl, AnotherSceneTakesThePlaceOfTheFirst) {
 }
 
 TEST_F(OpenGl, SamplesBeyondTheDriversAreRefusedBeforeAnythingIsDrawn) {
-    const EngineAbilities can = engine->abilities();
+    const EngineCapabilities can = engine->capabilities();
     EXPECT_EQ(can.samples.front(), 1);
     EXPECT_FALSE(can.visibility_methods);
     EXPECT_TRUE(can.user_lighting && can.lines_and_points && can.shadows);
@@ -474,7 +474,7 @@ TEST_F(OpenGl, Es30DrawsThePictureOfCore33) {
     const Frame core = drawn(*engine, two_squares(), small(), context);
     const EnvironmentVariable es("RAKELIGHT_GL", "es");
     engine = opengl::make_engine();
-    EXPECT_FALSE(engine->abilities().screen_interpolation) << "ES has no noperspective";
+    EXPECT_FALSE(engine->capabilities().screen_interpolation) << "ES has no noperspective";
     EXPECT_LT(rmse(drawn(*engine, two_squares(), small(), context), core), 0.002);
     RenderSettings settings = small();
     settings.channels = channel_object | channel_normal;

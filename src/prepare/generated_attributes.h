@@ -10,7 +10,7 @@
 namespace rakelight {
 
 /// One call of group(), kept.
-struct MadeAttributes {
+struct GeneratedAttributes {
     AttributePlan plan;
     std::vector<AttributeMesh> meshes;   ///< as they were grouped; the spans point into `sources`
     std::vector<Mesh> sources;           ///< [meshes]
@@ -23,6 +23,6 @@ struct MadeAttributes {
 
 /// The sums again, where something has moved (and in what touches it), into the meshes of the posed scene. A mesh that
 /// several placements show, or whose vertices have been split since, keeps what posing made of its normals.
-void make_again(const MadeAttributes& made, Scene& posed, Context& context);
+void recompute_attributes(const GeneratedAttributes& made, Scene& posed, Context& context);
 
 }  // namespace rakelight

@@ -25,6 +25,6 @@ struct Box {
 /// of a wide scene) and by that of the pivot itself. The pivot counts from the world's origin or from the center of the
 /// box, whichever is nearer: a model that stands far away has parts that were placed beside one another by a common
 /// parent. Where positions are quantized, half the diagonal of a step's cube if that is more.
-std::vector<double> rounding_reach(const AttributeInput& input, const Box& box, Context& context);
+std::vector<double> rounding_tolerances(const AttributeInput& input, const Box& box, Context& context);
 
 }  // namespace rakelight::geometry

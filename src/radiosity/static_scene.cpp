@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "radiosity/still_scene.h"
+#include "radiosity/static_scene.h"
 
 namespace rakelight::radiosity {
 
-Scene still_scene(Scene scene) {
+Scene static_scene(Scene scene) {
     scene.lights.clear();
     if (scene.environment) scene.environment->is_light = false;
     for (std::size_t i = 0; scene.pose && i < scene.nodes.size(); ++i) scene.nodes[i].local = scene.pose->local[i];

@@ -15,6 +15,6 @@ struct NamedUp {
     std::string name;  ///< "+Y"
 };
 /// +Y; -Z for a view straight down, as from the top, and +Z for one straight up, as from the bottom.
-NamedUp up_of_view(dvec3 view);
+NamedUp default_up(dvec3 view);
 
 }  // namespace rakelight

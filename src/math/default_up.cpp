@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "math/up_of_view.h"
+#include "math/default_up.h"
 
 #include "math/linear.h"
 
@@ -10,7 +10,7 @@ bool is_along(dvec3 up, dvec3 view) {
     return !(dot(side, side) > 1e-12);
 }
 
-NamedUp up_of_view(dvec3 view) {
+NamedUp default_up(dvec3 view) {
     if (!is_along({0, 1, 0}, view)) return {{0, 1, 0}, "+Y"};
     if (view.y < 0) return {{0, 0, -1}, "-Z"};
     return {{0, 0, 1}, "+Z"};
