@@ -8,8 +8,8 @@
 namespace rakelight::bake {
 namespace {
 
-constexpr int max_layers = 64;           ///< that a ray goes through
-constexpr double step_on = 1e-6;         ///< of HIGH's diagonal: where a ray that goes on begins
+constexpr int max_layers = 64;           ///< hits along a ray
+constexpr double step_on = 1e-6;         ///< of HIGH's diagonal: offset of a continued ray
 constexpr std::uint32_t probes = 65536;  ///< places on LOW that proposed_distance() looks from
 
 bool faces(const HighPoint& point, dvec3 outward) {

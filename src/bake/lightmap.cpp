@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way of a lightmap: sides apart, coordinates, light (with_radiosity), texels, materials that show them.
+// Stages of a lightmap: split sides, texture coordinates, light (with_radiosity), texels, materials.
 #include <rakelight/lightmap.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ void make_one_sided(Material& m) {
     m.double_sided = false;
 }
 
-/// Two-sided surfaces as two one-sided ones, which have places of their own on the map.
+/// Two-sided surfaces as two one-sided ones with separate charts.
 Scene one_sided(Scene scene, Context& context) {
     std::vector<std::uint32_t> back(scene.meshes.size(), no_index);
     std::vector<bool> is_split(scene.materials.size());

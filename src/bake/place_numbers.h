@@ -8,7 +8,8 @@
 
 namespace rakelight::bake {
 
-/// [V] the first vertex at exactly the same place. @param places  finite
+/// [V] the first vertex at exactly the same position.
+/// @param places finite
 std::vector<std::uint32_t> place_numbers(std::span<const dvec3> places);
 
 }  // namespace rakelight::bake

@@ -50,7 +50,8 @@ void run_on_plain_threads(const Context& context, std::size_t count, void (*call
 }  // namespace
 
 struct Context::Arena {
-    // Without the control oneTBB writes a warning to standard error when more threads are asked for than there are cores.
+    // Without the control oneTBB writes a warning to standard error when more threads are requested than there are
+    // cores.
     explicit Arena(int threads)
         : control(tbb::global_control::max_allowed_parallelism,
                   std::size_t(std::max(threads, tbb::this_task_arena::max_concurrency()))),

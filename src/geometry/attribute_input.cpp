@@ -63,7 +63,7 @@ Placement place(const dmat4& to_world) {
 
 namespace {
 
-// Without a branch an index, and four chains side by side: almost always this is all that is looked at.
+// Branch-free, with four independent chains: nearly always this first pass is sufficient.
 std::uint32_t largest_of(std::span<const std::uint32_t> indices) {
     std::uint32_t a = 0, b = 0, c = 0, d = 0;
     std::size_t i = 0;
@@ -79,7 +79,7 @@ std::uint32_t largest_of(std::span<const std::uint32_t> indices) {
 
 }  // namespace
 
-// Whichever thread meets one first.
+// The first thread that finds one.
 void check_indices(const AttributeInput& input, Context& context) {
     const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
     std::vector<std::uint32_t> first_bad(chunks.size(), no_index);

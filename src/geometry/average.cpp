@@ -12,7 +12,7 @@ namespace {
 
 using namespace geometry;
 
-/// What the faces at one vertex, or at one group, say together.
+/// The sum over the faces at one vertex or group.
 struct ValueRow {
     dvec3 sum;
     double weight = 0;

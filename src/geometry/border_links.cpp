@@ -222,7 +222,7 @@ private:
             }
     }
 
-    /// A node that stands at the end that counts follows nothing: `node` is `nothing` then.
+    /// A node at the relevant end of an edge follows nothing: `node` is then `nothing`.
     BorderLink link_of(std::uint32_t match, std::uint32_t node) const {
         const BorderHit& hit = matches_[match].hit;
         const BorderEdge& edge = edges_[hit.edge];
@@ -232,8 +232,8 @@ private:
         return link;
     }
 
-    /// Of two nodes of one mesh at one place that would follow the same normal only the one that is nearer to it does, so
-    /// that a hard edge that ends at the border stays hard.
+    /// If two nodes of one mesh at one place would follow the same normal, only the nearer one does, so that a hard
+    /// edge that ends at the border stays hard.
     void drop_doubles() {
         std::vector<BorderLink>& links = result_.links;
         for (std::size_t i = 0; i < links.size();) {

@@ -57,7 +57,7 @@ std::optional<Neighbor> neighbor_of(const BorderSearch& search, const BorderEdge
     return out;
 }
 
-/// Every edge, or one at a place of its own in each of `max_asked` equal parts of the list: a fixed step could fall in
+/// Every edge, or one at a varying place in each of `max_asked` equal parts of the list: a fixed step could coincide
 /// with how a grid is numbered.
 std::size_t edge_to_ask(std::size_t k, std::size_t asked, std::size_t edges) {
     if (asked == edges) return k;
@@ -97,7 +97,7 @@ double distance_of(const Neighbors& neighbors) {
     return rounded_up(1.25 * weighted_quantile(std::move(gaps), proposed_share));
 }
 
-/// Nothing where none of the neighbors that were asked again is as near as that.
+/// Nothing if none of the neighbors examined again is that near.
 ProposedDistance summarize(double distance, const Neighbors& neighbors) {
     ProposedDistance out;
     for (const std::optional<Neighbor>& n : neighbors)

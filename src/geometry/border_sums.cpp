@@ -133,7 +133,7 @@ dvec3 BorderSums::tangent_between(const BorderLink& link) const {
     return sum - normals_[link.node] * dot(normals_[link.node], sum);
 }
 
-/// Votes go to what is followed, those of the deepest links first. Nodes all of whose followers agree with them already
+/// Votes are passed to the followed nodes, deepest links first. Nodes all of whose followers agree with them already
 /// turn no more: what was joined once stays.
 void BorderSums::share_out() {
     for (const BorderLink& link : links_) {

@@ -9,7 +9,7 @@
 namespace rakelight::geometry {
 
 /// @param out  [meshes] large enough: checked by the caller
-/// @throws Error as the door says; the scratch may then have lost its memory
+/// @throws Error as compute_attributes(); the scratch may then have lost its memory
 std::vector<SplitAttributes> general_attributes_into(std::span<const AttributeMesh> meshes,
                                                      const AttributeOptions& options,
                                                      std::span<const AttributeBuffers> out, GeneralScratch& scratch,

@@ -5,7 +5,7 @@
 
 namespace rakelight::geometry {
 
-/// Whoever needs memory takes a block and puts it back; its contents are nobody's business.
+/// A stage takes a block and returns it; contents are not preserved.
 struct GeneralScratch {
     Block faces;    ///< face normals while grouping, then rows of normals
     Block corners;  ///< corners by place, then rows of tangents

@@ -125,7 +125,7 @@ public:
             return dot(of_a, of_a) > dot(of_b, of_b);
         });
     }
-    /// Also true when too much was looked at already: nothing is known then.
+    /// Also true if the search was cut off: the result is then unknown.
     bool may_hold(const Body& body) {
         for (const Body* other : closed_) {
             if (looks_++ == max_looks) return --looks_, true;

@@ -197,7 +197,7 @@ void JoinRules::join_edges(Fan& fan, UnionFind& sets) const {
     }
 }
 
-// At an edge between two meshes the one that is sharper rules.
+// At an edge between two meshes the smaller angle applies.
 double JoinRules::min_cos(const Fan& fan, std::uint32_t i, std::uint32_t j) const {
     return own_cos_.empty() ? min_cos_ : std::max(own_cos_[fan.mesh[i]], own_cos_[fan.mesh[j]]);
 }

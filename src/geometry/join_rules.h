@@ -24,7 +24,7 @@ constexpr double looks_away = 0.01;
 /// Of the largest angle [rad] between faces that a crease angle joins; -2 for pi, which no cosine is below.
 double crease_cosine(double crease_angle_rad);
 
-/// One edge of a face, at the place from which it is looked at.
+/// One edge of a face, seen from one of its places.
 struct Spoke {
     std::uint32_t place, index;  ///< other end of the edge (its position class); which corner of the fan
     bool outgoing;               ///< the face runs along the edge away from the fan's place
@@ -32,7 +32,7 @@ struct Spoke {
 
 /// The faces at one place, as seen by the rules; index i is the i-th corner of the place.
 struct Fan {
-    std::vector<std::uint32_t> corner;  ///< numbered through, ascending
+    std::vector<std::uint32_t> corner;  ///< global indices, ascending
     std::vector<std::uint32_t> mesh;    ///< of the corner
     std::vector<dvec3> normal;          ///< of its face; zero: no vote
     std::vector<std::uint64_t>

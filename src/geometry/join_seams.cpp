@@ -22,7 +22,7 @@ namespace {
 constexpr double vanished_share = 1e-6;  // of the angles that were summed
 constexpr std::uint32_t nobody = 0xffffffffu;
 
-/// A vertex, numbered through, and what its normal becomes.
+/// A global vertex index and its new normal.
 struct Turn {
     std::uint32_t vertex;
     vec3 normal;

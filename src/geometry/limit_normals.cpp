@@ -43,7 +43,7 @@ private:
     void for_each_sector(int vertex, const Body& body) const {
         const auto edges = level_.GetVertexEdges(vertex);
         const int faces = level_.GetVertexFaces(vertex).size();
-        if (level_.IsVertexNonManifold(vertex)) {  // not in order: each face by itself
+        if (level_.IsVertexNonManifold(vertex)) {  // non-manifold: each face separately
             for (int i = 0; i < faces; ++i) body(Sector{i, 1});
             return;
         }
@@ -76,7 +76,7 @@ private:
         out_.normals[number] = normalize_or(normal_of(vertex, sector, facets), normalize_or(facets, {0, 0, 1}));
     }
 
-    /// Of any length; 0 where the tangents say nothing.
+    /// Not normalized; 0 if the tangents are degenerate.
     dvec3 normal_of(int vertex, const Sector& sector, dvec3 facets) const {
         if (level_.IsVertexNonManifold(vertex)) return facets;
         const Corner corner = corner_at(level_, vertex, false);

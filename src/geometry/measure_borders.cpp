@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far apart normals are along borders that run along each other.
+// Angles between the normals of adjacent borders.
 #include <rakelight/matching_borders.h>
 
 #include <algorithm>

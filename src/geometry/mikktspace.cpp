@@ -88,7 +88,7 @@ private:
         return std::tuple(p.x, p.y, p.z, n.x, n.y, n.z, q.x + 0.0f, q.y + 0.0f);
     }
 
-    // Equal in all eight numbers: the smallest vertex stands for all. What is not finite is equal to nothing.
+    // Equal in all eight numbers: the smallest vertex represents them. Non-finite values are never equal.
     void join_vertices() {
         joined_.resize(mesh_.positions.size());
         std::vector<std::uint32_t> order;
@@ -146,7 +146,7 @@ private:
         bool rising;  // from low to high
     };
 
-    // Over an edge between more than two faces the n-th face that runs along it meets the n-th that runs back.
+    // At an edge of more than two faces, the n-th face in one direction is paired with the n-th in the other.
     void link_faces() {
         std::vector<Edge> edges;
         edges.reserve(3 * faces_.size());

@@ -39,7 +39,7 @@ Expanded expand(const AttributeMesh& mesh, const MeshAttributes& result) {
 auto bits(vec4 t) { return std::bit_cast<std::array<std::uint32_t, 4>>(t); }
 
 struct Variant {
-    std::uint32_t source, vertex, corner;  // where it comes from; the first corner that has it
+    std::uint32_t source, vertex, corner;  // its source; the first corner that uses it
 };
 
 // Gives each vertex the tangent of its first corner, and lists the other tangents that its corners have.

@@ -28,7 +28,7 @@ public:
 
     /// Calls body(vertices) for each cell of a partition with two places or more: std::span<const std::uint32_t>, none
     /// twice.
-    /// @return how many slots of other cells were looked at, the measure of how evenly the table fills
+    /// @return number of visited slots of other cells, which measures how evenly the table fills
     template <class Body>
     std::uint64_t for_each_shared_cell(std::uint32_t partition, const Body& body) const {
         const Entry* entries = entries_.data() + begin_[partition];

@@ -94,7 +94,7 @@ private:
         return {first, std::lower_bound(first, shared_.end(), SharedPlace{place + 1, 0})};
     }
 
-    // Linear in the meshes at the two places: thousands may stand at one.
+    // Linear in the meshes at the two places, which may be thousands.
     bool have_a_mesh_in_common(const Entry& a, const Entry& b) const {
         const auto at_a = others_at(a.vertex), at_b = others_at(b.vertex);
         const auto has = [](std::span<const SharedPlace> list, std::uint32_t mesh) {
@@ -108,7 +108,7 @@ private:
         return false;
     }
 
-    // How far apart the two may lie to be one place; < 0: they are two.
+    // Largest distance at which the two are one place; < 0: never.
     double reach(const Entry& a, const Entry& b) const {
         if (a.object != b.object) return -1;
         if (!by_meshes_) return distance_;

@@ -50,7 +50,7 @@ Votes votes_of(const AttributeInput& input, std::uint32_t mesh, std::uint32_t tr
             sum(corner_weights<CornerWeight::angle_area>(placement, corners, face.length))};
 }
 
-/// [triangles] whether each triangle's own normals stand against it.
+/// [triangles] whether the vertex normals oppose the triangle's winding.
 std::vector<std::uint8_t> own_sides(const AttributeInput& input, Context& context) {
     std::vector<std::uint8_t> against(input.triangle_count());
     const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
@@ -69,7 +69,7 @@ std::vector<std::uint8_t> own_sides(const AttributeInput& input, Context& contex
     return against;
 }
 
-/// The same, asked of whole pieces.
+/// The same for whole pieces.
 void ask_pieces(const AttributeInput& input, std::vector<std::uint8_t>& against, Context& context) {
     const PlacedMeshes placed{input, weld_positions(input, {.normal = true}, context)};
     UnionFind pieces;

@@ -137,7 +137,7 @@ private:
         return place_of(input_, key_, m, vertex - input_.vertex_base[m]);
     }
 
-    // @return full slots that were looked at
+    // @return number of visited full slots
     std::uint64_t match(std::uint32_t p, std::vector<std::uint32_t>& representative) const {
         std::uint64_t met = 0;
         const std::uint32_t begin = begin_[p], end = begin_[p + 1];

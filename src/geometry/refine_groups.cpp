@@ -17,7 +17,7 @@ struct BinScratch {
     std::uint32_t mesh = 0;  // of the place before
 };
 
-// What one chunk of groups has to take apart. Most groups stay whole and leave nothing here.
+// The groups of one chunk that must be split. Most groups are not split and have no entry.
 struct Splits {
     std::vector<std::uint32_t> bins;
     std::vector<std::uint32_t> leads;  // [corners of these bins] first corner of its group
@@ -94,7 +94,7 @@ private:
         for (std::uint32_t i = 0; i < count; ++i) out.leads.push_back(corners[s.root[i]]);
     }
 
-    // Corners without a vote go with the first voting corner of their vertex, else of their mesh, else of the bin.
+    // Corners without a vote join the first voting corner of their vertex, else of their mesh, else of the bin.
     void follow(BinScratch& s, std::uint32_t first_vote) const {
         const auto mesh_of = [&](std::uint32_t at) { return input_.mesh_of_triangle(s.fan.corner[at] / 3); };
         std::sort(s.order.begin(), s.order.end(), [&](std::uint32_t a, std::uint32_t b) {

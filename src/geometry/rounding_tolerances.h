@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far rounding may have moved the places of a mesh: what the default weld distance is made of.
+// Rounding errors of the positions of a mesh, from which the default weld distance follows.
 #pragma once
 #include <vector>
 
@@ -20,11 +20,10 @@ struct Box {
     double diagonal() const { return length(high - low); }
 };
 
-/// [m] in the world, [meshes]. Two objects meet where each has rounded the common place to floats in a frame of its
-/// own: by the size of its local coordinates (far from a pivot that lies outside the model, little in the small parts
-/// of a wide scene) and by that of the pivot itself. The pivot counts from the world's origin or from the center of the
-/// box, whichever is nearer: a model that stands far away has parts that were placed beside one another by a common
-/// parent. Where positions are quantized, half the diagonal of a step's cube if that is more.
+/// [meshes] [m] world space. Two objects meet at a place that each has rounded to floats in its own frame. The error
+/// depends on the size of local coordinates and on the distance of the pivot. That distance counts from the world
+/// origin or the center of the box, whichever is nearer: parts of a far model are usually placed by a common parent.
+/// For quantized positions it is at least half the diagonal of a step's cube.
 std::vector<double> rounding_tolerances(const AttributeInput& input, const Box& box, Context& context);
 
 }  // namespace rakelight::geometry

@@ -146,7 +146,7 @@ void SeamFans::look_at_pair(std::uint32_t place, std::span<const SeamCorner> cor
         {f, g, dot(fans_[f].normal, fans_[g].normal), cosine, length(p.authored - q.authored) > continuous_rad});
 }
 
-/// Where every mesh has one fan nothing can go wrong.
+/// With one fan per mesh there is no conflict.
 void SeamFans::join_all() {
     for (const Joint& j : joints_) sets_.join(j.a, j.b);
 }
@@ -163,10 +163,10 @@ bool SeamFans::comes_before(const Joint& x, const Joint& y) const {
     return nx != ny ? nx < ny : std::tuple(x.a, x.b) < std::tuple(y.a, y.b);
 }
 
-/// Joints as they come, nearest normals first, but for those that would bring two fans of one mesh together.
+/// Joints in order of closest normals, except those that would connect two fans of one mesh.
 void SeamFans::join_nearest_first() {
     std::sort(joints_.begin(), joints_.end(), [&](const Joint& a, const Joint& b) { return comes_before(a, b); });
-    std::vector<std::set<std::uint32_t>> meshes(fans_.size());  // of the fans that each root stands for
+    std::vector<std::set<std::uint32_t>> meshes(fans_.size());  // of the fans of each root
     for (std::size_t f = 0; f < fans_.size(); ++f) meshes[f] = {fans_[f].mesh};
     std::set<std::pair<std::uint32_t, std::uint32_t>> refused;  // pairs of roots
     for (const Joint& j : joints_) {

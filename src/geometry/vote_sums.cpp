@@ -150,8 +150,8 @@ private:
             scatter_range<weight, false>(c, m, first, last, own);
     }
 
-    /// Where the votes of one chunk's faces of one mesh go. Everything that the loop reads is copied to its own stack
-    /// frame first: no thread shares a cache line with it.
+    /// Destination of the votes of one chunk's faces of one mesh. Everything that the loop reads is copied to its own
+    /// stack frame first: no thread shares a cache line with it.
     struct Receiver {
         Scatter& scatter;
         std::size_t c;

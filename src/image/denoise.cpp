@@ -88,7 +88,7 @@ void fill(const NoisyPicture& in, const PictureWindow& w, Tile& t) {
 
 float brightness(const Tile& t, int i) { return t.light[0][i] + t.light[1][i] + t.light[2][i]; }
 
-/// Bright beyond what its neighbors say, and unsure of it: a sample of rare light, not a small bright thing.
+/// Much brighter than its neighbors, with high variance: a firefly, not a small bright object.
 bool is_firefly(const Tile& t, int i) {
     constexpr int side = 2 * firefly_radius + 1, brighter = 3;  // neighbors that may be as bright: fireflies meet
     std::array<float, side * side> around;

@@ -74,7 +74,7 @@ std::array<vec3, 9> irradiance_of(const MipChain& chain, Context& context) {
 
 vec3 blend(const vec3& a, const vec3& b, float t) { return a + (b - a) * t; }
 
-/// Bilinear, across the edges as the sphere goes on.
+/// Bilinear, continuous across the edges of the map.
 vec3 filtered(const OctahedralMap& map, dvec2 uv) {
     const float x = float(uv.x) * float(map.size) - 0.5f, y = float(uv.y) * float(map.size) - 0.5f;
     const int x0 = std::clamp(int(std::floor(x)), -1, map.size - 1),
@@ -139,7 +139,7 @@ OctahedralMap half_of(const OctahedralMap& map) {
 struct LobeSample {
     vec3 to_light;
     float weight;  ///< n.l
-    float level;   ///< of the halved maps: as wide as the part of the lobe that the sample stands for
+    float level;   ///< mip level that matches the solid angle of the sample
 };
 
 /// [0, 1) the bits of i behind the point, mirrored (van der Corput 1935).

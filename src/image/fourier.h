@@ -17,7 +17,7 @@ inline Complex operator*(Complex a, Complex b) { return {a.re * b.re - a.im * b.
 class Fourier {
 public:
     explicit Fourier(std::size_t n);  ///< >= 1
-    /// @param in  n values, `stride` apart
+    /// @param in n values with a stride
     /// @param out  [n], not `in`
     void transform(const Complex* in, std::size_t stride, Complex* out) const { run(in, stride, out, n_, 1); }
 

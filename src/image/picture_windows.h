@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Means over a picture that is looked at in windows, with separable filters in each: memory for one window a thread, and sums in
-// an order that no number of threads changes.
+// Means over a picture processed in windows, with separable filters in each: memory for one window per thread, and sums
+// in an order that no number of threads changes.
 #pragma once
 #include <algorithm>
 #include <cstddef>

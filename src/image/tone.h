@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From linear light to the code values of a picture file, clamped to 0..1. Tone mapping comes before: tone_curves.h.
+// Encoding of linear light to code values of picture files, clamped to 0..1, after tone mapping (tone_curves.h).
 #pragma once
 #include <cstdint>
 #include <span>

@@ -31,7 +31,8 @@ public:
     /// Nothing changes: no curve, exposure 0, and nothing lies behind.
     bool is_identity() const { return is_identity_; }
     vec3 operator()(vec3 light) const;
-    /// Light that becomes a linear color 0..1 under exposure and curve; where no light does, one that comes near.
+    /// The inverse of exposure and tone curve for a linear color 0..1; an approximation for colors out of the curve's
+    /// range.
     vec3 light_for(vec3 displayed) const;
     /// A pixel as it is displayed, straight alpha: its color under the curve, clamped to 0..1 where it is mixed with what
     /// lies behind it by its alpha.

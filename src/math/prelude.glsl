@@ -27,7 +27,7 @@ float copy_sign(float x, float s) { return uintBitsToFloat((floatBitsToUint(x) &
 float log2_coarse(float x) { return log2(clamp(x, 1.17549435e-38f, 3.40282347e38f)); }
 float safe_sqrt(float x) { return x > 0.0f ? sqrt(x) : 0.0f; }  // 0 for negative x and NaN
 
-// x^y for x > 0; 0 for x <= 0 and NaN, whatever y.
+// x^y for x > 0; 0 for x <= 0 and NaN, for any y.
 float pow_positive(float x, float y) { return x >= 1.17549435e-38f ? pow(x, y) : 0.0f; }
 
 // Unit vector of a, or fallback where the squared length is NaN, below 2^-126 or not finite.

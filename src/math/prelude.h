@@ -10,8 +10,8 @@
 #define RL_MAP_FN         \
     template <class Maps> \
     RL_FN
-// Whether what only lanes of the mask need may be left out now: where none is.
+// Whether work for lanes of the mask can be skipped: no lane is set.
 #define RL_CAN_SKIP(lanes_that_need_it) no_lane(lanes_that_need_it)
-// Whether a fallback for lanes without the mask may be left out.
+// Whether a fallback for lanes without the mask can be skipped.
 #define RL_NEEDS_NO_FALLBACK(mask_of_sound_lanes) all_lanes(mask_of_sound_lanes)
 RL_USE_WIDE;

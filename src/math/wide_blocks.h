@@ -32,7 +32,7 @@ inline real load_block(const float* p, int stride) {
         _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p + 2 * stride)), _mm_loadu_ps(p + 3 * stride), 1);
     return real(RealBatch(_mm512_insertf32x8(_mm512_castps256_ps512(low), high, 1)));
 }
-/// Lanes outside of m keep what stands there (which other threads must not write meanwhile).
+/// Lanes outside of m keep their values in memory (which other threads must not write concurrently).
 inline void store_block(float* p, int stride, real x, mask m) {
     const uint32_t bits = lane_bits(m);
     _mm_mask_storeu_ps(p, __mmask8(bits), _mm512_castps512_ps128(x.v));

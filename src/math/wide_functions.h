@@ -81,8 +81,8 @@ inline real log2_coarse(real x) {
     return e + (f + f * (real(1.0f) - f) * q);
 }
 
-/// x^y for x > 0; 0 for x <= 0 and NaN, whatever y (so pow_positive(0, 0) is 0); 1 for x = 1 and finite y.
-/// For y log2 x in -20..0 the relative error is under 6e-6: the product's rounding times ln 2.
+/// x^y for x > 0; 0 for x <= 0 and NaN, for any y (so pow_positive(0, 0) is 0); 1 for x = 1 and finite y. For y log2 x
+/// in -20..0 the relative error is under 6e-6: the product's rounding times ln 2.
 inline real pow_positive(real x, real y) {
     const mask is_positive = x >= real(1.17549435e-38f);
     return select(is_positive, exp2(y * log2(x)), real(0.0f));

@@ -4,7 +4,7 @@
 
 namespace rakelight {
 
-/// The same surface seen from behind: triangles and normals are turned. Without tangents.
+/// The surface with reversed winding and normals, without tangents.
 Mesh back_side(Mesh mesh);
 
 }  // namespace rakelight

@@ -24,7 +24,7 @@ constexpr float weight_slack = 0.01f;  // weights of 8 bits are this near to wha
 std::vector<std::vector<bool>> used_joints(const Scene& scene) {
     std::vector<std::vector<bool>> used(scene.skins.size());
     for (std::size_t s = 0; s < used.size(); ++s) used[s].assign(scene.skins[s].joints.size(), false);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> seen;  // skin, mesh: instances look at a mesh once
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> seen;  // skin, mesh: each mesh is checked once
     for (const Instance& instance : drawn_instances(scene))
         if (const std::uint32_t skin = scene.nodes[instance.node].skin; skin != no_index)
             seen.emplace_back(skin, instance.mesh);

@@ -32,7 +32,7 @@ bool same_shape(const Mesh& a, const Mesh& b) {
     return same(a.indices, b.indices) && same(a.positions, b.positions);
 }
 
-/// All that one displacement of a scene goes through, stage by stage.
+/// The stages of displacing a scene.
 class Displacer {
 public:
     Displacer(Scene scene, const Displacement& options, Context& context)
@@ -85,7 +85,7 @@ private:
         if (!fine_.is_complete) warn_of_limit();
     }
 
-    /// What stands beside a mesh that is displaced is taken apart like it.
+    /// Neighbors of a displaced mesh are tessellated in the same way.
     void check_memory(const std::vector<AttributeMesh>& meshes, std::uint64_t most) const {
         constexpr std::uint64_t a_vertex = 104, a_corner = 12, a_triangle = 96;
         std::uint64_t bytes = most * a_triangle + meshes.size() * (sizeof(Mesh) + sizeof(DisplacedPart));
@@ -174,7 +174,7 @@ private:
         }
     }
 
-    /// The first placement of a mesh takes its place, others that came out differently get one of their own.
+    /// The first instance replaces the mesh, instances with other results get their own.
     void place() {
         std::vector<std::vector<std::uint32_t>> made(scene_.meshes.size());
         AddedMeshes added(scene_, context_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normals and tangents that prepare has made, made again of moved vertices: groups and places stay those of the bind pose.
+// Recomputes normals and tangents of prepare_scene() for posed vertices, with the groups of the bind pose.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -9,20 +9,20 @@
 
 namespace rakelight {
 
-/// One call of group(), kept.
+/// The stored inputs and result of one group() call.
 struct GeneratedAttributes {
     AttributePlan plan;
-    std::vector<AttributeMesh> meshes;   ///< as they were grouped; the spans point into `sources`
+    std::vector<AttributeMesh> meshes;   ///< inputs of group(); the spans point into `sources`
     std::vector<Mesh> sources;           ///< [meshes]
-    std::vector<std::uint32_t> nodes;    ///< [meshes] that place them
-    std::vector<std::uint32_t> numbers;  ///< [meshes] that show the results, of the prepared scene
-    std::vector<bool> in_world;          ///< [meshes] grouped at its place in the world, else about its own origin
-    std::vector<std::uint32_t> islands;  ///< [meshes] of mesh_islands()
-    std::vector<bool> moves;             ///< [meshes] follow a skin or have morph targets
+    std::vector<std::uint32_t> nodes;    ///< [meshes] nodes that place them
+    std::vector<std::uint32_t> numbers;  ///< [meshes] meshes of the prepared scene that get the results
+    std::vector<bool> in_world;          ///< [meshes] grouped in world space, else in object space
+    std::vector<std::uint32_t> islands;  ///< [meshes] result of mesh_islands()
+    std::vector<bool> moves;             ///< [meshes] skinned or morphed
 };
 
-/// The sums again, where something has moved (and in what touches it), into the meshes of the posed scene. A mesh that
-/// several placements show, or whose vertices have been split since, keeps what posing made of its normals.
+/// Recomputes moved meshes, and meshes that touch them, in the posed scene. Meshes of several instances, and meshes
+/// whose vertices were split since, keep the normals of the pose.
 void recompute_attributes(const GeneratedAttributes& made, Scene& posed, Context& context);
 
 }  // namespace rakelight

@@ -18,7 +18,7 @@ Mesh with_arrays_of(const Mesh& made, const Mesh& own) {
     return mesh;
 }
 
-/// Offsets from the old normals and tangents say nothing about the new ones. Positions of targets stay.
+/// Offsets of old normals and tangents do not apply to the new ones. Target positions are kept.
 /// @param directions  of the new normals, or null: none were made
 void set_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number, bool new_normals,
                            TargetDirections* directions, Report& report) {

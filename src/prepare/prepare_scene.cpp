@@ -74,7 +74,7 @@ void note_flat_meshes(const Scene& scene, Report& report) {
     for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
         const Mesh& mesh = scene.meshes[i];
         if (mesh.topology != Topology::triangles || !mesh.normals.empty()) continue;
-        if (mesh.normal_choice && mesh.normal_choice->source != NormalSource::automatic) continue;  // asked for
+        if (mesh.normal_choice && mesh.normal_choice->source != NormalSource::automatic) continue;  // requested
         if (normal_rule(scene, mesh, NormalSource::automatic).scope == Scope::face)
             report.add(Remark::note, scene.source, Place{"mesh", i, mesh.name}.text(),
                        "no normals: flat faces, as glTF says; 'normals' model smooths", {"normals"});
@@ -170,7 +170,7 @@ Scene subdivided(Scene scene, const PrepareOptions& options, Context& context) {
     return out;
 }
 
-/// Shapes of meshes whose triangles no more lie on them, or are asked for.
+/// Removes shapes of meshes whose triangles were changed or are requested.
 void drop_shapes(Scene& scene, const std::set<const void*>& kept, const PrepareOptions& options) {
     for (Mesh& mesh : scene.meshes) {
         if (!mesh.shape) continue;
@@ -226,7 +226,7 @@ public:
         return bound;
     }
 
-    /// The pose and what comes after it.
+    /// The pose and later stages.
     Scene finish(BoundScene bound, const Rare<ScenePose>& pose) const {
         UnposedScene unposed = finish_unposed(std::move(bound), pose);
         take_all_poses(unposed, context_);
@@ -264,7 +264,7 @@ public:
     }
 
 private:
-    /// Those that are missing, one pass for each scope: whatever is smoothed over the model is so together.
+    /// Missing normals, one pass per scope: all meshes with scope model are smoothed together.
     Scene with_normals(Scene scene, std::vector<GeneratedAttributes>* made) const {
         SmoothRequest request = request_;
         request.made = made;
@@ -291,7 +291,7 @@ private:
 
     bool joins_borders() const { return options_.border_distance > 0; }
 
-    /// At once where nothing moves; what does is kept for finish(), and told.
+    /// Immediately for static scenes; animated ones are deferred to finish(), with a remark.
     BoundScene with_borders_joined(BoundScene bound) const {
         const BorderRequest request = border_request_for(options_);
         BorderOutcome outcome;
@@ -315,7 +315,7 @@ private:
     const PrepareOptions& options_;
     Context& context_;
     const SmoothRequest request_;
-    const std::set<const void*> own_;  ///< the caller's arrays, which no charge pays for
+    const std::set<const void*> own_;  ///< uncharged arrays of the caller
 };
 
 /// What stages make of each node, placement and mesh while they work: matrices and lists.

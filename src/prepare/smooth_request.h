@@ -14,15 +14,15 @@ namespace rakelight {
 enum class TangentNeed : std::uint8_t { none, where_needed, everywhere };
 
 struct SmoothRequest {
-    AttributeOptions attributes;  ///< `tangents` is overruled by the need
+    AttributeOptions attributes;  ///< `tangents` is overridden by TangentNeed
     TangentNeed tangents = TangentNeed::where_needed;
     bool only_missing = false;  ///< leave meshes alone that have normals
-    bool groups = true;         ///< smoothing groups of the file count; where `source` is set, as normal_rule() says
+    bool groups = true;         ///< use smoothing groups of the file; with `source` by normal_rule()
     /// Set: only meshes whose normal_rule() by it has attributes.scope, by their own crease angles.
     std::optional<NormalSource> source;
     bool every_scope = false;     ///< with `source`: all meshes, over attributes.scope
     bool bitangents = false;      ///< of the published modes: kept as Mesh::bitangents of meshes that do not move
-    bool keep_instances = false;  ///< instances share the first one's mesh even where they touch different things; said
+    bool keep_instances = false;  ///< instances share the first one's mesh even if their neighbors differ; reported
     /// Not null: what is made of meshes that move is kept here, to be made again; morph targets get no normals then.
     std::vector<GeneratedAttributes>* made = nullptr;
     TangentMode kept_tangents =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normals and tangents of a scene by the door of <rakelight/attributes.h>: what goes in, and where the results go.
+// Computes normals and tangents of a scene by compute_attributes(): inputs, and placement of the results.
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -56,7 +56,7 @@ void check_memory(const std::vector<AttributeMesh>& meshes, Context& context) {
     context.memory().check(bytes, "normals and tangents of all instances");
 }
 
-/// All meshes that get vertices of their own, with normals and tangents that they had none of, together.
+/// Total size of all meshes that get new vertices, normals or tangents.
 /// @param numbers  of the meshes, as `results` has them
 void check_split(const Scene& scene, const std::vector<std::uint32_t>& numbers,
                  const std::vector<MeshAttributes>& results, Context& context) {
@@ -146,7 +146,7 @@ void report_faults(const Scene& scene, const std::vector<std::uint32_t>& numbers
     report_inverted(scene, inverted, options.tangent_mode, report);
 }
 
-/// Where parts have angles of their own.
+/// Whether parts have their own crease angles.
 void note_creases(const Scene& scene, const SmoothRequest& request, const std::vector<AttributeMesh>& meshes,
                   Report& report) {
     if (!request.source || request.every_scope || request.attributes.scope != Scope::model) return;
@@ -272,7 +272,7 @@ Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Contex
     if (request.tangents != TangentNeed::none) {
         if (!options.attributes.normals && !options.only_missing)
             for (Mesh& mesh : out.meshes)
-                if (tangent_set(out, mesh, request.tangents) != no_index) mesh.tangents = {};  // to be made anew
+                if (tangent_set(out, mesh, request.tangents) != no_index) mesh.tangents = {};  // to be recomputed
         out = add_missing_tangents(std::move(out), request, context);
     }
     charge_new_arrays(out, unpaid_arrays(scene), context);

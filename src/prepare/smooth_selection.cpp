@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scope model: every placement goes in at its place in the world. Scopes face and object do not look beyond the object,
-// so a placement that only moves, turns, mirrors or scales evenly has the results of the first one of its kind: it is
+// Scope model: every instance is an input in world space. Scopes face and object depend only on the object, so a
+// placement that only moves, turns, mirrors or scales evenly has the results of the first one of its kind: it is
 // computed once, about its own origin, and instances stay shared to the bit (so do copies of a mesh that share its
-// arrays). Under an uneven scale angles differ: computed apart.
+// arrays). Under non-uniform scale angles differ, so instances are computed separately.
 #include "prepare/smooth_selection.h"
 
 #include <algorithm>

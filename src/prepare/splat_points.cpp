@@ -18,7 +18,7 @@ namespace {
 constexpr float rim_radius = 1.5f;  ///< of a splat, in spacings: scattered points leave few gaps then
 constexpr float flat_half = 0.8f;   ///< half the side of a flat square over the radius
 constexpr float sine_60 = 0.8660254f;
-constexpr float mark_diameter = 2.6f;          ///< of a disc on the screen, likewise
+constexpr float mark_diameter = 2.6f;          ///< of a disc on the screen, in the same unit
 constexpr float max_of_median = 4;             ///< points far from all others are not larger than this many medians
 constexpr float max_of_box = 0.025f;           ///< of the box's diagonal: a few points are dots and not a surface
 constexpr std::size_t min_for_normals = 1000;  ///< fewer points show no surface
@@ -47,7 +47,7 @@ struct Layout {
         constexpr std::uint32_t order[6] = {0, 1, 2, 0, 2, 3};
         return is_flat ? order[k] : splat_corner(k);
     }
-    /// Of as many bytes as a point comes to.
+    /// Bytes per point.
     std::uint64_t bytes(const Mesh& mesh) const {
         return vertices() * (2 * sizeof(vec3) + sizeof(vec4) + mesh.texcoords.size() * sizeof(vec2)) +
                corners() * sizeof(std::uint32_t);
@@ -100,7 +100,7 @@ class Splatter {
 public:
     Splatter(Scene& scene, Context& context) : scene_(scene), context_(context) {}
 
-    /// @return the points of the mesh that have no normal, as a mesh of their own; without indices where there are none
+    /// @return the points without a normal as a separate mesh; without indices if there are none
     Mesh run(std::uint32_t number) {
         Mesh& mesh = scene_.meshes[number];
         const std::vector<float> spacing = geometry::point_spacing(mesh.positions, context_);

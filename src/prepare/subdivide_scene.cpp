@@ -23,7 +23,7 @@ Subdivision subdivision_of(const Mesh& mesh, const Subdivision& otherwise) {
     return mesh.subdivision.value_or(otherwise);
 }
 
-/// Placements that are one surface, all of one subdivision.
+/// Instances that form one surface, with equal subdivision.
 struct Group {
     std::vector<std::size_t> members;  ///< into Subdividing::instances_
     dmat4 to_world;                    ///< of the space it is made in
@@ -156,7 +156,7 @@ private:
         }
     }
 
-    /// The control surface, as long as it is there, and what parting it takes for a moment.
+    /// The control surface and the temporary memory of splitting it.
     void charge_surface(const Group& group) {
         constexpr std::uint64_t kept_a_vertex = 32, kept_a_corner = 12, for_a_corner = 72, arrays = 12;
         std::uint64_t vertices = 0, corners = 0;
@@ -229,7 +229,7 @@ private:
                                      " subdivided mesh" + (moving == 1 ? " is" : "es are") + " left out");
     }
 
-    /// The first surface that a mesh is in takes the mesh's place, others get meshes of their own.
+    /// The first surface of a mesh replaces it, others get new meshes.
     void place(std::vector<std::vector<Mesh>>&& made) {
         std::vector<bool> is_taken(scene_.meshes.size(), false);
         std::vector<std::vector<std::uint32_t>> numbers(made.size());
@@ -260,7 +260,7 @@ private:
     std::vector<std::uint32_t> place_, vertex_base_;
     std::vector<Group> groups_;
     std::vector<SurfaceSubdivider> surfaces_;
-    MemoryCharge charge_;  ///< pays for the lists above until the end
+    MemoryCharge charge_;  ///< of the lists above
 };
 
 }  // namespace

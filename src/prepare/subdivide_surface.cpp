@@ -54,7 +54,7 @@ struct Refined {
     std::vector<geometry::LimitValues> values;  ///< texture coordinates, then colors
 };
 
-/// The part's fine faces as triangles of its own vertices, which come to stand in `vertices`.
+/// The part's fine faces as triangles of its own vertices, which are appended to `vertices`.
 std::vector<std::uint32_t> number_corners(const SurfacePart& part, const Refined& fine, std::uint32_t first_face,
                                           std::uint32_t end_face, CornerVertices& vertices, const Context& context) {
     const std::uint32_t n = fine.surface.corners_of_face;

@@ -28,7 +28,7 @@ Block<T> with_turned(const Block<T>& old, const MeshSeams& seams, const Turned& 
 /// [vertices] Its own tangent; w = 0: it turns along with its normal.
 vec4 tangent_of(const MeshSeams& seams, std::size_t i) { return seams.tangents.empty() ? vec4{} : seams.tangents[i]; }
 
-/// Arrays that several meshes share go on being shared.
+/// Shared arrays stay shared.
 struct SharedArrays {
     std::map<const void*, Block<vec3>> normals;   ///< by the old ones
     std::map<const void*, Block<vec4>> tangents;  ///< by the old ones

@@ -173,7 +173,7 @@ private:
         return out;
     }
 
-    /// The first piece of a mesh takes its place, others get one of their own.
+    /// The first piece replaces the mesh, others become new meshes.
     void place() {
         AddedMeshes added(scene_, context_);
         std::vector<bool> is_taken(scene_.meshes.size(), false);

@@ -4,8 +4,7 @@
 
 namespace rakelight::radiosity {
 
-/// What is left of a scene whose light stands in its surfaces: no lights, an environment that is seen alone, the one pose that it
-/// was lit in, no clips.
+/// The scene for vertex-color light: no lights, the environment only as background, the lit pose, no clips.
 Scene static_scene(Scene scene);
 
 }  // namespace rakelight::radiosity

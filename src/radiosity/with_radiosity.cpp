@@ -20,7 +20,7 @@ namespace {
 /// So many elements for each patch at least, so that the sums over all pairs stay small.
 constexpr std::uint64_t elements_a_patch = 10;
 constexpr std::size_t min_patches = 100, max_patches = 2000;
-/// Shares of the elements that are there before the first cut at shadow borders, and after each.
+/// Shares of the elements before the first subdivision at shadow boundaries, and after each.
 constexpr double first_share = 0.25;
 constexpr double share_after[] = {0.35, 0.45, 0.55, 0.65, 0.75, 0.85, 0.95, 1.0};
 /// [diagonals of the scene] by which rays begin and end over surfaces.
@@ -59,7 +59,7 @@ void remark_what_is_left_out(const Scene& scene, const std::vector<bool>& used, 
     if (!scene.animations.empty()) note("the light is that of one moment, clips are left out");
 }
 
-/// As many as are asked for; more where the scene's own triangles are more, which stay.
+/// The requested number, or more if the scene has more triangles.
 /// @param sides  of them
 std::uint64_t max_elements(const Scene& scene, const RadiositySettings& s, std::uint64_t sides, Report& report) {
     const std::string limit = std::to_string(max_radiosity_elements);

@@ -115,7 +115,7 @@ void turn_up(Camera& c, dvec3 up) {
 
 double length_of(float v) { return std::max(double(v), 1e-9); }
 
-/// Of a parallel projection with an aspect of its own the width stays what it is.
+/// Orthographic cameras with their own aspect keep their width.
 void set_half_height(Camera& c, double height) {
     if (c.aspect && !c.half_width) c.aspect = *c.aspect * (c.half_height / height);
     c.half_height = height;

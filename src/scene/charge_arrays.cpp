@@ -14,13 +14,13 @@ std::uint64_t array_bytes(const std::vector<T>& array) {
     return allocated(array.size() * sizeof(T));
 }
 
-/// Short ones stand in the string itself.
+/// Short strings are stored inline.
 std::uint64_t name_bytes(const std::string& name) {
     static const std::size_t short_size = std::string().capacity();
     return name.size() <= short_size ? 0 : allocated(name.size() + 1);
 }
 
-/// Calls `visit` for each array of the mesh that no charge pays for.
+/// Calls `visit` for each array of the mesh without a memory charge.
 template <class Visit>
 void for_each_unpaid(const Mesh& m, const Visit& visit) {
     const auto look = [&](const auto& block) {

@@ -66,7 +66,7 @@ private:
     dvec3 center_, x_, y_, z_;
 };
 
-/// Half of what the model shall fill at 1 m.
+/// Half extent to fill at a distance of 1 m.
 struct Slopes {
     double x, y;
 };

@@ -26,10 +26,10 @@ struct CutLights {
     float least = 0, most = 0;  ///< [m] of the ranges that were given
 };
 
-/// Gives point and spot lights without a range the one of reach_of(). All others stay as they are.
+/// Sets the range of point and spot lights without one to reach_of(). Other lights are unchanged.
 CutLights cut_lights(std::vector<Light>& lights, double cutoff);
 
-/// Whether its range is the one that cut_lights() gives it.
+/// Whether the light has the range of cut_lights().
 /// @param cutoff  0: none is
 bool is_cut(const Light& light, double cutoff);
 

@@ -117,7 +117,7 @@ void check_target(const Scene& scene, const Place& place, const AnimationChannel
         place.fail("there is no property '" + one_line(channel.property, 40) + "' to animate");
 }
 
-/// Blocks whose numbers were looked at: a small file may use one large block in thousands of channels.
+/// Already checked blocks: a small file may use one large block in thousands of channels.
 struct SeenNumbers {
     std::unordered_set<const void*> times, values;
 };

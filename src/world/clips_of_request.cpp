@@ -55,7 +55,7 @@ std::uint32_t clip_named(const Scene& scene, const std::string& name) {
 
 bool is_of_world(const Animation& animation) { return animation.plays_always; }
 
-/// The clips that are asked for. The first that is not the world's own where nothing says which.
+/// The requested clips; by default the first that is not the world's own.
 std::vector<std::uint32_t> chosen(const Scene& scene, const MotionRequest& motion) {
     const auto count = std::uint32_t(scene.animations.size());
     if (!motion.name.empty()) return {clip_named(scene, motion.name)};

@@ -30,7 +30,7 @@ Material fixed_material(const Material& material) {
         p.is_normalized = false;
         p.specular_texture = {}, p.mirror = Mirror::none;
     }
-    if (m.emission_texture) m.emission = {}, m.emission_texture = {};  // it says where: there is no place for that
+    if (m.emission_texture) m.emission = {}, m.emission_texture = {};  // per-texel emission is not supported
     m.occlusion_texture = {};
     m.lighting = Lighting::automatic, m.specular_form = SpecularForm::automatic;
     return m;

@@ -39,7 +39,7 @@ void read_orthogonalize(PictureRequest& r, Words w) {
     const Orthogonal how = values::word("orthogonalize", w[0], orthogonalize_words);
     r.prepare.orthogonalize = how.once;
     r.settings.orthogonalize = how.at_pixels;
-    r.prepare.measure_orthogonality = true;  // who chooses wants to know what it costs
+    r.prepare.measure_orthogonality = true;  // a chosen mode is reported with its error
 }
 
 Written write_orthogonalize(const PictureRequest& r) {
@@ -61,7 +61,7 @@ double distance(const char* name, const std::string& text) {
 
 void read_subdivide_edge(PictureRequest& r, Words w) {
     r.prepare.subdivision.edge = values::number("subdivide-edge", w[0], 1e-6, 1e6);
-    r.prepare.subdivision.level = 8;  // `subdivide`, which is read behind it, may say less
+    r.prepare.subdivision.level = 8;  // `subdivide`, which is read later, may override it
 }
 
 Written write_subdivide(const PictureRequest& r) {

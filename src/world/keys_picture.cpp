@@ -41,7 +41,7 @@ void read_preset(PictureRequest& r, Words w) {
     set_preset(r.preset, r);
 }
 
-/// Rays have shadows by nature; `shadows`, which is read behind it, may say otherwise.
+/// Ray tracing has shadows by default; `shadows`, which is read later, may override it.
 void read_engine(PictureRequest& r, Words w) {
     r.engine = w[0];
     for (char& c : r.engine) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
@@ -54,7 +54,7 @@ int plain_samples(const RenderSettings& s) {
     return s.paths.noise > 0 || s.paths.max_seconds > 0 ? 65536 : 64;
 }
 
-/// `samples`, which is read behind them, may say otherwise.
+/// `samples`, which is read later, may override it.
 void set_plain_paths(RenderSettings& s) {
     if (s.method == RayMethod::path) s.samples = plain_samples(s);
 }

@@ -19,7 +19,7 @@
 namespace rakelight {
 namespace {
 
-constexpr std::uint64_t bytes_beside_name = 32;  ///< what an allocation takes more than is asked for
+constexpr std::uint64_t bytes_beside_name = 32;  ///< overhead of an allocation
 
 dquat turn(dvec3 axis, double angle_rad) {
     const double s = math::sin(0.5 * angle_rad);
@@ -67,7 +67,7 @@ Error at_place(const Error& error, const std::string& name, WorldPlace place) {
     return Error(code, file + inner + error.reason(), to_text(place), error.advice()).naming(error.related());
 }
 
-/// Warns of names that stand twice where a name is what one asks by. Shapes without a name have their type's.
+/// Warns of duplicate names that identify parts. Shapes without a name have the name of their type.
 void warn_of_twins(const WorldFile& world, const std::string& path, Report& report) {
     std::set<std::string_view> cameras, shapes;
     for (const Camera& c : world.cameras)
@@ -80,7 +80,7 @@ void warn_of_twins(const WorldFile& world, const std::string& path, Report& repo
                        "two primitives are named '" + one_line(p.name, 40) + "': what goes by name goes to both");
 }
 
-/// What the world says of a part beside where it stands.
+/// Options of a part besides its placement.
 struct PartOptions {
     const std::string& name;
     const std::string& material;
@@ -120,7 +120,7 @@ public:
         part_options_.back().shape = &shape;
     }
 
-    /// Cameras of the world stand before those of its models.
+    /// Cameras of the world precede those of its models.
     Scene finish(const WorldFile& world) {
         put_together();
         apply_materials(scene_, world, parts_, path_, options_, context_);
@@ -134,7 +134,7 @@ public:
     }
 
 private:
-    /// In front of those of the models, whose channels go on to mean them.
+    /// Inserted before those of the models, whose channels keep referring to them.
     void add_lights_and_cameras(const WorldFile& world) {
         for (Animation& animation : scene_.animations)
             for (AnimationChannel& channel : animation.channels) {
@@ -148,7 +148,7 @@ private:
         if (!own.channels.empty()) scene_.animations.push_back(std::move(own));
     }
 
-    /// A file that stands several times in the world is read once; its arrays are shared.
+    /// A file used several times in the world is read once; its arrays are shared.
     const Scene& load_file(const WorldModel& model) {
         const auto known = loaded_.find(model.file);
         if (known != loaded_.end()) return known->second;
@@ -219,7 +219,7 @@ private:
         scene_.charges.push_back(share(std::move(names)));
     }
 
-    /// What [render] names is there: the camera and the pictures.
+    /// Checks that camera and pictures named in [render] exist.
     void check_render(const WorldFile& world) const {
         for (const WorldValue& value : world.render) {
             const std::vector<std::string>& others = options_.overridden;

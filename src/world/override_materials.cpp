@@ -20,7 +20,7 @@ namespace {
 
 /// Adds a picture file as a repeating texture and returns its use.
 TextureUse add_texture(Scene& scene, const std::string& path, Context& context) {
-    try {  // what the caller asked for must not be left out silently; the engine decodes it again when it needs it
+    try {  // requested pictures must not be ignored silently; the engine decodes them again
         const io::Bytes bytes = io::read_file(path, context);
         io::decode_image(*bytes, context);
     } catch (const Error& error) {
@@ -46,7 +46,7 @@ void set_factors(Material& m, const MaterialOverrides& o) {
     if (*o.opacity < 1) m.alpha_mode = AlphaMode::blend;
 }
 
-/// The values as their words say, with the checks of a command line's: a caller may have made them otherwise.
+/// Re-parses the words of values, because a caller may have created inconsistent ones.
 std::vector<WorldValue> checked(const std::vector<WorldValue>& values) {
     std::vector<std::string> words;
     for (const WorldValue& value : values) {

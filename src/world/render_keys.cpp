@@ -185,7 +185,7 @@ Light comparable(Light light) {
     return light;
 }
 
-/// What no key has is left out of a comparison: files and what words round.
+/// Removes fields without a key, and rounding of words, from a comparison.
 PictureRequest comparable(PictureRequest r) {
     r.input.clear(), r.output.clear(), r.load = {};
     for (vec4* const color : {&r.settings.background, &r.settings.line_color})

@@ -17,7 +17,7 @@ bool has(std::span<const WorldValue> values, std::string_view key) {
     return std::ranges::find(values, key, &WorldValue::key) != values.end();
 }
 
-/// A setting that is given takes the place of one of the file: the same, another that says where the camera stands, or a preset.
+/// Whether a given setting overrides one of the file: the same key, another camera placement, or a preset.
 bool is_overridden(std::span<const WorldValue> given, std::string_view key) {
     if (is_preset_key(key) && sets_preset(given)) return true;
     if (!places_camera(key)) return has(given, key);
@@ -77,7 +77,7 @@ private:
     bool allow_outside_;
 };
 
-/// The settings that an error is about: the first word of the one, then the others.
+/// The settings of an error: the first word of the main one, then the related ones.
 std::vector<std::string> settings_of(const Error& error) {
     std::vector<std::string> all = error.related();
     if (!error.setting().empty()) all.insert(all.begin(), error.setting().substr(0, error.setting().find(' ')));

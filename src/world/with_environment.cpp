@@ -12,7 +12,7 @@ namespace {
 /// Of the built-in studio, so that a white surface that faces it and its key light (studio_lights()) is not above 1.
 constexpr double beside_key = 0.75;
 
-/// Decoded once, so that what the caller asked for is not left out silently; the engine decodes it again.
+/// Decoded once as a check, so that it is not ignored silently; the engine decodes it again.
 ImageHandle environment_file(const std::string& path, Context& context) {
     try {
         const io::Bytes bytes = io::read_file(path, context);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way back: what a world says as the text of a world file.
+// Writes a world as the text of a world file.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -265,7 +265,7 @@ void check(const WorldTrack& track) {
                     "the track of '" + one_line(track.property, 40) + "' has no keys in ascending order");
 }
 
-/// What the sections below cannot say.
+/// Checks for data that the sections below cannot express.
 void check(const WorldFile& world) {
     const auto check_shading = [](const auto& part) {
         if (part.shading && !exists(*part.shading, Shading::automatic))

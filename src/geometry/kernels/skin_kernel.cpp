@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linear blend skinning, per instruction set: matrices are blended vertex by vertex, all that follows goes by lanes.
+// Linear blend skinning, per instruction set: matrices are blended per vertex, everything else is vectorized.
 #include "geometry/skin_kernel_types.h"
 #include "math/wide_rows.h"
 

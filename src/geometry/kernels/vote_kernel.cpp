@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The votes of faces, several at a time in double, per instruction set: what face_vote.h says of one face, operation by
+// The votes of faces, several at a time in double, per instruction set: the vote of face_vote.h, operation by
 // operation, so that the bits are the same.
 #include "geometry/vote_kernel_types.h"
 
@@ -12,7 +12,7 @@ constexpr uint32_t lanes = 4;
 #else
 constexpr uint32_t lanes = 2;
 #endif
-/// Numbers of as many faces as go together.
+/// Values of one vector of faces.
 typedef double numbers __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long bits __attribute__((vector_size(lanes * sizeof(double))));
 #define RL_INLINE static inline __attribute__((always_inline))
