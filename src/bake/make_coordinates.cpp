@@ -11,6 +11,7 @@
 #include "bake/charts.h"
 #include "bake/place_numbers.h"
 #include "bake/shelf_packing.h"
+#include "base/format_text.h"
 #include "math/linear.h"
 #include "prepare/split_vertices.h"
 #include "prepare/variants.h"
@@ -120,9 +121,8 @@ MadeCoordinates make_coordinates(Scene scene, const CoordinateOptions& options, 
     const auto packing = pack_shelves(sizes, width, height, margin, context);
     if (!packing || (packing->scale <= 0 && !sizes.empty()))
         throw Error(ErrorCode::usage,
-                    "a map of " + std::to_string(width) + " x " + std::to_string(height) + " pixels has no room for " +
-                        std::to_string(sizes.size()) + (sizes.size() == 1 ? " chart with " : " charts with ") +
-                        std::to_string(margin) + " pixels around each",
+                    format_text("a map of {} x {} pixels has no room for {}{}{} pixels around each", width, height,
+                                sizes.size(), sizes.size() == 1 ? " chart with " : " charts with ", margin),
                     {}, "make the map larger")
             .about(options.size_setting);
     MeshVariants variants(scene, context);

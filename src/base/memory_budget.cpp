@@ -8,6 +8,7 @@
 #include <rakelight/error.h>
 
 #include "base/assert.h"
+#include "base/format_text.h"
 
 namespace rakelight {
 
@@ -29,9 +30,8 @@ constexpr std::uint64_t default_limit = 2ull << 30;
 constexpr std::uint64_t bytes_per_byte_read = 64;
 
 std::string too_much(std::string_view what, std::uint64_t bytes, std::uint64_t used, std::uint64_t limit) {
-    return std::string(what) + ": " + std::to_string(bytes) + " bytes" +
-           (used > 0 ? " beside " + std::to_string(used) + " in use" : "") + ", more than the limit of " +
-           std::to_string(limit);
+    return format_text("{}: {} bytes{}, more than the limit of {}", what, bytes,
+                       used > 0 ? format_text(" beside {} in use", used) : "", limit);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/enumerators.h"
+#include "base/format_text.h"
 
 namespace rakelight::geometry {
 namespace {
@@ -15,17 +16,16 @@ constexpr std::uint32_t no_index = 0xffffffffu;
 constexpr double angle_slack = 1e-9;  // degrees turned into radians may land just beyond pi
 
 [[noreturn]] void fail(std::size_t mesh, const std::string& reason) {
-    throw Error(ErrorCode::bad_file, reason, "mesh " + std::to_string(mesh));
+    throw Error(ErrorCode::bad_file, reason, format_text("mesh {}", mesh));
 }
 
 void check_size(std::size_t mesh, const char* what, std::size_t given, std::uint64_t wanted, const char* of) {
-    if (given != 0 && given != wanted)
-        fail(mesh, std::to_string(given) + " " + what + " for " + std::to_string(wanted) + " " + of);
+    if (given != 0 && given != wanted) fail(mesh, format_text("{} {} for {} {}", given, what, wanted, of));
 }
 
 void check_mesh(std::size_t m, const AttributeMesh& mesh) {
     if (!exists(mesh.group_kind, GroupKind::numbers)) fail(m, no_such("kind of smoothing groups", mesh.group_kind));
-    if (mesh.indices.size() % 3 != 0) fail(m, std::to_string(mesh.indices.size()) + " indices, not a multiple of 3");
+    if (mesh.indices.size() % 3 != 0) fail(m, format_text("{} indices, not a multiple of 3", mesh.indices.size()));
     const std::uint64_t triangles = mesh.indices.size() / 3;
     check_size(m, "texture coordinates", mesh.texcoords.size(), mesh.positions.size(), "vertices");
     check_size(m, "normals", mesh.normals.size(), mesh.positions.size(), "vertices");
@@ -99,8 +99,8 @@ void check_indices(const AttributeInput& input, Context& context) {
     const auto found = std::min_element(first_bad.begin(), first_bad.end());
     if (found == first_bad.end() || *found == no_index) return;
     const std::uint32_t m = input.mesh_of_triangle(*found / 3), corner = *found - 3 * input.triangle_base[m];
-    fail(m, "index " + std::to_string(input.meshes[m].indices[corner]) + " at corner " + std::to_string(corner) +
-                " exceeds " + std::to_string(input.meshes[m].positions.size()) + " vertices");
+    fail(m, format_text("index {} at corner {} exceeds {} vertices", input.meshes[m].indices[corner], corner,
+                        input.meshes[m].positions.size()));
 }
 
 void PlacementTable::push_back(const dmat4& to_world) {
@@ -143,9 +143,8 @@ void check_normals(std::span<const AttributeMesh> meshes) {
     for (std::size_t m = 0; m < meshes.size(); ++m)
         if (meshes[m].normals.size() != meshes[m].positions.size())
             throw Error(ErrorCode::bad_file,
-                        std::to_string(meshes[m].normals.size()) + " normals for " +
-                            std::to_string(meshes[m].positions.size()) + " vertices",
-                        "mesh " + std::to_string(m));
+                        format_text("{} normals for {} vertices", meshes[m].normals.size(), meshes[m].positions.size()),
+                        format_text("mesh {}", m));
 }
 
 void check_options(const AttributeOptions& options) {

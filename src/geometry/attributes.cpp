@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/format_text.h"
 #include "geometry/attribute_input.h"
 #include "geometry/attribute_plan.h"
 #include "geometry/fast_attributes.h"
@@ -78,7 +79,7 @@ std::shared_ptr<Plan> describe(std::span<const AttributeMesh> meshes, const Attr
     if (plan->tangents_after) plan->options.tangents = false;
     for (std::size_t m = 0; m < meshes.size(); ++m) {
         if (!options.normals && meshes[m].normals.empty() && !meshes[m].positions.empty())
-            throw Error(ErrorCode::bad_file, "no normals to keep", "mesh " + std::to_string(m));
+            throw Error(ErrorCode::bad_file, "no normals to keep", format_text("mesh {}", m));
         plan->vertices.push_back(std::uint32_t(meshes[m].positions.size()));
         plan->triangles.push_back(std::uint32_t(meshes[m].indices.size() / 3));
         plan->textured.push_back(meshes[m].texcoords.empty() ? 0 : 1);
@@ -146,14 +147,14 @@ AttributePlan plan_from(GroupingBase base, std::span<const AttributeMesh> meshes
 
 void check_same(const Plan& plan, std::span<const AttributeMesh> meshes, bool needs_normals) {
     if (meshes.size() != plan.vertices.size())
-        throw Error(ErrorCode::bad_file, std::to_string(meshes.size()) + " meshes, but they were grouped as " +
-                                             std::to_string(plan.vertices.size()));
+        throw Error(ErrorCode::bad_file,
+                    format_text("{} meshes, but they were grouped as {}", meshes.size(), plan.vertices.size()));
     for (std::size_t m = 0; m < meshes.size(); ++m) {
         const bool fits = meshes[m].positions.size() == plan.vertices[m] &&
                           meshes[m].indices.size() / 3 == plan.triangles[m] &&
                           meshes[m].texcoords.empty() == (plan.textured[m] == 0) &&
                           (!needs_normals || meshes[m].normals.size() == meshes[m].positions.size());
-        if (!fits) throw Error(ErrorCode::bad_file, "not the mesh that was grouped", "mesh " + std::to_string(m));
+        if (!fits) throw Error(ErrorCode::bad_file, "not the mesh that was grouped", format_text("mesh {}", m));
     }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/format_text.h"
 #include "geometry/attribute_plan.h"
 #include "geometry/corner_weights.h"
 #include "geometry/vote_sums.h"
@@ -36,14 +37,13 @@ vec3 mean_of(const ValueRow& row) {
 void check_values(const AttributePlan::Impl& plan, std::span<const AttributeMesh> meshes,
                   std::span<const std::span<const vec3>> values) {
     if (meshes.size() != plan.vertices.size() || values.size() != meshes.size())
-        throw Error(ErrorCode::bad_file, std::to_string(meshes.size()) + " meshes and values of " +
-                                             std::to_string(values.size()) + ", but " +
-                                             std::to_string(plan.vertices.size()) + " meshes were grouped");
+        throw Error(ErrorCode::bad_file, format_text("{} meshes and values of {}, but {} meshes were grouped",
+                                                     meshes.size(), values.size(), plan.vertices.size()));
     for (std::size_t m = 0; m < meshes.size(); ++m)
         if (meshes[m].positions.size() != plan.vertices[m] || meshes[m].indices.size() / 3 != plan.triangles[m] ||
             values[m].size() != plan.triangles[m])
             throw Error(ErrorCode::bad_file, "not the mesh that was grouped, or not a value for each triangle",
-                        "mesh " + std::to_string(m));
+                        format_text("mesh {}", m));
 }
 
 /// Each corner belongs to the vertex that the plan gives it, so meshes can be added up side by side.

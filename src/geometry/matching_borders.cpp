@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/format_text.h"
 #include "geometry/border_links.h"
 #include "geometry/border_sums.h"
 #include "geometry/border_surface.h"
@@ -50,7 +51,7 @@ std::vector<MeshSeams> join_borders(const BorderMatch& match, std::span<const At
     if (match.is_empty()) return std::vector<MeshSeams>(meshes.size());
     geometry::check_normals(meshes);
     const auto refuse = [](std::size_t m) {
-        throw Error(ErrorCode::bad_file, "other counts than were matched", "mesh " + std::to_string(m));
+        throw Error(ErrorCode::bad_file, "other counts than were matched", format_text("mesh {}", m));
     };
     for (std::size_t m = 0; m < std::max(meshes.size(), impl.vertices.size()); ++m)
         if (m >= meshes.size() || m >= impl.vertices.size() || meshes[m].positions.size() != impl.vertices[m] ||

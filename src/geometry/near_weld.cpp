@@ -10,6 +10,7 @@
 #include <string>
 #include <tuple>
 
+#include "base/format_text.h"
 #include "geometry/near_cells.h"
 #include "geometry/rounding_tolerances.h"
 #include "geometry/union_find.h"
@@ -213,10 +214,10 @@ private:
         }
         const std::uint64_t left = std::accumulate(crowded_.begin(), crowded_.end(), std::uint64_t(0));
         if (too_wide + left != 0)
-            context_.report().add(
-                Remark::warning, {}, {},
-                std::to_string(too_wide) + " chains and " + std::to_string(left) +
-                    " crowded vertices lie too close together to be welded within a tolerance; kept exact");
+            context_.report().add(Remark::warning, {}, {},
+                                  format_text("{} chains and {} crowded vertices lie too close together to be welded "
+                                              "within a tolerance; kept exact",
+                                              too_wide, left));
         if (pairs.empty()) return;
         for (std::uint32_t& r : representative_) {
             const std::uint32_t root = sets.root(r);

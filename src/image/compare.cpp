@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "base/format_text.h"
 #include "math/functions.h"
 
 namespace rakelight {
@@ -33,9 +34,7 @@ double difference_at(const Pixels& a, const Pixels& b, std::size_t i) {
     return std::abs(code_at(a, i) - code_at(b, i)) / (a.component == Component::u8 ? 255.0 : 65535.0);
 }
 
-std::string size_text(const Pixels& p) {
-    return std::to_string(p.width) + " x " + std::to_string(p.height) + " x " + std::to_string(p.channels);
-}
+std::string size_text(const Pixels& p) { return format_text("{} x {} x {}", p.width, p.height, p.channels); }
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/format_text.h"
 #include "image/denoise_tile.h"
 #include "image/picture_windows.h"
 #include "math/flush_denormals.h"
@@ -145,8 +146,8 @@ void check(const NoisyPicture& in, std::span<const vec3> out) {
     const std::size_t pixels = std::size_t(in.width) * std::size_t(in.height);
     const auto require = [pixels](std::size_t size, const char* what) {
         if (size == pixels) return;
-        throw Error(ErrorCode::usage, std::string("denoising: the ") + what + " has " + std::to_string(size) +
-                                          " pixels, the picture " + std::to_string(pixels));
+        throw Error(ErrorCode::usage,
+                    format_text("denoising: the {} has {} pixels, the picture {}", what, size, pixels));
     };
     require(in.color.size(), "color");
     require(in.variance.size(), "variance");

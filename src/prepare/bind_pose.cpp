@@ -12,6 +12,7 @@
 #include <rakelight/error.h>
 
 #include "base/cancel_check.h"
+#include "base/format_text.h"
 #include "math/linear.h"
 #include "scene/scene_tools.h"
 
@@ -256,9 +257,9 @@ void warn_of_parting_vertices(const Scene& scene, const std::vector<Instance>& i
     try {
         const std::uint64_t parting = PartingSearch(scene, instances, place, context).run();
         if (parting == 0) return;
-        add(Remark::warning,
-            std::to_string(parting) +
-                " places where vertices of skinned meshes meet have different joint weights: they will part in motion");
+        add(Remark::warning, format_text("{} places where vertices of skinned meshes meet have different joint "
+                                         "weights: they will part in motion",
+                                         parting));
     } catch (const Error& error) {
         if (error.code() == ErrorCode::failed) throw;  // cancelled
         add(Remark::note, "skinned meshes were not searched for places that part in motion: " + error.reason());

@@ -9,6 +9,7 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "math/functions.h"
 
 namespace rakelight {
@@ -294,7 +295,7 @@ Scene make_primitive(const PrimitiveRequest& request, MemoryBudget* memory) {
     }
     std::vector<std::uint32_t> number(all.positions.size(), no_index);
     for (std::size_t i = 0; i < objects; ++i)
-        add_object(name + " " + std::to_string(i + 1),
+        add_object(format_text("{} {}", name, i + 1),
                    part_of(all, triangles * i / objects, triangles * (i + 1) / objects, number, memory), scene);
     return scene;
 }

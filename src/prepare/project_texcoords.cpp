@@ -17,6 +17,7 @@
 #include <rakelight/error.h>
 
 #include "base/cancel_check.h"
+#include "base/format_text.h"
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/prepare.h"
@@ -225,13 +226,12 @@ Scene project_texcoords(Scene scene, UvProjection projection, Context& context) 
     const char* name = projection == UvProjection::box      ? "box"
                        : projection == UvProjection::sphere ? "sphere"
                                                             : "cylinder";
-    context.report().add(
-        Remark::note, scene.source, {},
-        std::to_string(meshes) + " meshes without texture coordinates got them by " + name + " projection");
+    context.report().add(Remark::note, scene.source, {},
+                         format_text("{} meshes without texture coordinates got them by {} projection", meshes, name));
     if (variants.copies() > 0)
-        context.report().add(Remark::note, scene.source, {},
-                             std::to_string(variants.copies()) +
-                                 " instances got a mesh of their own: they lie elsewhere in the texture");
+        context.report().add(
+            Remark::note, scene.source, {},
+            format_text("{} instances got a mesh of their own: they lie elsewhere in the texture", variants.copies()));
     return scene;
 }
 

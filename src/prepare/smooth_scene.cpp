@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "base/format_text.h"
 #include "geometry/attribute_input.h"
 #include "geometry/mesh_islands.h"
 #include "math/linear.h"
@@ -133,9 +134,8 @@ void report_faults(const Scene& scene, const std::vector<std::uint32_t>& numbers
         const Mesh& mesh = scene.meshes[number];
         // That all of them are degenerate is a warning of prepare's own check.
         if (options.normals && results[r].degenerate_faces > 0 && results[r].degenerate_faces < mesh.triangle_count())
-            report.add(
-                Remark::note, scene.source, "mesh " + std::to_string(number) + " '" + mesh.name + "'",
-                std::to_string(results[r].degenerate_faces) + " triangles of no area have no say in the normals");
+            report.add(Remark::note, scene.source, format_text("mesh {} '{}'", number, mesh.name),
+                       format_text("{} triangles of no area have no say in the normals", results[r].degenerate_faces));
         if (results[r].inverted_faces > 0 && inverted.first_mesh == no_index) inverted.first_mesh = number;
         inverted.triangles += results[r].inverted_faces;
         if (!results[r].tangents.empty()) inverted.of += mesh.triangle_count();

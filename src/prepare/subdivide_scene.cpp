@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "base/format_text.h"
 #include "geometry/place_classes.h"
 #include "geometry/union_find.h"
 #include "math/linear.h"
@@ -180,8 +181,7 @@ private:
         }
         const std::uint64_t at_once = std::min(all, largest * std::uint64_t(context_.threads()));
         try {
-            context_.memory().check(triangles * 60 + at_once,
-                                    "subdivision into " + std::to_string(triangles) + " triangles");
+            context_.memory().check(triangles * 60 + at_once, format_text("subdivision into {} triangles", triangles));
         } catch (const Error& error) {
             throw error.advising(", or subdivide by fewer levels");
         }
@@ -209,24 +209,21 @@ private:
         const std::string scheme = loops == 0                  ? "Catmull-Clark"
                                    : loops == surfaces_.size() ? "Loop"
                                                                : "Catmull-Clark and Loop";
-        const std::string levels =
-            low == high ? std::to_string(low) : std::to_string(low) + " to " + std::to_string(high);
+        const std::string levels = low == high ? std::to_string(low) : format_text("{} to {}", low, high);
         const auto add = [&](Remark kind, const std::string& text) {
             context_.report().add(kind, scene_.source, {}, text);
         };
-        add(Remark::note, "subdivided by " + levels + (high == 1 ? " level" : " levels") + " (" + scheme +
-                              "): " + std::to_string(faces) + " faces of " + std::to_string(surfaces_.size()) +
-                              " surfaces became " + std::to_string(triangles) + " triangles");
+        add(Remark::note, format_text("subdivided by {}{} ({}): {} faces of {} surfaces became {} triangles", levels,
+                                      high == 1 ? " level" : " levels", scheme, faces, surfaces_.size(), triangles));
         if (flat > 0)
-            add(Remark::dropped, std::to_string(flat) + " triangles with corners at one place are not subdivided");
+            add(Remark::dropped, format_text("{} triangles with corners at one place are not subdivided", flat));
         if (parted > 0)
-            add(Remark::warning,
-                std::to_string(parted) +
-                    " edges have more than two faces, or faces that turn opposite ways: the subdivided "
-                    "surface is parted there");
+            add(Remark::warning, format_text("{} edges have more than two faces, or faces that turn opposite ways: the "
+                                             "subdivided surface is parted there",
+                                             parted));
         if (moving > 0)
-            add(Remark::dropped, "joint influences and morph targets of " + std::to_string(moving) +
-                                     " subdivided mesh" + (moving == 1 ? " is" : "es are") + " left out");
+            add(Remark::dropped, format_text("joint influences and morph targets of {} subdivided mesh{} left out",
+                                             moving, moving == 1 ? " is" : "es are"));
     }
 
     /// The first surface of a mesh replaces it, others get new meshes.

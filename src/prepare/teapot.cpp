@@ -9,6 +9,7 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "math/linear.h"
 #include "prepare/prepare.h"
 
@@ -145,7 +146,7 @@ int teapot_divisions(double tolerance) {
 
 Scene make_teapot(int divisions, MemoryBudget* memory) {
     if (divisions < 1 || divisions > max_divisions)
-        throw Error(ErrorCode::usage, "divisions of the teapot must be 1 to 256, not " + std::to_string(divisions));
+        throw Error(ErrorCode::usage, format_text("divisions of the teapot must be 1 to 256, not {}", divisions));
     Scene scene;
     scene.source = "builtin:teapot";
     scene.materials.push_back(porcelain());

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/cancel_check.h"
+#include "base/format_text.h"
 #include "math/linear.h"
 
 namespace rakelight {
@@ -139,13 +140,13 @@ void check_arrays(const Scene& scene, const PlacedParts& parts, const std::vecto
 void report_instances(const Scene& scene, const MeshVariants& variants, Report& report) {
     if (variants.kept() > 0)
         report.add(Remark::warning, scene.source, {},
-                   std::to_string(variants.kept()) +
-                       " instances that touch other things keep the normals of the first of their mesh: kept shared as "
-                       "asked");
+                   format_text("{} instances that touch other things keep the normals of the first of their mesh: kept "
+                               "shared as asked",
+                               variants.kept()));
     if (variants.copies() > 0)
         report.add(Remark::note, scene.source, {},
-                   std::to_string(variants.copies()) +
-                       " instances got a mesh of their own: their normals differ by what they touch");
+                   format_text("{} instances got a mesh of their own: their normals differ by what they touch",
+                               variants.copies()));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string>
 
+#include "base/format_text.h"
 #include "radiosity/cut.h"
 #include "radiosity/gather.h"
 #include "radiosity/lit_scene.h"
@@ -27,7 +28,7 @@ constexpr double share_after[] = {0.35, 0.45, 0.55, 0.65, 0.75, 0.85, 0.95, 1.0}
 constexpr double gap_share = 2e-6;
 
 std::string counted(std::size_t count, const std::string& what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+    return format_text("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 std::vector<bool> used_materials(const Scene& scene, const std::vector<Part>& parts) {
@@ -66,14 +67,17 @@ std::uint64_t max_elements(const Scene& scene, const RadiositySettings& s, std::
     if (s.elements < 1 || s.elements > max_radiosity_elements)
         throw Error(ErrorCode::usage, "must be 1 to " + limit).about("radiosity-elements");
     if (sides > std::uint64_t(max_radiosity_elements))
-        throw Error(ErrorCode::bad_file, "radiosity is for scenes of up to " + limit + " triangles, and this one has " +
-                                             std::to_string(sides) + ", both sides of two-sided ones counted");
+        throw Error(ErrorCode::bad_file, format_text("radiosity is for scenes of up to {} triangles, and this one has "
+                                                     "{}, both sides of two-sided ones counted",
+                                                     limit, sides));
     if (sides <= std::uint64_t(s.elements)) return std::uint64_t(s.elements);
     const std::uint64_t most = std::min(sides + sides / 2, std::uint64_t(max_radiosity_elements));
-    report.add(Remark::note, scene.source, "",
-               "radiosity: up to " + std::to_string(most) + " elements, since the scene has " + std::to_string(sides) +
-                   " triangles, both sides of two-sided ones counted",
-               {"radiosity-elements"});
+    report.add(
+        Remark::note, scene.source, "",
+        format_text(
+            "radiosity: up to {} elements, since the scene has {} triangles, both sides of two-sided ones counted",
+            most, sides),
+        {"radiosity-elements"});
     return most;
 }
 

@@ -9,6 +9,7 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "math/linear.h"
 #include "scene/animated_properties.h"
 #include "scene/sample_channel.h"
@@ -116,8 +117,8 @@ ClipSpan clip_span(const Animation& animation) {
 Scene scene_at(Scene scene, std::span<const ClipTime> clips) {
     for (const ClipTime& clip : clips) {
         if (clip.animation >= scene.animations.size())
-            throw Error(ErrorCode::usage, "there is no animation " + std::to_string(clip.animation) +
-                                              ": the scene has " + std::to_string(scene.animations.size()));
+            throw Error(ErrorCode::usage, format_text("there is no animation {}: the scene has {}", clip.animation,
+                                                      scene.animations.size()));
         if (!std::isfinite(clip.time_s)) throw Error(ErrorCode::usage, "the time of an animation is not a number");
         check_animation(scene, clip.animation);
     }

@@ -8,6 +8,8 @@
 
 #include <rakelight/light_limits.h>
 
+#include "base/format_text.h"
+
 namespace rakelight {
 namespace {
 
@@ -39,7 +41,7 @@ std::string number(double value) {
     return text;
 }
 
-std::string counted_lights(std::size_t count) { return std::to_string(count) + (count == 1 ? " light" : " lights"); }
+std::string counted_lights(std::size_t count) { return format_text("{}{}", count, count == 1 ? " light" : " lights"); }
 
 }  // namespace
 
@@ -84,7 +86,7 @@ std::string said(const CutLights& result, double cutoff) {
     else
         text += counted_lights(result.cut) + " cut at " + number(double(result.least)) + " to " +
                 number(double(result.most)) + " m";
-    if (result.endless != 0) text += "; without an end, since they stay brighter: " + std::to_string(result.endless);
+    if (result.endless != 0) text += format_text("; without an end, since they stay brighter: {}", result.endless);
     return text;
 }
 

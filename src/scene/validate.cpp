@@ -7,6 +7,7 @@
 #include <rakelight/error.h>
 
 #include "base/enumerators.h"
+#include "base/format_text.h"
 #include "math/linear.h"
 #include "scene/material_table.h"
 #include "scene/scene_tools.h"
@@ -19,7 +20,7 @@ void check_node(const Scene& scene, std::size_t i) {
     const Node& node = scene.nodes[i];
     const Place place{"node", i, node.name};
     if (node.parent != no_index && node.parent >= i)
-        place.fail("parent " + std::to_string(node.parent) + " does not come before its child");
+        place.fail(format_text("parent {} does not come before its child", node.parent));
     for (const std::uint32_t mesh : node.meshes) place.index("mesh", mesh, scene.meshes.size());
     place.index_or_none("skin", node.skin, scene.skins.size());
     if (node.shading) place.enumerator("shading", *node.shading, Shading::automatic);
@@ -145,9 +146,8 @@ void check_influences(const Scene& scene, const std::vector<std::uint32_t>& join
         const std::size_t joints = scene.skins[node.skin].joints.size();
         for (const std::uint32_t mesh : node.meshes)
             if (joints_needed[mesh] > joints)
-                Place{"mesh", mesh, scene.meshes[mesh].name}.fail("joint " + std::to_string(joints_needed[mesh] - 1) +
-                                                                  " exceeds the " + std::to_string(joints) +
-                                                                  " joints of skin " + std::to_string(node.skin));
+                Place{"mesh", mesh, scene.meshes[mesh].name}.fail(format_text(
+                    "joint {} exceeds the {} joints of skin {}", joints_needed[mesh] - 1, joints, node.skin));
     }
 }
 

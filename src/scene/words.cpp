@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "base/format_text.h"
+
 namespace rakelight {
 
 bool same_word(std::string_view a, std::string_view b) {
@@ -52,7 +54,7 @@ std::string list_of_names(const std::vector<std::string>& names, std::size_t mos
         list += (shown > 0 ? ", " : "") + one_line(name, max_bytes);
         ++shown;
     }
-    return known.size() > shown ? list + " and " + std::to_string(known.size() - shown) + " more" : list;
+    return known.size() > shown ? format_text("{} and {} more", list, known.size() - shown) : list;
 }
 
 }  // namespace rakelight

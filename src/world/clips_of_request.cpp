@@ -8,6 +8,7 @@
 #include <rakelight/request.h>
 #include <rakelight/tools/words.h>
 
+#include "base/format_text.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -19,7 +20,7 @@ constexpr std::size_t max_listed = 6, max_alike = 6;
 std::string list_of(const Scene& scene) {
     std::string text;
     for (std::size_t i = 0; i < scene.animations.size() && i < max_listed; ++i)
-        text += (i > 0 ? ", " : "") + std::to_string(i) + " '" + one_line(scene.animations[i].name, 30) + "'";
+        text += format_text("{}{} '{}'", i > 0 ? ", " : "", i, one_line(scene.animations[i].name, 30));
     return scene.animations.size() > max_listed ? text + ", ..." : text;
 }
 
@@ -70,7 +71,7 @@ std::vector<std::uint32_t> chosen(const Scene& scene, const MotionRequest& motio
     }
     if (std::size_t(*motion.index) >= count)
         throw Error(ErrorCode::usage,
-                    "there is no animation " + std::to_string(*motion.index) + "; the scene has " + list_of(scene))
+                    format_text("there is no animation {}; the scene has {}", *motion.index, list_of(scene)))
             .about("animation-index", {"animation-name"});
     return {std::uint32_t(*motion.index)};
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys about the picture itself: size, samples, data channels, engine, shading frequency, visibility, lines and points.
+#include "base/format_text.h"
 #include "world/channel_info.h"
 #include "world/fixed_function.h"
 #include "world/key_fields.h"
@@ -79,7 +80,7 @@ void read_resolution(PictureRequest& r, Words w) {
 Written write_resolution(const PictureRequest& r) {
     const RenderSettings &s = r.settings, &plain = defaults().settings;
     if (s.width == plain.width && s.height == plain.height) return {};
-    return {std::to_string(s.width) + "," + std::to_string(s.height)};
+    return {format_text("{},{}", s.width, s.height)};
 }
 
 void read_window(PictureRequest& r, Words w) {
@@ -88,10 +89,7 @@ void read_window(PictureRequest& r, Words w) {
     r.settings.window = {v[0], v[1], v[2], v[3]};
 }
 
-std::string text_of_window(const Window& w) {
-    return std::to_string(w.x) + "," + std::to_string(w.y) + "," + std::to_string(w.width) + "," +
-           std::to_string(w.height);
-}
+std::string text_of_window(const Window& w) { return format_text("{},{},{},{}", w.x, w.y, w.width, w.height); }
 
 void read_channels(PictureRequest& r, Words w) {
     r.settings.channels = 0;

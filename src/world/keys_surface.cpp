@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys about how surfaces answer light: lighting models, bumps, shadows.
+#include "base/format_text.h"
 #include "world/key_fields.h"
 #include "world/lighting_text.h"
 
@@ -21,7 +22,7 @@ void read_steps(PictureRequest& r, Words w) {
 Written write_steps(const PictureRequest& r) {
     const Relief &of = r.settings.relief, &plain = defaults().settings.relief;
     if (of.min_steps == plain.min_steps && of.max_steps == plain.max_steps) return {};
-    return {std::to_string(of.min_steps) + "," + std::to_string(of.max_steps)};
+    return {format_text("{},{}", of.min_steps, of.max_steps)};
 }
 
 /// A word, or a file with another model's text.

@@ -7,6 +7,8 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
+
 namespace rakelight {
 
 bool is_lighting_file(std::string_view word) { return word.ends_with(".glsl"); }
@@ -18,8 +20,7 @@ std::string read_lighting_text(const std::string& path) {
     if (!std::filesystem::is_regular_file(path, fault))
         throw Error(ErrorCode::not_found, name + ": there is no such file").about("lighting");
     if (std::filesystem::file_size(path, fault) > max_bytes)
-        throw Error(ErrorCode::bad_file, name + " has more than " + std::to_string(max_bytes) + " bytes")
-            .about("lighting");
+        throw Error(ErrorCode::bad_file, format_text("{} has more than {} bytes", name, max_bytes)).about("lighting");
     std::ifstream file(path, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(file), {}};
     if (!file && !file.eof()) throw Error(ErrorCode::not_found, name + " cannot be read").about("lighting");

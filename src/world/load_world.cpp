@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_io.h"
 #include "io/reader.h"
@@ -244,10 +245,10 @@ private:
         std::pair<int, int> size;
         const std::string file = checked_picture(path_, from.file, from.place, options_, context_, &size);
         if (size.first != 2 * size.second)
-            context_.report().add(Remark::warning, path_, to_text(from.place),
-                                  "the environment is " + std::to_string(size.first) + " x " +
-                                      std::to_string(size.second) +
-                                      " pixels: equirectangular pictures are twice as wide as high");
+            context_.report().add(
+                Remark::warning, path_, to_text(from.place),
+                format_text("the environment is {} x {} pixels: equirectangular pictures are twice as wide as high",
+                            size.first, size.second));
         out.image = io::image_from_file(from.file, path_, file);
         return out;
     }

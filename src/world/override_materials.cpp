@@ -7,6 +7,7 @@
 #include <rakelight/material_changes.h>
 #include <rakelight/request.h>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_io.h"
 #include "io/world/material_keys.h"
@@ -104,7 +105,7 @@ Scene with_material_changes(Scene scene, std::span<const MaterialChanges> change
     for (const MaterialChanges& change : changes) {
         if (change.target.node == no_index) continue;
         if (change.target.node >= scene.nodes.size())
-            throw Error(ErrorCode::usage, "there is no node " + std::to_string(change.target.node));
+            throw Error(ErrorCode::usage, format_text("there is no node {}", change.target.node));
         const std::vector<WorldValue> values = checked(change.values);
         for (const std::uint32_t m : own.of(change.target.node, change.target.name))
             change_material(scene.materials[m], values, std::ref(pictures));

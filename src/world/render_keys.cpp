@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "world/key_fields.h"
 
@@ -43,11 +44,12 @@ void check_picture(const PictureRequest& r, const Given& given) {
     const RenderSettings& s = r.settings;
     const Window& w = s.window;
     if (given.has("window") && (w.x < 0 || w.y < 0 || w.x > s.width - w.width || w.y > s.height - w.height))
-        throw Error(ErrorCode::usage, "does not lie inside the picture of " + std::to_string(s.width) + " x " +
-                                          std::to_string(s.height) + " pixels that 'resolution' asks for")
+        throw Error(ErrorCode::usage,
+                    format_text("does not lie inside the picture of {} x {} pixels that 'resolution' asks for", s.width,
+                                s.height))
             .about("window", {"resolution"});
     if (has_pixel_samples(s) && s.visibility != Visibility::z_reversed)
-        throw Error(ErrorCode::usage, std::to_string(s.samples) + " samples need 'visibility' z-reversed, the default")
+        throw Error(ErrorCode::usage, format_text("{} samples need 'visibility' z-reversed, the default", s.samples))
             .about("samples", {"visibility"});
     if (given.has("point-sprites") && !s.surfaces && s.points == PointShape::none) exclude("point-sprites", "points");
     if (given.has("channel-files") && s.channels == 0)
