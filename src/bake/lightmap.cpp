@@ -11,9 +11,9 @@
 #include "bake/lightmap_texels.h"
 #include "bake/make_coordinates.h"
 #include "math/color.h"
-#include "prepare/back_side.h"
+#include "prepare/turn_triangles.h"
 #include "prepare/variants.h"
-#include "radiosity/static_scene.h"
+#include "radiosity/lit_scene.h"
 #include "scene/scene_tools.h"
 #include "shading/choices.h"
 

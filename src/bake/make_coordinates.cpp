@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "bake/charts.h"
-#include "bake/place_numbers.h"
 #include "bake/shelf_packing.h"
 #include "base/format_text.h"
 #include "math/linear.h"
@@ -20,6 +21,18 @@
 
 namespace rakelight::bake {
 namespace {
+
+/// [V] the first vertex at exactly the same position. @param places  finite
+std::vector<std::uint32_t> place_numbers(std::span<const dvec3> places) {
+    std::vector<std::uint32_t> order(places.size()), numbers(places.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto key = [&](std::uint32_t v) { return std::tie(places[v].x, places[v].y, places[v].z); };
+    std::ranges::sort(order,
+                      [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+    for (std::size_t i = 0; i < order.size(); ++i)
+        numbers[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? numbers[order[i - 1]] : order[i];
+    return numbers;
+}
 
 /// A placed mesh and its charts.
 struct Part {

@@ -3,10 +3,7 @@
 
 #include <cmath>
 
-#include "geometry/fast_finish.h"
-#include "geometry/fast_hard_places.h"
-#include "geometry/fast_scatter.h"
-#include "geometry/fast_weld.h"
+#include "geometry/fast_stages.h"
 #include "math/isa.h"
 
 namespace rakelight::geometry {

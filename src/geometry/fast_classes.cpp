@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/fast_classes.h"
+#include "geometry/fast_stages.h"
 
 #include <cmath>
 #include <cstring>

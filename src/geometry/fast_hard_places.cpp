@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/fast_hard_places.h"
+#include "geometry/fast_stages.h"
 
 #include <bit>
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/fast_scatter.h"
+#include "geometry/fast_stages.h"
 
 #include <atomic>
 #include <cstring>
 
 #include "geometry/face_vote.h"
-#include "geometry/fast_weld.h"
 
 namespace rakelight::geometry {
 namespace {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/fast_weld.h"
+#include "geometry/fast_stages.h"
 
 #include <bit>
 #include <cmath>
 #include <cstring>
-
-#include "geometry/fast_classes.h"
 
 namespace rakelight::geometry {
 namespace {

@@ -4,7 +4,7 @@
 #pragma once
 #include <rakelight/attributes.h>
 
-#include "geometry/general_scratch.h"
+#include "geometry/block_array.h"
 
 namespace rakelight::geometry {
 

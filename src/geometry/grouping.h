@@ -3,7 +3,7 @@
 #pragma once
 #include <memory>
 
-#include "geometry/general_scratch.h"
+#include "geometry/block_array.h"
 #include "geometry/join_rules.h"
 
 namespace rakelight::geometry {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reverses the winding of scenes with clockwise front faces, for all preparation steps.
+// Reversed winding: of scenes with clockwise front faces, and of back sides.
 #pragma once
 #include <map>
 
@@ -25,5 +25,8 @@ private:
     Known<std::uint32_t> indices_;
     Known<vec3> hints_;
 };
+
+/// The surface with reversed winding and normals, without tangents.
+Mesh back_side(Mesh mesh);
 
 }  // namespace rakelight

@@ -9,10 +9,9 @@
 #include <rakelight/attributes.h>
 
 #include "math/linear.h"
-#include "prepare/back_side.h"
 #include "prepare/refined_mesh.h"
 #include "prepare/split_vertices.h"
-#include "radiosity/static_scene.h"
+#include "prepare/turn_triangles.h"
 #include "scene/charge_arrays.h"
 
 namespace rakelight::radiosity {
@@ -227,6 +226,17 @@ Scene lit_scene(Scene scene, const std::vector<Part>& parts, const std::vector<g
                 const Elements& elements, const std::vector<dvec3>& light, const ColorMaps& colors, LitColors shown,
                 Context& context) {
     return LitScene(std::move(scene), parts, meshes, elements, light, colors, shown, context).run();
+}
+
+Scene static_scene(Scene scene) {
+    scene.lights.clear();
+    if (scene.environment) scene.environment->is_light = false;
+    for (std::size_t i = 0; scene.pose && i < scene.nodes.size(); ++i) scene.nodes[i].local = scene.pose->local[i];
+    scene.pose = {};
+    for (Node& node : scene.nodes) node.skin = no_index, node.morph_weights.clear();
+    scene.skins.clear(), scene.animations.clear();
+    scene.normal_sides.reset();
+    return scene;
 }
 
 }  // namespace rakelight::radiosity

@@ -18,4 +18,7 @@ Scene lit_scene(Scene scene, const std::vector<Part>& parts, const std::vector<g
                 const Elements& elements, const std::vector<dvec3>& light, const ColorMaps& colors, LitColors shown,
                 Context& context);
 
+/// The scene for vertex-color light: no lights, the environment only as background, the lit pose, no clips.
+Scene static_scene(Scene scene);
+
 }  // namespace rakelight::radiosity
