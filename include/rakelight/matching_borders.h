@@ -80,7 +80,7 @@ RL_API BorderMatch match_borders(std::span<const AttributeMesh> meshes, const Ma
 /// of the normal field along the border (h: length of the leading edge).
 /// @param meshes as given to match_borders(); positions and normals may have changed
 /// @param tangents [meshes] of [V] or empty each; or empty
-/// @return one entry a mesh
+/// @return one entry per mesh
 /// @throws Error bad_file: other counts than were matched
 RL_API std::vector<MeshSeams> join_borders(const BorderMatch& match, std::span<const AttributeMesh> meshes,
                                            std::span<const std::span<const vec4>> tangents, MatchReport& report,

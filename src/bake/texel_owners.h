@@ -22,7 +22,7 @@ struct OwnerBand {
 class TexelOwners {
 public:
     /// Triangles of charts that are not mirrored have priority.
-    /// @param samples  1, 4 or 16 a texel
+    /// @param samples  1, 4 or 16 per texel
     TexelOwners(const LowSurface& low, const MapCharts& charts, int width, int height, int samples, Context& context);
 
     static constexpr int band_rows = 16;

@@ -20,8 +20,8 @@ namespace rakelight {
 namespace {
 
 #if defined(__SANITIZE_THREAD__)
-/// The thread sanitizer does not see how oneTBB, which is built without it, hands work from thread to thread, and takes each
-/// hand-over for a race. Under it alone, loops run on threads that it understands.
+/// The thread sanitizer does not see the synchronization inside oneTBB, which is built without it, and reports false
+/// races. In sanitizer builds loops run on plain threads.
 void run_on_plain_threads(const Context& context, std::size_t count, void (*call)(const void*, std::size_t),
                           const void* body) {
     std::atomic<std::size_t> next{0};

@@ -160,7 +160,7 @@ private:
     FastState& state_;
     const AttributeInput& input_;
     std::span<const std::uint32_t> wanted_;
-    std::vector<std::uint32_t> marks_;  // a bit a vertex
+    std::vector<std::uint32_t> marks_;  // a bit per vertex
     std::vector<PartMesh> parts_;
 };
 

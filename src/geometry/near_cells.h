@@ -3,7 +3,7 @@
 //
 // A place within half the distance of a cell's wall enters the neighbor too, so every pair within the distance meets in
 // some cell. Cells are known by 32 bits of a hash: two cells that fall together only give more candidates. Wider cells
-// have fewer entries a place (twice as many as places here) but more candidates, and the small parts of a wide scene
+// have fewer entries per place (twice as many as places here) but more candidates, and the small parts of a wide scene
 // crowd in them.
 #pragma once
 #include <bit>

@@ -27,7 +27,7 @@ double difference(double a, double b) {
     return d == d ? d : std::numeric_limits<double>::infinity();
 }
 
-/// Of codes exactly: 102 / 255 - 100 / 255 would be more than 2 / 255.
+/// Exact for codes: 102 / 255 - 100 / 255 in floating point exceeds 2 / 255.
 double difference_at(const Pixels& a, const Pixels& b, std::size_t i) {
     if (a.component != b.component || a.component == Component::f32)
         return difference(component_at(a, i), component_at(b, i));

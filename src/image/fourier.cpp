@@ -42,7 +42,7 @@ void Fourier::run(const Complex* in, std::size_t stride, Complex* out, std::size
     join(out, parts, size, step);
 }
 
-/// `parts` transforms of `size` values each, of every parts-th value, to one.
+/// Combines `parts` transforms of `size` interleaved values to one.
 void Fourier::join(Complex* out, std::size_t parts, std::size_t size, std::size_t step) const {
     if (parts == 2) {
         for (std::size_t k = 0; k < size; ++k) {

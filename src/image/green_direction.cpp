@@ -8,7 +8,7 @@ namespace rakelight {
 namespace {
 
 constexpr int parts_a_side = 8, min_side = 32, max_window = 36;
-constexpr double min_relief = 4e-4;  ///< a texel; differences of a code or so are rounding
+constexpr double min_relief = 4e-4;  ///< per texel; smaller differences are rounding
 constexpr double min_agreement = 0.25;
 
 /// Slopes of the height along u and upwards, [height][width].

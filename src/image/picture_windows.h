@@ -33,7 +33,7 @@ double sum_over_windows(int width, int height, Context& context, const SumOf& su
     return sum;
 }
 
-/// One value a pixel, row by row.
+/// One value per pixel, row by row.
 template <class Number>
 struct Plane {
     Plane() = default;

@@ -160,7 +160,7 @@ private:
         mesh.colors = block(splats.colors), mesh.indices = block(splats.indices);
         for (std::size_t s = 0; s < mesh.texcoords.size(); ++s) mesh.texcoords[s] = block(splats.texcoords[s]);
         mesh.tangents = {};
-        mesh.arrays.clear();  // they are one a point; colors were made of them before
+        mesh.arrays.clear();  // they are one per point; colors were made of them before
         mesh.material = two_sided(mesh.material);
     }
 

@@ -19,7 +19,7 @@ namespace {
 
 using Values = std::span<const float>;
 
-/// A row, and how its numbers get to their place.
+/// A property with its setter.
 template <class Element>
 struct Setter {
     std::string name;
@@ -128,7 +128,7 @@ void set_half_width(Camera& c, double width) {
         c.half_width = width;
 }
 
-/// Fields of view beyond what a camera can have show nothing: the nearest that it can have.
+/// Clamps the field of view to its valid range.
 double field_of_view(float v) { return std::clamp(double(v), 1e-4, pi - 1e-4); }
 
 const std::vector<Setter<Camera>>& camera_rows() {

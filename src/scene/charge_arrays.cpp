@@ -6,7 +6,7 @@
 namespace rakelight {
 namespace {
 
-/// [bytes] of an allocation with what the allocator keeps beside it, about.
+/// [bytes] approximate size of an allocation with the allocator's overhead.
 std::uint64_t allocated(std::uint64_t bytes) { return bytes == 0 ? 0 : std::max<std::uint64_t>(32, bytes + 16); }
 
 template <class T>
@@ -105,7 +105,7 @@ void AddedMeshes::make_room() {
     const std::size_t room = std::max<std::size_t>(16, 2 * scene_.meshes.size());
     charge_->grow(room * sizeof(Mesh), "the table of meshes");
     scene_.meshes.reserve(room);
-    charge_->shrink(room_bytes_ + first_ * sizeof(Mesh));  // the table as it was before
+    charge_->shrink(room_bytes_ + first_ * sizeof(Mesh));  // the previous table
     room_bytes_ = (room - first_) * sizeof(Mesh);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Clips at a moment: nodes' placements and morph weights into the scene's pose, other numbers to where they belong.
+// Evaluates clips at a moment: transforms and morph weights into Scene::pose, other properties into their objects.
 #include <rakelight/motion.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ dquat rotation_of(dvec3 x, dvec3 y, dvec3 z) {
     return {(z.x + x.z) / (4 * q), (z.y + y.z) / (4 * q), q, (x.y - y.x) / (4 * q)};
 }
 
-/// A matrix as the parts that channels set; shear, which they cannot, is lost.
+/// Decomposes a matrix into the parts that channels animate; shear is lost.
 Transform in_parts(const Transform& t) {
     if (!t.matrix) return t;
     const dmat4& m = *t.matrix;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The camera that shows all of a model, from a named side.
+// Fits a camera to a model from a named side.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,8 +14,8 @@
 namespace rakelight {
 namespace {
 
-/// Radius of the sphere about the box. A box without extent (a point, nothing) gets a radius that can still be told
-/// from its center in double: 1, or a millionth of the distance from the origin.
+/// Radius of the sphere about the box. A box without extent (a point, nothing) gets a radius that is significant in
+/// double: 1, or a millionth of the distance from the origin.
 double sphere_radius(const Bounds& bounds) {
     const dvec3 c = bounds.center();
     const double far_out = std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)});
@@ -29,13 +29,13 @@ double sphere_radius(const Bounds& bounds) {
 /// z + e / slope >= high and z - e / slope >= low for the farthest points along (1 / slope, 1) and (-1 / slope, 1).
 struct Wedge {
     double slope, high, low;                                      ///< all [m] but slope
-    double nearest() const { return 0.5 * (high + low); }         ///< z of the eye that both planes meet in
+    double nearest() const { return 0.5 * (high + low); }         ///< z of the eye on both planes
     double middle() const { return 0.5 * slope * (high - low); }  ///< e of that eye
-    /// The place across, for an eye farther away, that `e` is or comes nearest to.
+    /// `e` clamped to the valid interval of an eye farther away.
     double seen_from(double e, double z) const { return std::max(slope * (high - z), std::min(slope * (z - low), e)); }
 };
 
-/// Where the model ends, about the middle of its box, as seen along `axes`.
+/// Extents of the model along `axes`, relative to the center of its box.
 class Extent {
 public:
     Extent(const Scene& scene, const Bounds& bounds, const dmat4& axes)
@@ -71,12 +71,12 @@ struct Slopes {
     double x, y;
 };
 
-/// Where the eye stands, from the middle of the box along the axes [m]: as near as both wedges let it, and the model in the
-/// middle of both sides.
+/// [m] position of the eye relative to the center of the box along the axes: as near as both wedges allow, with the
+/// model centered.
 dvec3 place_eye(const Extent& extent, Slopes tight, double radius, Extent::Seen& seen) {
     seen = extent.seen(tight.x, tight.y);
     const double z = std::max({seen.across.nearest(), seen.up.nearest(), seen.front + 0.25 * radius});
-    // The side that has room: the wedge that the model fills from there has its middle there. Two steps come near enough.
+    // Centers the axis with free space: the model's wedge from the eye is centered. Two iterations are sufficient.
     Slopes own = tight;
     Extent::Seen narrow = seen;
     for (int step = 0; step < 2; ++step) {
@@ -87,7 +87,7 @@ dvec3 place_eye(const Extent& extent, Slopes tight, double radius, Extent::Seen&
     return {seen.across.seen_from(narrow.across.middle(), z), seen.up.seen_from(narrow.up.middle(), z), z};
 }
 
-/// A parallel camera at the eye's depth, the model's rectangle in its middle.
+/// An orthographic camera at the eye's depth, centered on the model's rectangle.
 /// @param smallest  [m] half the height of a point, or of a line seen from its end
 void make_parallel(Camera& camera, const Extent& extent, double aspect, double smallest, double fill,
                    const dvec3& center, double z) {
@@ -101,7 +101,7 @@ void make_parallel(Camera& camera, const Extent& extent, double aspect, double s
     camera.to_world[3] = {eye.x, eye.y, eye.z, 1};
 }
 
-/// A camera that looks along `axes` at the model, as near as lets all of it be seen.
+/// The nearest camera along `axes` that sees the whole model.
 Camera fit(const Scene& scene, const Bounds& bounds, double aspect, const dmat4& axes, const FitOptions& options) {
     Camera camera;
     camera.vertical_fov_rad = options.vertical_fov_rad.value_or(camera.vertical_fov_rad);
@@ -133,7 +133,7 @@ constexpr Side sides[] = {{"default", {0.45, 0.35, 1}, {0, 1, 0}}, {"front", {0,
                           {"right", {1, 0, 0}, {0, 1, 0}},         {"top", {0, 1, 0}, {0, 0, -1}},
                           {"bottom", {0, -1, 0}, {0, 0, 1}},       {"isometric", {1, 1, 1}, {0, 1, 0}}};
 
-/// How a camera at that side is turned; its eye is 1 m from the origin.
+/// Orientation of a camera at a side; its eye is 1 m from the origin.
 dmat4 axes_of(const Side& side, const FitOptions& options) {
     const dvec3 y{0, 1, 0}, none{0, 0, 0};
     const dvec3 axis = normalize_or(options.world_up.value_or(options.up.value_or(y)), y);

@@ -13,7 +13,7 @@
 namespace rakelight {
 namespace {
 
-constexpr double farthest = 1e30;  // [m] that a range may be
+constexpr double farthest = 1e30;  // [m] limits of a range
 
 double largest(vec3 color) { return double(std::max({color.x, color.y, color.z})); }
 
@@ -25,14 +25,14 @@ double brightest(const Light& light) {
     return most;
 }
 
-/// Where c + l d + q d^2 is `wanted`, by the form of the root that does not cancel.
+/// Solves c + l d + q d^2 = `wanted` for d, by the root formula without cancellation.
 double distance_of(double c, double l, double q, double wanted) {
     if (!(wanted > c)) return 0;
     const double beyond = wanted - c;
     return 2 * beyond / (l + std::sqrt(l * l + 4 * q * beyond));  // l = q = 0: infinity
 }
 
-/// What cut_lights() makes of a reach that is finite.
+/// The range for a finite reach.
 float range_of(double reach) { return std::nextafter(float(reach), std::numeric_limits<float>::infinity()); }
 
 std::string number(double value) {

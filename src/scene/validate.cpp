@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The door check of a scene: every index, size and number that engines and prepare rely on. One pass over each array.
+// Validation of a scene: every index, size and number that other modules rely on. One pass over each array.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -138,7 +138,7 @@ void check_skin(const Scene& scene, std::size_t i) {
     for (const dmat4& m : skin.inverse_bind) place.finite("an inverse bind matrix", m);
 }
 
-/// Joints that the meshes of a skinned node name must be there. `joints_needed` [meshes] is 1 + the largest joint used.
+/// Joints used by the meshes of a skinned node must exist. `joints_needed` [meshes] is 1 + the largest joint used.
 void check_influences(const Scene& scene, const std::vector<std::uint32_t>& joints_needed) {
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
