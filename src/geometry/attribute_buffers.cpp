@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The door for callers who own the buffers.
+// compute_attributes_into(): output to the caller's buffers.
 #include <string>
 
 #include "base/format_text.h"

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t max_vertices = 0xffffffffull - 1, max_corners = 0xffffffffull - 2;
 constexpr std::uint32_t no_index = 0xffffffffu;
-constexpr double angle_slack = 1e-9;  // degrees turned into radians may land just beyond pi
+constexpr double angle_slack = 1e-9;  // conversion from degrees may round to just above pi
 
 [[noreturn]] void fail(std::size_t mesh, const std::string& reason) {
     throw Error(ErrorCode::bad_file, reason, format_text("mesh {}", mesh));
@@ -104,7 +104,7 @@ void check_indices(const AttributeInput& input, Context& context) {
 }
 
 void PlacementTable::push_back(const dmat4& to_world) {
-    // Bit for bit: zeros of other signs may give normals with other ones.
+    // Compared bitwise: the sign of zeros affects the sign of zeros in normals.
     if (distinct_.empty() || std::memcmp(&distinct_.back().to_world, &to_world, sizeof to_world) != 0)
         distinct_.push_back(place(to_world));
     number_.push_back(std::uint32_t(distinct_.size() - 1));
@@ -171,7 +171,7 @@ CreaseRange crease_range(std::span<const AttributeMesh> meshes, const AttributeO
 }
 
 std::vector<Chunk> make_chunks(std::span<const std::uint32_t> base, std::uint32_t target) {
-    constexpr std::uint32_t max_pieces = 64;  // the outboxes of the sums are pieces^2
+    constexpr std::uint32_t max_pieces = 64;  // the number of outboxes is pieces^2
     constexpr std::uint32_t max_meshes = 4096;
     std::vector<Chunk> chunks;
     std::uint32_t open = 0;  // items in the last chunk of whole meshes; 0: none is open

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The door of <rakelight/attributes.h>: weld -> creases and smoothing groups -> mirrored texture coordinates -> sums ->
-// vertices. Where everything at a place is joined (crease angle pi, no groups) the second stage has nothing to do, and only
+// compute_attributes() and its steps: weld -> creases and smoothing groups -> mirrored texture coordinates -> sums ->
+// vertices. With crease angle pi and no groups everything at a place is joined, so the second stage is skipped and only
 // vertices are welded, never corners: the fast path.
 #include <rakelight/attributes.h>
 
@@ -24,7 +24,7 @@ using namespace geometry;
 
 using Plan = AttributePlan::Impl;
 
-// A rough sum of what the sums and the result hold, when it is known how many vertices there are after splitting.
+// Estimated memory of sums and result, from the number of vertices after splitting.
 void check_sums_memory(const AttributePlan::Impl& plan, Context& context) {
     std::uint64_t row = sizeof(NormalRow) + sizeof(vec3) + 2 * sizeof(std::uint32_t);
     const bool textured = std::find(plan.textured.begin(), plan.textured.end(), 1) != plan.textured.end();
@@ -45,7 +45,9 @@ std::vector<std::uint8_t> marks_of(const VoteSums& sums, const std::vector<std::
     return marks;
 }
 
-// The sums of a plan, made into vertices. @param finish  (sums) -> Cancelled @return the marks of what cancelled
+// Converts the sums of a plan to vertices.
+// @param finish (sums) -> Cancelled
+// @return marks of cancelled groups
 template <class FinishSums>
 std::vector<std::uint8_t> add_up(const Plan& plan, const AttributeInput& input, GeneralScratch& scratch,
                                  Context& context, const FinishSums& finish) {
@@ -62,7 +64,7 @@ std::vector<std::uint8_t> add_up(const Plan& plan, const AttributeInput& input, 
     return marks;
 }
 
-// What add_up() would find cancelled, from the sums of normals alone.
+// The cancelled groups that add_up() would find, from the sums of normals only.
 std::vector<std::uint8_t> find_cancelled(const Plan& plan, const AttributeInput& input, Context& context) {
     check_sums_memory(plan, context);
     AttributeOptions options = plan.options;
@@ -94,8 +96,9 @@ bool make_plan(Plan& plan, const AttributeInput& input, Context& context) {
     return grouped.may_cancel;
 }
 
-// Coincident shells that face opposite ways cancel where all is joined. Such places are grouped again by sides; what cancels
-// even then is left flat, which cannot cancel. @param cancelled  the marks of a plan -> the marks of the mended one
+// Coincident shells of opposite orientation cancel if everything is joined. Such places are regrouped by side; groups
+// that still cancel become flat.
+// @param cancelled marks of a plan -> marks of the repaired plan
 template <class Again>
 void mend_cancelled(Plan& plan, const AttributeInput& input, std::vector<std::uint8_t> cancelled, Context& context,
                     const Again& again) {
@@ -107,7 +110,7 @@ void mend_cancelled(Plan& plan, const AttributeInput& input, std::vector<std::ui
     }
 }
 
-// Both steps at once: the sums that show what cancels are the result.
+// Both steps at once: the sums that detect cancellation are the result.
 template <class FinishSums>
 void run(Plan& plan, const AttributeInput& input, GeneralScratch& scratch, Context& context, const FinishSums& finish) {
     plan.base.scratch = &scratch;
@@ -184,7 +187,7 @@ std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<cons
     const AttributeInput input = check_input(meshes, context);
     check_same(impl, meshes, !impl.options.normals);
     GeneralScratch scratch;
-    std::vector<MeshAttributes> out;  // what cancels by a pose keeps what its own faces say
+    std::vector<MeshAttributes> out;  // groups that cancel in a pose keep the sums of their own faces
     add_up(impl, input, scratch, context, [&](const VoteSums& sums) {
         return finish_vertices(sums, impl.topology, input, impl.options, out, context);
     });
@@ -210,7 +213,7 @@ std::vector<SplitAttributes> geometry::general_attributes_into(std::span<const A
                                                                std::span<const AttributeBuffers> out,
                                                                GeneralScratch& scratch, Context& context) {
     std::vector<SplitAttributes> splits;
-    if (options.tangents && options.tangent_mode != TangentMode::averaged) {  // made from whole arrays of normals
+    if (options.tangents && options.tangent_mode != TangentMode::averaged) {  // computed from complete arrays of normals
         const std::vector<MeshAttributes> results = run(meshes, options, scratch, context);
         for (std::size_t m = 0; m < meshes.size(); ++m) splits.push_back(split_from(meshes[m], results[m], out[m]));
         return splits;

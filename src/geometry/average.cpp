@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Means of faces' values over the groups of a plan: the third door of <rakelight/attributes.h>.
+// average(): means of face values over the groups of a plan.
 #include <algorithm>
 #include <string>
 
@@ -28,7 +28,7 @@ void add(ValueRow& to, const ValueRow& from) {
     to.weight += from.weight;
 }
 
-/// Rounding never leaves the range of what a mean is of.
+/// Clamped to the range of the values, which rounding could leave.
 vec3 mean_of(const ValueRow& row) {
     if (!(row.weight > 0)) return {};
     return min(max(cast<float>(row.sum / row.weight), row.least), row.most);
@@ -46,7 +46,7 @@ void check_values(const AttributePlan::Impl& plan, std::span<const AttributeMesh
                         format_text("mesh {}", m));
 }
 
-/// Each corner belongs to the vertex that the plan gives it, so meshes can be added up side by side.
+/// Each corner belongs to the vertex of the plan, so meshes can be summed in parallel.
 class ValueSums {
 public:
     ValueSums(const AttributePlan::Impl& plan, const AttributeInput& input, Context& context)

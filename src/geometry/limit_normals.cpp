@@ -7,9 +7,9 @@
 namespace rakelight::geometry {
 namespace {
 
-/// The faces around a vertex between two sharp edges, or all of them: a normal each.
+/// A sector: the faces around a vertex between two sharp edges, or all faces. Each has one normal.
 struct Sector {
-    int first = 0, count = 0;  ///< faces, counted on from the first one modulo their number
+    int first = 0, count = 0;  ///< faces, cyclic from the first one
 };
 
 /// Normals of the limit surface at the vertices of the last level.
@@ -87,7 +87,7 @@ private:
         if (corner.rule == Rule::crease && sector.count <= max_with_tangents(scheme_))
             return towards(cross(first - last, across(vertex, sector, first, last)), facets);
         if (corner.rule == Rule::crease) return facets;
-        // A corner: its edges span the tangent plane, where they are not nearly one line
+        // a corner: its edges span the tangent plane unless nearly collinear
         const dvec3 normal = cross(first, last);
         const bool is_clear = dot(normal, normal) > 0.01 * dot(first, first) * dot(last, last);
         return is_clear && sector.count < 3 ? towards(normal, facets) : facets;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way: open edges -> nodes at their ends -> links between borders of different meshes -> votes up the links, normals and
-// tangents down again.
+// Stages: open edges -> nodes at their ends -> links between borders of different meshes -> votes passed up the links,
+// normals and tangents passed down.
 #include <rakelight/matching_borders.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace rakelight {
 
 struct BorderMatch::Impl {
     MatchOptions options;
-    std::vector<std::uint32_t> vertices, triangles;  ///< [meshes] counts that join_borders() insists on
+    std::vector<std::uint32_t> vertices, triangles;  ///< [meshes] counts required by join_borders()
     geometry::BorderNodes nodes;
     geometry::BorderLinks links;
 };

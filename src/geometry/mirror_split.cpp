@@ -22,7 +22,7 @@ void for_each_hand(const AttributeInput& input, bool keep_normals, const std::ve
             if (mesh.texcoords.empty()) return;
             for (std::uint32_t t = first; t != last; ++t) {
                 const std::uint32_t* index = &mesh.indices[3 * std::size_t(t)];
-                const double hand = -texture_edges(mesh, index).sign * placement.flip;  // as face_tangent() has it
+                const double hand = -texture_edges(mesh, index).sign * placement.flip;  // as in face_tangent()
                 const FaceCorners face = face_corners(mesh, index);
                 if (hand == 0 || cross(face.e1, face.e2) == dvec3{}) continue;
                 const Direction normal = keep_normals ? face_normal(placement, face) : Direction{};

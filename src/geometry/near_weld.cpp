@@ -19,7 +19,7 @@ namespace rakelight::geometry {
 namespace {
 
 constexpr std::size_t crowded =
-    1024;  // places in one cell: more is no model but an attack, or a distance far too large
+    1024;  // places in one cell: more means a hostile file, or a far too large distance
 
 struct Entry {
     dvec3 position;
@@ -74,7 +74,7 @@ private:
         return 2 * *std::max_element(reach_.begin(), reach_.end());
     }
 
-    // Of quantized meshes that meet exactly, the next code is another place of the surface.
+    // For quantized meshes that meet exactly, the next code is a different place.
     void find_shared_places() {
         std::vector<std::vector<SharedPlace>> found(chunks_.size());
         context_.parallel_for(chunks_.size(), [&](std::size_t c) {
@@ -89,7 +89,7 @@ private:
         shared_.erase(std::unique(shared_.begin(), shared_.end()), shared_.end());
     }
 
-    // The meshes beside its own that have a vertex at a place, ascending.
+    // The other meshes with a vertex at a place, ascending.
     std::span<const SharedPlace> others_at(std::uint32_t place) const {
         const auto first = std::lower_bound(shared_.begin(), shared_.end(), SharedPlace{place, 0});
         return {first, std::lower_bound(first, shared_.end(), SharedPlace{place + 1, 0})};
@@ -201,7 +201,7 @@ private:
         UnionFind sets;
         if (!pairs.empty()) sets.reset(representative_.size());
         for (const Pair& pair : pairs) sets.join(pair.a, pair.b);
-        // By the place that they become.
+        // Sorted by their common place.
         std::sort(pairs.begin(), pairs.end(),
                   [&](const Pair& a, const Pair& b) { return sets.root(a.a) < sets.root(b.a); });
         std::vector<bool> is_welded(pairs.empty() ? 0 : representative_.size(), false);

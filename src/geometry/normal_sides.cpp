@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::uint64_t bytes_per_triangle = 64;  ///< of edges, sets and votes
 
-/// Normals of a triangle's corners, made unit in the world.
+/// Normals of a triangle's corners, normalized in world space.
 std::array<dvec3, 3> corner_normals(const Placement& placement, const AttributeMesh& mesh, const std::uint32_t* index) {
     return {given_normal(placement, mesh.normals[index[0]]), given_normal(placement, mesh.normals[index[1]]),
             given_normal(placement, mesh.normals[index[2]])};
 }
 
-/// Sums of weight times cosine, a weight each.
+/// Sums of weight times cosine.
 struct Votes {
     double uniform = 0, area = 0, angle = 0, angle_area = 0;
 

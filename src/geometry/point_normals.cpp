@@ -13,9 +13,9 @@ namespace {
 
 constexpr float reach = 2.5f;  ///< in spacings
 constexpr std::size_t max_neighbors = 48, min_neighbors = 4;
-constexpr std::size_t max_looks = 1024;  ///< at points around one: a file may put any number into a cell
+constexpr std::size_t max_looks = 1024;  ///< neighbors examined: a file may put any number of points into a cell
 constexpr std::size_t points_per_task = 1 << 12;
-constexpr double flat = 0.2;                 ///< least of the middle eigenvalue
+constexpr double flat = 0.2;                 ///< minimum of the middle eigenvalue
 constexpr std::int64_t max_cells = 1 << 20;  ///< along an axis
 
 /// Points by cells of a cubic grid, cell after cell.
@@ -30,13 +30,13 @@ public:
         std::ranges::sort(entries_);
     }
 
-    /// Calls f(point) for points of the 27 cells around a place, until it says false.
+    /// Calls f(point) for points of the 27 cells around a place, until it returns false.
     template <class F>
     void around(vec3 place, const F& f) const {
         const std::array<std::int64_t, 3> c = cell_of(place);
         for (std::int64_t z = c[2] - 1; z <= c[2] + 1; ++z)
             for (std::int64_t y = c[1] - 1; y <= c[1] + 1; ++y) {
-                // Three cells in a row have keys that follow each other.
+                // Three cells in a row have consecutive keys.
                 const std::uint64_t first = key({std::max<std::int64_t>(c[0] - 1, 0), y, z}),
                                     last = key({c[0] + 1, y, z});
                 if (y < 0 || z < 0) continue;

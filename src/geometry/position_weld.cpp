@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One radix partition by hash, then a hash table per partition that stays in the cache. Records are stable, so the first
-// vertex met at a place is the smallest; positions are computed again and compared only where hashes agree.
+// One radix partition by hash, then a hash table per partition that stays in the cache. Records are stable, so the
+// first vertex of a place is the smallest. Positions are recomputed and compared only if hashes agree.
 #include "geometry/position_weld.h"
 
 #include <atomic>

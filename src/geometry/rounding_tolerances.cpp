@@ -9,7 +9,7 @@ namespace {
 
 constexpr double local_ulps = 2, pivot_ulps = 1;
 constexpr double widest = 1.0 / 16384;  // of the diagonal: numbers with fewer digits describe no surface of this model
-/// sqrt(3) / 2, and a hundredth for the rounding of the decoded values themselves.
+/// sqrt(3) / 2, plus a hundredth for rounding of the decoded values.
 constexpr double half_diagonal_of_step = 0.875;
 
 /// The distance from `size` to the next float.

@@ -9,9 +9,8 @@
 namespace rakelight::geometry {
 namespace {
 
-// Votes for vertices that another piece of the mesh owns, in the order of sending. Blocks: nothing moves as they grow.
-// What the outboxes hold is charged as they grow: nothing for most models, all votes where the triangles lie in
-// disorder.
+// Votes for vertices that another piece of the mesh owns, in the order of sending. Stored in blocks, so that growing
+// moves nothing. Memory is charged as outboxes grow: nothing for most models, all votes for unordered triangles.
 template <class Item>
 class Outbox {
 public:
@@ -235,7 +234,7 @@ private:
         return job;
     }
 
-    /// A face for which the kernel is not made: without area, of extreme size, or that has to ask given normals.
+    /// A face outside of the kernel's domain: without area, of extreme size, or with given normals.
     /// @return whether it has a vote
     template <CornerWeight weight, bool tangents>
     bool vote_alone(const AttributeMesh& mesh, const Placement& placement, const std::uint32_t* index, std::uint32_t t,

@@ -40,7 +40,8 @@ RL_INLINE numbers square_root(numbers v) {
     return v;
 }
 
-/// direction_of(): unit and length. @param odd  gets what that function does in another way
+/// direction_of(): unit and length.
+/// @param odd gets lanes for the scalar function
 RL_INLINE Three unit(const Three& v, numbers& length, bits& odd) {
     const numbers square = dot(v, v);
     odd |= ~((square > all(1e-280)) & (square < all(1e280)));
@@ -163,7 +164,7 @@ static void vote(const VoteJob& job, VoteBlock& out) {
     uint32_t f = 0;
     for (; f + lanes <= job.count; f += lanes) vote_some(job, job.indices + 3 * f, f, out);
     if (f == job.count) return;
-    uint32_t last[3 * lanes];  // the rest, padded by repeating the first one of it
+    uint32_t last[3 * lanes];  // the rest, padded with copies of its first face
     for (uint32_t i = 0; i < 3 * lanes; ++i) last[i] = job.indices[3 * f + (i < 3 * (job.count - f) ? i : i % 3)];
     vote_some(job, last, f, out);
 }
