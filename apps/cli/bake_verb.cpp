@@ -40,7 +40,7 @@ constexpr Count counts[] = {
     {"samples", "N", "Rays", "Rays per texel: 1, 4 (default) or 16", &BakeOptions::samples, 1, 16},
     {"radiosity-elements", "N", "Maps",
      "Light: radiosity elements that HIGH is divided into, 1 to 200000 (default 20000, or 1.5 times its triangles)",
-     &BakeOptions::light_elements, 1, most_radiosity_elements},
+     &BakeOptions::light_elements, 1, max_radiosity_elements},
     {"rays", "N", "Maps", "Occlusion: rays per sample, 1 to 4096 (default 64)", &BakeOptions::rays, 1, 4096},
     {"padding", "PX", "Texture coordinates", "Pixels by which charts are extended beyond their borders (default 8)",
      &BakeOptions::padding, 0, 1024},
@@ -82,7 +82,7 @@ std::vector<Option> own_options() {
           {"normalize-frames", "Maps", "",
            "Make normal and tangent of LOW unit and perpendicular in each texel before a normal is encoded. Rakelight "
            "reads maps that way by default (default off: as MikkTSpace)",
-           switched}},
+           on_off}},
          number_options("Maps"),
          number_options("Rays"),
          {{"high-normals", "Normals", "WHICH",
@@ -134,7 +134,7 @@ BakeOptions bake_options(const Given& given) {
         options.high_normals = values::word("high-normals", given.word("high-normals"), normals);
     if (given.has("green")) options.green_down = values::word("green", given.word("green"), greens);
     if (given.has("normalize-frames"))
-        options.normalize_frames = values::switched("normalize-frames", given.word("normalize-frames"));
+        options.normalize_frames = values::on_off("normalize-frames", given.word("normalize-frames"));
     if (given.has("crease-angle"))
         options.crease_angle_rad = radians(values::number("crease-angle", given.word("crease-angle"), 0, 180));
     options.make_coordinates = given.has("make-coordinates");

@@ -147,7 +147,7 @@ SmoothBenchOptions smooth_options(const Run& run) {
 void take_world(const Run& run, RenderBenchOptions& o) {
     const WorldRequest world = world_request(run, o.scene, run.given.settings());
     const bool says_size = run.given.has("resolution") ||
-                           std::ranges::find(world.taken, "resolution", &WorldValue::key) != world.taken.end();
+                           std::ranges::find(world.applied, "resolution", &WorldValue::key) != world.applied.end();
     const int width = o.settings.width, height = o.settings.height;
     o.picture = world.picture;
     o.load = o.picture.load;

@@ -67,7 +67,7 @@ std::vector<Option> own_options() {
     options.push_back({"heatmap", "Heat map", "FILE",
                        "Write a picture of the seams, colored by their angle. {model} stands for the model's name"});
     options.push_back(
-        {"heatmap-legend", "Heat map", "", "Draw a legend on it: angles, and the largest seam (default on)", switched});
+        {"heatmap-legend", "Heat map", "", "Draw a legend on it: angles, and the largest seam (default on)", on_off});
     return options;
 }
 
@@ -273,13 +273,13 @@ void write_reports(const Reports& reports, const InspectionPage& page, const std
 
 int run_inspect(const Run& run) {
     const Reports reports(run.given);
-    const Task task{.options = options_of(run),
-                    .limits = limits_of(run.given, !reports.junit.empty()),
-                    .marks = run.given.has("heatmap-legend") &&
-                                     !values::switched("heatmap-legend", run.given.word("heatmap-legend"))
-                                 ? SeamMarks::none
-                                 : SeamMarks::legend,
-                    .has_page = !reports.pages.empty()};
+    const Task task{
+        .options = options_of(run),
+        .limits = limits_of(run.given, !reports.junit.empty()),
+        .marks = run.given.has("heatmap-legend") && !values::on_off("heatmap-legend", run.given.word("heatmap-legend"))
+                     ? SeamMarks::none
+                     : SeamMarks::legend,
+        .has_page = !reports.pages.empty()};
     check_heat_map(run);
     InspectionPage page;
     std::vector<InspectionRow> rows;

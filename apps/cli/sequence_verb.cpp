@@ -53,8 +53,8 @@ bool is_movie_output(const Run& run) { return is_movie(run.picture.output) && !h
 std::int64_t number_of(std::string_view word) {
     std::int64_t number = -1;
     const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (fault != std::errc{} || end != word.data() + word.size() || number < 0 || number >= most_frames)
-        throw values::wrong("frames", "must be A:B or A:B:STEP, numbers from 0 to " + std::to_string(most_frames - 1),
+    if (fault != std::errc{} || end != word.data() + word.size() || number < 0 || number >= max_frames)
+        throw values::wrong("frames", "must be A:B or A:B:STEP, numbers from 0 to " + std::to_string(max_frames - 1),
                             "write for example 0:59");
     return number;
 }
@@ -125,7 +125,7 @@ std::vector<Job> jobs_of(const Run& run) {
         if (run.given.has("frames")) sequence.frames = range_of(run.given.word("frames"));
         if (run.given.has("fps")) sequence.fps = values::number("fps", run.given.word("fps"), 0.01, 1000);
         if (run.given.has("turntable"))
-            sequence.turntable = values::integer("turntable", run.given.word("turntable"), 1, int(most_frames));
+            sequence.turntable = values::integer("turntable", run.given.word("turntable"), 1, int(max_frames));
         sequence.skip_existing = run.given.has("skip-existing");
         job.input = std::move(input);
         if (job.input.error) continue;
@@ -168,7 +168,7 @@ void draw(const Run& run, const Job& job, Made& made, Context& context) {
 void make_movies(const Run& run, const Job& job, Made& made, Context& context) {
     std::vector<std::string> files;
     for (const PictureRow& row : made.pictures) files.push_back(row.result.output);
-    context.set_progress_part(0, 1);
+    context.set_progress_range(0, 1);
     for (const std::string& movie : job.movies) {
         try {
             // Every second picture stands twice as long.

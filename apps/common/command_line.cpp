@@ -63,7 +63,7 @@ struct Target {
         WorldValue out{.key = option->name};
         if (option->form == Form::flag) out.words = {"on"};
         if (option->form == Form::list) out.words = words;
-        if (option->form == Form::switched)
+        if (option->form == Form::on_off)
             out.words = {word == "true" ? "on" : word == "false" ? "off" : word};  // "true": it stands alone
         if (out.words.empty()) out.words = {word};
         return out;
@@ -86,12 +86,12 @@ void declare(CLI::App& app, const Option& option, Target& to) {
         case Form::flag:
             to.read = app.add_flag(name, to.flag, option.help);
             break;
-        case Form::switched:
+        case Form::on_off:
             to.read = app.add_flag(name, to.word, option.help);
             break;
     }
     to.read->group(option.is_hidden ? "" : option.group)->required(option.is_required);
-    if (option.form == Form::switched) to.read->type_name(switch_type);
+    if (option.form == Form::on_off) to.read->type_name(switch_type);
     if (option.form == Form::value || option.form == Form::list) to.read->type_name(option.type);
 }
 

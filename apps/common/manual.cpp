@@ -12,7 +12,7 @@ std::string written(const Option& option) {
     std::string text = option.letter ? std::string("-") + option.letter + ", " : "";
     text += std::string("--") + option.name;
     if (option.also) text += std::string(", --") + option.also;
-    if (option.form == Form::switched) return text + " [on|off]";
+    if (option.form == Form::on_off) return text + " [on|off]";
     return *option.type ? text + " " + option.type : text;
 }
 

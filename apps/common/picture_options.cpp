@@ -249,8 +249,8 @@ Form form_of(RenderKey::Kind kind) {
         case RenderKey::Kind::file:
             return Form::value;
         case RenderKey::Kind::flag:  // so that a command line can turn off what a world turns on
-        case RenderKey::Kind::switched:
-            return Form::switched;
+        case RenderKey::Kind::on_off:
+            return Form::on_off;
         case RenderKey::Kind::list:
             return Form::list;
     }

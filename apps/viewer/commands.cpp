@@ -113,7 +113,7 @@ bool apply_to_view(Command command, Look& look, const Model& model, int width, i
 void set_shading(PictureRequest& request) {
     constexpr Shading all[] = {Shading::phong, Shading::gouraud, Shading::flat, Shading::unlit, Shading::automatic};
     request.settings.shading = next(all, request.settings.shading);
-    request.settings.own_shading = false;
+    request.settings.material_shading = false;
     request.settings.shading_rules.clear();
 }
 

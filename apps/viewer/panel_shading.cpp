@@ -96,7 +96,7 @@ void draw_shading_panel(PanelView& view) {
         ImGui::EndCombo();
     }
     draw_channels(view);
-    if (choose("shading", shading_words, s.shading)) s.own_shading = false, s.shading_rules.clear();
+    if (choose("shading", shading_words, s.shading)) s.material_shading = false, s.shading_rules.clear();
     if (choose("lighting", lighting_words, s.lighting)) s.lighting_name.clear(), s.lighting_text.clear();
     if (!s.lighting_name.empty())
         ImGui::TextWrapped("replaced by: %s", one_line(display_path(s.lighting_name), 100).c_str());
@@ -104,7 +104,7 @@ void draw_shading_panel(PanelView& view) {
     constexpr Word<int> sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}};
     if (r.engine == "trace") draw_rays(r);
     if (s.method == RayMethod::path)
-        slide("paths per pixel", s.samples, 1, most_paths_a_pixel, true);
+        slide("paths per pixel", s.samples, 1, max_paths_per_pixel, true);
     else
         choose("samples", sample_words, s.samples);
     slide("anisotropy", s.anisotropy, 1, 16);

@@ -50,7 +50,7 @@ double Player::elapsed(double now_s) {
     return elapsed_s;
 }
 
-bool has_motion(const Look& look) { return look.request.motion.asks() || !key_times(look).empty(); }
+bool has_motion(const Look& look) { return look.request.motion.is_set() || !key_times(look).empty(); }
 
 ClipSpan span_of(const Look& look, const Model& model, const Player& player) {
     std::optional<ClipSpan> span;
@@ -85,7 +85,7 @@ void choose_clip(Look& look, std::optional<int> clip) {
 }
 
 std::optional<int> chosen_clip(const Look& look, const Model& model) {
-    if (!look.request.motion.asks() || look.request.motion.index == -1) return {};
+    if (!look.request.motion.is_set() || look.request.motion.index == -1) return {};
     const std::vector<ClipTime> clips = clips_of(look, model);
     return clips.empty() ? std::nullopt : std::optional(int(clips[0].animation));
 }

@@ -28,7 +28,7 @@ public:
 private:
     /// Whether nothing but lights, camera and moment changed.
     bool is_taken_up(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request) const;
-    void take_up(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
+    void warm_up(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
                  const Camera& camera, Context& context);
 
     std::optional<Session> session_;

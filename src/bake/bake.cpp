@@ -14,6 +14,7 @@
 #include "bake/check_settings.h"
 #include "bake/make_coordinates.h"
 #include "bake/padding.h"
+#include "base/format_text.h"
 #include "prepare/variants.h"
 #include "scene/scene_tools.h"
 
@@ -108,7 +109,7 @@ std::optional<Scene> lit_high(const Scene& high, const BakeOptions& options, Bak
                     "give it some, in a world file")
             .with_file(high.source)
             .naming({"maps"});
-    return with_radiosity(high, {.elements = options.light_elements}, report.radiosity, context, LitColors::arriving);
+    return with_radiosity(high, {.elements = options.light_elements}, report.radiosity, context, LitColors::irradiance);
 }
 
 void make_maps(const BakeOptions& options, BakeResult& result, Context& context) {
@@ -142,11 +143,10 @@ void add_remarks(const Scene& high, const Scene& low, const BakeReport& r, bool 
     constexpr std::uint64_t few = 1000;  // texels of so many that meet HIGH are none
     if ((r.texels - r.missed) * few <= r.texels)
         throw Error(ErrorCode::bad_file,
-                    r.texels == 0 ? "no chart covers a texel of the map"
-                    : r.missed == r.texels
-                        ? "no ray from it meets '" + one_line(high.source, 80) + "'"
-                        : "only " + std::to_string(r.texels - r.missed) + " of " + std::to_string(r.texels) +
-                              " texels meet '" + one_line(high.source, 80) + "'",
+                    r.texels == 0          ? "no chart covers a texel of the map"
+                    : r.missed == r.texels ? "no ray from it meets '" + one_line(high.source, 80) + "'"
+                                           : format_text("only {} of {} texels meet '{}'", r.texels - r.missed,
+                                                         r.texels, one_line(high.source, 80)),
                     {},
                     r.texels == 0 ? "make the map larger"
                                   : "models have to lie at the same place; a larger 'distance' reaches farther")
@@ -154,23 +154,25 @@ void add_remarks(const Scene& high, const Scene& low, const BakeReport& r, bool 
             .naming({"distance"});
     Report& report = context.report();
     if (r.missed > 0)
-        report.add(Remark::warning, low.source, {},
-                   std::to_string(r.missed) + " of " + std::to_string(r.texels) +
-                       " texels show the model itself: no ray met the other one; a larger 'distance' reaches farther",
-                   {"distance"});
+        report.add(
+            Remark::warning, low.source, {},
+            format_text(
+                "{} of {} texels show the model itself: no ray met the other one; a larger 'distance' reaches farther",
+                r.missed, r.texels),
+            {"distance"});
     if (r.beyond > 0 && is_height_wanted)
         report.add(Remark::warning, low.source, {},
-                   std::to_string(r.beyond) + " of " + std::to_string(r.texels) +
-                       " texels lie beyond the proposed cage: heights in PNG end there; a larger 'distance' holds them",
+                   format_text("{} of {} texels lie beyond the proposed cage: heights in PNG end there; a larger "
+                               "'distance' holds them",
+                               r.beyond, r.texels),
                    {"distance"});
     if (r.overlapping > 0)
         report.add(Remark::warning, low.source, {},
-                   std::to_string(r.overlapping) + " of " + std::to_string(r.charts) +
-                       " charts lie on others or on themselves: " + std::to_string(r.overlapping_texels) +
-                       " texels are baked once, for the first that is not mirrored");
+                   format_text("{} of {} charts lie on others or on themselves: {} texels are baked once, for the "
+                               "first that is not mirrored",
+                               r.overlapping, r.charts, r.overlapping_texels));
     if (r.mirrored > 0)
-        report.add(Remark::note, low.source, {},
-                   std::to_string(r.mirrored) + " of " + std::to_string(r.charts) + " charts are mirrored");
+        report.add(Remark::note, low.source, {}, format_text("{} of {} charts are mirrored", r.mirrored, r.charts));
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 namespace rakelight::bake {
 namespace {
 
-constexpr int most_layers = 64;          ///< that a ray goes through
-constexpr double step_on = 1e-6;         ///< of HIGH's diagonal: where a ray that goes on begins
+constexpr int max_layers = 64;           ///< hits along a ray
+constexpr double step_on = 1e-6;         ///< of HIGH's diagonal: offset of a continued ray
 constexpr std::uint32_t probes = 65536;  ///< places on LOW that proposed_distance() looks from
 
 bool faces(const HighPoint& point, dvec3 outward) {
@@ -20,7 +20,7 @@ bool faces(const HighPoint& point, dvec3 outward) {
 std::optional<HighPoint> first_facing(const HighSurface& high, dvec3 from, dvec3 direction, double most, dvec3 outward,
                                       std::optional<HighPoint>* any) {
     double least = 0;
-    for (int layer = 0; layer < most_layers; ++layer) {
+    for (int layer = 0; layer < max_layers; ++layer) {
         const auto hit = high.first(from, direction, least, most);
         if (!hit) break;
         const HighPoint point = high.point(*hit);

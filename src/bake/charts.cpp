@@ -77,7 +77,7 @@ Charts find_charts(std::span<const dvec3> places, std::span<const std::uint32_t>
     }
     Charts charts;
     charts.of_triangle.resize(count);
-    std::vector<std::uint32_t> number(count, ~0u);  // of the piece that a triangle stands for
+    std::vector<std::uint32_t> number(count, ~0u);  // index of the piece of a triangle
     for (std::size_t t = 0; t < count; ++t, check()) {
         std::uint32_t& chart = number[pieces.root(std::uint32_t(t))];
         if (chart == ~0u) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way of a lightmap: sides apart, coordinates, light (with_radiosity), texels, materials that show them.
+// Stages of a lightmap: split sides, texture coordinates, light (with_radiosity), texels, materials.
 #include <rakelight/lightmap.h>
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 #include "bake/lightmap_texels.h"
 #include "bake/make_coordinates.h"
 #include "math/color.h"
-#include "prepare/back_side.h"
+#include "prepare/turn_triangles.h"
 #include "prepare/variants.h"
-#include "radiosity/still_scene.h"
+#include "radiosity/lit_scene.h"
 #include "scene/scene_tools.h"
 #include "shading/choices.h"
 
@@ -28,7 +28,7 @@ void make_one_sided(Material& m) {
     m.double_sided = false;
 }
 
-/// Two-sided surfaces as two one-sided ones, which have places of their own on the map.
+/// Two-sided surfaces as two one-sided ones with separate charts.
 Scene one_sided(Scene scene, Context& context) {
     std::vector<std::uint32_t> back(scene.meshes.size(), no_index);
     std::vector<bool> is_split(scene.materials.size());
@@ -128,7 +128,7 @@ Lightmap with_lightmap(Scene scene, const RadiositySettings& settings, const Lig
     const std::vector<float> most = bake::brightest(texels, made.scene.materials.size());
     report.brightest = *std::ranges::max_element(most);
     Lightmap out{.picture = bake::coded(texels, most, options, context)};
-    out.scene = bake::showing_map(radiosity::still_scene(std::move(made.scene)), set, most, out.picture);
+    out.scene = bake::showing_map(radiosity::static_scene(std::move(made.scene)), set, most, out.picture);
     return out;
 }
 

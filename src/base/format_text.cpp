@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one source that holds code of fmt, as hidden symbols: nobody who links Rakelight needs fmt, and one compilation pays for it.
+// The only source with code of fmt, as hidden symbols: programs that link Rakelight do not need fmt, and it is compiled
+// once.
 #define FMT_HEADER_ONLY 1
 #include "base/format_text.h"
 

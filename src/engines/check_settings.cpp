@@ -58,8 +58,8 @@ void check_words(const RenderSettings& s) {
 }
 
 void check_paths(const RenderSettings& s) {
-    require(s.samples >= 1 && s.samples <= most_paths_a_pixel, "samples",
-            "the paths of a pixel must be 1 to " + std::to_string(most_paths_a_pixel));
+    require(s.samples >= 1 && s.samples <= max_paths_per_pixel, "samples",
+            "the paths of a pixel must be 1 to " + std::to_string(max_paths_per_pixel));
     for (const auto& [setting, number] :
          {std::pair("max-seconds", s.paths.max_seconds), {"noise", s.paths.noise}, {"clamp", s.paths.clamp}})
         require(std::isfinite(number) && number >= 0, setting, "must be a number >= 0");
@@ -81,7 +81,7 @@ void check_numbers(const RenderSettings& s) {
     require(s.ambient_occlusion_radius >= 0 && std::isfinite(s.ambient_occlusion_radius), "ambient-occlusion-radius",
             "must be a number >= 0");
     require(
-        s.ambient_occlusion_samples >= least_occlusion_samples && s.ambient_occlusion_samples <= most_occlusion_samples,
+        s.ambient_occlusion_samples >= min_occlusion_samples && s.ambient_occlusion_samples <= max_occlusion_samples,
         "ambient-occlusion-samples", "must be 8 to 256");
     require(s.anisotropy >= 1 && s.anisotropy <= 16, "anisotropy", "anisotropy must be 1 to 16");
     for (const auto& [setting, width] : {std::pair("line-width", s.line_width), {"point-size", s.point_size}})
@@ -95,8 +95,8 @@ void check_numbers(const RenderSettings& s) {
             "the data channel ambient-occlusion needs 'ambient-occlusion'");
     require(s.max_depth >= 0 && s.max_depth <= 64, "max-depth", "the depth of rays must be 0 to 64");
     require(!s.naive || s.method == RayMethod::cast, "naive", "needs the method cast");
-    require(s.radiosity.elements >= 1 && s.radiosity.elements <= most_radiosity_elements, "radiosity-elements",
-            "must be 1 to " + std::to_string(most_radiosity_elements));
+    require(s.radiosity.elements >= 1 && s.radiosity.elements <= max_radiosity_elements, "radiosity-elements",
+            "must be 1 to " + std::to_string(max_radiosity_elements));
     require(s.radiosity.unshot > 0 && s.radiosity.unshot <= 1, "radiosity-unshot", "must be more than 0 and at most 1");
     require(s.method != RayMethod::radiosity || s.front_face == FrontFace::counter_clockwise, "method",
             "radiosity needs triangles that are counter-clockwise seen from their front");

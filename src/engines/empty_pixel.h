@@ -9,7 +9,7 @@ namespace rakelight {
 /// laid behind later.
 inline vec4 empty_pixel(const RenderSettings& settings) {
     const vec4 b = settings.background;
-    return {b.x, b.y, b.z, settings.lays_background ? b.w : 0};
+    return {b.x, b.y, b.z, settings.composites_background ? b.w : 0};
 }
 
 /// The background as glass and mirrors see it.
@@ -19,7 +19,7 @@ inline vec3 light_of_background(const RenderSettings& settings) {
 
 /// What is laid behind the finished picture.
 inline vec4 laid_behind(const RenderSettings& settings) {
-    return settings.lays_background ? vec4{} : settings.background;
+    return settings.composites_background ? vec4{} : settings.background;
 }
 
 }  // namespace rakelight

@@ -18,7 +18,7 @@ bool takes_fast_path(std::span<const AttributeMesh> meshes, const AttributeOptio
 SplitAttributes split_from(const AttributeMesh& mesh, const MeshAttributes& result, const AttributeBuffers& out);
 
 /// @param out  [meshes] large enough: checked by the caller
-/// @throws Error as the door says
+/// @throws Error as compute_attributes()
 std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                              std::span<const AttributeBuffers> out, FastScratch& scratch,
                                              Context& context);

@@ -5,10 +5,10 @@
 
 namespace rakelight::geometry {
 
-/// What the faces of one vertex say together, in object space:
-///   with tangents 8 floats  { n.x, n.y, n.z, hand, t.x, t.y, t.z, weight },  without 4  { n.x, n.y, n.z, weight }
-/// hand: sum of +-weight; exactly +-weight where all faces have one handedness, since both lanes then add the same numbers.
-/// weight 0: no face votes. weight < 0: the place is left to the general path.
+/// Sum over the faces of one vertex, in object space: with tangents 8 floats { n.x, n.y, n.z, hand, t.x, t.y, t.z,
+/// weight }, without 4 { n.x, n.y, n.z, weight } hand: sum of +-weight; exactly +-weight where all faces have one
+/// handedness, since both lanes then add the same numbers. weight 0: no face votes. weight < 0: the place is left to
+/// the general path.
 constexpr int tangent_row_floats = 8, normal_row_floats = 4;
 
 /// A vote for a vertex that another piece of the mesh owns.

@@ -3,13 +3,13 @@
 #pragma once
 #include <memory>
 
-#include "geometry/general_scratch.h"
+#include "geometry/block_array.h"
 #include "geometry/join_rules.h"
 
 namespace rakelight::geometry {
 
-/// What grouping rests on whatever the crease angle is; shared by the plans that were made from one another. Each is
-/// made when it is first needed and null till then.
+/// The part of the grouping that does not depend on the crease angle; shared by plans of one model. Each is made when
+/// it is first needed and null till then.
 struct GroupingBase {
     std::shared_ptr<const std::vector<std::uint32_t>> places;  ///< [vertices] as Topology::places
     std::shared_ptr<FaceNormals> normals;                      ///< [triangles]
@@ -29,11 +29,11 @@ struct Grouped {
     bool may_cancel = true;  ///< false: the normals of no group can cancel
 };
 
-/// @param base  what is there of it is used, what is missing and needed is added
+/// @param base existing parts are used, missing parts are added
 Grouped make_groups(GroupingBase& base, const AttributeInput& input, const AttributeOptions& options, Context& context);
 
-/// Takes groups whose normals cancelled apart. @param selected  [output vertices] not 0: the group of this
-/// representative
+/// Splits groups whose normals cancelled.
+/// @param selected [output vertices] not 0: the group of this representative
 void take_apart(Topology& topology, GroupingBase& base, const AttributeInput& input, const AttributeOptions& options,
                 JoinRule rule, const std::vector<std::uint8_t>& selected, Context& context);
 

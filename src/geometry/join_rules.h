@@ -24,7 +24,7 @@ constexpr double looks_away = 0.01;
 /// Of the largest angle [rad] between faces that a crease angle joins; -2 for pi, which no cosine is below.
 double crease_cosine(double crease_angle_rad);
 
-/// One edge of a face, at the place from which it is looked at.
+/// One edge of a face, seen from one of its places.
 struct Spoke {
     std::uint32_t place, index;  ///< other end of the edge (its position class); which corner of the fan
     bool outgoing;               ///< the face runs along the edge away from the fan's place
@@ -32,7 +32,7 @@ struct Spoke {
 
 /// The faces at one place, as seen by the rules; index i is the i-th corner of the place.
 struct Fan {
-    std::vector<std::uint32_t> corner;  ///< numbered through, ascending
+    std::vector<std::uint32_t> corner;  ///< global indices, ascending
     std::vector<std::uint32_t> mesh;    ///< of the corner
     std::vector<dvec3> normal;          ///< of its face; zero: no vote
     std::vector<std::uint64_t>
@@ -62,7 +62,7 @@ public:
 
 private:
     void gather_groups(Fan& fan) const;
-    double least_cos(const Fan& fan, std::uint32_t i, std::uint32_t j) const;
+    double min_cos(const Fan& fan, std::uint32_t i, std::uint32_t j) const;
     bool joined(const Fan& fan, std::uint32_t i, std::uint32_t j) const;
     bool joined(const Fan& fan, const Spoke& a, const Spoke& b) const;
     void gather_places(Fan& fan) const;
@@ -84,7 +84,7 @@ private:
     JoinRule rule_;
     bool groups_across_;
     bool joins_all_, joins_some_;  ///< crease angle pi, of all meshes, of some
-    double least_cos_;             ///< of the crease angle
+    double min_cos_;               ///< of the crease angle
     /// [meshes] where crease angles differ, else empty: above is that of the smallest then.
     std::vector<double> own_cos_;
     bool has_groups_ = false, has_hints_ = false;

@@ -35,7 +35,7 @@ struct MeshPose {
 /// By number of the mesh in its scene.
 using MeshPoses = std::map<std::uint32_t, MeshPose>;
 
-/// Vertices as they stand; arrays that nothing moves are those of the pose.
+/// Posed vertices; arrays without animation are those of the mesh.
 struct PosedArrays {
     Block<vec3> positions, normals;
     Block<vec4> tangents;

@@ -3,7 +3,7 @@
 //
 // A place within half the distance of a cell's wall enters the neighbor too, so every pair within the distance meets in
 // some cell. Cells are known by 32 bits of a hash: two cells that fall together only give more candidates. Wider cells
-// have fewer entries a place (twice as many as places here) but more candidates, and the small parts of a wide scene
+// have fewer entries per place (twice as many as places here) but more candidates, and the small parts of a wide scene
 // crowd in them.
 #pragma once
 #include <bit>
@@ -28,7 +28,7 @@ public:
 
     /// Calls body(vertices) for each cell of a partition with two places or more: std::span<const std::uint32_t>, none
     /// twice.
-    /// @return how many slots of other cells were looked at, the measure of how evenly the table fills
+    /// @return number of visited slots of other cells, which measures how evenly the table fills
     template <class Body>
     std::uint64_t for_each_shared_cell(std::uint32_t partition, const Body& body) const {
         const Entry* entries = entries_.data() + begin_[partition];

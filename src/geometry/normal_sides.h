@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// On which side of its triangle a vertex normal stands, where neither the winding nor the normals can be trusted alone.
+// The side of a triangle on which its vertex normals lie, if neither winding nor normals are reliable alone.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace rakelight::geometry {
 
-/// How the normals of a mesh stand to the winding of its triangles.
+/// Orientation of a mesh's normals relative to the winding of its triangles.
 struct NormalSides {
     bool all_against = false;           ///< of all triangles; not looked at where `against` is there
     std::vector<std::int32_t> against;  ///< [T] 1: on the side from which the corners turn clockwise, else 0; or empty

@@ -9,7 +9,7 @@
 namespace rakelight::geometry {
 
 /// @return the corner where each open edge begins, as its face's indices go round; ascending. Faces without three places are
-///         left out (face_places()). The edges of EdgeCensus::open_corners. 8 bytes a vertex; expected O(n).
+///         left out (face_places()). The edges of EdgeCensus::open_corners. 8 bytes per vertex; expected O(n).
 std::vector<std::uint32_t> find_open_edges(const PlacedMeshes& placed, Context& context);
 
 }  // namespace rakelight::geometry

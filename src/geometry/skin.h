@@ -19,15 +19,15 @@ struct alignas(16) JointColumns {
 /// Of an affine matrix.
 JointColumns columns_of(const dmat4& m);
 
-/// Where vertices come from: arrays of [V], or empty.
+/// Input vertices: arrays of [V], or empty.
 struct SkinInput {
     std::span<const vec3> positions{}, normals{};
     std::span<const vec4> tangents{};
-    std::span<const JointInfluence> influences{}, more_influences{};  ///< the first one is there
+    std::span<const JointInfluence> influences{}, more_influences{};  ///< `influences` is required
     std::span<const JointColumns> joints{};                           ///< those of all influences of weight > 0
 };
 
-/// Where they go: as large as the input's, which they may not overlap.
+/// Output vertices: same sizes as the input, not overlapping it.
 struct SkinOutput {
     std::span<vec3> positions{}, normals{};
     std::span<vec4> tangents{};

@@ -7,7 +7,7 @@ namespace rakelight::geometry {
 
 constexpr uint32_t joint_floats = 16;  ///< of a joint's matrix: four columns of four, the last of each unused
 /// Squared lengths of directions outside of these are left to the caller: they may have under- or overflown.
-constexpr float least_square = 1e-30f, greatest_square = 1e30f;
+constexpr float min_square = 1e-30f, greatest_square = 1e30f;
 
 /// Of a vertex, as rakelight::JointInfluence.
 struct KernelInfluence {

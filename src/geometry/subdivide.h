@@ -38,7 +38,7 @@ struct LimitSurface {
     std::vector<std::uint32_t> normal_of;  ///< [F' * corners_of_face] into normals
 };
 
-/// How values at corners go from control faces to fine ones.
+/// Refinement rule of values at corners.
 enum class ValueRule : std::uint8_t {
     smooth,      ///< as positions; the ends of charts are smooth curves
     fixed_ends,  ///< as positions, but the ends of charts stay straight

@@ -21,7 +21,7 @@ ContrastKernels contrast_kernels(double pixels_per_degree);
 struct FeatureKernels {
     Kernel gaussian;  ///< sums to 1
     Kernel edge;      ///< first derivative: positive weights sum to 1, negative to -1
-    Kernel point;     ///< second derivative, likewise
+    Kernel point;     ///< second derivative, normalized in the same way
     int radius;       ///< [px]
 };
 FeatureKernels feature_kernels(double pixels_per_degree);

@@ -13,7 +13,7 @@ struct HeightsFromNormals {
 /// Integrates the slopes -n.x / n.z, -n.y / n.z in the sense of least squares: one division in the frequency domain
 /// (Frankot & Chellappa 1988, "A Method for Enforcing Integrability in Shape from Shading Algorithms", eq. 21). The map
 /// is taken as periodic; what leans over the whole of it is left out, since a repeated texture cannot go on rising.
-/// Slopes steeper than 20 are cut. Maps of more than 2048 texels a side come out at half their size, or a quarter;
+/// Slopes steeper than 20 are cut. Maps of more than 2048 texels per side come out at half their size, or a quarter;
 /// sides with other factors than 2, 3 and 5 are stretched to the next without, 2039 to 2048, since transforms of primes
 /// are slow.
 /// @param normals  2 rgb - 1, green up unless `green_down`; u8, u16 or f32 of at least 2 channels

@@ -21,7 +21,7 @@ struct MipLevel {
 struct MipChain {
     bool is_srgb = false;   ///< the RGB of rgba8 are sRGB codes (alpha is linear always)
     bool is_float = false;  ///< rgba32f is filled, else rgba8
-    MemoryCharge charge;    ///< pays for the levels
+    MemoryCharge charge;    ///< of the levels
     std::vector<MipLevel>
         levels;  ///< full size first, 1 x 1 last; each side is max(1, half of the one before, rounded down)
 };
@@ -39,7 +39,7 @@ MipChain make_mip_chain(const Pixels& pixels, ColorSpace space, Context& context
 /// Linear RGB of texel `i` of a color picture's level.
 vec3 linear_texel(const MipChain& chain, const MipLevel& level, std::size_t i);
 
-/// [bytes] that make_mip_chain() takes at most beside the pixels, of which it looks at size and kind alone.
+/// [bytes] upper bound of make_mip_chain() besides the pixels, of which only size and type are used.
 std::uint64_t mip_chain_bytes(const Pixels& pixels);
 
 }  // namespace rakelight

@@ -27,8 +27,8 @@ struct NormalMapCheck {
     bool looks_srgb() const { return mean_xy > 0.25 && length_error > 0.1 && srgb_length_error < length_error / 3; }
 };
 
-/// `below` counts all texels; the rest looks at rows spread over the map, some 40,000 texels.
-/// @param texels  [height][stride], R in the low byte; a row's first `width` are looked at
+/// `below` counts all texels; the rest samples evenly distributed rows, about 40,000 texels.
+/// @param texels [height][stride], R in the low byte; the first `width` of a row are read
 NormalMapCheck check_normal_map(std::span<const std::uint32_t> texels, int width, int height, int stride);
 
 }  // namespace rakelight

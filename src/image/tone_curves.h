@@ -9,7 +9,7 @@
 namespace rakelight {
 
 /// [EV] limit of exposures on either side: 2^32 is more than any picture spans.
-inline constexpr double most_exposure_ev = 32;
+inline constexpr double max_exposure_ev = 32;
 
 /// Exposure and curve. The same bits on every machine: + - * / and tables made by math/functions.h.
 ///
@@ -26,12 +26,13 @@ class ToneCurve {
 public:
     /// @param behind  linear color that lies behind pixels which are not opaque, and its alpha: what is seen of it is not changed
     ///                by exposure and curve. Alpha 0: nothing lies there
-    /// @throws Error usage: an exposure that is not a number or beyond most_exposure_ev
+    /// @throws Error usage: an exposure that is not a number or beyond max_exposure_ev
     explicit ToneCurve(const ToneSettings& settings = {}, vec4 behind = {});
     /// Nothing changes: no curve, exposure 0, and nothing lies behind.
     bool is_identity() const { return is_identity_; }
     vec3 operator()(vec3 light) const;
-    /// Light that becomes a linear color 0..1 under exposure and curve; where no light does, one that comes near.
+    /// The inverse of exposure and tone curve for a linear color 0..1; an approximation for colors out of the curve's
+    /// range.
     vec3 light_for(vec3 displayed) const;
     /// A pixel as it is displayed, straight alpha: its color under the curve, clamped to 0..1 where it is mixed with what
     /// lies behind it by its alpha.

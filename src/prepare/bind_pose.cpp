@@ -12,6 +12,7 @@
 #include <rakelight/error.h>
 
 #include "base/cancel_check.h"
+#include "base/format_text.h"
 #include "math/linear.h"
 #include "scene/scene_tools.h"
 
@@ -24,7 +25,7 @@ constexpr float weight_slack = 0.01f;  // weights of 8 bits are this near to wha
 std::vector<std::vector<bool>> used_joints(const Scene& scene) {
     std::vector<std::vector<bool>> used(scene.skins.size());
     for (std::size_t s = 0; s < used.size(); ++s) used[s].assign(scene.skins[s].joints.size(), false);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> seen;  // skin, mesh: instances look at a mesh once
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> seen;  // skin, mesh: each mesh is checked once
     for (const Instance& instance : drawn_instances(scene))
         if (const std::uint32_t skin = scene.nodes[instance.node].skin; skin != no_index)
             seen.emplace_back(skin, instance.mesh);
@@ -256,9 +257,9 @@ void warn_of_parting_vertices(const Scene& scene, const std::vector<Instance>& i
     try {
         const std::uint64_t parting = PartingSearch(scene, instances, place, context).run();
         if (parting == 0) return;
-        add(Remark::warning,
-            std::to_string(parting) +
-                " places where vertices of skinned meshes meet have different joint weights: they will part in motion");
+        add(Remark::warning, format_text("{} places where vertices of skinned meshes meet have different joint "
+                                         "weights: they will part in motion",
+                                         parting));
     } catch (const Error& error) {
         if (error.code() == ErrorCode::failed) throw;  // cancelled
         add(Remark::note, "skinned meshes were not searched for places that part in motion: " + error.reason());

@@ -56,7 +56,7 @@ public:
         return known->second;
     }
 
-    /// Bind pose -> posed mesh, about origin(); x turned round for mirrored ones.
+    /// Bind pose -> posed mesh, relative to origin(); x is negated for mirrored ones.
     const SharedColumns& columns(const Instance& i, bool is_mirrored) {
         const dvec3 from = scene_.meshes[i.mesh].origin;
         const auto [known, is_new] = columns_.try_emplace({skin_of(i), is_mirrored, from.x, from.y, from.z});
@@ -108,7 +108,7 @@ private:
     const Scene& scene_;
     std::vector<dmat4> world_;
     dvec3 origin_{0, 0, 0};
-    std::vector<std::vector<dmat4>> matrices_;  ///< [skins][joints], made when they are asked for
+    std::vector<std::vector<dmat4>> matrices_;  ///< [skins][joints], computed on demand
     std::map<std::uint32_t, bool> node_mirrors_;
     /// By skin, mirrored or not, origin of the mesh.
     std::map<std::tuple<std::uint32_t, bool, double, double, double>, SharedColumns> columns_;
@@ -136,11 +136,11 @@ void check_memory(const Scene& scene, const std::vector<Instance>& moving, Conte
     context.memory().check(bytes, "posed vertices");
 }
 
-/// [nodes] what each and all above it say of shading.
+/// [nodes] shading of each node including inherited values.
 std::vector<std::optional<Shading>> resolved_shading(const Scene& scene) {
     std::vector<std::optional<Shading>> shading;
     shading.reserve(scene.nodes.size());
-    for (const Node& node : scene.nodes)  // parents come first
+    for (const Node& node : scene.nodes)  // parents precede children
         shading.push_back(node.shading || node.parent == no_index ? node.shading : shading[node.parent]);
     return shading;
 }
@@ -150,7 +150,7 @@ class Detacher {
 public:
     Detacher(Scene& scene, const std::vector<dmat4>& world) : scene_(scene), world_(world) {}
 
-    /// @param placed  [nodes that show skinned meshes] where the posed meshes stand
+    /// @param placed [nodes that show skinned meshes] placement of the posed meshes
     void detach(const std::map<std::uint32_t, dmat4>& placed) {
         if (placed.empty()) return;
         const std::vector<std::optional<Shading>> shading = resolved_shading(scene_);
@@ -180,7 +180,7 @@ private:
         for (const Camera& camera : scene_.cameras) nodes.insert(camera.node);
         return nodes;
     }
-    /// Something else stands at the node: a light, a camera, a mesh without influences.
+    /// Whether the node also has a light, a camera, or a mesh without influences.
     bool is_needed(std::uint32_t node, const std::set<std::uint32_t>& taken) const {
         return taken.contains(node) ||
                !std::ranges::all_of(scene_.nodes[node].meshes, [&](std::uint32_t m) { return is_skinned(m); });

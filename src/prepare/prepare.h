@@ -8,7 +8,7 @@
 #include <rakelight/prepare.h>
 #include <rakelight/scene.h>
 
-#include "prepare/made_attributes.h"
+#include "prepare/generated_attributes.h"
 #include "prepare/pose_scene.h"
 #include "prepare/repair_borders.h"
 
@@ -21,8 +21,8 @@ Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context
 
 /// A scene on the way: it has the normals and tangents that its rest asks for, and nothing of it has moved yet.
 struct BoundScene {
-    Scene scene;                          ///< Scene::pose is left out
-    std::vector<MadeAttributes> made{};   ///< that have to be made again of what moves
+    Scene scene;                              ///< without Scene::pose
+    std::vector<GeneratedAttributes> made{};  ///< that have to be made again of what moves
     std::vector<BoundBorders> borders{};  ///< that have to be joined again after that: `scene` has the normals before
 };
 /// Whether a scene is better prepared in two halves: it can move, and the first half does not depend on the pose. (It
@@ -37,7 +37,7 @@ Scene finish_scene(BoundScene bound, const Rare<ScenePose>& pose, const PrepareO
 UnposedScene finish_unposed(BoundScene bound, const Rare<ScenePose>& pose, const PrepareOptions& options,
                             Context& context);
 
-/// @throws Error usage: a number out of its range, an enumerator that there is not
+/// @throws Error usage: a number out of range, an invalid enumerator
 void check_options(const PrepareOptions& options);
 
 /// Texture coordinates by projection about the world bounding box, for triangle meshes of a valid
@@ -47,7 +47,7 @@ Scene project_texcoords(Scene scene, UvProjection projection, Context& context);
 /// Normals and tangents of a valid scene by the door of <rakelight/attributes.h> over the whole scene.
 struct SmoothSceneOptions {
     AttributeOptions attributes;
-    bool only_missing = false;  ///< keep normals that are there; make the others
+    bool only_missing = false;  ///< keep existing normals; compute the others
     /// In place of attributes.tangent_mode, for all. Unset: that mode where normals are made, MikkTSpace where they are kept.
     std::optional<TangentMode> tangents;
 };
@@ -55,8 +55,8 @@ Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Contex
 
 /// The Utah teapot from Newell's 32 Bezier patches, as six objects (rim, body, handle, spout, lid, bottom) with their
 /// patch u, v; no normals (prepare makes them). `divisions` quads a side of each patch, 1..256.
-/// @param memory  is charged for the arrays before they are made; null: nobody counts
-/// Patches share their borders' curves and have the same divisions: neighbors meet in bit-equal positions.
+/// @param memory charged for the arrays before they are created; may be null Adjacent patches share border curves and
+///         divisions, so their border positions are bit-equal.
 Scene make_teapot(int divisions = 10, MemoryBudget* memory = nullptr);
 /// The divisions with which no point of a facet is farther than `tolerance` [m], > 0, from the point of the patch at
 /// its u, v.

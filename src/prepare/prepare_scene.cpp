@@ -40,7 +40,7 @@ SmoothRequest request_for(const PrepareOptions& options) {
     request.keep_instances = options.keep_instances;
     request.bitangents = options.bitangents;
     if (options.tangents) request.attributes.tangent_mode = request.kept_tangents = *options.tangents;
-    if (options.all_tangents) request.tangents = TangentWish::everywhere;
+    if (options.all_tangents) request.tangents = TangentNeed::everywhere;
     request.only_missing = true;
     request.source = options.normals;
     return request;
@@ -55,8 +55,8 @@ BorderRequest border_request_for(const PrepareOptions& options) {
     return request;
 }
 
-bool wants_tangents(const Scene& scene, const Mesh& mesh) {
-    return mesh.material != no_index && wants_tangents(scene.materials[mesh.material]);
+bool needs_tangents(const Scene& scene, const Mesh& mesh) {
+    return mesh.material != no_index && needs_tangents(scene.materials[mesh.material]);
 }
 
 /// True if some triangle has an area in the texture; ends at the first one.
@@ -74,7 +74,7 @@ void note_flat_meshes(const Scene& scene, Report& report) {
     for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
         const Mesh& mesh = scene.meshes[i];
         if (mesh.topology != Topology::triangles || !mesh.normals.empty()) continue;
-        if (mesh.normal_choice && mesh.normal_choice->source != NormalSource::automatic) continue;  // asked for
+        if (mesh.normal_choice && mesh.normal_choice->source != NormalSource::automatic) continue;  // requested
         if (normal_rule(scene, mesh, NormalSource::automatic).scope == Scope::face)
             report.add(Remark::note, scene.source, Place{"mesh", i, mesh.name}.text(),
                        "no normals: flat faces, as glTF says; 'normals' model smooths", {"normals"});
@@ -107,7 +107,7 @@ const char* fault_of_coordinates(const Scene& scene, const Mesh& mesh, Bump want
         return "the normal map is not used: the mesh has no texture coordinates for it";
     const bool coats = has_coat_map(m) && !lacks_coat_coordinates(scene, mesh);
     if (!heights && !normals && !coats && !stretched) return nullptr;
-    const std::uint32_t set = tangent_set(scene, mesh, TangentWish::where_needed);
+    const std::uint32_t set = tangent_set(scene, mesh, TangentNeed::where_needed);
     if (set == no_index) return "bumps and stretched highlights have no direction: the mesh has no texture coordinates";
     if (!mesh.tangents.empty() || spans_texture(mesh, set)) return nullptr;
     return heights   ? "no triangle has an area in the height map: tangents have no direction"
@@ -119,7 +119,7 @@ void warn_of_tangents(const Scene& scene, Bump wanted, Report& report) {
     std::vector<bool> seen(scene.meshes.size(), false);
     for (const Instance& instance : drawn_instances(scene)) {
         const Mesh& mesh = scene.meshes[instance.mesh];
-        if (seen[instance.mesh] || !wants_tangents(scene, mesh)) continue;
+        if (seen[instance.mesh] || !needs_tangents(scene, mesh)) continue;
         seen[instance.mesh] = true;
         const std::string place = Place{"mesh", instance.mesh, mesh.name}.text();
         if (const char* const message = fault_of_coordinates(scene, mesh, wanted))
@@ -170,7 +170,7 @@ Scene subdivided(Scene scene, const PrepareOptions& options, Context& context) {
     return out;
 }
 
-/// Shapes of meshes whose triangles no more lie on them, or are asked for.
+/// Removes shapes of meshes whose triangles were changed or are requested.
 void drop_shapes(Scene& scene, const std::set<const void*>& kept, const PrepareOptions& options) {
     for (Mesh& mesh : scene.meshes) {
         if (!mesh.shape) continue;
@@ -211,7 +211,7 @@ public:
         warn_of_textures(scene, report);
         if (options_.normals == NormalSource::automatic) note_flat_meshes(scene, report);
         for (Mesh& mesh : scene.meshes)
-            if (options_.tangents && (options_.all_tangents || wants_tangents(scene, mesh)))
+            if (options_.tangents && (options_.all_tangents || needs_tangents(scene, mesh)))
                 mesh.tangents = {};  // the file's do not count
         if (joins_borders() && options_.normals == NormalSource::automatic) join_kept_normals(scene);
         context_.throw_if_cancelled();
@@ -226,7 +226,7 @@ public:
         return bound;
     }
 
-    /// The pose and what comes after it.
+    /// The pose and later stages.
     Scene finish(BoundScene bound, const Rare<ScenePose>& pose) const {
         UnposedScene unposed = finish_unposed(std::move(bound), pose);
         take_all_poses(unposed, context_);
@@ -240,11 +240,11 @@ public:
         if (is_posable(unposed.scene)) {
             unposed.scene.pose = pose;
             unposed = valid::unposed_scene(std::move(unposed.scene), context_);
-            for (const MadeAttributes& made : bound.made)
+            for (const GeneratedAttributes& made : bound.made)
                 for (const std::uint32_t mesh : made.numbers) take_pose(unposed, mesh, context_);
             for (const BoundBorders& set : bound.borders)
                 for (const Instance& instance : set.instances) take_pose(unposed, instance.mesh, context_);
-            for (const MadeAttributes& made : bound.made) make_again(made, unposed.scene, context_);
+            for (const GeneratedAttributes& made : bound.made) recompute_attributes(made, unposed.scene, context_);
             MatchReport unread;
             for (const BoundBorders& set : bound.borders)
                 unposed.scene = join_borders(std::move(unposed.scene), set, options_.keep_instances, unread, context_);
@@ -264,12 +264,12 @@ public:
     }
 
 private:
-    /// Those that are missing, one pass for each scope: whatever is smoothed over the model is so together.
-    Scene with_normals(Scene scene, std::vector<MadeAttributes>* made) const {
+    /// Missing normals, one pass per scope: all meshes with scope model are smoothed together.
+    Scene with_normals(Scene scene, std::vector<GeneratedAttributes>* made) const {
         SmoothRequest request = request_;
         request.made = made;
         if (is_published(request.kept_tangents))
-            request.tangents = TangentWish::none;  // add_missing_tangents() makes them
+            request.tangents = TangentNeed::none;  // add_missing_tangents() makes them
         for (const Scope scope : {Scope::face, Scope::object, Scope::model}) {
             request.attributes.scope = scope;
             scene = paid(smooth_meshes(std::move(scene), request, context_));
@@ -291,7 +291,7 @@ private:
 
     bool joins_borders() const { return options_.border_distance > 0; }
 
-    /// At once where nothing moves; what does is kept for finish(), and told.
+    /// Immediately for static scenes; animated ones are deferred to finish(), with a remark.
     BoundScene with_borders_joined(BoundScene bound) const {
         const BorderRequest request = border_request_for(options_);
         BorderOutcome outcome;
@@ -315,7 +315,7 @@ private:
     const PrepareOptions& options_;
     Context& context_;
     const SmoothRequest request_;
-    const std::set<const void*> own_;  ///< the caller's arrays, which no charge pays for
+    const std::set<const void*> own_;  ///< uncharged arrays of the caller
 };
 
 /// What stages make of each node, placement and mesh while they work: matrices and lists.

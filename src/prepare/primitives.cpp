@@ -9,14 +9,15 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "math/functions.h"
 
 namespace rakelight {
 namespace {
 
 constexpr const char* shape_names[] = {"sphere", "cylinder", "cone", "torus", "plane"};
-constexpr double most_triangles = 4e6, largest_m = 1e6;
-constexpr int most_divisions = 1024, most_objects = 1024;
+constexpr double max_triangles = 4e6, largest_m = 1e6;
+constexpr int max_divisions = 1024, max_objects = 1024;
 
 constexpr std::size_t vertex_bytes = 2 * sizeof(vec3) + sizeof(vec2), index_bytes = sizeof(std::uint32_t);
 
@@ -95,7 +96,7 @@ double pieces_of_circle(double radius, double tolerance) {
 }
 
 void check_count(double triangles) {
-    if (!(triangles <= most_triangles))
+    if (!(triangles <= max_triangles))
         throw Error(ErrorCode::usage, "the tolerance asks for more than 4 million triangles", {}, "say a larger one");
 }
 
@@ -186,7 +187,7 @@ Arrays arrays_of(const PrimitiveRequest& r, MemoryBudget* memory) {
     if (is_high) check_length(r.height, "the height");
     if (is_plane) check_length(r.width, "the width"), check_length(r.depth, "the depth");
     if (r.tolerance != 0) check_length(r.tolerance, "the tolerance");
-    if (is_plane && (r.divisions < 1 || r.divisions > most_divisions))
+    if (is_plane && (r.divisions < 1 || r.divisions > max_divisions))
         throw Error(ErrorCode::usage, "the divisions of a plane must be 1 to 1024");
     const double largest = r.radius + (is_torus ? r.tube_radius : 0);
     const double tolerance = r.tolerance != 0 ? r.tolerance : largest / 1000;
@@ -280,7 +281,7 @@ Scene make_primitive(const PrimitiveRequest& request, MemoryBudget* memory) {
     const std::string name = name_of(request.shape);
     Arrays all = arrays_of(request, memory);
     const std::size_t triangles = all.indices.size() / 3, objects = std::size_t(std::max(request.objects, 0));
-    if (objects < 1 || objects > most_objects || objects > triangles)
+    if (objects < 1 || objects > max_objects || objects > triangles)
         throw Error(ErrorCode::usage,
                     "the objects of a " + name + " must be 1 to 1024, and no more than its triangles");
     Scene scene;
@@ -294,7 +295,7 @@ Scene make_primitive(const PrimitiveRequest& request, MemoryBudget* memory) {
     }
     std::vector<std::uint32_t> number(all.positions.size(), no_index);
     for (std::size_t i = 0; i < objects; ++i)
-        add_object(name + " " + std::to_string(i + 1),
+        add_object(format_text("{} {}", name, i + 1),
                    part_of(all, triangles * i / objects, triangles * (i + 1) / objects, number, memory), scene);
     return scene;
 }

@@ -33,9 +33,9 @@ struct PrimitiveRequest {
 /// sharp) and texture coordinates: u once around, from -Z over -X, +Z, +X, v from top to bottom (torus: from the inside
 /// over the top); caps and plane show the picture upright with -Z up as seen from above. Vertices lie on the surface up
 /// to the rounding of floats and corners of neighbors are bit-equal: solids are closed.
-/// @param memory  is charged for the arrays before they are made; null: nobody counts
+/// @param memory charged for the arrays before they are created; may be null
 /// @throws Error usage: a length, count or tolerance out of range, or more than 4 million triangles; bad_file: over the
-/// memory budget
+///         memory budget
 Scene make_primitive(const PrimitiveRequest& request, MemoryBudget* memory = nullptr);
 
 /// "sphere", "cylinder", "cone", "torus", "plane"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Texture coordinates by projection, for models that bring none: box, sphere or cylinder about the world bounding box.
 //
-// Each corner gets coordinates of its own; a vertex whose corners differ (a box edge, the seam behind, a pole) is split. In all
-// three the texture stands upright, is not mirrored as seen from outside, and v runs down.
-//   box       each triangle from the side that its normal faces most (+X, -X, ... ; the first of equals), square texels:
+// Each corner gets coordinates; vertices whose corners differ (box edge, back seam, pole) are split. In all three
+// projections the texture is upright and not mirrored seen from outside, and v points down. box each triangle from the
+// side that its normal faces most (+X, -X, ... ; the first of equals), square texels:
 //             1 is the longest edge of the bounding box
-//   sphere    u = 1/2 + longitude / 2 pi, 1/2 in front (+Z) and the seam behind; v = angle from +Y / pi
-//   cylinder  u as the sphere, v from the top to the bottom of the box; triangles that face up or down (within 45 degrees)
-//             lie flat in the texture as the box has them, else the caps would have no area in it
+// sphere    u = 1/2 + longitude / 2 pi, 1/2 in front (+Z) and the seam behind; v = angle from +Y / pi
+// cylinder  u as the sphere, v from the top to the bottom of the box; triangles that face up or down (within 45 degrees)
+// lie flat in the texture as the box has them, else the caps would have no area in it
 // A triangle across the seam is unwrapped: its u continue beyond 1. A corner on the axis takes the mean u of the others.
 #include <algorithm>
 #include <cmath>
@@ -17,6 +17,7 @@
 #include <rakelight/error.h>
 
 #include "base/cancel_check.h"
+#include "base/format_text.h"
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/prepare.h"
@@ -114,7 +115,7 @@ class VertexCoordinates {
 public:
     explicit VertexCoordinates(std::size_t vertices) : uv_(vertices, vec2{0, 0}), next_(vertices, unused) {}
 
-    /// The vertex (old or appended) that stands for `v` with these coordinates.
+    /// The vertex (old or appended) that represents `v` with these coordinates.
     std::uint32_t vertex(std::uint32_t v, vec2 uv) {
         if (next_[v] == unused) {
             uv_[v] = uv;
@@ -225,13 +226,12 @@ Scene project_texcoords(Scene scene, UvProjection projection, Context& context) 
     const char* name = projection == UvProjection::box      ? "box"
                        : projection == UvProjection::sphere ? "sphere"
                                                             : "cylinder";
-    context.report().add(
-        Remark::note, scene.source, {},
-        std::to_string(meshes) + " meshes without texture coordinates got them by " + name + " projection");
+    context.report().add(Remark::note, scene.source, {},
+                         format_text("{} meshes without texture coordinates got them by {} projection", meshes, name));
     if (variants.copies() > 0)
-        context.report().add(Remark::note, scene.source, {},
-                             std::to_string(variants.copies()) +
-                                 " instances got a mesh of their own: they lie elsewhere in the texture");
+        context.report().add(
+            Remark::note, scene.source, {},
+            format_text("{} instances got a mesh of their own: they lie elsewhere in the texture", variants.copies()));
     return scene;
 }
 

@@ -9,7 +9,7 @@
 
 namespace rakelight {
 
-/// A remark to be made about one mesh; made in the order of the meshes, whatever the threads.
+/// A remark about one mesh; added in the order of the meshes, for any number of threads.
 struct Finding {
     Remark remark;
     std::string message;

@@ -60,11 +60,11 @@ void fill_broken(const Mesh& mesh, std::vector<vec3>& normals, Context& context)
 
 /// Whether some tangent leaves no direction in the surface: within 0.06 degrees of its normal.
 bool has_parallel_tangents(const Mesh& mesh) {
-    constexpr double least_sine = 1e-3;
+    constexpr double min_sine = 1e-3;
     for (std::size_t v = 0; v < mesh.tangents.size(); ++v) {
         const dvec3 n = cast<double>(mesh.normals[v]), t = cast<double>(mesh.tangents[v].xyz());
         const dvec3 across = cross(n, t);
-        if (!(dot(across, across) > least_sine * least_sine * dot(n, n) * dot(t, t))) return true;
+        if (!(dot(across, across) > min_sine * min_sine * dot(n, n) * dot(t, t))) return true;
     }
     return false;
 }

@@ -7,6 +7,7 @@
 #include <rakelight/prepare.h>
 #include <rakelight/validate.h>
 
+#include "base/format_text.h"
 #include "prepare/bind_pose.h"
 #include "prepare/moving_placements.h"
 #include "prepare/normal_rule.h"
@@ -178,17 +179,14 @@ void report_borders(const Scene& scene, const BorderRequest& request, const Bord
     else
         report.add(Remark::note, scene.source, {}, describe(borders));
     if (borders.vertices_not_searched > 0)
-        say(Remark::warning,
-            std::to_string(borders.vertices_not_searched) +
-                " border vertices were not searched for borders beside them: too many edges are near one "
-                "another for 'border-distance' " +
-                digits(request.options.distance));
+        say(Remark::warning, format_text("{} border vertices were not searched for borders beside them: too many edges "
+                                         "are near one another for 'border-distance' {}",
+                                         borders.vertices_not_searched, digits(request.options.distance)));
 }
 
 std::string describe(const MatchReport& borders) {
-    std::string text = std::to_string(borders.following) + " border vertices follow " +
-                       std::to_string(borders.leading) + " leading ones; " + std::to_string(borders.turned) +
-                       " normals turn";
+    std::string text = format_text("{} border vertices follow {} leading ones; {} normals turn", borders.following,
+                                   borders.leading, borders.turned);
     if (borders.turned > 0)
         text += " (at most " + digits(borders.max_deg) + " degrees, " + digits(borders.mean_deg) + " on average)";
     return text;

@@ -17,7 +17,7 @@ struct BorderRequest {
     /// Set: meshes take part by their normal_rule(), in sets by the scope over which they are smoothed, by their own crease
     /// angles, and `keep_flat` is for the sets in which some mesh joins seams. Unset: all, by `options`.
     std::optional<NormalSource> source{};
-    bool keep_instances = false;  ///< instances share the first one's mesh even where they touch different things; said
+    bool keep_instances = false;  ///< instances share the first one's mesh even if their neighbors differ; reported
 };
 
 /// Placements of one scope, and which of their borders match.
@@ -39,14 +39,14 @@ struct BorderOutcome {
 Scene join_borders(Scene scene, const BorderRequest& request, BorderOutcome& outcome, Context& context,
                    std::vector<BoundBorders>* moving = nullptr);
 
-/// One set: the normals as they stand in the scene, that which was matched or what posed_scene() made of it.
+/// One set: the current normals of the matched scene, or of its posed_scene().
 Scene join_borders(Scene scene, const BoundBorders& borders, bool keep_instances, MatchReport& report,
                    Context& context);
 
 /// Meshes whose own normals `automatic` keeps ask for `seams` from now on.
 void join_kept_normals(Scene& scene);
 
-/// Notes what became of them, and warns of what was asked for and did not happen.
+/// Adds remarks on the results, and warnings if nothing matched.
 void report_borders(const Scene& scene, const BorderRequest& request, const BorderOutcome& outcome, Report& report);
 
 /// For people: "31 border vertices follow 12 leading ones; 40 normals turn (at most 8.5 degrees, 2.1 on average)".

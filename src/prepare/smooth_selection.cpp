@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scope model: every placement goes in at its place in the world. Scopes face and object do not look beyond the object,
-// so a placement that only moves, turns, mirrors or scales evenly has the results of the first one of its kind: it is
+// Scope model: every instance is an input in world space. Scopes face and object depend only on the object, so a
+// placement that only moves, turns, mirrors or scales evenly has the results of the first one of its kind: it is
 // computed once, about its own origin, and instances stay shared to the bit (so do copies of a mesh that share its
-// arrays). Under an uneven scale angles differ: computed apart.
+// arrays). Under non-uniform scale angles differ, so instances are computed separately.
 #include "prepare/smooth_selection.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ std::vector<std::uint32_t> first_alike(const Scene& scene, const SmoothRequest& 
         auto& candidates = seen[mesh.positions.identity()];
         for (const std::uint32_t c : candidates) {
             const Mesh& other = scene.meshes[c];
-            const bool moves_alone = request.made && !mesh.influences.empty();  // see MadeAttributes
+            const bool moves_alone = request.made && !mesh.influences.empty();  // see GeneratedAttributes
             if (first[m] == m && !moves_alone && have_same_arrays(mesh, other) &&
                 mesh.normal_choice == other.normal_choice &&
                 tangent_set(scene, mesh, request.tangents) == tangent_set(scene, other, request.tangents))

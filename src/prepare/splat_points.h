@@ -10,9 +10,9 @@
 namespace rakelight {
 
 /// Points of a mesh of more are not made into pieces of surface.
-inline constexpr std::size_t most_splats = 6'000'000;
+inline constexpr std::size_t max_splats = 6'000'000;
 /// Of more each is a square of two triangles in place of a splat, which has twelve.
-inline constexpr std::size_t most_raised = 300'000;
+inline constexpr std::size_t max_raised = 300'000;
 
 /// Meshes of points with normals become splats (scene/splat_mesh.h) in the plane of their normals, as large as closes a surface that
 /// the points lie in (surface elements: Pfister et al. 2000, "Surfels"). Where they overlap the nearest center shows. They are lit as

@@ -11,7 +11,7 @@
 namespace rakelight {
 namespace {
 
-constexpr std::uint32_t most_corners = 60000;  ///< of a polygon; OpenSubdiv counts them in 16 bits
+constexpr std::uint32_t max_corners = 60000;  ///< of a polygon; OpenSubdiv counts them in 16 bits
 
 bool is_mirrored(const SurfacePart& part) { return determinant(upper_left(part.to_surface)) < 0; }
 
@@ -54,7 +54,7 @@ struct Refined {
     std::vector<geometry::LimitValues> values;  ///< texture coordinates, then colors
 };
 
-/// The part's fine faces as triangles of its own vertices, which come to stand in `vertices`.
+/// The part's fine faces as triangles of its own vertices, which are appended to `vertices`.
 std::vector<std::uint32_t> number_corners(const SurfacePart& part, const Refined& fine, std::uint32_t first_face,
                                           std::uint32_t end_face, CornerVertices& vertices, const Context& context) {
     const std::uint32_t n = fine.surface.corners_of_face;
@@ -188,7 +188,7 @@ void SurfaceSubdivider::collect_faces() {
             for (const std::uint32_t v : corners) seen.push_back(parts_[i].places[v]);
             std::sort(seen.begin(), seen.end());
             const bool is_simple =
-                corners.size() <= most_corners && std::adjacent_find(seen.begin(), seen.end()) == seen.end();
+                corners.size() <= max_corners && std::adjacent_find(seen.begin(), seen.end()) == seen.end();
             if (is_simple || corners.size() == 3) {
                 add_face(i, corners);
                 continue;

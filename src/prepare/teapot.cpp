@@ -9,6 +9,7 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "math/linear.h"
 #include "prepare/prepare.h"
 
@@ -26,7 +27,7 @@ struct Patch {
 #include "teapot_patches.inc"
 
 constexpr double height = 3.15;
-constexpr int most_divisions = 256;
+constexpr int max_divisions = 256;
 
 /// Bernstein weights of degree 3 at k / n, times n^3: whole numbers, so that k and n - k give exactly mirrored ones.
 std::array<double, 4> bernstein(int k, int n) {
@@ -137,15 +138,15 @@ int teapot_divisions(double tolerance) {
     double bound = 0;
     for (const Patch& patch : patches) bound = std::max(bound, error_bound(patch) / height);
     const double divisions = std::ceil(std::sqrt(bound / tolerance));
-    if (!(divisions <= most_divisions))
+    if (!(divisions <= max_divisions))
         throw Error(ErrorCode::usage, "the tolerance asks for more than 256 divisions of the teapot's patches", {},
                     "say a larger one");
     return std::max(int(divisions), 2);  // with 1 the spout's mouth is a line
 }
 
 Scene make_teapot(int divisions, MemoryBudget* memory) {
-    if (divisions < 1 || divisions > most_divisions)
-        throw Error(ErrorCode::usage, "divisions of the teapot must be 1 to 256, not " + std::to_string(divisions));
+    if (divisions < 1 || divisions > max_divisions)
+        throw Error(ErrorCode::usage, format_text("divisions of the teapot must be 1 to 256, not {}", divisions));
     Scene scene;
     scene.source = "builtin:teapot";
     scene.materials.push_back(porcelain());

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/cancel_check.h"
+#include "base/format_text.h"
 #include "math/linear.h"
 
 namespace rakelight {
@@ -28,7 +29,7 @@ Block<T> with_turned(const Block<T>& old, const MeshSeams& seams, const Turned& 
 /// [vertices] Its own tangent; w = 0: it turns along with its normal.
 vec4 tangent_of(const MeshSeams& seams, std::size_t i) { return seams.tangents.empty() ? vec4{} : seams.tangents[i]; }
 
-/// Arrays that several meshes share go on being shared.
+/// Shared arrays stay shared.
 struct SharedArrays {
     std::map<const void*, Block<vec3>> normals;   ///< by the old ones
     std::map<const void*, Block<vec4>> tangents;  ///< by the old ones
@@ -139,13 +140,13 @@ void check_arrays(const Scene& scene, const PlacedParts& parts, const std::vecto
 void report_instances(const Scene& scene, const MeshVariants& variants, Report& report) {
     if (variants.kept() > 0)
         report.add(Remark::warning, scene.source, {},
-                   std::to_string(variants.kept()) +
-                       " instances that touch other things keep the normals of the first of their mesh: kept shared as "
-                       "asked");
+                   format_text("{} instances that touch other things keep the normals of the first of their mesh: kept "
+                               "shared as asked",
+                               variants.kept()));
     if (variants.copies() > 0)
         report.add(Remark::note, scene.source, {},
-                   std::to_string(variants.copies()) +
-                       " instances got a mesh of their own: their normals differ by what they touch");
+                   format_text("{} instances got a mesh of their own: their normals differ by what they touch",
+                               variants.copies()));
 }
 
 }  // namespace

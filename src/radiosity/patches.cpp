@@ -13,7 +13,7 @@ namespace {
 struct Key {
     std::uint32_t part = 0, axis = 0;
     std::int64_t x = 0, y = 0, z = 0;
-    std::uint32_t alone = 0;  ///< of large ones: a number of its own
+    std::uint32_t alone = 0;  ///< unique number of a large triangle
     auto operator<=>(const Key&) const = default;
 };
 
@@ -51,7 +51,7 @@ Patch patch_of(const Elements& elements, std::span<const std::uint32_t> members)
     return out;
 }
 
-/// Which of nine parts of its cube's face a normal goes through, as seen from the middle.
+/// The one of nine cells of a cube-map face that a normal hits.
 std::size_t part_of_face(dvec3 n) {
     const std::uint32_t axis = main_axis(n) / 2;
     const auto third = [&](double v) { return std::size_t(std::clamp((v / std::fabs(n[axis]) + 1) * 1.5, 0.0, 2.0)); };

@@ -11,8 +11,8 @@
 namespace rakelight::radiosity {
 namespace {
 
-constexpr double least_difference = 0.06;  ///< of the mean of two neighbors
-constexpr double least_cosine = 0.7;       ///< of the normals of elements whose light is compared
+constexpr double min_difference = 0.06;  ///< of the mean of two neighbors
+constexpr double min_cosine = 0.7;       ///< of the normals of elements whose light is compared
 
 auto tied(dvec3 p) { return std::tuple(p.x, p.y, p.z); }
 
@@ -43,7 +43,7 @@ std::vector<double> differences(const Elements& elements, const std::vector<dvec
     const std::vector<Side> sides = sorted_sides(elements);
     const auto compare = [&](std::uint32_t i, std::uint32_t j) {
         const Element &a = elements.list[i], &b = elements.list[j];
-        if (dot(a.normal, b.normal) < least_cosine) return;
+        if (dot(a.normal, b.normal) < min_cosine) return;
         const double x = shading::luminance_of(light[i]), y = shading::luminance_of(light[j]);
         const double difference = std::fabs(x - y) / (0.5 * (x + y) + floor);
         out[i] = std::max(out[i], difference), out[j] = std::max(out[j], difference);
@@ -102,7 +102,7 @@ EdgeSet shadow_borders(const std::vector<Part>& parts, const std::vector<geometr
     const std::vector<double> difference = differences(elements, light, floor);
     std::vector<std::uint32_t> chosen;
     for (std::uint32_t i = 0; i < difference.size(); ++i)
-        if (difference[i] > least_difference) chosen.push_back(i);
+        if (difference[i] > min_difference) chosen.push_back(i);
     // A picture's error there is the difference times the area that has it.
     const auto error = [&](std::uint32_t i) { return difference[i] * elements.list[i].area; };
     std::sort(chosen.begin(), chosen.end(), [&](std::uint32_t a, std::uint32_t b) {

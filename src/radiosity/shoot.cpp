@@ -11,7 +11,7 @@ namespace {
 
 using shading::luminance_of;
 
-constexpr std::size_t most_shots_a_patch = 50;
+constexpr std::size_t max_shots_a_patch = 50;
 constexpr std::size_t receivers_a_task = 64;
 /// How much more a patch that emits counts than one that reflects.
 constexpr double emitter_weight = 64;
@@ -43,9 +43,9 @@ public:
             report.emitted += power(p, patches_.list[p].emission) + power(p, received_[p]);
         double left = sum_of_unshot();
         const double first = left;
-        for (; report.shots < most_shots_a_patch * unshot_.size() && left > share * report.emitted; ++report.shots) {
+        for (; report.shots < max_shots_a_patch * unshot_.size() && left > share * report.emitted; ++report.shots) {
             context_.throw_if_cancelled();
-            report.left += shoot(brightest());
+            report.escaped += shoot(brightest());
             left = sum_of_unshot();
             if (report.shots % 64 == 0 && first > 0) context_.progress("radiosity: shots", 1 - left / first);
         }

@@ -13,7 +13,7 @@ namespace rakelight::radiosity {
 namespace {
 
 constexpr double bright = 4;  ///< times the mean luminance
-constexpr std::size_t most_suns = 16;
+constexpr std::size_t max_suns = 16;
 
 /// What a texel has too much.
 struct Excess {
@@ -89,7 +89,7 @@ std::vector<SkySun> take_suns(SkyMap& sky) {
     std::vector<Excess> excess = take_excess(sky, bright * mean_luminance(sky));
     if (excess.empty()) return {};
     std::vector<std::span<Excess>> regions{excess};
-    while (regions.size() < most_suns) {
+    while (regions.size() < max_suns) {
         const auto strongest = std::ranges::max_element(
             regions, {}, [](std::span<const Excess> region) { return region.size() > 1 ? power_of(region) : -1.0; });
         const std::span<Excess> region = *strongest;

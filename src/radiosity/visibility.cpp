@@ -22,8 +22,8 @@ double of_small_area(const Receiver& r, dvec3 center, std::span<const dvec3> fac
 }
 
 /// Rays a side of the triangle of rays, by how much of the light they decide on.
-constexpr int most_rays_a_side = 4;
-int rays_a_side(double share) { return share < 1e-3 ? 1 : share < 1e-2 ? 2 : share < 5e-2 ? 3 : most_rays_a_side; }
+constexpr int max_rays_a_side = 4;
+int rays_a_side(double share) { return share < 1e-3 ? 1 : share < 1e-2 ? 2 : share < 5e-2 ? 3 : max_rays_a_side; }
 
 }  // namespace
 
@@ -70,7 +70,7 @@ double FormFactors::visible_share(const Receiver& r, const Patch& patch, int n) 
                 if (i + j + 1 < n) ask(e, e.corner[0] + u * (i + 2.0 / 3) + v * (j + 2.0 / 3));
             }
     }
-    if (asked == 0 && n < most_rays_a_side) return visible_share(r, patch, most_rays_a_side);  // above the horizon
+    if (asked == 0 && n < max_rays_a_side) return visible_share(r, patch, max_rays_a_side);  // above the horizon
     return asked > 0 ? double(seen) / asked : 0;
 }
 

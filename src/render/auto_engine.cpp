@@ -45,9 +45,9 @@ public:
         : gpu_(std::move(gpu)), soft_(raster::make_engine()), why_(std::move(why)) {}
 
     std::string name() const override { return draws_on_gpu_ ? gpu_->name() : soft_->name(); }
-    EngineAbilities abilities() const override {
-        EngineAbilities can = soft_->abilities();
-        if (gpu_) can.user_lighting = gpu_->abilities().user_lighting;
+    EngineCapabilities capabilities() const override {
+        EngineCapabilities can = soft_->capabilities();
+        if (gpu_) can.user_lighting = gpu_->capabilities().user_lighting;
         return can;
     }
 
@@ -74,7 +74,7 @@ public:
     }
 
     RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) override {
-        if (draws_on_gpu_ && can_draw(gpu_->abilities(), settings)) {
+        if (draws_on_gpu_ && can_draw(gpu_->capabilities(), settings)) {
             WatchedSink watched(sink);
             try {
                 return gpu_->render(camera, settings, watched, context);
@@ -82,11 +82,11 @@ public:
                 if (watched.has_begun()) throw;
                 const Scene scene = gpu_->scene();
                 give_up(error, scene.source, context);
-                check_abilities(name(), soft_->abilities(), settings);
+                check_abilities(name(), soft_->capabilities(), settings);
                 soft_->prepare(posed(scene, context), context);
             }
         } else if (draws_on_gpu_) {
-            check_abilities(name(), soft_->abilities(), settings);
+            check_abilities(name(), soft_->capabilities(), settings);
             say("it uses engine soft for what engine gl cannot do", Remark::note, scene().source, context);
             soft_->prepare(posed(gpu_->scene(), context), context);
             draws_on_gpu_ = false;

@@ -60,7 +60,7 @@ void warn_of_unused(const PictureRequest& request, Report& report) {
                    "radiosity-elements and radiosity-unshot have no effect without the method radiosity", {"method"});
     const bool has_occlusion_settings = names(request, {"ambient-occlusion-radius", "ambient-occlusion-samples"}) ||
                                         s.ambient_occlusion_radius != 0 ||
-                                        s.ambient_occlusion_samples != usual_occlusion_samples;
+                                        s.ambient_occlusion_samples != default_occlusion_samples;
     if (has_occlusion_settings && !s.ambient_occlusion && !names(request, "ambient-occlusion"))
         report.add(Remark::warning, request.input, "",
                    "the radius and samples of ambient occlusion have no effect without 'ambient-occlusion'",

@@ -54,13 +54,13 @@ void check_fitted(const Camera& camera) {
 }
 
 /// @param is_moved  the camera goes elsewhere afterwards
-FitWishes fit_wishes(const ViewRequest& view, bool is_moved) {
-    FitWishes wishes{.world_up = view.world_up,
-                     .up = view.up,
-                     .vertical_fov_rad = view.vertical_fov_rad,
-                     .horizontal_fov_rad = view.horizontal_fov_rad,
-                     .orthographic = view.orthographic && !is_moved,
-                     .direction = view.direction};
+FitOptions fit_wishes(const ViewRequest& view, bool is_moved) {
+    FitOptions wishes{.world_up = view.world_up,
+                      .up = view.up,
+                      .vertical_fov_rad = view.vertical_fov_rad,
+                      .horizontal_fov_rad = view.horizontal_fov_rad,
+                      .orthographic = view.orthographic && !is_moved,
+                      .direction = view.direction};
     wishes.fill = view.zoom_factor.value_or(wishes.fill);
     if (is_moved) return wishes;
     wishes.azimuth_rad = view.azimuth_rad.value_or(0), wishes.elevation_rad = view.elevation_rad.value_or(0);

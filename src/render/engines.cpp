@@ -46,7 +46,7 @@ void check_engine_name(const std::string& name) {
 namespace {
 
 /// The first requirement of the settings that an engine cannot meet; empty: it meets all.
-std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
+std::string beyond(const EngineCapabilities& can, const RenderSettings& s) {
     std::string first;
     const auto require = [&first](bool can_do, const std::string& what) {
         if (!can_do && first.empty()) first = what;
@@ -76,9 +76,9 @@ std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
 
 }  // namespace
 
-bool can_draw(const EngineAbilities& can, const RenderSettings& settings) { return beyond(can, settings).empty(); }
+bool can_draw(const EngineCapabilities& can, const RenderSettings& settings) { return beyond(can, settings).empty(); }
 
-void check_abilities(const std::string& name, const EngineAbilities& can, const RenderSettings& settings) {
+void check_abilities(const std::string& name, const EngineCapabilities& can, const RenderSettings& settings) {
     const std::string what = beyond(can, settings);
     if (!what.empty()) throw Error(ErrorCode::usage, "engine " + one_line(name, 40) + " cannot " + what);
 }

@@ -102,20 +102,20 @@ void take_look_of_posed(const Scene& scene, PictureRequest& request, Context& co
 }  // namespace
 
 bool names(const PictureRequest& request, std::string_view key) {
-    return std::ranges::find(request.named, key) != request.named.end();
+    return std::ranges::find(request.given_keys, key) != request.given_keys.end();
 }
 
 bool names(const PictureRequest& request, std::initializer_list<std::string_view> keys) {
     return std::ranges::any_of(keys, [&](std::string_view key) { return names(request, key); });
 }
 
-void take_look(const Scene& scene, PictureRequest& request, Context& context) {
+void apply_look(const Scene& scene, PictureRequest& request, Context& context) {
     if (request.look == Look::plain) return;
     const std::optional<Scene> posed = posed_outline(scene, context);
     take_look_of_posed(posed ? *posed : scene, request, context);
 }
 
-void take_look_of_picture(const Scene& asked, PictureRequest& request, Context& context) {
+void apply_look_exposure(const Scene& asked, PictureRequest& request, Context& context) {
     if (request.look == Look::plain) return;
     PictureRequest drawn = request;
     if (drawn.settings.method == RayMethod::radiosity) drawn.settings.method = RayMethod::automatic;
@@ -126,10 +126,10 @@ void take_look_of_picture(const Scene& asked, PictureRequest& request, Context& 
 }
 
 Scene looked_as_asked(Scene scene, PictureRequest& request, Context& context) {
-    scene = moved_as_asked(std::move(scene), request);
-    take_look(scene, request, context);
+    scene = with_requested_clips(std::move(scene), request);
+    apply_look(scene, request, context);
     request.coloring = completed(scene, request.coloring);
-    return with_splats(as_asked(std::move(scene), request, context), request, context);
+    return with_splats(as_requested(std::move(scene), request, context), request, context);
 }
 
 Scene loaded_as_asked(PictureRequest& request, Context& context) {

@@ -13,7 +13,7 @@ namespace rakelight {
 bool names(const PictureRequest& request, std::string_view key);
 bool names(const PictureRequest& request, std::initializer_list<std::string_view> keys);
 
-/// The rest of take_look(), which needs a small picture first: the background's tone, and the exposure if the file's
+/// The rest of apply_look(), which needs a small picture first: the background's tone, and the exposure if the file's
 /// lights are in physical units. @param session has the scene of the picture
 void adjust_to_picture(PictureRequest& request, Session& session, const Camera& camera, Context& context);
 

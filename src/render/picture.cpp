@@ -19,7 +19,7 @@
 #include "render/prepared_scene.h"
 #include "render/stopwatch.h"
 #include "render/too_dark_or_bright.h"
-#include "render/view_range.h"
+#include "render/channel_range.h"
 #include "scene/light_cutoff.h"
 #include "scene/scene_tools.h"
 
@@ -32,7 +32,7 @@ std::uint64_t count_objects(const Scene& scene) {
 }
 
 /// What the scales of PNG channels mean.
-std::string text_of(const ViewRange& r) {
+std::string text_of(const ChannelRange& r) {
     char text[240];
     std::snprintf(text, sizeof text,
                   "PNG channels: depth from %.6g m (white) to %.6g m (dark gray), position from %.6g,%.6g,%.6g to "
@@ -96,7 +96,7 @@ namespace {
 
 /// The overlay of the picture, if any. Depths are then requested if it needs them.
 /// @param range  what is shown; of a sequence by all of its pictures
-std::optional<Overlay> overlay_of(const PictureRequest& request, const ViewRange& range, Session& session,
+std::optional<Overlay> overlay_of(const PictureRequest& request, const ChannelRange& range, Session& session,
                                   const Camera& camera, RenderSettings& settings, Context& context) {
     if (!request.has_overlays()) return {};
     const std::shared_ptr<const PreparedScene> prepared = session.prepared(request.settings, context);
@@ -117,10 +117,11 @@ void draw_to_outputs(Session& session, const Camera& camera, const PictureReques
     RenderSettings settings = request.settings;
     const Window window = whole_window(settings);
     const PixelFormat format = format_for(request.output, settings.background.w < 1);
-    const vec4 behind = format.component == Component::u8 ? keep_background(settings, request.tone) : vec4{};
-    const std::optional<Overlay> overlay = overlay_of(request, result.view_range, session, camera, settings, context);
+    const vec4 behind = format.component == Component::u8 ? separate_background(settings, request.tone) : vec4{};
+    const std::optional<Overlay> overlay =
+        overlay_of(request, result.channel_range, session, camera, settings, context);
     PictureFiles files(request.output, window.width, window.height, format,
-                       {request.settings.channels, request.channel_files, request.half_colors, result.view_range,
+                       {request.settings.channels, request.channel_files, request.half_colors, result.channel_range,
                         comment_of(settings), memory},
                        {window.x, window.y, settings.width, settings.height});
     double written_ms = 0;
@@ -185,8 +186,9 @@ void draw_to_memory(Session& session, const Camera& camera, const PictureRequest
     color.charge = share(
         MemoryCharge(context.memory(), std::uint64_t(color.row_bytes()) * std::uint64_t(window.height), "the picture"));
     RenderSettings settings = request.settings;
-    const vec4 behind = keep_background(settings, request.tone);
-    const std::optional<Overlay> overlay = overlay_of(request, result.view_range, session, camera, settings, context);
+    const vec4 behind = separate_background(settings, request.tone);
+    const std::optional<Overlay> overlay =
+        overlay_of(request, result.channel_range, session, camera, settings, context);
     PictureSink sink(format, ToneCurve(request.tone, behind));
     keep_depth_for(overlay, request.settings, sink);
     ExtremePixels extremes;
@@ -211,7 +213,7 @@ PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session
     Stopwatch watch;
     context.progress("prepare", 0);
     auto [ready, camera] = ready_scene(std::move(loaded), request, context);
-    result.view_range = view_range(ready->posed(context), camera);
+    result.channel_range = channel_range(ready->posed(context), camera);
     count_parts(ready->scene, result);
     give(session, std::move(ready));
     result.prepare_ms = watch.lap_ms();
@@ -220,7 +222,7 @@ PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session
     adjust_to_picture(request, session, camera, context);
     draw(session, camera, request, result);
     if (request.settings.channels && (request.channel_files & channel_files_png))
-        context.report().add(Remark::note, request.input, "", text_of(result.view_range));
+        context.report().add(Remark::note, request.input, "", text_of(result.channel_range));
     const bool is_whole = result.done == 1 && request.settings.colors && !context.cancelled();
     if (is_whole &&
         result.stats.pixels_shaded + result.stats.pixels_marked == 0)  // blended surfaces cover nothing, but are seen

@@ -33,13 +33,13 @@ public:
         : format_(format), tone_(tone), keeps_linear_(linear), strip_done_(std::move(strip_done)) {}
 
     void begin(int width, int height, Window window, std::uint32_t channels) override;
-    bool takes_srgb8() const override {
+    bool wants_srgb8() const override {
         return format_.component == Component::u8 && !keeps_linear_ && tone_.is_identity();
     }
     DisplayRows display_rows(const Window& area) override;
     void tile(const Tile& tile) override;
     void display_tile(const Tile& tile, std::span<const std::uint32_t> srgb8) override;
-    bool takes_partial() const override { return gaps_.has_value(); }
+    bool wants_partial() const override { return gaps_.has_value(); }
     int rows_at_once() const override { return strip_done_ ? rows_ : 0; }
     void rows_done(int first, int rows) override;
     void end_pass(int) override {}

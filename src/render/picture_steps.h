@@ -12,10 +12,10 @@ namespace rakelight {
 /// The window that is rendered: the whole picture where none is requested.
 Window whole_window(const RenderSettings& settings);
 
-/// asked_lights() before any is cut, without those that the request's preset cannot store.
+/// requested_lights() before any is cut, without those that the request's preset leaves out.
 std::vector<Light> chosen_lights(const Scene& scene, const PictureRequest& request, const Camera& camera);
 
-/// A note of those that the request's preset cannot store. @param scene  before with_lights()
+/// A note of those that the request's preset leaves out. @param scene  before with_lights()
 void note_lights_left_out(const Scene& scene, const PictureRequest& request, const Camera& camera, Report& report);
 
 /// The scene with the lights that the picture is lit by, and the fog.
@@ -50,7 +50,7 @@ void check_output_place(const std::string& output);
 
 /// Everything but the choice of the engine and the checks.
 PictureResult draw_picture(const PictureRequest& request, Session& session, Context& context);
-/// @param loaded  as_asked()
+/// @param loaded  as_requested()
 PictureResult draw_picture(Scene loaded, const PictureRequest& request, Session& session, Context& context);
 
 }  // namespace rakelight

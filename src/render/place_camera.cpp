@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/default_up.h"
 #include "math/functions.h"
 #include "math/linear.h"
-#include "math/up_of_view.h"
 #include "render/choose_camera.h"
 
 namespace rakelight {
@@ -54,7 +54,7 @@ double radius_of(const Bounds& bounds) {
 dvec3 choose_up(const ViewRequest& view, dvec3 base_up, dvec3 along, const std::string& file, Report& report) {
     const dvec3 up = view.up.value_or(view.position ? view.world_up.value_or(dvec3{0, 1, 0}) : base_up);
     if (!is_along(up, along)) return up;
-    const NamedUp other = up_of_view(along);
+    const NamedUp other = default_up(along);
     report.add(view.up ? Remark::warning : Remark::note, file, "",
                "the camera's up direction is parallel to its view direction, " + other.name + " is up instead");
     return other.up;

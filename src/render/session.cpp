@@ -26,7 +26,7 @@ std::string counted(std::size_t count, const std::string& what) {
 
 /// What a rasterizer does not show of the materials.
 void remark_missing_rays(const Scene& scene, const Engine& engine, Report& report) {
-    if (engine.abilities().rays) return;
+    if (engine.capabilities().rays) return;
     std::vector<bool> is_drawn(scene.materials.size(), false);
     for (const Node& node : scene.nodes)
         for (const std::uint32_t mesh : node.meshes)
@@ -170,7 +170,7 @@ struct Session::State {
     void begin(Source from) { scene = {}, prepared.reset(), owned.reset(), source = from; }
     const Scene& current() const;
     void hand_over(Context& context);
-    void take_up(const RenderSettings& settings, const Camera& camera, Session& session, Context& context);
+    void warm_up(const RenderSettings& settings, const Camera& camera, Session& session, Context& context);
 };
 
 Session::Session(const std::string& engine) : Session(make_engine(engine)) {}
@@ -258,7 +258,7 @@ void Session::State::hand_over(Context& context) {
 }
 
 /// The scene that the engine has now, with the lights of the picture.
-void Session::State::take_up(const RenderSettings& settings, const Camera& camera, Session& session, Context& context) {
+void Session::State::warm_up(const RenderSettings& settings, const Camera& camera, Session& session, Context& context) {
     if (source == Source::owned) hand_over(context);
     if (source == Source::given) return;
     const std::shared_ptr<const PreparedScene> ready = session.prepared(settings, context);
@@ -283,16 +283,16 @@ void Session::State::take_up(const RenderSettings& settings, const Camera& camer
     remark_missing_rays(engine->scene(), *engine, context.report());
 }
 
-void Session::take_up(const Camera& camera, const RenderSettings& settings, Context& context) {
+void Session::warm_up(const Camera& camera, const RenderSettings& settings, Context& context) {
     State& s = *state_;
     check_settings(settings);
-    check_abilities(s.engine->name(), s.engine->abilities(), settings);
+    check_abilities(s.engine->name(), s.engine->capabilities(), settings);
     check_camera(camera, s.current().nodes.size(), CameraUse::in_scene);
-    s.take_up(settings, camera, *this, context);
+    s.warm_up(settings, camera, *this, context);
 }
 
 RenderStats Session::render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) {
-    take_up(camera, settings, context);
+    warm_up(camera, settings, context);
     State& s = *state_;
     const Scene& scene = s.engine->scene();
     const double aspect = double(settings.width) / double(settings.height);

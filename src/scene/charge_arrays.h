@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arrays and tables that a step made: charged to the budget as long as somebody holds them.
+// Memory charges for arrays and tables created by a processing step, for their lifetime.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -10,13 +10,13 @@
 
 namespace rakelight {
 
-/// What a block takes beside its elements, about: its record, and what two allocations take more than is asked for.
+/// Approximate overhead of a block: its record and two allocations.
 constexpr std::uint64_t bytes_beside_array = 112;
 
-/// The arrays of the scene's meshes that no charge pays for: the caller's own, made in memory. By Block::identity().
+/// Uncharged arrays of the scene's meshes, created by the caller. By Block::identity().
 std::set<const void*> unpaid_arrays(const Scene& scene);
 
-/// Charges the arrays of meshes that `made` has and nobody pays for. Who made them has asked the budget for them before.
+/// Charges the uncharged arrays of the meshes of `made`. Their creator has checked the budget before.
 /// @param own  the caller's, which stay as they are
 /// @throws Error bad_file: over the memory budget
 void charge_new_arrays(const Scene& made, const std::set<const void*>& own, Context& context);

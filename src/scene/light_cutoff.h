@@ -11,7 +11,7 @@ namespace rakelight {
 
 /// [m] from where on a light brings at most `cutoff`, measured by its brightest channel at its axis: ambient and the
 /// larger of diffuse and specular together, of photometric lights intensity / pi. Infinity: it brings more at 1e30 m, or does not thin out at all; at
-/// least least_light_range.
+/// least min_light_range.
 /// @param cutoff  > 0 [radiance of a white Lambert surface that faces the light]
 ///
 /// With the window 1 - (d / range)^4 of a range r there, the light that a surface loses is at most `cutoff` at every
@@ -26,10 +26,10 @@ struct CutLights {
     float least = 0, most = 0;  ///< [m] of the ranges that were given
 };
 
-/// Gives point and spot lights without a range the one of reach_of(). All others stay as they are.
+/// Sets the range of point and spot lights without one to reach_of(). Other lights are unchanged.
 CutLights cut_lights(std::vector<Light>& lights, double cutoff);
 
-/// Whether its range is the one that cut_lights() gives it.
+/// Whether the light has the range of cut_lights().
 /// @param cutoff  0: none is
 bool is_cut(const Light& light, double cutoff);
 

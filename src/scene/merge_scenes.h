@@ -29,7 +29,7 @@ struct MergedScene {
 };
 
 /// All of the parts, one after another; arrays and pictures are shared, tables are copied and charged to the budget
-/// before. Fog, surroundings, poses and missing_normals_are_flat of the parts are left out.
+/// before. Fog, environments, poses and missing_normals_are_flat of the parts are ignored.
 /// @throws Error bad_file: too many elements for 32-bit indices, more memory than the budget has; failed: cancelled
 MergedScene merge_scenes(std::span<const ScenePart> parts, Context& context);
 

@@ -56,7 +56,7 @@ RenderSettings settings_behind(const RenderSettings& settings, const PictureCame
     s.points = PointShape::none;
     const vec3 seen = light_of_background(settings);
     s.background = {seen.x, seen.y, seen.z, 1};
-    s.lays_background = true;
+    s.composites_background = true;
     s.ambient_occlusion = false;
     return s;
 }

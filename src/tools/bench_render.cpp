@@ -17,7 +17,7 @@
 #include "render/picture_steps.h"
 #include "render/prepared_scene.h"
 #include "render/stopwatch.h"
-#include "render/view_range.h"
+#include "render/channel_range.h"
 #include "scene/scene_tools.h"
 #include "tools/bench_export.h"
 #include "tools/bench_scene.h"
@@ -80,7 +80,7 @@ public:
           context_(context),
           settings_(options.settings),
           drawn_(settings_),
-          sink_(PixelFormat{}, ToneCurve(options.picture.tone, keep_background(drawn_, options.picture.tone))) {
+          sink_(PixelFormat{}, ToneCurve(options.picture.tone, separate_background(drawn_, options.picture.tone))) {
         if (options.scene.empty())
             take_built_in();
         else
@@ -116,7 +116,7 @@ private:
         if (options_.lights == 0 && !request.lights) request.lights.emplace();  // none, no default ones
         // All of it is closed; of classical materials both sides are drawn else.
         if (settings_.cull == Cull::automatic) settings_.cull = Cull::back;
-        take(as_asked(std::move(made), request, context_), request);
+        take(as_requested(std::move(made), request, context_), request);
     }
 
     void take_file() {
@@ -171,7 +171,7 @@ private:
         request.tone = options_.picture.tone;
         request.channel_files = options_.picture.channel_files, request.half_colors = options_.picture.half_colors;
         PictureResult result;
-        result.view_range = view_range(scene_, camera_);
+        result.channel_range = channel_range(scene_, camera_);
         Session session(measured_.front().row.engine);
         session.set(std::make_shared<PreparedScene>(PreparedScene{scene_, {}}));
         draw_to_files(session, camera_, request, result, context_);

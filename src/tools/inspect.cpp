@@ -206,7 +206,7 @@ void look_at_borders(Inspection& result, const Surfaces& surfaces, const geometr
         geometry::crease_range(surfaces.meshes, {.crease_angle_rad = options.prepare.crease_angle_rad});
     const auto rounded_deg = [](double rad) { return std::round(degrees(rad) * 1e9) * 1e-9; };  // 60 and not 59.999...
     result.seams.crease_angle_deg = rounded_deg(creases.least);
-    result.seams.crease_angle_most_deg = rounded_deg(creases.most);
+    result.seams.crease_angle_max_deg = rounded_deg(creases.most);
 }
 
 void look_at_winding(Inspection& result, const geometry::EdgeCensus& census) {

@@ -144,7 +144,7 @@ Json json_of(const SeamTotals& s) {
             {"after", json_of(s.after)},
             {"normals_before", s.normals_before},
             {"crease_angle_deg", s.crease_angle_deg},
-            {"crease_angle_most_deg", s.crease_angle_most_deg},
+            {"crease_angle_most_deg", s.crease_angle_max_deg},
             {"pairs", s.pairs},
             {"crowded_positions", s.crowded_positions},
             {"pairings_left_out", s.pairings_left_out},

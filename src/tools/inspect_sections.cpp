@@ -32,7 +32,7 @@ std::vector<std::string> seams_lines(const Inspection& i) {
     lines[0] +=
         format_text(", {} continuous (normals: {}), {} once smoothed over the model at {}{} degrees", s.continuous,
                     s.normals_before, s.joined, number(s.crease_angle_deg),
-                    s.crease_angle_most_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_most_deg) : "");
+                    s.crease_angle_max_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_max_deg) : "");
     lines.push_back("largest seam " + degrees_text(s.seam_deg) + " degrees; angles at shared positions max " +
                     degrees_text(s.before.max_deg) + ", mean " + degrees_text(s.before.mean_deg) + ", 95% " +
                     degrees_text(s.before.p95_deg) + "; smoothed max " + degrees_text(s.after.max_deg) + ", mean " +

@@ -41,7 +41,7 @@ std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, PictureReque
         session.set(ready.prepared);
         adjust_to_picture(request, session, ready.camera, context);
     }
-    keep_background(request.settings, request.tone);
+    separate_background(request.settings, request.tone);
     return std::make_unique<const raster::Inspection>(scene_of(*ready.prepared), ready.camera, request.settings,
                                                       context);
 }

@@ -99,7 +99,7 @@ std::string to_json(std::span<const RadiosityRow> rows) {
                          {"emitted_w", r.emitted},
                          {"absorbed_w", r.absorbed},
                          {"unshot_w", r.unshot},
-                         {"left_w", r.left},
+                         {"left_w", r.escaped},
                          {"seconds", r.seconds}});
         if (!row.error && row.result.lightmap) json["lightmap"] = lightmap_json(*row.result.lightmap);
         json["remarks"] = remarks_json(row.remarks);

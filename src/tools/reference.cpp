@@ -71,7 +71,7 @@ std::string size_of(const Pixels& p) { return format_text("{} x {}", p.width, p.
 
 }  // namespace
 
-double usual_threshold(ReferenceMeasure measure) { return row_of(measure).usual; }
+double default_threshold(ReferenceMeasure measure) { return row_of(measure).usual; }
 
 ReferenceResult compare_with_reference(const std::string& picture, const ReferenceRequest& request,
                                        ComparisonPage* page, Context& context) {
@@ -90,7 +90,7 @@ ReferenceResult compare_with_reference(const std::string& picture, const Referen
     if (page) page->add({name_of(picture) + " and its reference", name_of(picture), base}, pictures, options, 10);
     ReferenceResult result{.reference = request.picture,
                            .measure = request.measure,
-                           .threshold = request.threshold.value_or(usual_threshold(request.measure)),
+                           .threshold = request.threshold.value_or(default_threshold(request.measure)),
                            .value = value_of(pictures.comparison(), request.measure),
                            .comparison = pictures.comparison()};
     if (!request.difference.empty()) {

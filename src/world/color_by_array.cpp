@@ -7,6 +7,7 @@
 
 #include <rakelight/tools/words.h>
 
+#include "base/format_text.h"
 #include "math/color.h"
 #include "world/coloring.h"
 
@@ -47,8 +48,8 @@ void check_array(const Scene& scene, const Coloring& coloring) {
                                           "'; there are " + list_of_names(array_names(scene), 12, 60))
             .about("scalars");
     if (coloring.component && (*coloring.component < 0 || std::uint32_t(*coloring.component) >= most))
-        throw Error(ErrorCode::usage, "'" + one_line(coloring.array, 60) + "' has " + std::to_string(most) +
-                                          (most == 1 ? " component" : " components") + ", counted from 0")
+        throw Error(ErrorCode::usage, format_text("'{}' has {}{}, counted from 0", one_line(coloring.array, 60), most,
+                                                  most == 1 ? " component" : " components"))
             .about("coloring-component");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys about where the camera stands.
+// Keys of the camera's placement.
 #include "world/key_fields.h"
 
 namespace rakelight::keys {

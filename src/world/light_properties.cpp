@@ -28,7 +28,7 @@ void set_attenuation(const std::string& what, Light& light, std::string_view val
 
 void set_cone(const std::string& what, float& cone_rad, std::string_view value, bool may_be_zero) {
     const double degrees = number(what, value);
-    if (!(degrees >= (may_be_zero ? 0 : least_cone_deg) && degrees <= 90))
+    if (!(degrees >= (may_be_zero ? 0 : min_cone_deg) && degrees <= 90))
         throw wrong(what, std::string("the half angle must be ") + (may_be_zero ? "0" : "0.001") + " to 90 degrees");
     cone_rad = float(radians(degrees));
 }
@@ -71,11 +71,11 @@ constexpr Property properties[] = {
     {"range", placed, true, true,
      [](const std::string& what, Light& light, std::string_view value) {
          const double range = number(what, value);
-         if (!(range >= least_light_range && range <= 1e30)) throw wrong(what, "must be 1e-6 to 1e30 m");
+         if (!(range >= min_light_range && range <= 1e30)) throw wrong(what, "must be 1e-6 to 1e30 m");
          light.range = float(range);
      }},
     {"shadow", any, true, true,
-     [](const std::string& what, Light& l, std::string_view value) { l.casts_shadow = switched(what, value); }},
+     [](const std::string& what, Light& l, std::string_view value) { l.casts_shadow = on_off(what, value); }},
 };
 
 bool has(const Light& light, const Property& p) {

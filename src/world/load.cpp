@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a scene comes from.
+// Loading of scenes by name.
 #include <rakelight/load.h>
 
 #include <algorithm>

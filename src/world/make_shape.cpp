@@ -20,7 +20,7 @@ ShapeRequest request_of(const WorldPrimitive& p) {
     PrimitiveRequest request;
     const auto shape = primitive_named(p.type);
     RL_ASSERT(shape || p.type == "teapot", "the reader lets no other types in");
-    request.shape = shape.value_or(PrimitiveShape::sphere);  // the teapot's says nothing
+    request.shape = shape.value_or(PrimitiveShape::sphere);  // unused for the teapot
     request.radius = p.radius, request.tube_radius = p.tube_radius, request.height = p.height;
     request.width = p.width, request.depth = p.depth;
     request.divisions = p.divisions, request.objects = p.objects, request.tolerance = p.tolerance;

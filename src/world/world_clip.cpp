@@ -68,7 +68,7 @@ AnimationChannel channel_of(const WorldTrack& track, std::size_t width) {
 
 Animation world_clip(const WorldFile& world) {
     Animation clip;
-    clip.name = world_clip_name, clip.goes_with_all = true;
+    clip.name = world_clip_name, clip.plays_always = true;
     for (const WorldTrack& track : world.tracks) {
         const std::size_t count = track.path == AnimationPath::camera ? world.cameras.size() : world.lights.size();
         const AnimatedProperty* const property = animated_property(track.path, track.property);

@@ -94,7 +94,7 @@ struct Changed {
     std::vector<std::uint32_t> materials;
 };
 
-/// A picture shows nothing where what it multiplies is 0, as it is unless said: there or in another [[material]].
+/// A texture has no effect if its factor is 0, which is the default unless [[material]] sets it.
 /// @param scene  after all of them
 void warn_of_idle_pictures(const Scene& scene, const Changed& changed, const std::string& path, Report& report) {
     if (changed.materials.empty()) return;
@@ -209,7 +209,7 @@ std::vector<std::uint32_t> objects_of(const Scene& scene, const WorldMaterial& f
     std::vector<std::uint32_t> nodes;
     for (const LoadedPart& part : parts) {
         if (!from.model.empty() && from.model != part.name) continue;
-        const std::uint32_t first = part.first_node + 1;  // behind the one that places the part
+        const std::uint32_t first = part.first_node + 1;  // after the node that places the part
         for (std::uint32_t n = first; n < part.end_node; ++n)
             if (!scene.nodes[n].meshes.empty() && (is_number ? n - first == number : scene.nodes[n].name == wanted))
                 nodes.push_back(n);
@@ -227,7 +227,7 @@ std::string why_unused(const WorldMaterial& from, const Scene& scene, const std:
     return "no model has an object " + object + (near.empty() ? "" : "; did you mean '" + one_line(near, 40) + "'?");
 }
 
-/// Changes materials of single objects, which get materials of their own.
+/// Changes materials of single objects, which get their own copies.
 void apply_to_objects(Scene& scene, const WorldFile& world, const std::vector<LoadedPart>& parts, MaterialWork& work,
                       std::vector<Changed>& all_changed, const std::string& path, Context& context) {
     OwnMaterials own(scene, context);

@@ -14,7 +14,7 @@ namespace {
 
 using io::world::MovingKey;
 
-/// A track and the key that says it.
+/// A track and its key.
 struct KeyedTrack {
     const WorldTrack* track;
     const MovingKey* key;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way back: what a world says as the text of a world file.
+// Writes a world as the text of a world file.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -242,7 +242,7 @@ void write_render(Writer& to, const std::vector<WorldValue>& values) {
     to.section("[render]");
     for (const WorldValue& value : values) {
         const RenderKey* const key = find_render_key(value.key);
-        const bool is_flag = key && (key->kind == RenderKey::Kind::flag || key->kind == RenderKey::Kind::switched);
+        const bool is_flag = key && (key->kind == RenderKey::Kind::flag || key->kind == RenderKey::Kind::on_off);
         std::vector<std::string> items;
         for (const std::string& word : value.words)
             items.push_back(is_flag && (word == "on" || word == "off") ? flag(word == "on") : bare_or_quoted(word));
@@ -265,7 +265,7 @@ void check(const WorldTrack& track) {
                     "the track of '" + one_line(track.property, 40) + "' has no keys in ascending order");
 }
 
-/// What the sections below cannot say.
+/// Checks for data that the sections below cannot express.
 void check(const WorldFile& world) {
     const auto check_shading = [](const auto& part) {
         if (part.shading && !exists(*part.shading, Shading::automatic))

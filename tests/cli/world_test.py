@@ -296,8 +296,8 @@ class Worlds(program.Case):
             return json.loads(self.run_program("inspect", name + ".scene.toml", "--json", *options).out)["rows"][0]["seams"]["seam_deg"]
 
         for scope in ("model", "object"):
-            as_asked = picture("silent", "--normals", scope, "--crease-angle", "180")
-            self.assertEqual(picture(scope), as_asked, scope)
+            as_requested = picture("silent", "--normals", scope, "--crease-angle", "180")
+            self.assertEqual(picture(scope), as_requested, scope)
         self.assertNotEqual(picture("model"), picture("object"))
         self.assertLess(seam("model"), 1e-6)
         self.assertGreater(seam("object"), 60)

@@ -90,8 +90,8 @@ Driver ask_driver() {
     return d;
 }
 
-EngineAbilities abilities_of(const Driver& driver) {
-    EngineAbilities can;
+EngineCapabilities abilities_of(const Driver& driver) {
+    EngineCapabilities can;
     can.channels = channels_all;
     for (const int samples : {4, 8})
         if (driver.samples >= samples) can.samples.push_back(samples);

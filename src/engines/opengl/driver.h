@@ -28,7 +28,7 @@ struct Driver {
 Driver ask_driver();
 
 /// What pictures of this driver can show.
-EngineAbilities abilities_of(const Driver& driver);
+EngineCapabilities abilities_of(const Driver& driver);
 
 /// @throws Error failed: what GL_OUT_OF_MEMORY or another error of the calls before says of `what`
 void check_gl(const char* what);

@@ -40,7 +40,7 @@ struct WindowView::State {
     void draw_display(const Screen& screen, GLuint picture_name, int tone, float gain, vec4 behind = {});
 };
 
-EngineAbilities WindowView::abilities() const { return abilities_of(state_->driver()); }
+EngineCapabilities WindowView::capabilities() const { return abilities_of(state_->driver()); }
 double WindowView::aspect() const {
     const Screen screen = Screen::current();
     return double(std::max(screen.viewport[2], 1)) / double(std::max(screen.viewport[3], 1));

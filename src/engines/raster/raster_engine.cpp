@@ -93,7 +93,7 @@ public:
 
     std::string name() const override { return "soft"; }
 
-    EngineAbilities abilities() const override {
+    EngineCapabilities capabilities() const override {
         return {.channels = channels_all | channel_ambient_occlusion,
                 .samples = {1, 4, 8},
                 .visibility_methods = true,
@@ -159,7 +159,7 @@ public:
         std::optional<AmbientOcclusion> occlusion;
         if (settings.ambient_occlusion && settings.surfaces) occlusion.emplace(front, binned, grid, *kernels_, context);
         const double waited = draw_tiles(
-            {front, binned, grid, lights, *kernels_, has_blended, points, taker.takes_srgb8(),
+            {front, binned, grid, lights, *kernels_, has_blended, points, taker.wants_srgb8(),
              (settings.channels & channel_uv1) != 0, &marks, &context, reach.is_worth_it() ? &reach : nullptr,
              shadows_.data() ? &shadow_texels : nullptr, occlusion ? &*occlusion : nullptr},
             taker, occlusion, context, front.stats);

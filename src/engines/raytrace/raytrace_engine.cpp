@@ -70,7 +70,7 @@ public:
     RaytraceEngine() : isa_(isa_from_environment()), kernels_(*kernels_for(isa_)), rays_(isa_) {}
 
     std::string name() const override { return "trace"; }
-    EngineAbilities abilities() const override {
+    EngineCapabilities capabilities() const override {
         return {.channels = channels_all,
                 .samples = {1, 4, 8},
                 .shadows = true,

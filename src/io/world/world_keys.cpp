@@ -11,7 +11,7 @@
 namespace rakelight::io::world {
 namespace {
 
-constexpr Range degrees_180{0, 180, true}, cone_deg{least_cone_deg, 90};
+constexpr Range degrees_180{0, 180, true}, cone_deg{min_cone_deg, 90};
 
 const std::vector<const char*> normal_words = {"auto", "file", "flat", "object", "model", "seams"};
 
@@ -178,7 +178,7 @@ std::vector<WorldKey> light_keys() {
         {"intensity_lux", Kind::number, "photometric directional: illuminance in lux (default 1)", from_0},
         {"inner_cone_deg", Kind::number, "photometric spot: half angle of full light (default 0)", {0, 90}},
         {"outer_cone_deg", Kind::number, "photometric spot: half angle of its cone (default 45)", cone_deg},
-        {"range", Kind::number, "point, spot: where the light ends [m] (default: nowhere)", {least_light_range, 1e30}},
+        {"range", Kind::number, "point, spot: where the light ends [m] (default: nowhere)", {min_light_range, 1e30}},
         {"casts_shadow", Kind::flag, "Whether it casts shadows if [render] has shadows (default: yes)"},
     };
 }

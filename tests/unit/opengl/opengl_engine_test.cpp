@@ -129,7 +129,7 @@ TEST_F(OpenGl, AnotherSceneTakesThePlaceOfTheFirst) {
 }
 
 TEST_F(OpenGl, SamplesBeyondTheDriversAreRefusedBeforeAnythingIsDrawn) {
-    const EngineAbilities can = engine->abilities();
+    const EngineCapabilities can = engine->capabilities();
     EXPECT_EQ(can.samples.front(), 1);
     EXPECT_FALSE(can.visibility_methods);
     EXPECT_TRUE(can.user_lighting && can.lines_and_points && can.shadows);

@@ -56,8 +56,8 @@ public:
     explicit FakeGpu(Fails fails, ErrorCode code = ErrorCode::failed) : fails_(fails), code_(code) {}
 
     std::string name() const override { return "gl"; }
-    EngineAbilities abilities() const override {
-        EngineAbilities can;
+    EngineCapabilities capabilities() const override {
+        EngineCapabilities can;
         can.user_lighting = true;
         return can;
     }

@@ -61,7 +61,7 @@ static RenderSettings settings_for(RenderSettings settings, Window window, bool 
     if (shading) {
         settings.shading = *shading;
         settings.shading_rules.clear();
-        settings.own_shading = false;
+        settings.material_shading = false;
     }
     if (with_culled) settings.cull = Cull::none;
     return settings;

@@ -46,7 +46,7 @@ int occlusion_reach(const RenderSettings& settings) { return std::clamp(settings
 
 double occlusion_radius(const RenderSettings& settings, const Bounds& bounds) {
     if (settings.ambient_occlusion_radius > 0) return settings.ambient_occlusion_radius;
-    return bounds.empty() ? 1 : usual_occlusion_share * 0.5 * bounds.diagonal();
+    return bounds.empty() ? 1 : default_occlusion_share * 0.5 * bounds.diagonal();
 }
 
 AmbientOcclusion::AmbientOcclusion(const FrontEnd& front, const Binned& binned, const TileGrid& grid,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "prepare/made_attributes.h"
+#include "prepare/generated_attributes.h"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace rakelight {
 namespace {
 
 /// [meshes] is in one island with a mesh that moves.
-std::vector<bool> touched(const MadeAttributes& made) {
+std::vector<bool> touched(const GeneratedAttributes& made) {
     std::vector<bool> island_moves(made.islands.size(), false), result;
     for (std::size_t i = 0; i < made.islands.size(); ++i)
         if (made.moves[i]) island_moves[made.islands[i]] = true;
@@ -32,7 +32,7 @@ std::vector<Shown> shown_meshes(const Scene& scene) {
 
 }  // namespace
 
-void make_again(const MadeAttributes& made, Scene& posed, Context& context) {
+void recompute_attributes(const GeneratedAttributes& made, Scene& posed, Context& context) {
     const std::vector<bool> is_touched = touched(made);
     if (std::ranges::none_of(is_touched, [](bool b) { return b; })) return;
     const std::vector<dmat4> world = world_matrices(posed);

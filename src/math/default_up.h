@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is up in a view along which the up that was named says nothing.
+// A default up vector for views parallel to the given up vector.
 #pragma once
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace rakelight {
 
-/// Whether `up` lies along the view, closer than 1e-6 rad, so that look_at() would take any other.
+/// Whether `up` is parallel to the view within 1e-6 rad, so that look_at() would use an arbitrary one.
 bool is_along(dvec3 up, dvec3 view);
 
 struct NamedUp {
@@ -15,6 +15,6 @@ struct NamedUp {
     std::string name;  ///< "+Y"
 };
 /// +Y; -Z for a view straight down, as from the top, and +Z for one straight up, as from the bottom.
-NamedUp up_of_view(dvec3 view);
+NamedUp default_up(dvec3 view);
 
 }  // namespace rakelight

@@ -5,6 +5,6 @@
 namespace rakelight {
 
 /// What the scales of PNG channels span for a scene seen by a camera that choose_camera() gave.
-ViewRange view_range(const Scene& scene, const Camera& camera);
+ChannelRange channel_range(const Scene& scene, const Camera& camera);
 
 }  // namespace rakelight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/view_range.h"
+#include "render/channel_range.h"
 
 #include <rakelight/picture_parts.h>
 
@@ -11,9 +11,11 @@
 
 namespace rakelight {
 
-ViewRange view_range(const Scene& scene, const Camera& camera) { return view_range_of(world_bounds(scene), camera); }
+ChannelRange channel_range(const Scene& scene, const Camera& camera) {
+    return channel_range_of(world_bounds(scene), camera);
+}
 
-ViewRange view_range_of(const Bounds& bounds, const Camera& camera) {
+ChannelRange channel_range_of(const Bounds& bounds, const Camera& camera) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (int corner = 0; corner < 8; ++corner) {
         const dvec3 p = {corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,

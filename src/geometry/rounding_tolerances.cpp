@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/rounding_reach.h"
+#include "geometry/rounding_tolerances.h"
 
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@ namespace {
 
 constexpr double local_ulps = 2, pivot_ulps = 1;
 constexpr double widest = 1.0 / 16384;  // of the diagonal: numbers with fewer digits describe no surface of this model
-/// sqrt(3) / 2, and a hundredth for the rounding of the decoded values themselves.
+/// sqrt(3) / 2, plus a hundredth for rounding of the decoded values.
 constexpr double half_diagonal_of_step = 0.875;
 
 /// The distance from `size` to the next float.
@@ -42,7 +42,7 @@ std::vector<float> largest_coordinates(const AttributeInput& input, Context& con
 
 }  // namespace
 
-std::vector<double> rounding_reach(const AttributeInput& input, const Box& box, Context& context) {
+std::vector<double> rounding_tolerances(const AttributeInput& input, const Box& box, Context& context) {
     const std::vector<float> largest = largest_coordinates(input, context);
     const dvec3 center = box.low + (box.high - box.low) * 0.5;
     std::vector<double> reach(input.meshes.size());
