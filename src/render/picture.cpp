@@ -7,6 +7,7 @@
 #include "engines/check_settings.h"
 #include "engines/empty_pixel.h"
 #include "math/linear.h"
+#include "render/channel_range.h"
 #include "render/choose_camera.h"
 #include "render/draw_to_memory.h"
 #include "render/drawable.h"
@@ -19,7 +20,6 @@
 #include "render/prepared_scene.h"
 #include "render/stopwatch.h"
 #include "render/too_dark_or_bright.h"
-#include "render/channel_range.h"
 #include "scene/light_cutoff.h"
 #include "scene/scene_tools.h"
 

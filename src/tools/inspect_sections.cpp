@@ -29,10 +29,9 @@ std::vector<std::string> seams_lines(const Inspection& i) {
     const SeamTotals& s = i.seams;
     std::vector<std::string> lines = {counted(i.shared_positions, "position") + " shared by objects"};
     if (i.shared_positions == 0) return lines;
-    lines[0] +=
-        format_text(", {} continuous (normals: {}), {} once smoothed over the model at {}{} degrees", s.continuous,
-                    s.normals_before, s.joined, number(s.crease_angle_deg),
-                    s.crease_angle_max_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_max_deg) : "");
+    lines[0] += format_text(", {} continuous (normals: {}), {} once smoothed over the model at {}{} degrees",
+                            s.continuous, s.normals_before, s.joined, number(s.crease_angle_deg),
+                            s.crease_angle_max_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_max_deg) : "");
     lines.push_back("largest seam " + degrees_text(s.seam_deg) + " degrees; angles at shared positions max " +
                     degrees_text(s.before.max_deg) + ", mean " + degrees_text(s.before.mean_deg) + ", 95% " +
                     degrees_text(s.before.p95_deg) + "; smoothed max " + degrees_text(s.after.max_deg) + ", mean " +
