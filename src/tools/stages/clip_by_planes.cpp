@@ -24,12 +24,12 @@ struct CutPlane {
     double (*inside_by)(const Corner& c, const shading::PictureCamera& view);  ///< >= 0: inside
 };
 constexpr CutPlane cut_planes[] = {
-    {"near", false, [](const Corner& c, const shading::View& v) { return c.distance - v.z_near; }},
-    {"far", false, [](const Corner& c, const shading::View& v) { return v.z_far - c.distance; }},
-    {"left", true, [](const Corner& c, const shading::View&) { return c.w + c.x; }},
-    {"right", true, [](const Corner& c, const shading::View&) { return c.w - c.x; }},
-    {"bottom", false, [](const Corner& c, const shading::View&) { return c.w + c.y; }},
-    {"top", false, [](const Corner& c, const shading::View&) { return c.w - c.y; }},
+    {"near", false, [](const Corner& c, const shading::PictureCamera& v) { return c.distance - v.z_near; }},
+    {"far", false, [](const Corner& c, const shading::PictureCamera& v) { return v.z_far - c.distance; }},
+    {"left", true, [](const Corner& c, const shading::PictureCamera&) { return c.w + c.x; }},
+    {"right", true, [](const Corner& c, const shading::PictureCamera&) { return c.w - c.x; }},
+    {"bottom", false, [](const Corner& c, const shading::PictureCamera&) { return c.w + c.y; }},
+    {"top", false, [](const Corner& c, const shading::PictureCamera&) { return c.w - c.y; }},
 };
 constexpr std::size_t planes = std::size(cut_planes);
 
