@@ -21,7 +21,7 @@ struct InsideOutBody {
 /// origin), thin ones (two sheets back to back), and those that lie in the bounding box of another closed body: the
 /// inner side of a hollow one looks inwards rightly. In the order of their smallest place, at most 1000. O(n log n),
 /// but for the boxes: O(inside out bodies times closed bodies), at most 30 million pairs; of bodies beyond nothing is
-/// said.
+/// reported.
 /// @param open_corners  EdgeCensus::open_corners
 std::vector<InsideOutBody> find_inside_out(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
                                            const Context& context);

@@ -40,8 +40,8 @@ UnposedScene finish_unposed(BoundScene bound, const Rare<ScenePose>& pose, const
 /// @throws Error usage: a number out of range, an invalid enumerator
 void check_options(const PrepareOptions& options);
 
-/// Texture coordinates by projection about the world bounding box, for triangle meshes of a valid
-/// scene that have none; said in the report.
+/// Texture coordinates by projection about the world bounding box, for triangle meshes of a valid scene that have none;
+/// reported.
 Scene project_texcoords(Scene scene, UvProjection projection, Context& context);
 
 /// Normals and tangents of a valid scene by the door of <rakelight/attributes.h> over the whole scene.
