@@ -14,8 +14,8 @@ namespace rakelight {
 /// brighter at 1e30 m, or not attenuated.
 /// @param cutoff > 0 [radiance of a white Lambert surface facing the light]
 ///
-/// With the window 1 - (d / r)^4 of this range r, the light lost by a surface is at most `cutoff` at every distance d.
-/// b A(d) beyond r, where b A falls; b A(d) (d / r)^4 within, which grows with d (d^4 / (c + l d + q d^2) does for c,
+/// With the window 1 - (d / r)^4 of this range r, the light lost by a surface is at most `cutoff` at every distance d:
+/// it is b A(d) beyond r, where b A falls; b A(d) (d / r)^4 within, which grows with d (d^4 / (c + l d + q d^2) does for c,
 /// l, q >= 0) up to b A(r) = cutoff at r.
 double reach_of(const Light& light, double cutoff);
 
