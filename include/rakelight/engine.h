@@ -125,7 +125,7 @@ inline constexpr int min_occlusion_samples = 8, default_occlusion_samples = 32, 
 /// importance sampling with the balance heuristic (Veach 1997, section 9.2.2). All have the same expected value.
 enum class LightSampling : std::uint8_t { both, lights, materials };
 
-/// upper limit of RenderSettings::samples for path tracing
+/// Upper limit of RenderSettings::samples for path tracing.
 inline constexpr int max_paths_per_pixel = 1 << 20;
 
 /// Settings of path tracing.

@@ -24,8 +24,8 @@ namespace rakelight {
 /// The camera of a picture; all members are optional. By default the first camera of the file is used, or a camera
 /// fitted to the model's bounding box if the file has none.
 struct ViewRequest {
-    std::string
-        side{};  ///< "front", "back", "left", "right", "top", "bottom", "isometric", "default"; "file": its first camera; or empty
+    /// "front", "back", "left", "right", "top", "bottom", "isometric", "default"; "file": its first camera; or empty.
+    std::string side{};
     std::string camera{};                ///< index (from 0) or name of a camera of the file, or empty
     std::optional<dvec3> position{};     ///< [m] world
     std::optional<dvec3> focal_point{};  ///< [m] world; what the camera looks at
@@ -109,15 +109,14 @@ struct MotionRequest {
 /// @throws Error usage: no such clip; the message lists them
 RL_API std::vector<ClipTime> clips_of(const Scene& scene, const MotionRequest& motion);
 
-/// How data channels are written, as bits.
+/// How data channels are written, as bits. `exr`: one file per channel, NAME.depth.exr, with 32-bit floats in Y, R G, R G
+/// B or R G B A. Indices are floats there (exact up to 2^24), -1 for none. `layers`: one file with the layers depth.Z,
+/// normal.X ... next to R, G, B in the .exr output, else in NAME.channels.exr; indices are UINT. `png`: one viewable picture
+/// per channel, NAME.depth.png.
 enum ChannelFiles : std::uint32_t {
-    channel_files_exr =
-        1u
-        << 0,  ///< one file per channel, NAME.depth.exr: 32-bit floats in Y, R G, R G B or R G B A; indices as floats (exact up to 2^24), -1 for none
-    channel_files_layers =
-        1u
-        << 1,  ///< one file: layers depth.Z, normal.X ... next to R, G, B in the .exr output, else in NAME.channels.exr; indices as UINT
-    channel_files_png = 1u << 2,  ///< one viewable picture per channel, NAME.depth.png
+    channel_files_exr = 1u << 0,
+    channel_files_layers = 1u << 1,
+    channel_files_png = 1u << 2,
 };
 
 /// The Channel bits of "depth", "face-normal", ..., "lighting", "all" or "none".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way of a bake: checks, LOW with coordinates and frames, HIGH as it is shaded, the texels, the padding.
+// Stages of baking: checks, LOW with texture coordinates and frames, HIGH with shading normals, texels, padding.
 #include <rakelight/bake.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ bool lacks_coordinates(const Scene& scene) {
     });
 }
 
-/// What LOW has of bumps is what the map takes the place of.
+/// Removes LOW's bump maps, which the baked map replaces.
 void drop_bumps(Scene& scene) {
     for (Material& material : scene.materials) {
         material.normal_texture = material.height_texture = {};
@@ -62,7 +62,7 @@ void drop_bumps(Scene& scene) {
     }
 }
 
-/// @param report  gets what was made
+/// @param report gets the computed coordinates
 Scene with_coordinates(Scene low, const BakeOptions& options, BakeReport& report, Context& context) {
     if (!options.make_coordinates && !lacks_coordinates(low)) return low;
     bool had_textures = false;
@@ -79,7 +79,7 @@ Scene with_coordinates(Scene low, const BakeOptions& options, BakeReport& report
     return std::move(made.scene);
 }
 
-/// Normals: the file's, or made over all objects; tangents as MikkTSpace has them, of the first coordinates.
+/// Normals of the file, or computed over all objects; MikkTSpace tangents of texture coordinate set 0.
 Scene prepared_low(Scene low, const BakeOptions& options, Context& context) {
     for (Mesh& mesh : low.meshes) {
         const bool keeps = options.low_normals == NormalSource::automatic && !mesh.normals.empty();
@@ -101,7 +101,7 @@ bool gives_light(const Scene& scene) {
            std::ranges::any_of(scene.materials, [](const Material& m) { return !(m.emission == vec3{}); });
 }
 
-/// HIGH as the map of light shows it; none where there is no such map.
+/// HIGH with irradiance for the light map; empty without such a map.
 std::optional<Scene> lit_high(const Scene& high, const BakeOptions& options, BakeReport& report, Context& context) {
     if (std::ranges::count(options.maps, BakeMap::light) == 0) return std::nullopt;
     if (!gives_light(high))
@@ -116,7 +116,7 @@ void make_maps(const BakeOptions& options, BakeResult& result, Context& context)
     const std::uint64_t texels = std::uint64_t(options.width) * std::uint64_t(options.height);
     std::uint64_t bytes = 0;
     for (const BakeMap map : options.maps) bytes += texels * 4 * std::uint64_t(kind_of(map).channels);
-    context.memory().check(bytes + 9 * texels, "baked maps");  // and what says which texels are covered
+    context.memory().check(bytes + 9 * texels, "baked maps");  // and the coverage of texels
     result.charge = MemoryCharge(context.memory(), bytes, "baked maps");
     result.width = options.width, result.height = options.height;
     for (const BakeMap map : options.maps) {
@@ -140,7 +140,7 @@ void pad(const std::vector<std::uint8_t>& covered, const BakeOptions& options, B
 }
 
 void add_remarks(const Scene& high, const Scene& low, const BakeReport& r, bool is_height_wanted, Context& context) {
-    constexpr std::uint64_t few = 1000;  // texels of so many that meet HIGH are none
+    constexpr std::uint64_t few = 1000;  // a share of hits below 1 / few counts as none
     if ((r.texels - r.missed) * few <= r.texels)
         throw Error(ErrorCode::bad_file,
                     r.texels == 0          ? "no chart covers a texel of the map"

@@ -13,7 +13,7 @@
 namespace rakelight::bake {
 namespace {
 
-/// That along which a normal reaches farthest; the first of equal ones. Triangles without area look along +x.
+/// The axis with the largest component of the normal; the first of equal ones. Triangles without area face +x.
 std::uint8_t axis_of(dvec3 n) {
     const double size[3] = {std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
     std::size_t axis = 0;

@@ -21,7 +21,7 @@ namespace rakelight {
 namespace bake {
 namespace {
 
-/// Diffuse as before, with one side: those of classical parameters always have two.
+/// An equivalent diffuse one-sided material; classical materials are always two-sided.
 void make_one_sided(Material& m) {
     if (m.model == MaterialModel::classical)
         m.model = MaterialModel::metallic_roughness, m.metallic_roughness = {.metallic = 0};
@@ -49,14 +49,14 @@ Scene one_sided(Scene scene, Context& context) {
     return scene;
 }
 
-/// The set after all that a drawn mesh has; at least 1: set 0 is the model's own.
+/// The first texture coordinate set unused by drawn meshes; at least 1.
 std::uint32_t next_set(const Scene& scene) {
     std::size_t sets = 1;
     for (const Instance& at : drawn_instances(scene)) sets = std::max(sets, scene.meshes[at.mesh].texcoords.size());
     return std::uint32_t(sets);
 }
 
-/// [materials] the brightest component of each on the map.
+/// [materials] the largest color component of each on the map.
 std::vector<float> brightest(const LightmapTexels& texels, std::size_t materials) {
     std::vector<float> most(materials, 0);
     for (std::size_t i = 0; i < texels.color.size(); ++i)
@@ -83,7 +83,7 @@ Pixels coded(const LightmapTexels& texels, const std::vector<float>& most, const
     return out;
 }
 
-/// Black, and all that is seen is the map.
+/// Black materials with the map as emission.
 void show_map(Material& m, const TextureUse& map, float most) {
     Material out;
     out.name = m.name;

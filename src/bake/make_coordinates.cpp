@@ -34,15 +34,15 @@ std::vector<std::uint32_t> place_numbers(std::span<const dvec3> places) {
     return numbers;
 }
 
-/// A placed mesh and its charts.
+/// A mesh instance and its charts.
 struct Part {
     Instance instance;
-    std::vector<dvec3> places;  ///< [V] in the world
+    std::vector<dvec3> places;  ///< [V] world space
     Charts charts;
     MemoryCharge charge;
 };
 
-/// [3T] counter-clockwise from outside, by vertices at the same place as one
+/// [3T] counter-clockwise from outside, vertices at one place are merged
 std::vector<std::uint32_t> outward_triangles(const Mesh& mesh, std::span<const dvec3> places, bool is_mirrored) {
     const std::vector<std::uint32_t> number = place_numbers(places);
     std::vector<std::uint32_t> out;
@@ -68,7 +68,7 @@ Part make_part(const Mesh& mesh, const Instance& instance, const dmat4& to_world
     return part;
 }
 
-/// A vertex for each chart that a vertex is used in.
+/// Splits vertices so that each belongs to one chart.
 class ChartVertices {
 public:
     explicit ChartVertices(std::size_t vertices) : first_(vertices, no_index), count_(vertices) {}

@@ -28,8 +28,9 @@ struct BorderNodes {
     }
 };
 
-/// @param open_corners of find_open_edges() Normals are equal within `authored_equality`, or bit-equal at places with
-///         more than 64 different ones. Vertices without a usable normal are in no node.
+/// Normals are equal within `authored_equality`, or bit-equal at places with more than 64 different ones. Vertices
+/// without a usable normal are in no node.
+/// @param open_corners of find_open_edges()
 BorderNodes find_border_nodes(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
                               Context& context);
 

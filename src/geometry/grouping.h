@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From places to groups: weld -> creases and smoothing groups -> mirrored texture coordinates.
+// Grouping: weld -> creases and smoothing groups -> mirrored texture coordinates.
 #pragma once
 #include <memory>
 
@@ -8,25 +8,25 @@
 
 namespace rakelight::geometry {
 
-/// The part of the grouping that does not depend on the crease angle; shared by plans of one model. Each is made when
-/// it is first needed and null till then.
+/// The part of the grouping that does not depend on the crease angle; shared by plans of one model. Each is computed on
+/// demand and null until then.
 struct GroupingBase {
     std::shared_ptr<const std::vector<std::uint32_t>> places;  ///< [vertices] as Topology::places
     std::shared_ptr<FaceNormals> normals;                      ///< [triangles]
     std::shared_ptr<CornerBins> corners;                       ///< by place
-    GeneralScratch* scratch = nullptr;                         ///< where memory is taken from; null: new memory
+    GeneralScratch* scratch = nullptr;                         ///< source of memory; null: allocate
 
-    /// Gives the memory back; only where nothing else shares it.
+    /// Returns the memory, if it is not shared.
     void release();
     const FaceNormals& face_normals(const AttributeInput& input, Context& context);
 };
 
-/// Whether a weld made with options `a` serves options `b`.
+/// Whether a weld with options `a` is valid for options `b`.
 bool same_weld(const AttributeOptions& a, const AttributeOptions& b);
 
 struct Grouped {
     Topology topology;
-    bool may_cancel = true;  ///< false: the normals of no group can cancel
+    bool may_cancel = true;  ///< false: no group's normals can cancel
 };
 
 /// @param base existing parts are used, missing parts are added

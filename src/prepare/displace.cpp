@@ -93,7 +93,7 @@ private:
         context_.memory().check(bytes, "displaced triangles");
     }
 
-    /// Of what is displaced and cut already, or of what is not displaced and as the scene has it.
+    /// Triangles of displaced and tessellated meshes, or of the others.
     std::uint64_t count_triangles(bool displaced) const {
         std::uint64_t count = 0;
         for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -123,7 +123,8 @@ private:
         });
     }
 
-    /// Vertices at one place with one material read the same level, so that it does not matter where a model is cut.
+    /// Vertices at one place with one material use the same mip level, so that splitting a model into objects has no
+    /// effect.
     void read_heights() {
         for_each_class([&](std::span<const Member> members) {
             const Material* const material = parts_[members[0].part].material;
@@ -149,7 +150,7 @@ private:
         warn_of_lost_relief(scene_, parts_, fine_.longest_edge, context_.report());
     }
 
-    /// Vertices at one place, one after another, in the order of parts and vertices.
+    /// Vertices grouped by place, in the order of parts and vertices.
     void collect_classes() {
         CancelCheck check(context_);
         for (std::uint32_t i = 0; i < parts_.size(); ++i)
@@ -223,7 +224,7 @@ private:
         const dvec3 way = stays ? dvec3{} : normalize_or(normal, {0, 0, 0}) * (offset / double(members.size()));
         for (const Member& m : members) {
             const bool is_new = m.vertex >= scene_.meshes[parts_[m.part].instance.mesh].positions.size();
-            if (stays && !is_new) continue;  // to the bit where it was
+            if (stays && !is_new) continue;  // bit-identical to its old position
             positions[m.part][m.vertex] = cast<float>(transform_point(parts_[m.part].to_object, m.place + way));
         }
     }

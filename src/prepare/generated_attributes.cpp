@@ -9,7 +9,7 @@
 namespace rakelight {
 namespace {
 
-/// [meshes] is in one island with a mesh that moves.
+/// [meshes] whether it is in an island with a moving mesh.
 std::vector<bool> touched(const GeneratedAttributes& made) {
     std::vector<bool> island_moves(made.islands.size(), false), result;
     for (std::size_t i = 0; i < made.islands.size(); ++i)
@@ -18,7 +18,7 @@ std::vector<bool> touched(const GeneratedAttributes& made) {
     return result;
 }
 
-/// What shows a mesh in the posed scene.
+/// The instances of a mesh in the posed scene.
 struct Shown {
     std::uint32_t uses = 0, node = no_index;
 };
@@ -40,7 +40,7 @@ void recompute_attributes(const GeneratedAttributes& made, Scene& posed, Context
     std::vector<AttributeMesh> meshes = made.meshes;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const Mesh& mesh = posed.meshes[made.numbers[i]];
-        // Vertices keep their numbers: those that were split stand behind the first ones.
+        // Vertices keep their indices; split ones are appended.
         meshes[i].positions = mesh.positions.span().first(meshes[i].positions.size());
         const Shown& by = shown[made.numbers[i]];
         const std::uint32_t node = by.uses == 1 ? by.node : made.nodes[i];

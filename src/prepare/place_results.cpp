@@ -9,7 +9,7 @@
 namespace rakelight {
 namespace {
 
-/// A mesh with what with_attributes() made of another one that had the same arrays.
+/// A mesh with the result of with_attributes() for another mesh with the same arrays.
 Mesh with_arrays_of(const Mesh& made, const Mesh& own) {
     Mesh mesh = own;
     mesh.positions = made.positions, mesh.indices = made.indices, mesh.normals = made.normals;
@@ -20,7 +20,7 @@ Mesh with_arrays_of(const Mesh& made, const Mesh& own) {
 }
 
 /// Offsets of old normals and tangents do not apply to the new ones. Target positions are kept.
-/// @param directions  of the new normals, or null: none were made
+/// @param directions target directions of the new normals, or null
 void set_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number, bool new_normals,
                            TargetDirections* directions, Report& report) {
     bool refused = false;
@@ -89,7 +89,7 @@ void ResultPlacer::place(Computed& computed) {
 }
 
 bool ResultPlacer::keeps_bitangents(const Mesh& mesh) const {
-    return request_.bitangents && mesh.targets.empty() && mesh.influences.empty();  // who poses does not turn them
+    return request_.bitangents && mesh.targets.empty() && mesh.influences.empty();  // posing does not transform them
 }
 
 void ResultPlacer::report() const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way: nodes to their places, matrices of the joints, what poses each placement that moves, nodes of skinned ones
-// into the world; then vertices (geometry/mesh_pose.h), here or by who draws them.
+// Stages: node transforms, joint matrices, pose of each animated instance, skinned nodes to world space; then vertices
+// (geometry/mesh_pose.h), here or in the engine.
 #include "prepare/pose_scene.h"
 
 #include <algorithm>
@@ -23,11 +23,11 @@ namespace {
 using geometry::JointColumns, geometry::MeshPose, geometry::MeshPoses;
 using SharedColumns = std::shared_ptr<const std::vector<JointColumns>>;
 
-/// Places farther from the world's origin than this [m] are given from a point nearby, so that floats suffice.
+/// [m] Positions farther from the world origin are stored relative to a nearby point, so that float precision suffices.
 constexpr double far_away = 4096;
 
-/// What a pose makes of the skinned meshes of a scene: an origin for all, so that equal places stay equal. What many
-/// placements share is made once.
+/// Poses of the skinned meshes of a scene, with one origin for all, so that equal places stay equal. Shared data is
+/// computed once.
 class Skeleton {
 public:
     Skeleton(const Scene& scene, const std::vector<Instance>& moving, Context& context)
@@ -45,7 +45,7 @@ public:
     const std::vector<dmat4>& world() const { return world_; }
     dvec3 origin() const { return origin_; }
 
-    /// Whether every joint that skinned meshes of the node follow turns them inside out.
+    /// Whether all joints of the node's skinned meshes mirror.
     bool mirrors(std::uint32_t node) {
         const auto [known, is_new] = node_mirrors_.try_emplace(node, true);
         if (!is_new) return known->second;
@@ -145,7 +145,7 @@ std::vector<std::optional<Shading>> resolved_shading(const Scene& scene) {
     return shading;
 }
 
-/// Puts nodes that show skinned meshes into the world by themselves; what hangs from them stays in place.
+/// Moves nodes with skinned meshes to the root in world space; their children keep their place.
 class Detacher {
 public:
     Detacher(Scene& scene, const std::vector<dmat4>& world) : scene_(scene), world_(world) {}
@@ -185,7 +185,8 @@ private:
         return taken.contains(node) ||
                !std::ranges::all_of(scene_.nodes[node].meshes, [&](std::uint32_t m) { return is_skinned(m); });
     }
-    /// A new node takes the skinned meshes over. @return its number
+    /// Moves the skinned meshes to a new node.
+    /// @return its index
     std::uint32_t with_meshes_of(std::uint32_t node) {
         Node& old = scene_.nodes[node];
         Node added;
@@ -201,7 +202,7 @@ private:
     const std::vector<dmat4>& world_;
 };
 
-/// Nothing is left that could move.
+/// Removes all animation data.
 void end_motion(Scene& scene) {
     for (Mesh& mesh : scene.meshes) mesh.influences = {}, mesh.more_influences = {}, mesh.targets.clear();
     for (Node& node : scene.nodes) node.skin = no_index, node.morph_weights.clear();

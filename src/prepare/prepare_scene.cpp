@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way of a scene to an engine: repair, texture coordinates, normals by the chosen source, tangents where they are needed.
+// prepare_scene(): repair, texture coordinates, normals of the chosen source, tangents where needed.
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +29,7 @@
 namespace rakelight {
 namespace {
 
-/// Which normals are made, for the meshes that have none (all of them when the file's do not count).
+/// The computed normals, for meshes without normals (or all meshes if the file's are ignored).
 SmoothRequest request_for(const PrepareOptions& options) {
     SmoothRequest request;
     request.attributes.weight = options.weight;
@@ -59,7 +59,7 @@ bool needs_tangents(const Scene& scene, const Mesh& mesh) {
     return mesh.material != no_index && needs_tangents(scene.materials[mesh.material]);
 }
 
-/// True if some triangle has an area in the texture; ends at the first one.
+/// Whether any triangle has texture area; stops at the first one.
 bool spans_texture(const Mesh& mesh, std::uint32_t set) {
     const Block<vec2>& uv = mesh.texcoords[set];
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
@@ -69,7 +69,7 @@ bool spans_texture(const Mesh& mesh, std::uint32_t set) {
     return false;
 }
 
-/// People wonder why a model of parts looks faceted: glTF asks for it.
+/// Explains why a model looks faceted: glTF requires it.
 void note_flat_meshes(const Scene& scene, Report& report) {
     for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
         const Mesh& mesh = scene.meshes[i];
@@ -86,15 +86,14 @@ bool has_coat_map(const Material& m) {
     return m.model == MaterialModel::metallic_roughness && p.clearcoat > 0 && p.clearcoat_normal_texture;
 }
 
-/// The coat's map has coordinates of its own: they can be missing where the surface's are there, and the other way
-/// round.
+/// The clearcoat map may use another texture coordinate set than the surface, and either set may be missing.
 bool lacks_coat_coordinates(const Scene& scene, const Mesh& mesh) {
     const Material& m = scene.materials[mesh.material];
     return has_coat_map(m) && !has_coordinates(mesh, m.metallic_roughness.clearcoat_normal_texture.texcoord_set);
 }
 
-/// Why maps and highlights that follow the texture coordinates do not on this mesh; null: they do, or there are none,
-/// or only the coat's map lacks its own coordinates.
+/// Why maps and highlights that depend on texture coordinates have no effect on this mesh; null: they have, or there
+/// are none, or only the clearcoat map lacks coordinates.
 const char* fault_of_coordinates(const Scene& scene, const Mesh& mesh, Bump wanted) {
     const Material& m = scene.materials[mesh.material];
     const MetallicRoughnessParameters& p = m.metallic_roughness;
@@ -130,12 +129,12 @@ void warn_of_tangents(const Scene& scene, Bump wanted, Report& report) {
     }
 }
 
-/// Without coordinates: directions show none, warn_of_tangents() is for them.
+/// For missing coordinates; missing directions are reported by warn_of_tangents().
 bool shows_one_color(const TextureRole& role, const Material& m) {
     return role.is_shown_by(m) && role.number != role_opacity && !role.is_direction();
 }
 
-/// What warn_of_tangents() is for normal maps.
+/// The same as warn_of_tangents() for normal maps.
 void warn_of_textures(const Scene& scene, Report& report) {
     std::vector<bool> seen(scene.meshes.size(), false);
     for (const Instance& instance : drawn_instances(scene)) {
@@ -186,17 +185,17 @@ std::set<const void*> places_of(const Scene& scene) {
     return places;
 }
 
-/// One scene on its way through the stages. What a stage has made is paid before the next one asks for memory.
+/// The stages for one scene. Results of a stage are charged before the next one allocates.
 class Preparing {
 public:
     Preparing(const Scene& scene, const PrepareOptions& options, Context& context)
         : options_(options), context_(context), request_(request_for(options)), own_(unpaid_arrays(scene)) {}
 
-    /// The stages before the pose, for triangles that turn counter-clockwise.
+    /// The stages before the pose, for counter-clockwise triangles.
     BoundScene bind(Scene scene) const {
         Report& report = context_.report();
         BoundScene bound;
-        if (wants_subdivision(scene, options_.subdivision))  // control nets move
+        if (wants_subdivision(scene, options_.subdivision))  // control nets are animated
             scene = paid(valid::posed_scene(std::move(scene), context_));
         scene.pose = {};
         if (is_posable(scene)) scene = with_own_meshes(std::move(scene), context_);
@@ -233,8 +232,8 @@ public:
         return paid(std::move(unposed.scene));
     }
 
-    /// Here it is decided whose vertices prepare needs: normals are made again of those of all meshes that were grouped, borders
-    /// are joined again of those that were matched, and displacement is made of all. The others are left to who draws them (in engine gl see Renderer::pose_meshes()).
+    /// Decides which vertices must be posed here: those of grouped meshes (recomputed normals), of matched borders
+    /// (joined again), and all for displacement. Others are posed by the engine (for gl see Renderer::pose_meshes()).
     UnposedScene finish_unposed(BoundScene bound, const Rare<ScenePose>& pose) const {
         UnposedScene unposed{std::move(bound.scene)};
         if (is_posable(unposed.scene)) {
@@ -277,7 +276,7 @@ private:
         return scene;
     }
 
-    /// Over all parts that ask for it together.
+    /// Over all parts with this option together.
     Scene with_seams_joined(Scene scene) const {
         const auto asks = [&](const Mesh& mesh) { return normal_rule(scene, mesh, options_.normals).joins_seams; };
         if (std::none_of(scene.meshes.begin(), scene.meshes.end(), asks)) return scene;
@@ -318,7 +317,7 @@ private:
     const std::set<const void*> own_;  ///< uncharged arrays of the caller
 };
 
-/// What stages make of each node, placement and mesh while they work: matrices and lists.
+/// Temporary memory of the stages per node, instance and mesh: matrices and lists.
 std::uint64_t working_bytes(const Scene& scene) {
     std::uint64_t bytes = scene.nodes.size() * 2 * sizeof(dmat4) + scene.meshes.size() * 64;
     for (const Node& node : scene.nodes) bytes += node.meshes.size() * 64;
@@ -362,7 +361,7 @@ Scene valid::prepare_scene(Scene scene, const PrepareOptions& options, Context& 
     TriangleTurner turner;
     scene = turner.turned(std::move(scene), context);
     scene = preparing.finish(preparing.bind(std::move(scene)), pose);
-    scene.normal_sides = nullptr;  // of triangles that turn the other way
+    scene.normal_sides = nullptr;  // of reversed triangles
     return preparing.paid(turner.turned(std::move(scene), context));
 }
 

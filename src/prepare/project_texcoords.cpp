@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texture coordinates by projection, for models that bring none: box, sphere or cylinder about the world bounding box.
+// Texture coordinates by projection, for models without any: box, sphere or cylinder around the world bounding box.
 //
 // Each corner gets coordinates; vertices whose corners differ (box edge, back seam, pole) are split. In all three
 // projections the texture is upright and not mirrored seen from outside, and v points down. box each triangle from the
@@ -64,7 +64,7 @@ void project_box(const Frame& f, Corners& c) {
     }
 }
 
-/// u about the y axis, unwrapped over the triangle.
+/// u around the y axis, unwrapped over the triangle.
 void wrap_around(const Frame& f, Corners& c) {
     bool on_axis[3];
     double low = 2, high = -1, sum = 0;
@@ -74,7 +74,7 @@ void wrap_around(const Frame& f, Corners& c) {
         on_axis[k] = std::max(std::fabs(d.x), std::fabs(d.z)) <= 1e-9 * f.longest;
         if (on_axis[k]) continue;
         double u = 0.5 + math::atan2(d.x, d.z) / (2 * pi);
-        if (u >= 1) u -= 1;  // exactly behind: 0 and 1 are one place
+        if (u >= 1) u -= 1;  // exactly at the seam: 0 and 1 are one place
         c.uv[k].x = u;
         low = std::min(low, u);
         high = std::max(high, u);
@@ -110,7 +110,7 @@ void project_cylinder(const Frame& f, Corners& c) {
     for (int k = 0; k < 3; ++k) c.uv[k].y = height > 0 ? (f.high.y - c.p[k].y) / height : 0;
 }
 
-/// Coordinates of the vertices while triangles arrive: a vertex has one entry for each different pair of its corners.
+/// Incremental coordinates: a vertex has one entry for each different pair of its corners.
 class VertexCoordinates {
 public:
     explicit VertexCoordinates(std::size_t vertices) : uv_(vertices, vec2{0, 0}), next_(vertices, unused) {}
@@ -137,8 +137,8 @@ public:
 
 private:
     static constexpr std::uint32_t unused = no_index - 1;
-    /// Entries of a vertex that are compared, the newest first: a fan of a million triangles about a pole, each with its own
-    /// u there, must not cost a million squared. A double entry does no harm.
+    /// Maximum number of compared entries of a vertex, newest first: a fan of a million triangles around a pole, each
+    /// with its own u, must not take quadratic time. Duplicate entries are harmless.
     static constexpr int searched = 16;
     std::vector<vec2> uv_;
     std::vector<std::uint32_t> next_;  // the next entry of the same vertex
@@ -148,7 +148,7 @@ private:
 Mesh projected(const Mesh& source, const dmat4& to_world, const Frame& frame, UvProjection projection,
                Context& context) {
     const dmat4 place = to_world * translation(source.origin);
-    const bool mirrored = determinant(upper_left(place)) < 0;  // the winding as it is drawn
+    const bool mirrored = determinant(upper_left(place)) < 0;  // the drawn winding
     context.memory().check((source.positions.size() + source.indices.size()) * 24, "texture coordinates");
     VertexCoordinates coordinates(source.positions.size());
     std::vector<std::uint32_t> indices(source.indices.begin(), source.indices.end());
@@ -171,14 +171,14 @@ Mesh projected(const Mesh& source, const dmat4& to_world, const Frame& frame, Uv
             indices[t + k] = coordinates.vertex(indices[t + k], {float(c.uv[k].x), float(c.uv[k].y)});
     }
     Mesh mesh = source;
-    mesh.tangents = {};  // they belonged to coordinates that are not there
+    mesh.tangents = {};  // they belong to missing coordinates
     const std::vector<std::uint32_t>& split = coordinates.source_vertex();
     split_vertices(mesh, split.empty() ? std::vector<std::uint32_t>{} : std::move(indices), split, context);
     std::vector<Block<vec2>> sets = std::move(mesh.texcoords);
     if (sets.empty()) sets.emplace_back();
     sets[0] = coordinates.take_coordinates();
     mesh.texcoords = std::move(sets);
-    charge_new_arrays(mesh, source, context);  // before the next placement asks for more
+    charge_new_arrays(mesh, source, context);  // before the next instance allocates
     return mesh;
 }
 
@@ -187,7 +187,7 @@ bool has_texcoords(const Mesh& mesh) {
                        [](const Block<vec2>& set) { return !set.empty(); });
 }
 
-/// The meshes as they were before the first of their placements was projected.
+/// The original meshes, before projection of their first instance.
 class Originals {
 public:
     Originals(const Scene& scene, const std::vector<Instance>& instances)
@@ -202,7 +202,7 @@ public:
 private:
     const Scene& scene_;
     std::vector<std::uint32_t> uses_;
-    std::map<std::uint32_t, Mesh> kept_;  ///< those with several placements
+    std::map<std::uint32_t, Mesh> kept_;  ///< of meshes with several instances
 };
 
 }  // namespace

@@ -17,7 +17,7 @@
 namespace rakelight {
 namespace {
 
-/// What matches one another.
+/// A set of meshes that may match.
 struct BorderSet {
     MatchOptions options;
     PlacedParts parts;
@@ -62,8 +62,8 @@ private:
     std::vector<BorderSet> sets_;
 };
 
-/// The placements of a posed scene in the order in which they were matched. A mesh that moves has one placement, which may
-/// hang from another node now; those of the others stand in their old order.
+/// The instances of a posed scene in the order of matching. An animated mesh has one instance, possibly at another
+/// node; the others keep their order.
 std::vector<Instance> found_again(const Scene& scene, const std::vector<Instance>& matched) {
     std::vector<std::vector<Instance>> shown(scene.meshes.size());
     for (const Instance& instance : drawn_instances(scene)) shown[instance.mesh].push_back(instance);
@@ -85,7 +85,7 @@ MatchReport sum(const MatchReport& a, const MatchReport& b) {
     return all;
 }
 
-/// Why no mesh takes part.
+/// Why no mesh is matched.
 std::string why_none(NormalSource source) {
     if (source == NormalSource::file) return "'normals' file keeps what the file has";
     return "faces are flat here, or have no normals; 'normals' model smooths";

@@ -48,7 +48,7 @@ AttributeMesh attribute_mesh(const Scene& scene, const Instance& instance, const
     return out;
 }
 
-/// Results are vectors of our own making, but a file decides how many placements there are.
+/// Charges results, because their size depends on the number of instances in the file.
 void check_memory(const std::vector<AttributeMesh>& meshes, Context& context) {
     std::uint64_t bytes = meshes.size() * (sizeof(AttributeMesh) + 2 * sizeof(MeshAttributes));
     for (const AttributeMesh& m : meshes)
@@ -58,7 +58,7 @@ void check_memory(const std::vector<AttributeMesh>& meshes, Context& context) {
 }
 
 /// Total size of all meshes that get new vertices, normals or tangents.
-/// @param numbers  of the meshes, as `results` has them
+/// @param numbers mesh indices, in the order of `results`
 void check_split(const Scene& scene, const std::vector<std::uint32_t>& numbers,
                  const std::vector<MeshAttributes>& results, Context& context) {
     std::uint64_t bytes = 0;
@@ -79,7 +79,7 @@ AttributeOptions options_for(const SmoothRequest& request, const std::vector<Att
     return options;
 }
 
-/// [computed] follow a skin or have morph targets.
+/// [computed] whether skinned or morphed.
 std::vector<bool> moving(const Scene& scene, const SmoothSelection& s) {
     std::vector<bool> result;
     for (const std::size_t i : s.computed) {
@@ -89,7 +89,7 @@ std::vector<bool> moving(const Scene& scene, const SmoothSelection& s) {
     return result;
 }
 
-/// In two steps, of which the first is kept; GeneratedAttributes::numbers are still to be found.
+/// In two steps, and stores the first; GeneratedAttributes::numbers are set later.
 Computed compute_to_keep(const Scene& scene, const SmoothSelection& s, std::vector<AttributeMesh> meshes,
                          const AttributeOptions& options, std::vector<GeneratedAttributes>& made, Context& context) {
     Computed computed;
@@ -107,7 +107,7 @@ Computed compute_to_keep(const Scene& scene, const SmoothSelection& s, std::vect
     return computed;
 }
 
-/// In two steps where there are morph targets, so that what does not move has offsets of exactly 0.
+/// In two steps if there are morph targets, so that unmoved vertices have offsets of exactly 0.
 Computed compute(const Scene& scene, const std::vector<std::uint32_t>& numbers,
                  const std::vector<AttributeMesh>& meshes, const AttributeOptions& options, Context& context) {
     bool has_targets = false;
@@ -132,7 +132,7 @@ void report_faults(const Scene& scene, const std::vector<std::uint32_t>& numbers
     for (std::size_t r = 0; r < results.size(); ++r) {
         const std::uint32_t number = numbers[r];
         const Mesh& mesh = scene.meshes[number];
-        // That all of them are degenerate is a warning of prepare's own check.
+        // If all of them are degenerate, prepare_scene() warns.
         if (options.normals && results[r].degenerate_faces > 0 && results[r].degenerate_faces < mesh.triangle_count())
             report.add(Remark::note, scene.source, format_text("mesh {} '{}'", number, mesh.name),
                        format_text("{} triangles of no area have no say in the normals", results[r].degenerate_faces));
@@ -214,7 +214,7 @@ Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context)
 
 namespace {
 
-// The normals of the scene as it stands; the sums of the publication run over everything that is placed.
+// Existing normals of the scene; the sums of the published modes include all instances.
 Scene add_published_tangents(Scene scene, const SmoothRequest& request, Context& context) {
     SmoothRequest all = request;
     all.attributes.normals = false;
@@ -242,7 +242,7 @@ Scene add_missing_tangents(Scene scene, const SmoothRequest& request, Context& c
     SmoothRequest only = request;
     only.attributes.normals = false;
     only.attributes.tangent_mode = request.kept_tangents;
-    only.attributes.scope = Scope::object;  // kept normals: each mesh by itself, so that instances stay shared
+    only.attributes.scope = Scope::object;  // kept normals: each mesh separately, so that instances stay shared
     for (const Instance& instance : drawn_instances(scene)) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         if (seen[instance.mesh] || mesh.normals.empty() || !mesh.tangents.empty()) continue;

@@ -15,12 +15,12 @@
 namespace rakelight {
 namespace {
 
-constexpr float rim_radius = 1.5f;  ///< of a splat, in spacings: scattered points leave few gaps then
-constexpr float flat_half = 0.8f;   ///< half the side of a flat square over the radius
+constexpr float rim_radius = 1.5f;  ///< of a splat, in spacings, so that scattered points leave few gaps
+constexpr float flat_half = 0.8f;   ///< half side of a flat square divided by the radius
 constexpr float sine_60 = 0.8660254f;
 constexpr float mark_diameter = 2.6f;          ///< of a disc on the screen, in the same unit
-constexpr float max_of_median = 4;             ///< points far from all others are not larger than this many medians
-constexpr float max_of_box = 0.025f;           ///< of the box's diagonal: a few points are dots and not a surface
+constexpr float max_of_median = 4;             ///< limit for isolated points, in median sizes
+constexpr float max_of_box = 0.025f;           ///< of the box's diagonal: limit for few points, which are dots and not a surface
 constexpr std::size_t min_for_normals = 1000;  ///< fewer points show no surface
 constexpr std::size_t points_per_task = 1 << 14;
 
@@ -38,7 +38,7 @@ bool may_be_splat(const Scene& scene, const Mesh& mesh) {
            !(mesh.material != no_index && needs_tangents(scene.materials[mesh.material]));
 }
 
-/// How the pieces of a mesh are made: splats, or squares in one plane where there are many, which are small on the picture.
+/// Geometry of points: splats, or flat squares for many points, which are small on the screen.
 struct Layout {
     bool is_flat;
     std::size_t vertices() const { return is_flat ? 4 : splat_vertices; }
@@ -54,7 +54,7 @@ struct Layout {
     }
 };
 
-/// Arrays of the pieces of P points.
+/// Vertex arrays for P points.
 struct Splats {
     Layout layout;
     std::vector<vec3> positions, normals;
@@ -119,7 +119,8 @@ public:
         return rest;
     }
 
-    /// Points without normals and colors would be a silhouette. @return whether they lie in a surface
+    /// Estimates normals for points without normals and colors.
+    /// @return whether they lie on a surface
     bool find_normals(Mesh& mesh, const std::vector<float>& spacing) {
         std::vector<vec3> normals = geometry::point_normals(mesh.positions, spacing, context_);
         if (normals.empty()) return false;
@@ -130,7 +131,7 @@ public:
         return true;
     }
 
-    /// The material of what both sides show of.
+    /// The two-sided material.
     std::uint32_t two_sided(std::uint32_t material) {
         if (scene_.materials[material].double_sided) return material;
         const auto [entry, is_new] = two_sided_.try_emplace(material, std::uint32_t(scene_.materials.size()));
@@ -171,7 +172,7 @@ private:
 
 double length_of(const dvec4& column) { return std::sqrt(dot(column.xyz(), column.xyz())); }
 
-/// Numbers of the meshes that become splats.
+/// Indices of the meshes that become splats.
 std::vector<std::uint32_t> meshes_to_splat(const Scene& scene) {
     std::vector<std::uint32_t> numbers;
     for (std::uint32_t m = 0; m < scene.meshes.size(); ++m)

@@ -27,8 +27,8 @@ Subdivision subdivision_of(const Mesh& mesh, const Subdivision& otherwise) {
 /// Instances that form one surface, with equal subdivision.
 struct Group {
     std::vector<std::size_t> members;  ///< into Subdividing::instances_
-    dmat4 to_world;                    ///< of the space it is made in
-    bool is_in_object = false;         ///< that of its objects: their one matrix takes it to the world
+    dmat4 to_world;                    ///< transform to the space of computation
+    bool is_in_object = false;         ///< object space with one common matrix to the world
     std::size_t surface = 0;           ///< into Subdividing::surfaces_
 };
 
@@ -92,7 +92,7 @@ private:
             const std::size_t number = std::size_t(known - requested.begin());
             if (known == requested.end()) requested.push_back(subdivision);
             dmat4 inverse;
-            if (!inverse_affine(matrix(i), inverse)) continue;  // flat: by itself, about its origin
+            if (!inverse_affine(matrix(i), inverse)) continue;  // singular: separately, in object space
             for (const std::uint32_t v : mesh_of(i).indices) {
                 const std::uint32_t p = place_[vertex_base_[i] + v];
                 std::uint32_t& first = number == 0 ? first_at[p] : others.try_emplace({p, number}, i).first->second;
@@ -123,7 +123,7 @@ private:
         if (group.is_in_object) group.to_world = first;
     }
 
-    /// Longest axis: what 1 of the space is long in the world.
+    /// Longest axis: world length of one unit of the space.
     static double scale_of(const dmat4& m) {
         return std::sqrt(std::max({dot(m[0], m[0]), dot(m[1], m[1]), dot(m[2], m[2])}));
     }
@@ -170,8 +170,7 @@ private:
         context_.memory().check(corners * for_a_corner, what);
     }
 
-    /// What is kept at the end, and what is needed beside while surfaces are made, as many at once as there are
-    /// threads.
+    /// Memory of the results, and temporary memory of surfaces computed in parallel.
     void check_memory() const {
         std::uint64_t triangles = 0, all = 0, largest = 0;
         for (const SurfaceSubdivider& s : surfaces_) {

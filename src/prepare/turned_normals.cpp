@@ -13,7 +13,7 @@
 namespace rakelight {
 namespace {
 
-/// A copy of an array in which some entries are others.
+/// A copy of an array with some entries replaced.
 /// @param turned  (old entry, vertex, place in `seams`) -> new entry
 template <class T, class Turned>
 Block<T> with_turned(const Block<T>& old, const MeshSeams& seams, const Turned& turned) {
@@ -26,7 +26,7 @@ Block<T> with_turned(const Block<T>& old, const MeshSeams& seams, const Turned& 
     return values;
 }
 
-/// [vertices] Its own tangent; w = 0: it turns along with its normal.
+/// [vertices] The given tangent; w = 0: rotate it with its normal.
 vec4 tangent_of(const MeshSeams& seams, std::size_t i) { return seams.tangents.empty() ? vec4{} : seams.tangents[i]; }
 
 /// Shared arrays stay shared.
@@ -35,8 +35,8 @@ struct SharedArrays {
     std::map<const void*, Block<vec4>> tangents;  ///< by the old ones
 };
 
-/// The mesh with the turned normals, and what turns along with them.
-/// @param shared  of meshes whose turned normals are the same; or null
+/// The mesh with rotated normals, tangents and targets.
+/// @param shared of meshes with equal rotated normals; or null
 Mesh with_turned(const Mesh& mesh, const MeshSeams& seams, SharedArrays* shared) {
     Mesh out = mesh;
     const Block<vec3>& from = mesh.normals;
@@ -54,7 +54,7 @@ Mesh with_turned(const Mesh& mesh, const MeshSeams& seams, SharedArrays* shared)
         });
     out.normals = new_normals;
     out.tangents = new_tangents;
-    out.shape.reset();  // its formula has the old normals
+    out.shape.reset();  // the analytic shape has the old normals
     const auto along = [&](vec3 offset, std::uint32_t v, std::size_t i) {
         return turned_along(offset, from[v], seams.normals[i]);
     };
@@ -65,8 +65,8 @@ Mesh with_turned(const Mesh& mesh, const MeshSeams& seams, SharedArrays* shared)
     return out;
 }
 
-/// Meshes of several materials often lie in one array of vertices, of which each uses its own: one new array serves all, unless
-/// two placements want different normals of one vertex.
+/// Meshes of several materials often share one vertex array and use different vertices. One new array is enough unless
+/// two instances need different normals for one vertex.
 class ArraySharing {
 public:
     ArraySharing(const Scene& scene, const PlacedParts& parts, std::vector<MeshSeams>& turned, Context& context)
@@ -81,7 +81,7 @@ public:
     }
 
 private:
-    using Wanted = std::map<std::uint32_t, std::pair<vec3, vec4>>;  ///< the turned vertices: normals and tangents
+    using Wanted = std::map<std::uint32_t, std::pair<vec3, vec4>>;  ///< changed vertices: normals and tangents
 
     const Mesh& mesh(std::uint32_t placement) const { return scene_.meshes[parts_.instances[placement].mesh]; }
 
@@ -107,7 +107,7 @@ private:
         arrays_.emplace_back();
     }
 
-    /// Whatever of `wanted` this placement uses it turns itself.
+    /// Whether this instance itself changes all vertices of `wanted` that it uses.
     bool is_fine(std::uint32_t i, const Wanted& wanted) {
         const std::vector<std::uint32_t>& own = turned_[i].vertices;
         for (const std::uint32_t v : mesh(i).indices) {
@@ -125,7 +125,7 @@ private:
     std::vector<SharedArrays> arrays_;
 };
 
-/// Arrays of the meshes that change; what is shared with another placement is counted again.
+/// Size of the arrays of changed meshes; arrays shared between instances count repeatedly.
 void check_arrays(const Scene& scene, const PlacedParts& parts, const std::vector<MeshSeams>& seams, Context& context) {
     std::uint64_t bytes = 0;
     for (std::size_t i = 0; i < seams.size(); ++i) {

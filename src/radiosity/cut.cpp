@@ -12,7 +12,8 @@ namespace {
 
 constexpr int max_rounds = 40;
 
-/// Halves edges longer than `edge` until there are none. @return false: there would be more elements than `most`
+/// Bisects edges longer than `edge`.
+/// @return false: there would be more elements than `most`
 bool cut_longer(const std::vector<Part>& parts, std::vector<geometry::FineMesh>& meshes, double edge,
                 std::uint64_t most, Context& context) {
     const double squared = edge * edge;
@@ -51,7 +52,7 @@ PatchLevel cut_to_patches(const CutScene& cut, const std::vector<geometry::FineM
             return {std::move(meshes), std::move(elements), std::move(patches), edge};
         }
     }
-    double size = even;  // the scene's own triangles, in ever larger patches
+    double size = even;  // the scene's own triangles, in increasingly larger patches
     do out.patches = make_patches(out.elements, size, PatchesOf::all_parts);
     while (out.patches.list.size() > max_patches && (size *= 1.5) < 1e300);
     for (const geometry::FineMesh& mesh : out.meshes)

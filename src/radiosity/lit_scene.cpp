@@ -17,14 +17,14 @@
 namespace rakelight::radiosity {
 namespace {
 
-/// Triangles of one side of a part that show their light in one way.
+/// Triangles of one side of a part with one kind of material.
 struct Piece {
     std::uint32_t part = 0;
     Mesh mesh;
     std::vector<vec3> light;   ///< [triangles]
-    std::vector<vec3> factor;  ///< [triangles] share of the light that is shown, beside base color and its texture
-    bool is_painted = true;    ///< times the colors of vertices that the mesh has itself
-    vec3 emission;             ///< beside it
+    std::vector<vec3> factor;  ///< [triangles] factor of the light besides base color and its texture
+    bool is_painted = true;    ///< multiply by the mesh's own vertex colors
+    vec3 emission;             ///< added to it
 };
 
 /// [V] of each vertex the mean over its triangles.
@@ -41,7 +41,7 @@ std::vector<vec3> at_vertices(const Mesh& mesh, const std::vector<vec3>& of_tria
     return out;
 }
 
-/// With emission in place of color.
+/// Emission replaces the base color.
 bool emits(const Material& m) { return !(m.emission == vec3{}); }
 
 Mesh front_of(const Scene& scene, const Part& part, const geometry::FineMesh& fine) {
@@ -127,7 +127,7 @@ private:
         }
     }
 
-    /// The number of a material that shows the emission of one with an emission texture.
+    /// Index of the material that shows the emission texture of another one.
     std::uint32_t emitting_copy(std::uint32_t material) {
         const auto [entry, is_new] =
             emitting_copies_.try_emplace(material, std::uint32_t(scene_.materials.size() + emitting_.size()));
@@ -193,7 +193,7 @@ private:
         }
     }
 
-    /// @param as_emitter  white, with all in the colors of vertices, or times the emission texture
+    /// @param as_emitter white with all light in vertex colors, or with the emission texture
     Material unlit(const Material& m, bool as_emitter) const {
         Material out;
         out.name = m.name;

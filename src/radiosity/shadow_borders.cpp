@@ -37,7 +37,7 @@ std::vector<Side> sorted_sides(const Elements& elements) {
     return sides;
 }
 
-/// [elements] How much each differs from its neighbors, as a share of the mean.
+/// [elements] difference from the neighbors as a share of the mean.
 std::vector<double> differences(const Elements& elements, const std::vector<dvec3>& light, double floor) {
     std::vector<double> out(elements.size(), 0);
     const std::vector<Side> sides = sorted_sides(elements);
@@ -58,7 +58,7 @@ std::vector<double> differences(const Elements& elements, const std::vector<dvec
     return out;
 }
 
-/// Elements after the edges were halved.
+/// Number of elements after bisecting the edges.
 std::uint64_t count_after(const std::vector<Part>& parts, const std::vector<geometry::FineMesh>& meshes,
                           const EdgeSet& edges) {
     std::uint64_t count = count_sides(parts, meshes);
@@ -103,7 +103,7 @@ EdgeSet shadow_borders(const std::vector<Part>& parts, const std::vector<geometr
     std::vector<std::uint32_t> chosen;
     for (std::uint32_t i = 0; i < difference.size(); ++i)
         if (difference[i] > min_difference) chosen.push_back(i);
-    // A picture's error there is the difference times the area that has it.
+    // Ordered by the error in a picture: difference times area.
     const auto error = [&](std::uint32_t i) { return difference[i] * elements.list[i].area; };
     std::sort(chosen.begin(), chosen.end(), [&](std::uint32_t a, std::uint32_t b) {
         const double x = error(a), y = error(b);

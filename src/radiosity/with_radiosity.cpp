@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole way: parts of the scene -> patches -> shots -> elements, finer at shadow borders -> the scene that shows them.
+// Stages: parts of the scene -> patches -> shots -> elements, refined at shadow boundaries -> lit scene.
 #include <rakelight/radiosity.h>
 
 #include <algorithm>
@@ -18,13 +18,13 @@
 namespace rakelight::radiosity {
 namespace {
 
-/// So many elements for each patch at least, so that the sums over all pairs stay small.
+/// Minimum number of elements per patch, which limits the number of pairs.
 constexpr std::uint64_t elements_a_patch = 10;
 constexpr std::size_t min_patches = 100, max_patches = 2000;
 /// Shares of the elements before the first subdivision at shadow boundaries, and after each.
 constexpr double first_share = 0.25;
 constexpr double share_after[] = {0.35, 0.45, 0.55, 0.65, 0.75, 0.85, 0.95, 1.0};
-/// [diagonals of the scene] by which rays begin and end over surfaces.
+/// [diagonals of the scene] offset of ray ends from surfaces.
 constexpr double gap_share = 2e-6;
 
 std::string counted(std::size_t count, const std::string& what) {
@@ -81,7 +81,7 @@ std::uint64_t max_elements(const Scene& scene, const RadiositySettings& s, std::
     return most;
 }
 
-/// The light of elements, from round to round.
+/// The light of elements over the rounds of refinement.
 class Refinement {
 public:
     Refinement(const CutScene& cut, std::vector<geometry::FineMesh> meshes, const Gather& gather, Context& context)
@@ -93,7 +93,7 @@ public:
         gather_all(elements, gather_, light, all, context_);
     }
 
-    /// @return false: no light differs enough
+    /// @return false: no refinement necessary
     bool run_round(std::uint64_t most) {
         const EdgeSet edges = shadow_borders(cut_.parts, meshes, elements, light, 0.1 * gather_.mean_luminance(), most);
         if (edges.empty()) return false;
@@ -112,7 +112,7 @@ public:
     std::vector<dvec3> light;  ///< [elements] irradiance / pi
 
 private:
-    /// Triangles that were not cut keep their light.
+    /// Unsplit triangles keep their light.
     void take_over(const std::vector<geometry::FineMesh>& before, const Elements& old) {
         const std::vector<dvec3> known = std::exchange(light, std::vector<dvec3>(elements.size()));
         std::vector<std::uint32_t> wanted;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which clips a picture shows.
+// Selects the clips of a picture.
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -24,7 +24,7 @@ std::string list_of(const Scene& scene) {
     return scene.animations.size() > max_listed ? text + ", ..." : text;
 }
 
-/// Names that begin alike or are spelt alike, else what there is.
+/// Clips with a similar name, else all clips.
 std::string advice_for(const Scene& scene, const std::string& name) {
     std::vector<std::string_view> names;
     std::string alike;
@@ -46,7 +46,7 @@ std::uint32_t clip_named(const Scene& scene, const std::string& name) {
     for (const Animation& animation : scene.animations) names.push_back(animation.name);
     if (const auto same = std::ranges::find(names, name); same != names.end())
         return std::uint32_t(same - names.begin());
-    // Case means nothing where only one is meant.
+    // Case is ignored if the match is unique.
     const auto is_meant = [&](std::string_view other) { return same_word(other, name); };
     if (std::ranges::count_if(names, is_meant) == 1)
         return std::uint32_t(std::ranges::find_if(names, is_meant) - names.begin());

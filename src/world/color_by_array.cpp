@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colors by the numbers of one array of the vertices.
+// Coloring by a vertex attribute.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -15,7 +15,7 @@ namespace rakelight {
 namespace {
 
 constexpr std::size_t vertices_per_task = 1 << 14;
-constexpr float without_value = 0.5f;  ///< display value of the gray of what has no number
+constexpr float without_value = 0.5f;  ///< display gray of vertices without a value
 
 const VertexArray* find_array(const Mesh& mesh, const std::string& name) {
     const auto found = std::ranges::find(mesh.arrays, name, &VertexArray::name);
@@ -101,7 +101,7 @@ Coloring completed(const Scene& scene, Coloring coloring) {
     if (coloring.array.empty()) coloring.array = names[0];
     if (std::ranges::find(names, coloring.array) == names.end() &&
         std::ranges::find(names, "_" + coloring.array) != names.end())
-        coloring.array.insert(0, "_");  // as glTF writes names of one's own
+        coloring.array.insert(0, "_");  // the glTF convention of custom attributes
     check_array(scene, coloring);
     if (!coloring.range) coloring.range = range_of(scene, coloring);
     if (!(coloring.range->x <= coloring.range->y))

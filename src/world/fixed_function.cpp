@@ -20,7 +20,7 @@ vec3 textbook_specular(vec3 normalized, float exponent) {
     return {std::min(center.x, 1.0f), std::min(center.y, 1.0f), std::min(center.z, 1.0f)};
 }
 
-/// One texture, k_a, k_d, k_s, an exponent and an emission.
+/// A fixed-function material: one texture, k_a, k_d, k_s, an exponent and an emission.
 Material fixed_material(const Material& material) {
     Material m = classical_from_metallic_roughness(material);
     if (m.model == MaterialModel::classical) {

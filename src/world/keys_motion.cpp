@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys about clips and moments.
+// Keys of clips and times.
 #include "world/key_fields.h"
 
 namespace rakelight::keys {

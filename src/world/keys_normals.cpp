@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys about what is made ready before an engine draws: normals, tangents, texture coordinates, subdivision, displacement.
+// Keys of preparation: normals, tangents, texture coordinates, subdivision, displacement.
 #include "world/key_fields.h"
 
 namespace rakelight::keys {
@@ -25,7 +25,7 @@ constexpr Word<std::optional<TangentMode>> tangent_words[] = {
 
 constexpr Word<bool> bitangent_words[] = {{"cross", false}, {"attribute", true}};
 
-/// Where tangents are made perpendicular to normals: once, at every pixel, nowhere.
+/// Where tangents are orthogonalized: per attribute, per pixel, nowhere.
 struct Orthogonal {
     Orthogonalize once;
     bool at_pixels;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys about the picture itself: size, samples, data channels, engine, shading frequency, visibility, lines and points.
+// Keys of the picture: size, samples, data channels, engine, shading frequency, visibility, lines and points.
 #include "base/format_text.h"
 #include "world/channel_info.h"
 #include "world/fixed_function.h"
@@ -36,7 +36,7 @@ constexpr Word<PointShape> point_words[] = {
 
 constexpr Word<Preset> preset_words[] = {{"none", Preset::none}, {"fixed-function", Preset::fixed_function}};
 
-/// All keys that it decides are read behind it.
+/// Read before all keys that it sets.
 void read_preset(PictureRequest& r, Words w) {
     r.preset = values::word("preset", w[0], preset_words);
     set_preset(r.preset, r);
@@ -49,7 +49,7 @@ void read_engine(PictureRequest& r, Words w) {
     if (r.engine == "trace") r.settings.shadows = true;
 }
 
-/// One path a pixel shows nothing; where the error or the time end the picture the samples do not.
+/// One path per pixel is useless; with an error or time limit the samples do not end the picture.
 int plain_samples(const RenderSettings& s) {
     if (s.method != RayMethod::path) return defaults().settings.samples;
     return s.paths.noise > 0 || s.paths.max_seconds > 0 ? 65536 : 64;
@@ -174,7 +174,7 @@ void read_wireframe(PictureRequest& r, Words w) {
 
 void read_point_sprites(PictureRequest& r, Words w) {
     if (w[0] != "on") return;
-    r.settings.points = PointShape::disc;  // `points`, which is read behind it, may say squares
+    r.settings.points = PointShape::disc;  // `points`, which is read later, may select squares
     r.settings.surfaces = false;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys about materials, lights, surroundings and tone.
+// Keys of materials, lights, environment and tone.
 #include <algorithm>
 
 #include "world/key_fields.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys about how surfaces answer light: lighting models, bumps, shadows.
+// Keys of shading: lighting models, bumps, shadows.
 #include "base/format_text.h"
 #include "world/key_fields.h"
 #include "world/lighting_text.h"
@@ -25,7 +25,7 @@ Written write_steps(const PictureRequest& r) {
     return {format_text("{},{}", of.min_steps, of.max_steps)};
 }
 
-/// A word, or a file with another model's text.
+/// A word, or a file with a user-defined model.
 void read_lighting(PictureRequest& r, Words w) {
     RenderSettings& s = r.settings;
     s.lighting_name.clear(), s.lighting_text.clear();

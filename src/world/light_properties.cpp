@@ -22,7 +22,7 @@ void set_attenuation(const std::string& what, Light& light, std::string_view val
     const dvec3 given = vector3(what, value);
     if (given == dvec3{0, 0, 0} || given.x < 0 || given.y < 0 || given.z < 0)
         throw wrong(what, "attenuation must be three numbers >= 0, not all 0");
-    const vec3 a = light_color(what, value);  // within what floats hold
+    const vec3 a = light_color(what, value);  // within the float range
     light.constant = a.x, light.linear = a.y, light.quadratic = a.z;
 }
 
@@ -35,7 +35,7 @@ void set_cone(const std::string& what, float& cone_rad, std::string_view value, 
 
 struct Property {
     const char* name;
-    unsigned kinds;  ///< that have it
+    unsigned kinds;  ///< kinds with the property
     bool classical, photometric;
     void (*set)(const std::string& what, Light& light, std::string_view value);
 };
@@ -83,7 +83,7 @@ bool has(const Light& light, const Property& p) {
     return light.units == LightUnits::photometric ? p.photometric : p.classical;
 }
 
-/// What may follow a kind of light, as advice.
+/// The properties of a kind of light, as advice.
 std::string properties_of(const Light& light) {
     if (light.type == LightType::ambient) return "an ambient light has its color only: ambient:R,G,B";
     std::string all;

@@ -51,7 +51,7 @@ NormalSource normals_of(const std::string& word) {
     return word == "model" ? NormalSource::model : NormalSource::automatic;
 }
 
-/// What the part's normals are to be: the world's word, or what only the format of its file means.
+/// The normal options of a part: from the world file, or the defaults of its file's format.
 template <class Part>
 std::optional<NormalChoice> choice_of(const Part& part, bool missing_are_flat) {
     if (part.normals.empty() && !part.crease_angle_rad && !missing_are_flat) return std::nullopt;
@@ -60,7 +60,7 @@ std::optional<NormalChoice> choice_of(const Part& part, bool missing_are_flat) {
     return choice;
 }
 
-/// A fault of a file that the world names, with the place where it does.
+/// An error of a referenced file, with the place of the reference.
 Error at_place(const Error& error, const std::string& name, WorldPlace place) {
     const std::string file = error.file().empty() ? "" : "'" + one_line(name, 80) + "': ";
     const std::string inner = error.place().empty() ? "" : error.place() + ": ";
@@ -90,7 +90,7 @@ struct PartOptions {
     const WorldPrimitive* shape = nullptr;  ///< null: a model
 };
 
-/// Gives a shape's nodes and meshes its name in place of its type's: 'tyre', or 'tyre 2' of one cut in pieces.
+/// Renames a shape's nodes and meshes from its type to its name: 'tyre', or 'tyre 2' for pieces.
 void rename(Scene& scene, const LoadedPart& part, const WorldPrimitive& shape, MemoryCharge& names) {
     if (shape.name == shape.type) return;
     const auto change = [&](std::string& name) {
@@ -102,7 +102,7 @@ void rename(Scene& scene, const LoadedPart& part, const WorldPrimitive& shape, M
     for (std::uint32_t i = part.first_mesh; i < part.end_mesh; ++i) change(scene.meshes[i].name);
 }
 
-/// The parts of a world, put together into one scene when all are known, so that what this takes is known before.
+/// Collects the parts of a world and merges them when all are known, so that the memory is known before.
 class Assembly {
 public:
     Assembly(const std::string& path, const LoadOptions& options, Context& context)
@@ -113,7 +113,7 @@ public:
     void add_primitive(const WorldPrimitive& shape) {
         try {
             add(make_shape(shape), shape, {true, true});
-        } catch (const Error& error) {  // lengths that do not fit together
+        } catch (const Error& error) {  // incompatible lengths
             const bool is_of_objects = error.reason().starts_with("the objects of ");
             throw Error(ErrorCode::bad_file, error.reason(), to_text(is_of_objects ? shape.objects_place : shape.place),
                         error.advice());
@@ -181,7 +181,7 @@ private:
         bool lights, cameras;
     };
 
-    /// @param scene  stays where it is until all parts are put together
+    /// @param scene must stay valid until all parts are merged
     template <class Part>
     void warn_of_crease(const Part& of) {
         if (!of.crease_angle_rad || (of.normals != "flat" && of.normals != "file")) return;

@@ -29,7 +29,7 @@ ShapeRequest request_of(const WorldPrimitive& p) {
 
 Scene make_shape(const ShapeRequest& r, MemoryBudget* memory) {
     Scene scene = made(r, memory);
-    // A mesh has four arrays; where a shape is cut into many pieces, they are tiny.
+    // A mesh has four arrays; for shapes cut into many pieces they are tiny.
     const std::uint64_t bytes = table_bytes(scene) + scene.meshes.size() * 4 * bytes_beside_array;
     if (memory) scene.charges.push_back(share(MemoryCharge(*memory, bytes, "a shape")));
     return scene;

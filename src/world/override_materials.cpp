@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures and factors from the command line in the place of the materials' own.
+// Overrides pictures and factors of materials.
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -40,7 +40,7 @@ void set_factors(Material& m, const MaterialOverrides& o) {
     if (o.metallic) m.metallic_roughness.metallic = float(*o.metallic);
     if (o.color) {
         m.base_color = {o.color->x, o.color->y, o.color->z, m.base_color.w};
-        m.classical.ambient = *o.color;  // as loaders have it where a file gives no k_a
+        m.classical.ambient = *o.color;  // as loaders do for files without k_a
     }
     if (!o.opacity) return;
     m.base_color.w = float(*o.opacity);
@@ -57,7 +57,7 @@ std::vector<WorldValue> checked(const std::vector<WorldValue>& values) {
     return material_values(words);
 }
 
-/// Textures of pictures by their names, each made once.
+/// Textures by picture name, each created once.
 class Pictures {
 public:
     Pictures(Scene& scene, Context& context) : scene_(scene), context_(context) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All keys of [render], and what only several of them together can get wrong.
+// All keys of [render], and checks of their combinations.
 #include <algorithm>
 #include <filesystem>
 
@@ -19,12 +19,12 @@ std::vector<RenderKey> all_keys() {
     return all;
 }
 
-/// The keys that were given.
+/// The given keys.
 class Given {
 public:
     explicit Given(std::span<const WorldValue> values) : values_(values) {}
     bool has(std::string_view key) const { return std::ranges::find(values_, key, &WorldValue::key) != values_.end(); }
-    /// The first of some keys that was; null: none.
+    /// The first of some keys that was given, or null.
     const char* first_of(std::initializer_list<const char*> names) const {
         for (const char* name : names)
             if (has(name)) return name;
@@ -109,7 +109,7 @@ void check_once(std::span<const WorldValue> values) {
             if (values[i].key == values[k].key) throw values::wrong(values[i].key, "is given more than once");
 }
 
-/// A list of a world file as the command line has it: "1280,720".
+/// A list of a world file in the form of the command line: "1280,720".
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
@@ -165,7 +165,7 @@ void read_render_keys(std::span<const WorldValue> values, PictureRequest& to) {
 
 namespace {
 
-/// Without name, direction (words round it) and the numbers that lights of its type and units do not have.
+/// A light without name, direction (rounded by words) and numbers unused by its type and units.
 Light comparable(Light light) {
     const Light plain{.type = light.type, .units = light.units, .node = light.node};
     light.name.clear();

@@ -24,7 +24,7 @@ bool is_overridden(std::span<const WorldValue> given, std::string_view key) {
     return std::ranges::any_of(given, [](const WorldValue& value) { return places_camera(value.key); });
 }
 
-/// Names of files count from the world's folder.
+/// File names are relative to the world's folder.
 void resolve(WorldValue& value, const std::string& world, bool allow_outside) {
     for (std::string& word : value.words) {
         std::string file = resolve_in_world(world, word, allow_outside);
@@ -40,14 +40,14 @@ const RenderKey& known(const WorldValue& value) {
     throw Error(ErrorCode::bad_file, "'material' is no key of [render]", {}, "[[material]] changes materials");
 }
 
-/// In a file flags are no words.
+/// Flags in files must be booleans, not words.
 void check_flag(const WorldValue& value, const RenderKey& key) {
     const bool is_flag = key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::on_off;
     if (is_flag && value.words != std::vector<std::string>{"on"} && value.words != std::vector<std::string>{"off"})
         throw Error(ErrorCode::bad_file, "'" + value.key + "' must be true or false");
 }
 
-/// Sorts the file's settings into those that are taken and those that others override.
+/// Separates the file's settings into applied and overridden ones.
 class Taking {
 public:
     Taking(const std::string& path, const RenderOverrides& overrides, bool allow_outside)
@@ -84,7 +84,7 @@ std::vector<std::string> settings_of(const Error& error) {
     return all;
 }
 
-/// A setting that is given and one of the file that exclude each other: names both.
+/// The error for a given setting that conflicts with one of the file: names both.
 std::optional<Error> disagreement(const Error& error, const WorldRequest& world, std::span<const WorldValue> given) {
     std::string of_caller, of_world;
     for (const std::string& setting : settings_of(error)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The environment of a picture's scene.
+// Applies the environment of a request.
 #include <rakelight/linear.h>
 
 #include "base/format_text.h"
@@ -10,7 +10,8 @@
 namespace rakelight {
 namespace {
 
-/// Of the built-in studio, so that a white surface that faces it and its key light (studio_lights()) is not above 1.
+/// Intensity of the built-in studio, so that a white surface lit by it and its key light (studio_lights()) does not
+/// exceed 1.
 constexpr double beside_key = 0.75;
 
 /// Decoded once as a check, so that it is not ignored silently; the engine decodes it again.

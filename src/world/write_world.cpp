@@ -189,7 +189,7 @@ void write_camera(Writer& to, const Camera& camera) {
     to.put("far", text_of(camera.z_far));
 }
 
-/// A number where the word is one as it would be written, else a text.
+/// A number if the word is its canonical form, else a string.
 std::string bare_or_quoted(const std::string& word) {
     double number = 0;
     const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
@@ -285,7 +285,7 @@ void check(const WorldFile& world) {
     if (std::ranges::find(world.render, "material", &WorldValue::key) != world.render.end())
         throw Error(ErrorCode::usage, "'material' is no key of [render]", {}, "WorldFile::materials says it");
     std::vector<WorldValue> render = world.render;
-    std::erase_if(render, [](const WorldValue& value) {  // read from the folder of the world that is to be
+    std::erase_if(render, [](const WorldValue& value) {  // relative to the folder of the new world file
         return value.key == "lighting" && names_files(value);
     });
     PictureRequest ignored;
@@ -312,7 +312,7 @@ std::string to_toml(const WorldFile& world) {
     if (world.environment) write_environment(to, *world.environment);
     write_render(to, world.render);
     std::string text = to.take();
-    parse_world(text);  // what a file would be refused for
+    parse_world(text);  // checks that reading the file would fail on
     return text;
 }
 
