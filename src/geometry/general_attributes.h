@@ -4,12 +4,12 @@
 #pragma once
 #include <rakelight/attributes.h>
 
-#include "geometry/general_scratch.h"
+#include "geometry/block_array.h"
 
 namespace rakelight::geometry {
 
 /// @param out  [meshes] large enough: checked by the caller
-/// @throws Error as the door says; the scratch may then have lost its memory
+/// @throws Error as compute_attributes(); the scratch may then have lost its memory
 std::vector<SplitAttributes> general_attributes_into(std::span<const AttributeMesh> meshes,
                                                      const AttributeOptions& options,
                                                      std::span<const AttributeBuffers> out, GeneralScratch& scratch,

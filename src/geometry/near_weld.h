@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Border classes within a tolerance: what exact comparison leaves apart by rounding.
+// Welding within a tolerance: places that differ only by rounding.
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -34,7 +34,7 @@ dmat3 blended(const SkinInput& in, std::size_t v) {
     return sum;
 }
 
-/// Directions whose squares floats do not hold.
+/// Directions whose squares exceed the float range.
 void turn_odd(const SkinInput& in, const SkinOutput& out, std::size_t v) {
     const dmat3 m = blended(in, v);
     const double side = determinant(m) < 0 ? -1 : 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which way the green of a tangent-space normal map points, told from its numbers alone.
+// Detects the green direction of a tangent-space normal map from its texels.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -15,8 +15,8 @@ struct GreenDirection {
     int parts = 0;                ///< of the 8 x 8 that the map is cut into: those with relief
     int up = 0, down = 0;         ///< of these: agreement above 0.25, below -0.25
 
-    /// A wrong guess is worse than none: both scales must say it, and eight of ten parts of the map by themselves.
-    /// What is no height field (combed, painted, of bent charts) stays below; so do maps of little detail.
+    /// A wrong guess is worse than none: both scales must agree, and eight of ten parts of the map separately. What is
+    /// no height field (combed, painted, of bent charts) stays below; so do maps of little detail.
     bool is_up() const { return is_sure(fine, coarse, up); }
     bool is_down() const { return is_sure(-fine, -coarse, down); }
 
@@ -27,7 +27,7 @@ private:
 };
 
 /// Of windows in the middle of each part, 83 000 texels at most; nothing of maps smaller than 32 x 32.
-/// @param texels  [height][stride], R in the low byte; a row's first `width` are looked at
+/// @param texels [height][stride], R in the low byte; the first `width` of a row are read
 GreenDirection find_green_direction(std::span<const std::uint32_t> texels, int width, int height, int stride);
 
 }  // namespace rakelight

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int rows_per_task = 16;
 
-/// Which texels of the larger level one texel of the smaller one covers along one axis, and how much of each.
+/// The texels of the larger level covered by one texel of the smaller one along one axis, with their weights.
 struct Taps {
     int first = 0, count = 1;
     float weight[3] = {1, 0, 0};
@@ -85,7 +85,7 @@ mip::Tables make_tables() {
     return tables;
 }
 
-/// How much the texels of an odd row count.
+/// Weights of the texels of an odd row.
 struct ColumnWeights {
     std::vector<float> first, last;
     float middle = 0;
@@ -156,7 +156,7 @@ private:
     MipChain& chain_;
     Context& context_;
     mip::HalveRow halve_row_;
-    std::vector<float> averages_;  ///< of the last level; none of the first one
+    std::vector<float> averages_;  ///< of the last level; empty for the first one
 };
 
 void add_rgba32f_levels(MipChain& chain, Context& context) {
@@ -184,7 +184,7 @@ std::uint64_t level_bytes(const Pixels& pixels) {
            (pixels.component == Component::u8 ? sizeof(std::uint32_t) : sizeof(vec4));
 }
 
-/// Unrounded averages live beside the 8-bit levels until all are made.
+/// Unrounded averages are kept besides the 8-bit levels until all are computed.
 std::uint64_t averages_bytes(const Pixels& pixels) {
     return pixels.component == Component::u8 ? texels_of(pixels.width, pixels.height, false) * sizeof(vec4) : 0;
 }

@@ -9,12 +9,12 @@
 
 namespace rakelight {
 
-/// A table keyed by the upper bits of the float. Each octave is cut into 128 buckets, so fine that at most one of the 255
-/// places where the code steps up falls into a bucket: one look-up and one sum give the correctly rounded code.
-/// (Giesen 2012, "Exact float to sRGB8 conversions", has the idea with interpolated slopes.)
+/// A table keyed by the upper bits of the float. Each octave has 128 buckets, so that at most one of the 255 code
+/// transitions lies in a bucket: one table look-up and one addition give the correctly rounded code. (Idea: Giesen
+/// 2012, "Exact float to sRGB8 conversions", with interpolated slopes.)
 class SrgbEncoder {
 public:
-    static const SrgbEncoder& instance();  ///< made on the first call; thread-safe
+    static const SrgbEncoder& instance();  ///< created at the first call; thread-safe
 
     /// NaN and negative give 0, over 1 gives 255.
     std::uint32_t operator()(float linear) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From linear light to the code values of a picture file, clamped to 0..1. Tone mapping comes before: tone_curves.h.
+// Encoding of linear light to code values of picture files, clamped to 0..1, after tone mapping (tone_curves.h).
 #pragma once
 #include <cstdint>
 #include <span>
@@ -15,7 +15,7 @@ namespace rakelight {
 /// @param out       [n * channels]
 void to_srgb8(std::span<const vec4> linear, int channels, std::span<std::uint8_t> out);
 
-/// The same with 16 bits a component, code value 65535 for 1. Native byte order.
+/// The same with 16 bits per component, code value 65535 for 1. Native byte order.
 void to_srgb16(std::span<const vec4> linear, int channels, std::span<std::uint16_t> out);
 
 }  // namespace rakelight

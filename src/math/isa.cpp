@@ -18,7 +18,7 @@ const char* name(Isa isa) {
 }
 
 bool is_available(Isa isa) {
-    // The builtins ask CPUID and, for the wide registers, XGETBV: whether the operating system saves them.
+    // The builtins use CPUID and XGETBV, so they also check that the operating system saves the wide registers.
     switch (isa) {
         case Isa::scalar:
             return true;

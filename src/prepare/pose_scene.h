@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Skins and morph targets as vertices: what moves in a scene comes to stand.
+// Applies skins and morph targets: static scenes from animated ones.
 #pragma once
 #include <optional>
 
@@ -11,7 +11,7 @@
 
 namespace rakelight {
 
-/// A scene in which all stands but for vertices: those of the meshes of `poses` are in bind pose yet.
+/// A static scene, except for the meshes of `poses`, whose vertices are still in bind pose.
 struct UnposedScene {
     Scene scene;
     geometry::MeshPoses poses{};
@@ -23,7 +23,7 @@ void take_all_poses(UnposedScene& unposed, Context& context);
 /// Of a scene that passed validate().
 namespace valid {
 Scene posed_scene(Scene scene, Context& context);
-/// The same before the vertices move. Memory for them is asked for, and nothing is charged.
+/// The same before vertices are posed. Their memory is checked, but not charged.
 UnposedScene unposed_scene(Scene scene, Context& context);
 }  // namespace valid
 

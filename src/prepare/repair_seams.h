@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rule of <rakelight/seams.h> over a scene: what goes in, and where the turned normals go.
+// Applies join_seams() of <rakelight/seams.h> to a scene.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@ struct SeamRequest {
     SeamOptions options{};
     /// Set: only meshes whose normal_rule() by it joins seams, by their own crease angles. Unset: all.
     std::optional<NormalSource> source{};
-    bool keep_instances = false;  ///< instances share the first one's mesh even where they touch different things; said
+    bool keep_instances = false;  ///< instances share the first one's mesh even if their neighbors differ; reported
 };
 
 /// Normals of the drawn triangle meshes that have some, joined where meshes meet; the scene must be valid. Tangents and the

@@ -70,7 +70,7 @@ public:
 
     std::string name() const override { return "soft"; }
 
-    EngineAbilities abilities() const override {
+    EngineCapabilities capabilities() const override {
         return {.channels = channels_all | channel_ambient_occlusion,
                 .samples = {1, 4, 8},
                 .visibility_methods = true,
@@ -101,9 +101,9 @@ public:
 
     RenderStats render(const Camera& camera, const RenderSettings& wanted, Sink& sink, Context& context) override {
         const RenderSettings settings = settings_for_method(wanted);
-        const View view = view_of(list_, camera, settings);
+        const PictureCamera view = picture_camera_of(list_, camera, settings);
         StageClock clock;
-        kept_ = {};  // counted anew
+        kept_ = {};  // counted again
         const TileGrid grid(settings.width, settings.height, settings.window);
         FrontEnd front{list_,
                        view,
@@ -136,7 +136,7 @@ public:
         std::optional<AmbientOcclusion> occlusion;
         if (settings.ambient_occlusion && settings.surfaces) occlusion.emplace(front, binned, grid, *kernels_, context);
         const double waited = draw_tiles(
-            {front, binned, grid, lights, *kernels_, has_blended, points, taker.takes_srgb8(),
+            {front, binned, grid, lights, *kernels_, has_blended, points, taker.wants_srgb8(),
              (settings.channels & channel_uv1) != 0, &marks, &context, reach.is_worth_it() ? &reach : nullptr,
              shadows_.data() ? &shadow_texels : nullptr, occlusion ? &*occlusion : nullptr},
             taker, occlusion, context, front.stats);
@@ -204,7 +204,7 @@ private:
         stats.samples_covered = samples_covered;
         if (not_finite > 0)
             context.report().add(Remark::warning, list_.scene.source, {},
-                                 std::to_string(not_finite) + " color values came out not finite and are shown black");
+                                 std::to_string(not_finite) + " color values were not finite and are shown black");
         return waited;
     }
 
