@@ -40,8 +40,8 @@ enum class Orthogonalize : std::uint8_t { attribute, off };
 struct AttributeOptions {
     Scope scope = Scope::model;
     CornerWeight weight = CornerWeight::angle;
-    /// [rad] 0..pi. Faces that share an edge are joined if their normals differ by at most this much (inclusive, with 1e-5 rad
-    /// of slack for the rounding of positions); pi joins everything at a position, 0 is flat.
+    /// [rad] 0..pi. Faces that share an edge are joined if the angle between their normals is at most this one. A slack of
+    /// 1e-5 rad allows for the rounding of positions. pi joins everything at a position, 0 is flat.
     double crease_angle_rad = radians(60);
     /// [m] in world space: positions this close are welded; 0: only equal ones. < 0: automatic, the sum of the rounding
     /// errors of the two meshes that meet. The error of a mesh is zero where both matrices are equal. Else it is 2
@@ -187,9 +187,9 @@ struct SplitAttributes {
     std::uint32_t isolated_vertices = 0;         ///< as in MeshAttributes
 };
 
-/// Scratch memory of compute_attributes_into(), reused by later calls of any size: 16 bytes per vertex for normals, 32
-/// for normals and tangents, 8 more for the weld; about 42 bytes per triangle for the general algorithm. Not shared by
-/// concurrent calls.
+/// Scratch memory of compute_attributes_into(), reused by later calls of any size. It holds 16 bytes per vertex for
+/// normals, or 32 for normals and tangents, and 8 more for the weld. The general algorithm needs about 42 bytes per
+/// triangle. Not shared by concurrent calls.
 class RL_API AttributeWorkspace {
 public:
     AttributeWorkspace();

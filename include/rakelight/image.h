@@ -17,8 +17,8 @@ enum class Component : std::uint8_t { u8, u16, f32 };
 /// [bytes] of a component
 constexpr std::size_t size_of(Component c) { return c == Component::u8 ? 1 : c == Component::u16 ? 2 : 4; }
 
-/// Decoded pixels: row 0 on top, rows tightly packed, `channels` interleaved components a pixel (1 gray, 2 gray +
-/// alpha, 3 RGB, 4 RGBA; alpha not premultiplied). u8 and u16 are the file's code values 0..max; f32 are linear values.
+/// Decoded pixels. Row 0 is on top; rows are tightly packed. A pixel has `channels` interleaved components: 1 gray,
+/// 2 gray and alpha, 3 RGB, 4 RGBA; alpha is not premultiplied. u8 and u16 are the file's code values 0..max; f32 are linear values.
 struct Pixels {
     int width = 0, height = 0;  ///< [px] >= 0
     int channels = 0;           ///< 1..4
@@ -59,8 +59,9 @@ struct EncodedImage {
 /// A shared picture.
 using ImageHandle = std::shared_ptr<const EncodedImage>;
 
-/// Tone mapping from linear light to 0..1 of a display. none: clamp; Reinhard et al. 2002, "Photographic Tone
-/// Reproduction for Digital Images", eq. 3, on the luminance; Khronos PBR Neutral; the fit of ACES by Hill; AgX.
+/// Tone mapping from linear light to 0..1 of a display. `none` clamps. `reinhard`: Reinhard et al. 2002, "Photographic
+/// Tone Reproduction for Digital Images", eq. 3, on the luminance. `neutral`: Khronos PBR Neutral. `aces`: the fit of
+/// ACES by Hill. `agx`: AgX.
 enum class ToneMapping : std::uint8_t { none, reinhard, neutral, aces, agx };
 
 /// Exposure and tone mapping.

@@ -70,8 +70,8 @@ struct SmoothedFile {
     std::optional<MatchReport> borders{};  ///< if there was a border distance
 };
 
-/// Reads `input` (a model or a world), repairs or computes normals and tangents over all its objects (skinned models in
-/// bind pose) and writes `output`. glTF or GLB to glTF or GLB, and OBJ to OBJ, keep all other data of the file. Other
+/// Reads `input` (a model or a world), repairs or computes normals and tangents over all its objects, and writes
+/// `output`. Skinned models are in bind pose. glTF or GLB to glTF or GLB, and OBJ to OBJ, keep all other data of the file. Other
 /// conversions to .glb, .gltf, .obj or .ply use a generic writer; the report lists what it cannot express. In OBJ and
 /// PLY the instances are in world space, with normals of the rounded positions; PLY has one mesh, and `meshes` lists
 /// each instance. Textures are not decoded. `output` may be `input`. In another folder, referenced files are copied

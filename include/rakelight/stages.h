@@ -24,9 +24,9 @@ enum class StagesForm : std::uint8_t {
     single_file  ///< `request.output` names a self-contained page
 };
 
-/// Writes a folder with index.html (readable without scripts), a JSON table for each stage and PNG pictures: model,
-/// world, camera and clip space, clipped polygons, normalized device coordinates, screen, culled faces, coverage,
-/// depth, visibility, normals, each light's terms, the picture. `request.output` names the folder. Everything appears
+/// Writes a folder with index.html (readable without scripts), and a JSON table and PNG pictures for each stage. Stages of
+/// geometry: model, world, camera and clip space, clipped polygons, normalized device coordinates, screen. Stages of
+/// pixels: culled faces, coverage, depth, visibility, normals, the terms of each light, the picture. `request.output` names the folder. Everything appears
 /// at once or not at all. An existing folder is replaced if it is empty or holds only earlier output of this function.
 /// @throws Error usage: more than 16 million pixels, impossible settings; failed: the folder has other contents or
 ///         cannot be written; not_found, bad_file

@@ -93,9 +93,9 @@ struct PoseBenchReport {
     std::vector<PoseBenchRow> rows{};
 };
 
-/// Measures at moments spread over the clip: a plain copy of positions, normals and tangents (memcpy, all threads);
-/// skinning only; the whole pose with given normals; with normals and tangents recomputed in the groups of the bind
-/// pose; and whole pictures, from the pose to display values.
+/// Measures at moments spread over the clip. Row by row: a plain copy of positions, normals and tangents (memcpy, all
+/// threads); skinning only; the whole pose with given normals; the whole pose with normals and tangents recomputed.
+/// Recomputed normals use the groups of the bind pose. The last row is whole pictures, from the pose to display values.
 /// @throws Error usage: options out of range, a scene without animation
 RL_API PoseBenchReport bench_pose(const PoseBenchOptions& options, Context& context);
 /// Schema rakelight.bench/1.
