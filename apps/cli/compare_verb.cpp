@@ -113,7 +113,7 @@ Pixels pixels_of(const ComparedSide& side, Context& context) {
 bool has_free_size(const Run& run, const ComparedSide& side) {
     if (!side.scene || run.given.has("resolution") || run.given.has("window")) return false;
     const std::optional<WorldRequest>& world = side.scene->world;
-    return !world || std::ranges::find(world->taken, "resolution", &WorldValue::key) == world->taken.end();
+    return !world || std::ranges::find(world->applied, "resolution", &WorldValue::key) == world->applied.end();
 }
 
 /// Both sides; a scene beside a picture is drawn as large as that.

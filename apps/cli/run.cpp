@@ -34,7 +34,7 @@ void take_config(Run& run) {
     std::vector<WorldValue> given = run.given.settings();
     const RenderOverrides overrides{given, [&run](std::string_view key) { return takes(run, key); }};
     run.config = read_settings_file(run.given.word("config"), run.picture.load, overrides, quiet);
-    std::vector<WorldValue> all = run.config->taken;
+    std::vector<WorldValue> all = run.config->applied;
     all.insert(all.end(), given.begin(), given.end());
     run.given.set_settings(std::move(all));
 }
