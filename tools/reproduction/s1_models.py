@@ -67,7 +67,7 @@ def measure_sum(kit):
         hue[name] = sum(p[0] for p in pixels) / sum(p[1] for p in pixels)
     return {"sampled pixels": len(rows), "color of the engine minus the printed sum, largest [linear]": off, "sampled pixels brighter than 1": len(bright),
             "the same pixels in the picture: largest code": max(max(row["codes"]) for row in bright), "the same pixels in the picture: smallest red code": min(row["codes"][0] for row in bright),
-            "local light, a wall put beside: change of the ball [linear]": max(abs(a - b) for one, other in zip(alone, beside) for a, b in zip(one["color"], other["color"])),
+            "local light, a wall added: change of the ball [linear]": max(abs(a - b) for one, other in zip(alone, beside) for a, b in zip(one["color"], other["color"])),
             "ball beside a red wall, local: red over green": hue["local"], "ball beside a red wall, path tracing: red over green": hue["by paths"]}
 
 
