@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The allowed range of each number: from, to. A range holds for the pictures of the book and for the small ones of the tests. So it is as wide as the claim
-allows, not as narrow as one run. For a claim that did not hold, the range is that of the measured result (docs/reproduction.md lists these)."""
+"""The allowed range of each number: from, to. A range holds for the pictures of docs/reproduction.md and for the small ones of the tests. So it is as wide as the claim
+allows, not as narrow as one run. For a claim that did not hold, the range is that of the measured result (the page lists these)."""
 INF = float("inf")
 NONE, SOME = (0, 0), (1e-9, INF)
 TINY = (0, 1e-5)
