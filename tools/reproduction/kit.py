@@ -52,7 +52,7 @@ class Failure(Exception):
 
 
 class Kit:
-    """Runs of the program for one entry. `scale` makes its pictures smaller: 1 in the book, less in the tests."""
+    """Runs of the program for one entry. `scale` makes its pictures smaller: 1 for the page, less in the tests."""
 
     def __init__(self, program, folder, scale=1.0):
         self.program, self.folder, self.scale = pathlib.Path(program).resolve(), pathlib.Path(folder).resolve(), scale

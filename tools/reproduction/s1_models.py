@@ -65,10 +65,10 @@ def measure_sum(kit):
     for name, words in (("local", ()), ("by paths", (*PATHS, "64"))):
         pixels = kit.picture((*ball_world(kit, True), *words), 240, 200).part(0.5, 0.4, 0.56, 0.6)
         hue[name] = sum(p[0] for p in pixels) / sum(p[1] for p in pixels)
-    return {"places": len(rows), "color of the engine less the printed sum, largest [linear]": off, "places brighter than 1": len(bright),
-            "the same in the picture: codes, largest": max(max(row["codes"]) for row in bright), "the same: red in the picture, least": min(row["codes"][0] for row in bright),
-            "local light, a wall put beside: change of the ball [linear]": max(abs(a - b) for one, other in zip(alone, beside) for a, b in zip(one["color"], other["color"])),
-            "ball beside a red wall, local: red over green": hue["local"], "ball beside a red wall, by paths: red over green": hue["by paths"]}
+    return {"sampled pixels": len(rows), "color of the engine minus the printed sum, largest [linear]": off, "sampled pixels brighter than 1": len(bright),
+            "the same pixels in the picture: largest code": max(max(row["codes"]) for row in bright), "the same pixels in the picture: smallest red code": min(row["codes"][0] for row in bright),
+            "local light, a wall added: change of the ball [linear]": max(abs(a - b) for one, other in zip(alone, beside) for a, b in zip(one["color"], other["color"])),
+            "ball beside a red wall, local: red over green": hue["local"], "ball beside a red wall, path tracing: red over green": hue["by paths"]}
 
 
 def draw_sum(kit, path):
@@ -90,8 +90,8 @@ def measure_lambert(kit):
     expected = {d: 1 / (0.5 + 0.25 * d + 0.125 * d * d) for d in lamps}
     return {**{f"light at {degrees} degrees over light at 0": value / at[0] for degrees, value in at.items() if degrees},
             "light from below": below, "four viewers: largest change": max(seen) - min(seen),
-            "lamp at 2 m over that at 1 m, over what the attenuation says": lamps[2] / lamps[1] / (expected[2] / expected[1]),
-            "lamp at 4 m over that at 1 m, over what the attenuation says": lamps[4] / lamps[1] / (expected[4] / expected[1])}
+            "lamp at 2 m over that at 1 m, relative to the formula": lamps[2] / lamps[1] / (expected[2] / expected[1]),
+            "lamp at 4 m over that at 1 m, relative to the formula": lamps[4] / lamps[1] / (expected[4] / expected[1])}
 
 
 def draw_lambert(kit, path):
@@ -124,14 +124,14 @@ def draw_blinn(kit, path):
 
 
 def time_blinn(kit):
-    """Shading of a floor that fills the picture, one thread [ns a pixel]: the fastest of five medians of nine, each model in turn."""
+    """Shading of a floor that fills the picture, one thread [ns per pixel]: the fastest of five medians of nine, each model in turn."""
     found = {}
     for name, light, more in (("lamp", "point:1,2,1", ()), ("sun, viewer infinitely far", "directional:0.3,-1,-0.4", ("--viewer-infinity",))):
         for _ in range(5):
             for model in ("phong", "blinn-phong"):
                 row = kit.row("bench", "render", "builtin:plane", "--look", "plain", "--resolution", "640,360", "--threads", "1", "--frames", "9", "--lighting", model,
                               "--camera-position", "0,1,0.1", "--camera-focal-point", "0,0,0", "--light", light, *more)
-                what = f"{name}, {model} [ns a pixel]"
+                what = f"{name}, {model} [ns per pixel]"
                 found[what] = min(found.get(what, 1e9), row["stages_ms"]["shading"] * 1e6 / row["stats"]["pixels_shaded"])
     return found
 
@@ -143,7 +143,7 @@ def furnace(kit, roughness, *more):
 
 
 def measure_pbr(kit):
-    found = {f"white ball in even light, roughness {r}: light sent back": furnace(kit, r) for r in ("0.3", "0.9")}
+    found = {f"white ball in even light, roughness {r}: reflected light": furnace(kit, r) for r in ("0.3", "0.9")}
     found["the same, roughness 0.9, with multiple scattering"] = furnace(kit, "0.9", "--multiple-scattering")
     off, ends = 0, []
     for row in kit.explain((*BALL, *PLASTIC), [(x / 100, 0.5) for x in range(19, 51)]):
@@ -152,8 +152,8 @@ def measure_pbr(kit):
             ends.append((n_v, row["color"][0]))
             off = max(off, abs(row["color"][0] - (0.04 + 0.96 * (1 - n_v) ** 5)))
     facing, rim = max(ends), min(ends)
-    found |= {"Fresnel: black plastic seen straight on: light sent back": facing[1], "Fresnel: the same at its rim over that": rim[1] / facing[1],
-              "Fresnel: less Schlick's formula, largest": off}
+    found |= {"Fresnel: black plastic seen straight on: reflected light": facing[1], "Fresnel: the same at its rim over straight on": rim[1] / facing[1],
+              "Fresnel: largest difference to Schlick's formula": off}
     plane = ("builtin:plane", *ABOVE, "--camera-focal-point", "0,0,0", "--lighting", "pbr", "--color", "#000000", "--metallic", "0", "--light", "directional:0,-1,0", "--roughness")
     sharp, dull = (kit.explain((*plane, r), [(0.5, 0.5)])[0]["color"][0] for r in ("0.3", "0.6"))
     found["microfacets: middle of a highlight, roughness 0.3 over 0.6"] = sharp / dull
@@ -184,10 +184,10 @@ def draw_ward(kit, path):
 
 
 ENTRIES = (
-    Entry("s1-sum", "S1 fig. 1, section 2.1; S3", "A color is the sum of the ambient, diffuse and specular terms, cut off at the largest color; no light comes from other objects", measure_sum,
+    Entry("s1-sum", "S1 fig. 1, section 2.1; S3", "A color is the sum of the ambient, diffuse and specular terms, clamped to the largest color; it has no light from other objects", measure_sum,
           draw_sum),
-    Entry("s1-lambert", "S1 section 2.1; S3", "Diffuse light goes with the cosine of the light's angle, and evenly to all sides", measure_lambert, draw_lambert),
+    Entry("s1-lambert", "S1 section 2.1; S3", "Diffuse light is proportional to the cosine of the light's angle, and equal in all directions", measure_lambert, draw_lambert),
     Entry("s1-blinn-phong", "S1 section 2.1", "Blinn-Phong is faster than Phong and its highlights are right over a wider range of angles", measure_blinn, draw_blinn, time_blinn),
-    Entry("s1-pbr", "S1 section 2.1", "Physically based rendering conserves energy, has Fresnel's effects and microfacets", measure_pbr, draw_pbr),
+    Entry("s1-pbr", "S1 section 2.1", "Physically based rendering conserves energy and has a Fresnel effect and microfacets", measure_pbr, draw_pbr),
     Entry("s1-ward", "S1 section 2.1", "Ward's model is for reflection that depends on the direction, as of brushed metal", measure_ward, draw_ward),
 )

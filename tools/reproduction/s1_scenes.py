@@ -46,7 +46,7 @@ def measure_radiosity(kit):
     for name, is_room in (("room", True), ("floor alone", False)):
         scene = world(kit, is_room)
         local, radiosity = (kit.rmse((*scene, *how), (*scene, *PATHS), *size) for how in (LOCAL, shot(kit)))
-        found |= {f"{name}: local light and shadows beside paths [1/255]": local, f"{name}: radiosity beside paths [1/255]": radiosity}
+        found |= {f"{name}: local light and shadows vs. paths [1/255]": local, f"{name}: radiosity vs. paths [1/255]": radiosity}
     for name, how in (("local light", LOCAL), ("radiosity", shot(kit)), ("paths", PATHS)):
         found[f"ball's shadow on the floor, {name}: mean code"] = kit.picture((*world(kit, True), *how), *size).mean(0.66, 0.86, 0.7, 0.89)
     for name, is_panel in (("point lamp", False), ("panel", True)):
@@ -97,7 +97,7 @@ def measure_textures(kit):
     shown, true = near_walls(kit)
     found = {f"{name}: difference to true bricks [1/255]": kit.rmse(scene, true) for name, scene in shown.items()}
     first, finest, mapped = (found[f"{name}: difference to true bricks [1/255]"] for name in ("texture of 64 texels", "texture of 512 texels", "64 texels and a normal map"))
-    return found | {"error that 64 times the texels take away [%]": 100 - 100 * finest / first, "error that the normal map takes away [%]": 100 - 100 * mapped / first}
+    return found | {"error that 64 times the texels remove [%]": 100 - 100 * finest / first, "error that the normal map removes [%]": 100 - 100 * mapped / first}
 
 
 def draw_textures(kit, path):
@@ -107,6 +107,6 @@ def draw_textures(kit, path):
 
 
 ENTRIES = (
-    Entry("s1-radiosity", "S1 section 2.1", "Light from surface to surface; radiosity is effective indoors", measure_radiosity, draw_radiosity),
-    Entry("s1-textures", "S1 section 4", "Finer textures help little from nearby, where what is missing is the light on the relief", measure_textures, draw_textures),
+    Entry("s1-radiosity", "S1 section 2.1", "Radiosity transports light from surface to surface and is effective indoors", measure_radiosity, draw_radiosity),
+    Entry("s1-textures", "S1 section 4", "Finer textures help little at close range, where the shading of the relief is missing", measure_textures, draw_textures),
 )

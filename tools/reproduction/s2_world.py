@@ -84,8 +84,8 @@ def measure_central(kit):
     return {"rays through the eye": len(rays), "points of one ray: x and y in the box differ by up to": max(spread),
             "the same: depth keys differ by at least": min(max(p[2] for p in ray) - min(p[2] for p in ray) for ray in rays.values()),
             "the eye itself: w": at_eye[3], "the eye itself: x and y": max(map(abs, at_eye[:2])), "vertices inside of the frustum": inside, "vertices outside of it": outside,
-            "vertices that are inside of one of frustum and box, not of the other": wrong, "middle points of lines: off the line [px]": max(bent),
-            "middle of a line from 2 m to 6 m: part of the way on the picture": sum(place) / len(place)}
+            "vertices inside of only one of frustum and box": wrong, "midpoints of lines: distance from the line [px]": max(bent),
+            "midpoint of a line from 2 m to 6 m: fraction of the line in the picture": sum(place) / len(place)}
 
 
 def draw_central(kit, path):
@@ -119,10 +119,10 @@ def measure_instances(kit):
     far = placed(kit, "far", ORIGIN, ((40, 0, 0), 0, 1))
     views = [(*world_of, "--camera-position", f"{2 + x},2,4", "--camera-focal-point", f"{x},0,0", "--camera-view-angle", "40", "--near", "1", "--far", "20")
              for world_of, x in ((placed(kit, "one", ORIGIN), 0), (far, 0), (far, 40))]
-    return {"vertices compared": len(second), "model space: the second less the first [m]": max(abs(a - b) for p, q in zip(first, second) for a, b in zip(p, q)),
-            "world space: the second less scale, turn and shift of the model [m]": max(abs(a - b) for p, q in zip(world, affine) for a, b in zip(p, q)),
-            "first of two beside one alone: pixels that differ [%]": kit.differing(views[0], views[1], codes=0),
-            "second of two, camera shifted alike, beside one alone: pixels that differ [%]": kit.differing(views[0], views[2], codes=2)}
+    return {"vertices compared": len(second), "model space: second minus first [m]": max(abs(a - b) for p, q in zip(first, second) for a, b in zip(p, q)),
+            "world space: second minus the transformed model [m]": max(abs(a - b) for p, q in zip(world, affine) for a, b in zip(p, q)),
+            "first of two vs. one alone: pixels that differ [%]": kit.differing(views[0], views[1], codes=0),
+            "second of two, camera shifted alike, vs. one alone: pixels that differ [%]": kit.differing(views[0], views[2], codes=2)}
 
 
 def draw_instances(kit, path):
@@ -161,8 +161,8 @@ def lit_pixels(kit, scene):
 def measure_primitives(kit):
     filled = primitive(kit, "triangles")
     lit = {mode: lit_pixels(kit, primitive(kit, mode)) for mode in MODES[:4]}
-    return {**{f"{mode} beside separate triangles: pixels that differ [%]": kit.differing(filled, primitive(kit, mode), 240, 240, 0) for mode in MODES[5:]},
-            "polygon beside separate triangles: pixels that differ [%]": kit.differing(filled, polygon(kit), 240, 240, 0),
+    return {**{f"{mode} vs. separate triangles: pixels that differ [%]": kit.differing(filled, primitive(kit, mode), 240, 240, 0) for mode in MODES[5:]},
+            "polygon vs. separate triangles: pixels that differ [%]": kit.differing(filled, polygon(kit), 240, 240, 0),
             "triangles of the polygon": kit.render(polygon(kit), 240, 240)[1]["triangles"], "line strip over line loop, pixels": lit["line strip"] / lit["line loop"],
             "lines over line loop, pixels": lit["lines"] / lit["line loop"], "six points: pixels over the area of six discs of 9": lit["points"] / (6 * math.pi * 4.5 ** 2)}
 
@@ -187,7 +187,7 @@ def shuffled(kit, is_reversed):
 def measure_independent(kit):
     one, other = (shuffled(kit, way) for way in (False, True))
     return {"faces in the opposite order: pixels that change [%]": kit.differing(one, other, codes=0),
-            **{f"{n} threads beside one: pixels that change [%]": kit.differing((*one, "--threads", "1"), (*one, "--threads", n), codes=0) for n in ("2", "7")}}
+            **{f"{n} threads vs. one: pixels that change [%]": kit.differing((*one, "--threads", "1"), (*one, "--threads", n), codes=0) for n in ("2", "7")}}
 
 
 def draw_independent(kit, path):
@@ -203,7 +203,7 @@ def flat_scene(model, lighting, light, shading):
 def measure_flat(kit):
     found = {}
     for name, *scene in FLAT:
-        found[f"{name}: flat beside Phong shading [1/255]"] = kit.rmse(flat_scene(*scene, "flat"), flat_scene(*scene, "phong"))
+        found[f"{name}: flat vs. Phong shading [1/255]"] = kit.rmse(flat_scene(*scene, "flat"), flat_scene(*scene, "phong"))
     lit = {shading: kit.stats(flat_scene(*FLAT[0][1:], shading))["lighting_evaluations"] for shading in ("flat", "phong")}
     found["box: evaluations of flat shading"] = lit["flat"]
     found["box: evaluations, Phong over flat"] = lit["phong"] / lit["flat"]
@@ -232,7 +232,7 @@ def measure_waves(kit):
     row = [max(picture.at((x + 0.5) / picture.width, 0.5)) for x in range(picture.width)]
     edges = sum((a > 0) != (b > 0) for a, b in zip(row, row[1:]))
     lit = [code for code in row if code]
-    return {"bright stripes on the wall": edges / 2, "codes inside of the stripes, largest less smallest": max(lit) - min(lit),
+    return {"bright stripes on the wall": edges / 2, "codes inside of the stripes, largest minus smallest": max(lit) - min(lit),
             "width of a stripe over that of its slit": len(lit) / 2 / (picture.width * 0.1 / (2 * 0.95 * math.tan(math.radians(25)) * picture.width / picture.height)),
             "all a hundred thousand times smaller: pixels that differ [%]": kit.differing(large, small, 480, 120)}
 
@@ -255,9 +255,9 @@ def draw_waves(kit, path):
 
 ENTRIES = (
     Entry("s2-central", "S2, central projection", "The frustum becomes a box; rays through the eye become parallel; the eye goes to infinity; lines stay lines", measure_central, draw_central),
-    Entry("s2-instances", "S2, world transformation", "Two things of a scene may differ by their world matrices alone", measure_instances, draw_instances),
+    Entry("s2-instances", "S2, world transformation", "Two objects of a scene may differ only in their world matrices", measure_instances, draw_instances),
     Entry("s2-primitives", "S2, primitives", "Points, lines, strips, loops, triangles, strips and fans; polygons are made of triangles", measure_primitives, draw_primitives),
-    Entry("s2-independent", "S2, the pipeline", "Primitives go through the pipeline independently, mostly in parallel", measure_independent, draw_independent),
+    Entry("s2-independent", "S2, the pipeline", "Primitives pass through the pipeline independently, mostly in parallel", measure_independent, draw_independent),
     Entry("s2-flat", "S2, flat shading", "Flat shading is good for diffuse objects of one color without curved parts", measure_flat, draw_flat),
-    Entry("s2-waves", "S2, ray tracing", "Rays cannot show what comes of light's being a wave", measure_waves, draw_waves),
+    Entry("s2-waves", "S2, ray tracing", "Rays cannot show wave effects of light", measure_waves, draw_waves),
 )

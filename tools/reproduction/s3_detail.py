@@ -94,7 +94,7 @@ def draw_parallax(kit, path):
 
 
 ENTRIES = (
-    Entry("s3-modeled", "S3, introduction; S1 section 4", "Detail that is modeled makes triangles and time grow; a map is cheaper", measure_modeled, draw_modeled, time_modeled),
-    Entry("s3-near", "S3, normal mapping", "Normal mapping looks wrong at small angles most when the viewer is near", measure_near, draw_near),
-    Entry("s3-parallax", "S3, parallax mapping", "Parallax: what is far away moves less than what is near as the viewer moves", measure_parallax, draw_parallax),
+    Entry("s3-modeled", "S3, introduction; S1 section 4", "Modeled detail makes triangles and time grow; a map is cheaper", measure_modeled, draw_modeled, time_modeled),
+    Entry("s3-near", "S3, normal mapping", "Normal mapping looks wrong at small angles, especially when the viewer is near", measure_near, draw_near),
+    Entry("s3-parallax", "S3, parallax mapping", "Parallax: when the viewer moves, distant objects move less than near ones", measure_parallax, draw_parallax),
 )

@@ -33,8 +33,8 @@ def measure_normals(kit):
             worst = max(worst, angle(mixed, pixel["layers"][0]["normal_interpolated"]))
             count += 1
     flat, smooth = (len({bytes(p) for p in Picture(*read_rgb(kit.channel(scene, "normal"))).part(0, 0, 1, 1)}) for scene in (FLAT, PHONG))
-    return {"places": count, "normal off the mixed one of the corners [degrees]": worst, "normals of a phong picture over those of a flat one": smooth / flat,
-            "flat beside phong [1/255]": kit.rmse(FLAT, PHONG)}
+    return {"sampled pixels": count, "normal: error to the interpolated one of the corners [degrees]": worst, "number of normals, phong over flat": smooth / flat,
+            "flat vs. phong [1/255]": kit.rmse(FLAT, PHONG)}
 
 
 def draw_normals(kit, path):
@@ -43,7 +43,7 @@ def draw_normals(kit, path):
 
 def measure_combination(kit):
     bare, mapped = (*HEAD, "--bump", "none"), (*HEAD, "--bump", "normal")
-    return {"texture and map beside texture alone [1/255]": kit.rmse(bare, mapped), "pixels that the map changes [%]": kit.differing(bare, mapped)}
+    return {"texture and map vs. texture alone [1/255]": kit.rmse(bare, mapped), "pixels that the map changes [%]": kit.differing(bare, mapped)}
 
 
 def head_part(kit, name):
@@ -74,12 +74,12 @@ def measure_colors(kit):
         found[f"{name}: red at its left side, over 128"] = lean(picture, x - 0.12, 0.5)[0]
         found[f"{name}: green at its top, over 128"] = lean(picture, x, 0.38)[1]
         found[f"{name}: green at its bottom, over 128"] = lean(picture, x, 0.62)[1]
-    found["section: steep places whose red leans downhill [%]"] = downhill()
-    found["least blue of the map"] = min(picture.pixels[2::3])
+    found["section: steep texels whose red points downhill [%]"] = downhill()
+    found["smallest blue of the map"] = min(picture.pixels[2::3])
     codes = ((*bumps.ZERO, "--normal-map-zero", zero) for zero in ("127.5", "128"))
     for zero, scene in zip(("127.5", "128"), codes):
         texel = kit.explain(scene, [(0.5, 0.15)], 192, 192)[0]["layers"][0]["normal_texel"]
-        found[f"code 128 with zero at {zero}: leaning of the normal [degrees]"] = angle(texel, (0, 0, 1))
+        found[f"code 128 with zero at {zero}: tilt of the normal [degrees]"] = angle(texel, (0, 0, 1))
     return found
 
 
@@ -134,8 +134,8 @@ def measure_blue(kit):
     scene = inward(kit)
     lit = kit.explain(scene, [(0.5, 0.5), (0.5, 0.12)], 180, 180)
     normals = [row["layers"][0]["normal"] for row in lit]
-    return {"lines that warn of it": sum("into the surface" in line for line in kit.render(scene, 180, 180)[2].splitlines()),
-            "normal of the part, along the face's": normals[0][2], "normal of the rest, along the face's": normals[1][2],
+    return {"warnings": sum("into the surface" in line for line in kit.render(scene, 180, 180)[2].splitlines()),
+            "normal of the part, component along that of the face": normals[0][2], "normal of the rest, component along that of the face": normals[1][2],
             "light of the part over that of the rest": lit[0]["color"][1] / lit[1]["color"][1]}
 
 
@@ -145,11 +145,11 @@ def draw_blue(kit, path):
 
 
 def measure_frames(kit):
-    found = {"leaning frames: pixel beside world [1/255]": kit.rmse(LEANING, (*LEANING, *FRAMES["pixel"])),
-             "orthonormal frames: pixel beside world [1/255]": kit.rmse(STRAIGHT, (*STRAIGHT, *FRAMES["pixel"]))}
+    found = {"leaning frames: pixel vs. world [1/255]": kit.rmse(LEANING, (*LEANING, *FRAMES["pixel"])),
+             "orthonormal frames: pixel vs. world [1/255]": kit.rmse(STRAIGHT, (*STRAIGHT, *FRAMES["pixel"]))}
     for name, scene in (("leaning", LEANING), ("faces' own", FACES)):
-        found[f"{name} frames: transposed beside inverse, both at the vertices [1/255]"] = kit.rmse((*scene, *FRAMES["vertex"]), (*scene, *FRAMES["transposed"]))
-    found["leaning frames: light at vertices beside world, pixels that differ [%]"] = kit.differing(LEANING, (*LEANING, *FRAMES["vertex"]))
+        found[f"{name} frames: transposed vs. inverse, both at the vertices [1/255]"] = kit.rmse((*scene, *FRAMES["vertex"]), (*scene, *FRAMES["transposed"]))
+    found["leaning frames: light at vertices vs. world, pixels that differ [%]"] = kit.differing(LEANING, (*LEANING, *FRAMES["vertex"]))
     return found
 
 
@@ -163,9 +163,9 @@ def draw_frames(kit, path):
 
 
 ENTRIES = (
-    Entry("s3-fig2-3", "S3 fig. 2, 3", "Normals between the vertices are interpolated; so Phong shading of flat polygons looks curved", measure_normals, draw_normals),
-    Entry("s3-fig4", "S3 fig. 4", "Texture and normal map together make an uneven surface", measure_combination, draw_combination),
+    Entry("s3-fig2-3", "S3 fig. 2, 3", "Normals between the vertices are interpolated, so flat polygons look curved with Phong shading", measure_normals, draw_normals),
+    Entry("s3-fig4", "S3 fig. 4", "A texture and a normal map together look uneven", measure_combination, draw_combination),
     Entry("s3-fig5-7", "S3 fig. 5, 6, 7", "Red is x, green is y, blue is z, 128 is 0; dents and bumps have opposite colors on opposite sides", measure_colors, draw_colors),
-    Entry("s3-blue", "S3, normal mapping", "Blue below one half would point into the surface and make artifacts", measure_blue, draw_blue),
-    Entry("s3-fig8", "S3 fig. 8, normal mapping", "Light is taken into tangent space by the inverse of TBN; the transposed matrix suffices where T and B are orthogonal", measure_frames, draw_frames),
+    Entry("s3-blue", "S3, normal mapping", "Blue below one half would point into the surface and cause artifacts", measure_blue, draw_blue),
+    Entry("s3-fig8", "S3 fig. 8, normal mapping", "The inverse of TBN transforms light to tangent space; the transposed matrix is enough where T and B are orthogonal", measure_frames, draw_frames),
 )
