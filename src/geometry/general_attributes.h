@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The general path (attributes.cpp) into the caller's buffers; its arrays are in fast_attributes.h, beside the fast
-// path's.
+// The general path (attributes.cpp) into the caller's buffers; the form with arrays is in fast_attributes.h.
 #pragma once
 #include <rakelight/attributes.h>
 

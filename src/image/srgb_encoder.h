@@ -23,8 +23,8 @@ public:
         return (table_[bits >> srgb_bucket_bits] + (bits & 0xFFFFu)) >> srgb_bucket_bits;
     }
 
-    /// [srgb_buckets] 2^16 times the code at the bucket's lower end, and what is missing to the next code where it goes up
-    /// in the bucket: with the place in the bucket added, bits 16 to 23 are the code.
+    /// [srgb_buckets] 2^16 times the code at the bucket's lower end, plus an offset to the transition in the bucket.
+    /// After adding the position in the bucket, bits 16 to 23 are the code.
     const std::uint32_t* table() const { return table_.data(); }
 
 private:

@@ -9,7 +9,7 @@
 namespace rakelight {
 
 /// Encodes a row (or any run) of linear colors as 8-bit sRGB. NaN and negative give 0, over 1 gives 255, else correctly
-/// rounded. Alpha is not a color: it is clamped and rounded to 0..255 as it is.
+/// rounded. Alpha is not a color: it is only clamped and rounded to 0..255.
 /// @param linear    [n] linear RGB, alpha
 /// @param channels  3 (alpha dropped) or 4
 /// @param out       [n * channels]

@@ -16,22 +16,22 @@ struct UnposedScene {
     Scene scene;
     geometry::MeshPoses poses{};
 };
-/// Vertices of one mesh (which may have no pose), or of all.
+/// Poses the vertices of one mesh (which may have no pose), or of all.
 void take_pose(UnposedScene& unposed, std::uint32_t number, Context& context);
 void take_all_poses(UnposedScene& unposed, Context& context);
 
-/// Of a scene that passed validate().
+/// For validated scenes.
 namespace valid {
 Scene posed_scene(Scene scene, Context& context);
 /// The same before vertices are posed. Their memory is checked, but not charged.
 UnposedScene unposed_scene(Scene scene, Context& context);
 }  // namespace valid
 
-/// Where a scene stands that can move, for questions about places: as posed_scene(), but without normals and tangents of
-/// what moves. Nothing: it cannot move, and answers for itself.
+/// The posed positions of a scene, for spatial queries: as posed_scene(), but without normals and tangents of animated
+/// meshes. Nothing: the scene is static.
 std::optional<Scene> posed_outline(const Scene& scene, Context& context);
 
-/// Nodes by Scene::pose, which is gone then; meshes, skins and clips stay.
+/// Applies Scene::pose to the nodes and removes it; meshes, skins and clips stay.
 Scene with_posed_nodes(Scene scene);
 
 }  // namespace rakelight
