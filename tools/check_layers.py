@@ -61,7 +61,7 @@ DOORS = {
 
 # Public header -> the module that implements it (and whose layer it belongs to).
 PUBLIC = {
-    "export": "base", "error": "base", "current_error": "base", "report": "base", "context": "base", "memory_budget": "base", "rare": "base",
+    "export": "base", "error": "base", "current_error": "base", "report": "base", "context": "base", "memory_budget": "base", "rare": "base", "interleaved": "base",
     "vector": "math", "linear": "math", "joint_influence": "math",
     "block": "image", "image": "image", "colormap": "image",
     "attributes": "geometry", "seams": "geometry", "matching_borders": "geometry",
