@@ -8,8 +8,18 @@
 #include <rakelight/export.h>
 #include <rakelight/picture.h>
 #include <rakelight/scene_queries.h>
+#include <rakelight/session.h>
 
 namespace rakelight {
+
+/// All that render_picture() does to a loaded scene before it is prepared: clips at their moments, take_look(), colors by numbers of
+/// vertices, with_asked_surfaces(), and points as the look has them. The request is plain in what was taken.
+/// @throws Error bad_file: see validate(); usage: no such clip or array; not_found: a picture of the request
+RL_API Scene with_asked_look(Scene scene, PictureRequest& request, Context& context);
+
+/// take_look_of_picture() by a session that has the scene already, so that nothing is prepared twice.
+/// @param camera  of choose_camera()
+RL_API void take_look_of_picture(Session& session, const Camera& camera, PictureRequest& request, Context& context);
 
 /// Fills in, where the request's look is the default one, what neither the file nor the request names: samples, light, shadows, and
 /// whether the file's camera and lights are taken. Says what it decided about the file's. The request is plain in these then.

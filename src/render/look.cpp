@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <optional>
 
+#include <rakelight/validate.h>
+
 #include "prepare/pose_scene.h"
 #include "render/picture_steps.h"
 #include "render/point_look.h"
@@ -123,6 +125,15 @@ void take_look_of_picture(const Scene& asked, PictureRequest& request, Context& 
     Session session("soft");
     session.set(ready.prepared);
     adjust_to_picture(request, session, ready.camera, context);
+}
+
+void take_look_of_picture(Session& session, const Camera& camera, PictureRequest& request, Context& context) {
+    adjust_to_picture(request, session, camera, context);
+}
+
+Scene with_asked_look(Scene scene, PictureRequest& request, Context& context) {
+    validate(scene);
+    return looked_as_asked(std::move(scene), request, context);
 }
 
 Scene looked_as_asked(Scene scene, PictureRequest& request, Context& context) {
