@@ -51,24 +51,43 @@ def repair(package, libraries):
     files = [path for path in sorted(package.iterdir()) if path.is_file() and is_elf(path)]
     found = {}
     for path in files:
-        found.update({name: pathlib.Path(file).resolve() for name, file in resolved(path).items() if name not in ALLOWED})
-    names = {name: own_name(file) for name, file in found.items()}
+        found.update({name: file for name, file in resolved(path).items() if name not in ALLOWED})
+    names = {name: own_name(pathlib.Path(file).resolve()) for name, file in found.items()}
     shutil.rmtree(libraries, ignore_errors=True)
-    libraries.mkdir(parents=True)
+    (libraries / "licenses").mkdir(parents=True)
     for name, file in found.items():
         copy = libraries / names[name]
         shutil.copy(file, copy)
         copy.chmod(0o755)
-        subprocess.run(["patchelf", "--set-soname", names[name], str(copy)], check=True)
+        copy_license(pathlib.Path(file), libraries / "licenses")
+        patch(copy, "--set-soname", names[name])
         rename(copy, names, "$ORIGIN")
     for path in files:
+        subprocess.run(["strip", "--strip-unneeded", str(path)], check=True)  # before: what patchelf moved it would break
         rename(path, names, f"$ORIGIN/../{libraries.name}")
-        subprocess.run(["strip", "--strip-unneeded", str(path)], check=True)
+
+
+def copy_license(library, folder):
+    """What Debian says of a library's copyright."""
+    for file in (library, library.resolve(), pathlib.Path("/usr") / library.relative_to("/")):
+        owner = subprocess.run(["dpkg-query", "-S", str(file)], capture_output=True, text=True)
+        if owner.returncode == 0:
+            package = owner.stdout.split(":")[0]
+            shutil.copy(f"/usr/share/doc/{package}/copyright", folder / package)
+            return
+    raise SystemExit(f"repair_wheel: no Debian package has {library}: its license is not known")
+
+
+def patch(path, *arguments):
+    subprocess.run(["patchelf", *arguments, str(path)], check=True)
 
 
 def rename(path, names, place):
-    replacements = [word for name in needed(path) if name in names for word in ("--replace-needed", name, names[name])]
-    subprocess.run(["patchelf", *replacements, "--force-rpath", "--set-rpath", place, str(path)], check=True)
+    """One change a run: patchelf 0.14 mixes up the strings of several."""
+    for name in needed(path):
+        if name in names:
+            patch(path, "--replace-needed", name, names[name])
+    patch(path, "--force-rpath", "--set-rpath", place)
 
 
 def too_new(path):
