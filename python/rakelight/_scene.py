@@ -123,7 +123,8 @@ class Scene:
         return Scene(core, self.remarks + remarks_of(rows))
 
     def repair_seams(self, *, crease_angle: float = 60.0, border_distance: float = 0.0, progress: Progress = None) -> Scene:
-        """The scene with the file's normals, joined where meshes meet: what ``rakelight smooth`` does by default.
+        """The scene with the file's normals, joined where meshes meet: what ``rakelight smooth`` does by default. Where the file has none
+        they are made over the whole model.
 
         Args:
             crease_angle: [degrees] 0 to 180; edges bent more stay sharp

@@ -77,8 +77,7 @@ py::array_t<std::uint32_t> triangles(py::handle from, const std::string& name, s
     if (array.size() == 0) return py::array_t<std::uint32_t>(py::ssize_t(0));
     if (!(array.ndim() == 1 && array.size() % 3 == 0)) check_shape(array, name, 3);
     const char kind = array.dtype().kind();
-    if (kind != 'i' && kind != 'u')
-        refuse(name, "integers are expected, not " + std::string(py::str(array.dtype())));
+    if (kind != 'i' && kind != 'u') refuse(name, "integers are expected, not " + std::string(py::str(array.dtype())));
     const bool is_signed = kind == 'i';
     switch (array.itemsize()) {
         case 4:

@@ -36,8 +36,8 @@ py::dict dict_of(MeshAttributes made) {
     out["tangents"] = taken_or_none(std::move(made.tangents));
     out["bitangents"] = taken_or_none(std::move(made.bitangents));
     const py::ssize_t triangles = py::ssize_t(made.indices.size() / 3);
-    out["faces"] = made.indices.empty() ? py::object(py::none())
-                                        : py::object(take(std::move(made.indices), {triangles, 3}));
+    out["faces"] =
+        made.indices.empty() ? py::object(py::none()) : py::object(take(std::move(made.indices), {triangles, 3}));
     out["split_from"] = take(std::move(made.source_vertex));
     out["degenerate_faces"] = made.degenerate_faces;
     out["isolated_vertices"] = made.isolated_vertices;

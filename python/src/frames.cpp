@@ -22,8 +22,7 @@ py::array image_of(const std::vector<std::uint32_t>& codes, int width, int heigh
 py::object intrinsics_of(const Camera& camera, const Frame& frame) {
     if (camera.projection != Projection::perspective) return py::none();
     const double fy = frame.height / 2.0 / std::tan(camera.vertical_fov_rad / 2);
-    const double fx =
-        camera.horizontal_fov_rad ? frame.width / 2.0 / std::tan(*camera.horizontal_fov_rad / 2) : fy;
+    const double fx = camera.horizontal_fov_rad ? frame.width / 2.0 / std::tan(*camera.horizontal_fov_rad / 2) : fy;
     const double cx = frame.width / 2.0 - frame.window.x, cy = frame.height / 2.0 - frame.window.y;
     return take(std::vector<double>{fx, 0, cx, 0, fy, cy, 0, 0, 1}, {3, 3});
 }

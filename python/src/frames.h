@@ -16,7 +16,7 @@ namespace py = pybind11;
 /// One picture.
 struct Drawn {
     Frame frame{};
-    std::optional<Frame> linear{};       ///< where the linear picture has another background than the one for the display
+    std::optional<Frame> linear{};  ///< where the linear picture has another background than the one for the display
     std::vector<std::uint32_t> codes{};  ///< of the image, where it was asked for
     bool has_alpha = false;              ///< the image keeps it
     Camera camera{};

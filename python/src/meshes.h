@@ -16,8 +16,8 @@ namespace py = pybind11;
 /// The arrays of one mesh of the caller's: their memory where it fits, else copies. They keep it alive.
 struct MeshArrays {
     std::string name{};
-    py::array_t<float> vertices{};           ///< [V, 3]
-    py::array_t<std::uint32_t> triangles{};  ///< [3T] each < V
+    py::array_t<float> vertices{};                                            ///< [V, 3]
+    py::array_t<std::uint32_t> triangles{};                                   ///< [3T] each < V
     std::optional<py::array_t<float>> normals{}, tangents{}, uv{}, colors{};  ///< [V, 3], [V, 4], [V, 2], [V, 4]
     std::optional<dmat4> to_world{};
 };

@@ -19,8 +19,8 @@ namespace rakelight::python {
 namespace {
 
 /// [(JSON, text)], one a pixel.
-py::tuple explained(const SceneHandle& handle, const Settings& settings,
-                    const std::vector<std::pair<int, int>>& pixels, int threads, const py::object& progress) {
+py::tuple explained(const SceneHandle& handle, const Settings& settings, const std::vector<std::pair<int, int>>& pixels,
+                    int threads, const py::object& progress) {
     Runner runner(threads, 0);
     struct Texts {
         std::string json, text;
@@ -43,13 +43,11 @@ py::tuple explained(const SceneHandle& handle, const Settings& settings,
 
 /// Limits by their options' names; "max-seam" has a number, the others are on or off.
 CheckLimits limits_of(const py::dict& given) {
-    constexpr Word<bool CheckLimits::*> flags[] = {{"no-degenerate", &CheckLimits::no_degenerate},
-                                                   {"no-t-junctions", &CheckLimits::no_t_junctions},
-                                                   {"no-non-manifold", &CheckLimits::no_non_manifold},
-                                                   {"consistent-winding", &CheckLimits::consistent_winding},
-                                                   {"no-inside-out", &CheckLimits::no_inside_out},
-                                                   {"closed", &CheckLimits::closed},
-                                                   {"unit-normals", &CheckLimits::unit_normals}};
+    constexpr Word<bool CheckLimits::*> flags[] = {
+        {"no-degenerate", &CheckLimits::no_degenerate},     {"no-t-junctions", &CheckLimits::no_t_junctions},
+        {"no-non-manifold", &CheckLimits::no_non_manifold}, {"consistent-winding", &CheckLimits::consistent_winding},
+        {"no-inside-out", &CheckLimits::no_inside_out},     {"closed", &CheckLimits::closed},
+        {"unit-normals", &CheckLimits::unit_normals}};
     CheckLimits limits;
     for (const auto& [key, value] : given) {
         const std::string name = py::cast<std::string>(key);

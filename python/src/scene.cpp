@@ -4,6 +4,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 #include <rakelight/linear.h>
 #include <rakelight/load.h>
 #include <rakelight/prepare.h>
@@ -38,18 +40,21 @@ py::tuple load_bytes(const py::bytes& bytes, const std::string& name, int thread
     const auto* const data = reinterpret_cast<const std::byte*>(view.data());
     std::vector<std::byte> copy(data, data + view.size());
     Runner runner(threads, max_memory);
-    return with_remarks(
-        runner.run(progress, [&] { return load(std::move(copy), name, {}, runner.context()); }), runner);
+    return with_remarks(runner.run(progress, [&] { return load(std::move(copy), name, {}, runner.context()); }),
+                        runner);
 }
 
 py::tuple smoothed(const SceneHandle& handle, const py::dict& options, int threads, const py::object& progress) {
     const AttributeOptions attributes = attribute_options(options);
     Runner runner(threads, 0);
-    auto [scene, remarks] = [&] {
-        Scene made = runner.run(progress, [&] { return smooth(handle.scene, attributes, runner.context()); });
-        return std::pair(std::move(made), remarks_of(runner.context().report()));
-    }();
-    return py::make_tuple(SceneHandle{std::move(scene), handle.world, handle.load}, remarks);
+    Scene scene = runner.run(progress, [&] { return smooth(handle.scene, attributes, runner.context()); });
+    return py::make_tuple(SceneHandle{std::move(scene), handle.world, handle.load},
+                          remarks_of(runner.context().report()));
+}
+
+/// Some mesh has normals that can be joined.
+bool has_normals(const Scene& scene) {
+    return std::ranges::any_of(scene.meshes, [](const Mesh& mesh) { return !mesh.normals.empty(); });
 }
 
 py::tuple repaired(const SceneHandle& handle, double crease_angle_rad, double border_distance, int threads,
@@ -57,7 +62,9 @@ py::tuple repaired(const SceneHandle& handle, double crease_angle_rad, double bo
     Runner runner(threads, 0);
     Scene scene = runner.run(progress, [&] {
         Context& context = runner.context();
-        Scene joined = repair_seams(handle.scene, {.crease_angle_rad = crease_angle_rad}, context);
+        Scene joined = has_normals(handle.scene)
+                           ? repair_seams(handle.scene, {.crease_angle_rad = crease_angle_rad}, context)
+                           : smooth(handle.scene, {.crease_angle_rad = crease_angle_rad}, context);
         if (!(border_distance > 0)) return joined;
         MatchOptions match;
         match.distance = border_distance, match.crease_angle_rad = crease_angle_rad, match.keep_flat = true;
