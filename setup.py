@@ -31,7 +31,7 @@ class BuildByCMake(build_ext):
     def build_extension(self, ext):
         launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
         configure = ["cmake", "--preset", "package", "-B", str(BUILD), "-DRAKELIGHT_PYTHON=ON", f"-DPython3_EXECUTABLE={sys.executable}",
-                     f"-DPython_EXECUTABLE={sys.executable}", "-DRAKELIGHT_VIEWER=OFF", "-DRAKELIGHT_OPENGL=OFF",
+                     "-DRAKELIGHT_VIEWER=OFF", "-DRAKELIGHT_OPENGL=OFF",
                      "-DRAKELIGHT_BOTH_LIBRARIES=OFF", *launcher, *shlex.split(os.environ.get("CMAKE_ARGS", ""))]
         subprocess.run(configure, cwd=ROOT, check=True)
         jobs = str(self.parallel or len(os.sched_getaffinity(0)))

@@ -3,8 +3,11 @@
 import ast
 import inspect
 import pathlib
+import re
+import shutil
 import subprocess
 import sys
+import warnings
 
 import pytest
 from conftest import DATA, ROOT
@@ -41,6 +44,19 @@ def test_all_public_names_are_described():
         for name, member in vars(type_).items():
             if not name.startswith("_") and callable(member):
                 assert member.__doc__, f"{type_.__name__}.{name}"
+
+
+def test_the_page_runs(tmp_path, monkeypatch):
+    blocks = re.findall(r"^```python\n(.*?)^```", (ROOT / "docs" / "python.md").read_text(), re.M | re.S)
+    assert len(blocks) > 8
+    shutil.copy(DATA / "spot" / "spot_slab5.glb", tmp_path / "helmet.glb")
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", rakelight.RakelightWarning)
+        for block in blocks:
+            exec(compile("\n" + block, "docs/python.md", "exec"), names)
+    assert (tmp_path / "helmet_fixed.glb").exists() and names["view"]["object"].shape == (128, 128)
 
 
 def run(name, *words, code=0):
