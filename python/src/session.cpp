@@ -111,7 +111,7 @@ private:
         Drawn out;
         out.camera = camera;
         RenderSettings settings = request.settings;
-        if (!has_image && !has_color) settings.colors = !session_->engine().abilities().rays;
+        if (!has_image && !has_color) leave_colors_out(settings);
         const vec4 behind = has_image ? keep_background(settings, request.tone) : vec4{};
         if (has_image && has_color && !settings.lays_background)  // they differ in more than the curve
             session_->render(camera, request.settings, out.linear.emplace(), runner_.context());
@@ -119,6 +119,19 @@ private:
         if (has_image) out.codes = to_srgb8(out.frame, request.tone, behind);
         out.has_alpha = request.settings.background.w < 1;
         return out;
+    }
+
+    /// Data alone: they are of the surface at the pixel's center, whatever the samples and, but for the light's parts, the light.
+    void leave_colors_out(RenderSettings& settings) const {
+        if (session_->engine().abilities().rays) {
+            settings.colors = false;
+            return;
+        }
+        settings.samples = 1;
+        if (settings.channels & (channels_lighting | channel_ambient_occlusion)) return;
+        settings.shading = Shading::unlit;
+        settings.shading_rules.clear();
+        settings.own_shading = settings.shadows = false;
     }
 
     /// What later pictures take from the first: all but its own view, size and channels.

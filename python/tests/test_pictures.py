@@ -119,6 +119,23 @@ def test_only_asked_channels_are_there(teapot):
     assert list(rakelight.render(teapot, resolution=(8, 8), channels="face-normal")) == ["face_normal"]
 
 
+@pytest.mark.parametrize("model, settings", [
+    ("builtin:teapot", {}), (DATA / "knight" / "Knight_noNormals.glb", {"shadows": True}),
+    (DATA / "maps" / "sheet.obj", {"height_map": DATA / "maps" / "brick_height.png", "bump": "occlusion", "bump_depth": 0.1}),
+    (DATA / "maps" / "wall.obj", {"texture_normal": DATA / "maps" / "brick_normal.png"}), (DATA / "world" / "room.scene.toml", {}),
+])  # fmt: skip
+def test_data_without_colors_have_the_same_bits(model, settings):
+    names = [name for name in rakelight.render(model, resolution=(8, 8), channels="all") if name not in ("ambient", "diffuse", "specular", "emission")]
+    with_colors = rakelight.render(model, "isometric", resolution=SIZE, channels=["color", *names], **settings)
+    alone = rakelight.render(model, "isometric", resolution=SIZE, channels=names, **settings)
+    for name in names:
+        assert alone[name].tobytes() == with_colors[name].tobytes(), name
+    light = rakelight.render(model, "isometric", resolution=SIZE, channels="lighting", **settings)
+    both = rakelight.render(model, "isometric", resolution=SIZE, channels=["image", "lighting"], **settings)
+    for name in light:
+        assert light[name].tobytes() == both[name].tobytes(), name
+
+
 def test_intrinsics_and_matrix_take_positions_to_their_pixels(teapot):
     picture = rakelight.render(teapot, rakelight.Camera.orbit(30, 25, 4, (0, 0.5, 0)), resolution=(640, 480), channels=["position", "depth"])
     y, x = np.nonzero(np.isfinite(picture["depth"]))
