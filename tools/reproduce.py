@@ -15,12 +15,12 @@ import re
 import sys
 import tempfile
 
-from reproduction import pending, s1_attributes, s1_frames, s1_light, s1_seams, s2_pipeline, s2_shading, s2_visibility, s3_bumps, s3_light, s3_maps
+from reproduction import pending, s1_attributes, s1_frames, s1_light, s1_models, s1_scenes, s1_seams, s2_pipeline, s2_shading, s2_visibility, s2_world, s3_bumps, s3_detail, s3_light, s3_maps
 from reproduction.kit import Failure, Kit
 from reproduction.ranges import RANGES
 from sheet import PROGRAM, ROOT
 
-MODULES = (s1_light, s1_frames, s1_attributes, s1_seams, s2_pipeline, s2_visibility, s2_shading, s3_maps, s3_bumps, s3_light, pending)
+MODULES = (s1_light, s1_models, s1_scenes, s1_frames, s1_attributes, s1_seams, s2_pipeline, s2_visibility, s2_shading, s2_world, s3_maps, s3_bumps, s3_detail, s3_light, pending)
 ENTRIES = {entry.name: entry for module in MODULES for entry in module.ENTRIES}
 
 

@@ -13,6 +13,7 @@
 #include <rakelight/image.h>
 #include <rakelight/image_sources.h>
 #include <rakelight/inspect.h>
+#include <rakelight/interleaved.h>
 #include <rakelight/light_limits.h>
 #include <rakelight/linear.h>
 #include <rakelight/load.h>

@@ -37,19 +37,7 @@ struct Kernels {
     const FastKernels* rows;
     const WeldKernels* weld;
 };
-Kernels kernels_for(Isa isa) {
-    switch (isa) {
-        case Isa::scalar:
-            break;
-        case Isa::sse2:
-            return {sse2::fast_kernels(), sse2::weld_kernels()};
-        case Isa::avx2:
-            return {avx2::fast_kernels(), avx2::weld_kernels()};
-        case Isa::avx512:
-            return {avx512::fast_kernels(), avx512::weld_kernels()};
-    }
-    return {scalar::fast_kernels(), scalar::weld_kernels()};
-}
+Kernels kernels_for(Isa isa) { return {RL_BY_ISA(isa, fast_kernels()), RL_BY_ISA(isa, weld_kernels())}; }
 
 std::vector<SplitAttributes> without_splits(const FastState& state) {
     std::vector<SplitAttributes> splits(state.input.meshes.size());

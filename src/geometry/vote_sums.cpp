@@ -58,20 +58,6 @@ void add(TangentRow& to, dvec3 tangent, double hand) {
 static_assert(int(VoteWeight::uniform) == int(CornerWeight::uniform) &&
               int(VoteWeight::angle_area) == int(CornerWeight::angle_area));
 
-const VoteKernels* vote_kernels_for(Isa isa) {
-    switch (isa) {
-        case Isa::scalar:
-            break;
-        case Isa::sse2:
-            return sse2::vote_kernels();
-        case Isa::avx2:
-            return avx2::vote_kernels();
-        case Isa::avx512:
-            return avx512::vote_kernels();
-    }
-    return scalar::vote_kernels();
-}
-
 class Scatter {
 public:
     Scatter(VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options,
@@ -273,7 +259,7 @@ private:
         }
     }
 
-    const VoteKernels& kernels_ = *vote_kernels_for(isa_from_environment());
+    const VoteKernels& kernels_ = *RL_BY_ISA(isa_from_environment(), vote_kernels());
     VoteSums& sums_;
     const Topology& topology_;
     const AttributeInput& input_;

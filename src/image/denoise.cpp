@@ -20,21 +20,6 @@ using namespace denoise;
 
 static_assert(denoise_radius == margin);
 
-using SumNeighbors = void (*)(Tile&);
-SumNeighbors kernel_for(Isa isa) {
-    switch (isa) {
-        case Isa::scalar:
-            break;
-        case Isa::sse2:
-            return sse2::sum_neighbors;
-        case Isa::avx2:
-            return avx2::sum_neighbors;
-        case Isa::avx512:
-            return avx512::sum_neighbors;
-    }
-    return scalar::sum_neighbors;
-}
-
 int place(int x, int y) { return (y + margin) * stride + x + margin; }
 
 /// Whether all are in 0..most.
@@ -160,7 +145,7 @@ void check(const NoisyPicture& in, std::span<const vec3> out) {
 
 void denoise_into(const NoisyPicture& picture, std::span<vec3> out, Context& context, Isa isa) {
     check(picture, out);
-    const SumNeighbors sum_neighbors = kernel_for(isa);
+    void (*const sum_neighbors)(Tile&) = RL_BY_ISA(isa, sum_neighbors);
     const MemoryCharge charge(context.memory(), std::uint64_t(context.threads()) * sizeof(Tile), "denoising");
     const std::size_t across = std::size_t((picture.width + tile_width - 1) / tile_width);
     const std::size_t down = std::size_t((picture.height + tile_height - 1) / tile_height);

@@ -6,6 +6,21 @@ namespace rakelight {
 
 enum class Isa { scalar, sse2, avx2, avx512 };
 
+/// RL_BY_ISA(isa, kernels()) is avx2::kernels() for Isa::avx2, and so on: the same expression in the namespace of each
+/// instruction set. Processors other than x86-64 have the scalar kernels alone.
+#if defined(__x86_64__)
+#define RL_BY_ISA(isa, expression)                      \
+    ([](::rakelight::Isa set) {                         \
+        using ::rakelight::Isa;                         \
+        return set == Isa::avx512 ? avx512::expression  \
+               : set == Isa::avx2 ? avx2::expression    \
+               : set == Isa::sse2 ? sse2::expression    \
+                                  : scalar::expression; \
+    }(isa))
+#else
+#define RL_BY_ISA(isa, expression) ([](::rakelight::Isa) { return scalar::expression; }(isa))
+#endif
+
 /// "scalar", "sse2", "avx2", "avx512"
 const char* name(Isa isa);
 

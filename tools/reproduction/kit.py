@@ -154,6 +154,12 @@ def angle(a, b):
     return math.degrees(math.atan2(math.sqrt(dot(cross(a, b), cross(a, b))), dot(a, b)))
 
 
+def linear(code):
+    """Light of a code from 0 to 255 (IEC 61966-2-1)."""
+    value = code / 255
+    return value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
+
+
 def brightness(color):
     """Relative luminance of linear RGB (ITU-R BT.709)."""
     return dot((0.2126, 0.7152, 0.0722), color[:3])

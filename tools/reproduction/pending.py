@@ -16,7 +16,7 @@ SHEARED = bumps.SHEARED
 SQUARE = ("data/maps/wall.obj", *bumps.SHEARED[1:])
 ROUGH = ("builtin:sphere", "--color", "#c04030", "--roughness", "1", "--camera-position", "0,0,4.5", "--camera-focal-point", "0,0,0", "--camera-view-angle", "29",
          "--light", "directional:1,-0.3,-0.4")
-RAYS = ("s2-rays", "s3-fig1")
+RAYS = ("s1-sum", "s1-pbr", "s1-radiosity", "s2-rays", "s2-waves", "s3-fig1")
 
 
 def lacks(kit, name):

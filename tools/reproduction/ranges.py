@@ -59,7 +59,9 @@ RANGES = {
         "depth of the far plane": (0.999999, 1.000001), **{f"three steps beside the engine, {what} [1]": TINY for what in ("x, y, w", "depth")},
         "all three multiplied as printed: depth of the far plane less that of the near one": (-1e-9, 1e-9)},
     "s2-parallel": {
-        "parallel projection: pixels of a sphere at 6 m over those at 4 m": (0.98, 1.02), "central projection: pixels of a sphere at 6 m over those at 4 m": (0.38, 0.48)},
+        "parallel projection: pixels of a sphere at 6 m over those at 4 m": (0.98, 1.02), "central projection: pixels of a sphere at 6 m over those at 4 m": (0.38, 0.48),
+        "parallel projection: x and y of the box over those of the camera, largest over smallest": (1, 1.0001),
+        "central projection: x and y of the box over those of the camera, largest over smallest": (1.1, 3)},
     "s2-wrap-round": {"triangles through the plane of the eye": SOME, "pixels that clipping first changes [%]": (20, 100), "smallest w after clipping [m]": SOME},
     "s2-clipping": {
         "polygons cut at the four sides": SOME, "polygons wholly outside": SOME, "objects dropped whole, teapot in view": NONE, "objects dropped whole, close view of a table": SOME,
@@ -87,7 +89,8 @@ RANGES = {
         "gouraud, 16 divisions: inside, difference to faces as small as pixels [1/255]": (3.2, 7), "phong, 16 divisions: inside, difference to faces as small as pixels [1/255]": (0.3, 3.1)},
     "s2-rays": {
         "tests of the naive loop over pixels x triangles": (1, 1), "pixels of the naive loop that differ from the tree's [%]": (0, 0.1),
-        "sphere by its formula beside its triangles: pixels that differ [%]": (5, 40), "triangles by rays beside incremental synthesis: pixels that differ [%]": (0, 0.5),
+        "sphere by its formula beside its triangles: pixels that differ [%]": (5, 40), "the same, triangles a hundredth as far off: pixels that differ [%]": (0, 2),
+        "triangles by rays beside incremental synthesis: pixels that differ [%]": (0, 0.5),
         "reflected rays": SOME, "refracted rays": SOME, "glass and mirrors beside local light [1/255]": (25, 100), "raster: pixels that an algorithm for shadows changes [%]": (15, 60),
         "rays beside the z-buffer, cyclic overlap: pixels that differ [%]": (0, 0.5)},
     "s3-fig1": {
@@ -100,7 +103,7 @@ RANGES = {
     "s3-fig5-7": {
         **{f"{shape}: {color} at its {side}, over 128": (30, 127) if (shape == "bump") == (side in ("right side", "top")) else (-128, -30)
            for shape in ("bump", "dent") for color, sides in (("red", ("right side", "left side")), ("green", ("top", "bottom"))) for side in sides},
-        "least blue of the map": (129, 255), "code 128 with zero at 127.5: leaning of the normal [degrees]": (0.1, 0.5), "code 128 with zero at 128: leaning of the normal [degrees]": NONE},
+        "section: steep places whose red leans downhill [%]": (100, 100), "least blue of the map": (129, 255), "code 128 with zero at 127.5: leaning of the normal [degrees]": (0.1, 0.5), "code 128 with zero at 128: leaning of the normal [degrees]": NONE},
     "s3-blue": {
         "lines that warn of it": (1, 1), "normal of the part, along the face's": (-1, -0.5), "normal of the rest, along the face's": (0.99, 1),
         "light of the part over that of the rest": (0, 0.5)},
@@ -155,7 +158,59 @@ RANGES = {
         "triangles": SOME, "largest difference, all visible triangles [depth key]": (0, 1e-6), "largest change of the depth key by the steps": (1e-4, 1),
         "floor, ten pixels on and six down: key less the slopes' [depth key]": (-1e-6, 1e-6), "floor: change of the key on that way [depth key]": (0.001, 0.2)},
     "s3-phong": {
+        "a floor, viewer nearby: specular term, largest less smallest [linear]": (0.1, 10), "a floor, viewer infinitely far: specular term, largest less smallest [linear]": (0, 1e-6),
         "no ambient term, face turned away: light [linear]": NONE, "with it: light [linear]": (0.002, 0.1), "viewer moved: change of the diffuse term [linear]": NONE,
         "viewer moved: change of the specular term [linear]": (0.1, 10), "highlight of a red sphere, red over green, lamp 0.8, 0.8, 0.3": (0.999, 1.001),
         "the same, red over blue": (2.6, 2.7), "diffuse light of a lamp at 1 m over that at 2 m": (3.9, 4.1)},
+    "s1-sum": {
+        "places": SOME, "color of the engine less the printed sum, largest [linear]": TINY, "places brighter than 1": (1, INF), "the same in the picture: codes, largest": (255, 255),
+        "the same: red in the picture, least": (255, 255), "local light, a wall put beside: change of the ball [linear]": NONE, "ball beside a red wall, local: red over green": (1, 1),
+        "ball beside a red wall, by paths: red over green": (1.02, 1.2)},
+    "s1-lambert": {
+        **{f"light at {degrees} degrees over light at 0": r for degrees, r in ((30, (0.866, 0.8661)), (60, (0.4999, 0.5001)), (80, (0.1736, 0.1737)))},
+        "light from below": NONE, "four viewers: largest change": NONE,
+        **{f"lamp at {d} m over that at 1 m, over what the attenuation says": (0.998, 1.002) for d in (2, 4)}},
+    "s1-blinn-phong": {
+        **{f"lamp ahead at 8 degrees, {model}: height of the highlight over its width": r for model, r in (("phong", (0.8, 1.2)), ("blinn-phong", (3, 6)), ("pbr", (2.3, 5)))},
+        **{f"lamp beside the viewer, {model}: part of the floor with a highlight [%]": r for model, r in (("phong", (45, 70)), ("blinn-phong", (100, 100)), ("pbr", (100, 100)))}},
+    "s1-pbr": {
+        "white ball in even light, roughness 0.3: light sent back": (0.95, 1.01), "white ball in even light, roughness 0.9: light sent back": (0.35, 0.55),
+        "the same, roughness 0.9, with multiple scattering": (0.99, 1.01), "Fresnel: black plastic seen straight on: light sent back": (0.039, 0.041),
+        "Fresnel: the same at its rim over that": (3, 20), "Fresnel: less Schlick's formula, largest": (0, 0.01), "microfacets: middle of a highlight, roughness 0.3 over 0.6": (15.5, 16.5)},
+    "s1-ward": {
+        **{f"{name}: height of the highlight over its width": r
+           for name, r in (("widths 0.1, 0.3", (2.5, 3.5)), ("widths 0.3, 0.1", (0.28, 0.4)), ("widths 0.2, 0.2", (0.95, 1.05)), ("Blinn-Phong", (0.95, 1.05)))}},
+    "s1-radiosity": {
+        "room: local light and shadows beside paths [1/255]": (40, 70), "room: radiosity beside paths [1/255]": (2, 12), "floor alone: local light and shadows beside paths [1/255]": (10, 25),
+        "floor alone: radiosity beside paths [1/255]": (2, 12), "ball's shadow on the floor, local light: mean code": (40, 90), "ball's shadow on the floor, radiosity: mean code": (120, 165),
+        "ball's shadow on the floor, paths: mean code": (120, 165), "edge of the ball's shadow, point lamp, paths: half-lit pixels [%]": (0, 12),
+        "edge of the ball's shadow, panel, paths: half-lit pixels [%]": (20, 70)},
+    "s1-textures": {
+        **{f"texture of {n} texels: difference to true bricks [1/255]": (27, 36) for n in (64, 128, 512)}, "64 texels and a normal map: difference to true bricks [1/255]": (15, 25),
+        "error that 64 times the texels take away [%]": (-15, 10), "error that the normal map takes away [%]": (20, 50)},
+    "s2-central": {
+        "rays through the eye": (8, 8), "points of one ray: x and y in the box differ by up to": TINY, "the same: depth keys differ by at least": (0.1, 1), "the eye itself: w": NONE,
+        "the eye itself: x and y": NONE, "vertices inside of the frustum": SOME, "vertices outside of it": SOME, "vertices that are inside of one of frustum and box, not of the other": NONE,
+        "middle points of lines: off the line [px]": (0, 1e-4), "middle of a line from 2 m to 6 m: part of the way on the picture": (0.749, 0.751)},
+    "s2-instances": {
+        "vertices compared": (8, 36), "model space: the second less the first [m]": NONE, "world space: the second less scale, turn and shift of the model [m]": TINY,
+        "first of two beside one alone: pixels that differ [%]": NONE, "second of two, camera shifted alike, beside one alone: pixels that differ [%]": (0, 0.05)},
+    "s2-primitives": {
+        **{f"{kind} beside separate triangles: pixels that differ [%]": (0, 0.01) for kind in ("triangle strip", "triangle fan", "polygon")}, "triangles of the polygon": (4, 4),
+        "line strip over line loop, pixels": (0.8, 0.9), "lines over line loop, pixels": (0.47, 0.6), "six points: pixels over the area of six discs of 9": (0.9, 1.25)},
+    "s2-independent": {
+        "faces in the opposite order: pixels that change [%]": (0, 0.05), **{f"{n} threads beside one: pixels that change [%]": NONE for n in (2, 7)}},
+    "s2-flat": {
+        "box, Lambert, sun: flat beside Phong shading [1/255]": NONE, "box, highlight: flat beside Phong shading [1/255]": (0.5, 5), "box, lamp nearby: flat beside Phong shading [1/255]": (4, 15),
+        "sphere, Lambert, sun: flat beside Phong shading [1/255]": (1, 5), "box: evaluations of flat shading": (6, 12), "box: evaluations, Phong over flat": (100, INF)},
+    "s2-waves": {
+        "bright stripes on the wall": (2, 2), "codes inside of the stripes, largest less smallest": (0, 1), "width of a stripe over that of its slit": (0.9, 1.1),
+        "all a hundred thousand times smaller: pixels that differ [%]": (0, 0.5)},
+    "s3-modeled": {
+        **{f"edges of {edge} cm: triangles": (n, n) for edge, n in ((16, 1024), (8, 4096), (4, 16384), (2, 65536))},
+        **{f"edges of {edge} cm: difference to the finest [1/255]": r for edge, r in ((16, (26, 32)), (8, (20, 26)), (4, (11, 17)), (2, (5, 10)))},
+        "normal map, 2 triangles: difference to the finest [1/255]": (20, 27), **{f"triangles, edges of {b} cm over {a} cm": (4, 4) for a, b in ((16, 8), (8, 4), (4, 2))}},
+    "s3-near": {
+        **{f"from {away} m: difference to displacement, of the wall's pixels [1/255]": r for away, r in (("1.2", (37, 47)), ("4.8", (32, 46)), ("19.2", (15, 36)))}},
+    "s3-parallax": {"viewer 0.3 m aside: the ball at 3 m moves by [px]": (31, 35), "the ball at 6 m moves by [px]": (15, 18), "near over far": (1.9, 2.1)},
 }

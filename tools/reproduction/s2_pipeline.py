@@ -78,6 +78,12 @@ def measure_parallel(kit):
     for name, words in (("parallel", ("--camera-orthographic",)), ("central", ())):
         near, far = (kit.stats((*boxes, "--camera-position", f"0,0,{z}", "--camera-focal-point", f"0,0,{z - 4}", *words))["pixels_covered"] for z in (4, 6))
         found[f"{name} projection: pixels of a sphere at 6 m over those at 4 m"] = far / near
+    w, h = kit.size(320, 240)
+    for name, words in (("parallel", ("--camera-orthographic",)), ("central", ())):
+        _, table = kit.stages((*NARROW, *words))
+        pairs = zip(table("camera")["rows"], table("device")["rows"])
+        scales = [s for c, d in pairs for s in (d[2] / c[2] * w / h, d[3] / c[3]) if min(abs(c[2]), abs(c[3])) > 0.01]
+        found[f"{name} projection: x and y of the box over those of the camera, largest over smallest"] = max(scales) / min(scales)
     return found
 
 

@@ -8,7 +8,7 @@ TEAPOT = ("builtin:teapot", "--camera-position", "0.9,1.4,2.6", "--camera-focal-
 COARSE = ("builtin:teapot:divisions=4", *TEAPOT[1:])
 FINEST = "builtin:teapot:divisions=48"
 LAMP = ("--light", "point:3,4,5:color=0.9,0.9,0.9", "--light", "ambient:0.15,0.15,0.16", "--color", "#c8a878")
-BALL = ("builtin:sphere:tolerance=0.05", *LAMP)
+BALL, FINE = (("builtin:sphere:tolerance=" + off, *LAMP) for off in ("0.05", "0.0005"))
 GLASS = ("data/rays/glass.scene.toml",)
 TRACE, CAST, NAIVE = ("--engine", "trace"), ("--engine", "trace", "--method", "cast"), ("--engine", "trace", "--method", "cast", "--naive")
 CYCLIC = ("data/visibility/cyclic.obj", "--shading", "unlit", "--camera-position", "0,0,5", "--camera-focal-point", "0,0,0", "--camera-view-angle", "46")
@@ -66,6 +66,7 @@ def measure_rays(kit):
     return {"tests of the naive loop over pixels x triangles": held["stats"]["rays"]["triangle_tests"] / (64 * 48 * held["triangles"]),
             "pixels of the naive loop that differ from the tree's [%]": kit.differing((*BALL, *NAIVE, "--tessellate"), cut, codes=0),
             "sphere by its formula beside its triangles: pixels that differ [%]": kit.differing(exact, cut),
+            "the same, triangles a hundredth as far off: pixels that differ [%]": kit.differing((*FINE, *CAST), (*FINE, *CAST, "--tessellate")),
             "triangles by rays beside incremental synthesis: pixels that differ [%]": kit.differing(cut, (*BALL, "--tessellate")),
             "reflected rays": rays["reflected"], "refracted rays": rays["refracted"],
             "glass and mirrors beside local light [1/255]": kit.rmse(traced, drawn, 240, 160),

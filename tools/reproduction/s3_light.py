@@ -115,7 +115,13 @@ def measure_phong(kit):
     shine = max((kit.explain((*scene, *front, *lamp), [(0.3 + 0.02 * i, 0.2 + 0.02 * i)])[0]["layers"][0]["lights"][0]["specular"] for i in range(12)), key=sum)
     near, far = (kit.explain(("builtin:plane", "--lighting", "phong", "--camera-position", "0,3,0.1", "--camera-focal-point", "0,0,0", "--light", f"point:0,{d},0:attenuation=0,0,1"),
                              [(0.5, 0.5)])[0]["layers"][0]["lights"][0]["diffuse"][0] for d in (1, 2))
-    return {"no ambient term, face turned away: light [linear]": brightness(behind[0]), "with it: light [linear]": brightness(behind[1]),
+    spread = {}
+    for name, more in (("nearby", ()), ("infinitely far", ("--viewer-infinity",))):
+        floor = kit.explain(("builtin:plane", "--lighting", "phong", "--roughness", "0.4", *lamp, "--camera-position", "1.4,1.8,-1.6", "--camera-focal-point", "0,0,0", *more),
+                            [(0.4 + 0.05 * i, 0.5) for i in range(5)])
+        shine_there = [row["layers"][0]["lights"][0]["specular"][0] for row in floor]
+        spread[f"a floor, viewer {name}: specular term, largest less smallest [linear]"] = max(shine_there) - min(shine_there)
+    return {**spread, "no ambient term, face turned away: light [linear]": brightness(behind[0]), "with it: light [linear]": brightness(behind[1]),
             "viewer moved: change of the diffuse term [linear]": max(abs(a - b) for a, b in zip(terms[0]["diffuse"], terms[1]["diffuse"])),
             "viewer moved: change of the specular term [linear]": max(abs(a - b) for a, b in zip(terms[0]["specular"], terms[1]["specular"])),
             "highlight of a red sphere, red over green, lamp 0.8, 0.8, 0.3": shine[0] / shine[1], "the same, red over blue": shine[0] / shine[2],

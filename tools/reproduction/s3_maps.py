@@ -5,6 +5,7 @@ from png8 import read_rgb, write_rgb
 
 from sheet import ROOT
 
+from .arrows import line
 from .kit import Entry, Picture, angle, dot, unit
 
 MAPS = ROOT / "data/maps"
@@ -73,6 +74,7 @@ def measure_colors(kit):
         found[f"{name}: red at its left side, over 128"] = lean(picture, x - 0.12, 0.5)[0]
         found[f"{name}: green at its top, over 128"] = lean(picture, x, 0.38)[1]
         found[f"{name}: green at its bottom, over 128"] = lean(picture, x, 0.62)[1]
+    found["section: steep places whose red leans downhill [%]"] = downhill()
     found["least blue of the map"] = min(picture.pixels[2::3])
     codes = ((*bumps.ZERO, "--normal-map-zero", zero) for zero in ("127.5", "128"))
     for zero, scene in zip(("127.5", "128"), codes):
@@ -81,8 +83,38 @@ def measure_colors(kit):
     return found
 
 
+def section():
+    """Row of heights through the middle of bump and dent, from 0 to 1, and of the map's colors."""
+    heights, normals = (Picture(*read_rgb(MAPS / f"dents_{name}.png")) for name in ("height", "normal"))
+    places = [(x + 0.5) / heights.width for x in range(heights.width)]
+    return [heights.at(x, 0.5)[0] / 255 for x in places], [normals.at(x, 0.5) for x in places]
+
+
+def downhill():
+    """[%] of the steep places of the section whose red leans downhill: more than 128 where the surface falls to the right."""
+    heights, colors = section()
+    slopes = [(heights[i + 1] - heights[i - 1], colors[i][0] - 128) for i in range(1, len(heights) - 1)]
+    steep = [slope * red < 0 for slope, red in slopes if abs(slope) > 0.02]
+    return 100 * sum(steep) / len(steep)
+
+
+def write_section(path, side):
+    """The section as a picture, with the normals of the map as arrows in its colors."""
+    heights, colors = section()
+    picture = bytearray(bytes((24, 24, 28)) * side * side)
+    points = [(round(x * side / len(heights)), round(side * (0.75 - 0.3 * h))) for x, h in enumerate(heights)]
+    for one, other in zip(points, points[1:]):
+        line(picture, side, side, one, other, (200, 200, 200))
+    for (x, y), color in list(zip(points, colors))[4::7]:
+        leaning = [2 * c / 255 - 1 for c in color]
+        line(picture, side, side, (x, y), (x + 38 * leaning[0], y - 38 * leaning[2]), color)
+    write_rgb(path, side, side, bytes(picture))
+    return path
+
+
 def draw_colors(kit, path):
-    kit.sheet(path, [[MAPS / "dents_height.png", MAPS / "dents_normal.png", DENTS]], 240, 240, below=[["heights: bump, dent", "normal map", "lit from the upper left"]], colors=0)
+    parts = [MAPS / "dents_height.png", MAPS / "dents_normal.png", write_section(kit.folder / "section.png", 200), DENTS]
+    kit.sheet(path, [parts], 200, 200, below=[["heights: bump, dent", "normal map", "section, normals in their colors", "lit from the upper left"]], colors=0)
 
 
 def inward(kit):

@@ -23,35 +23,12 @@
 #include "shading/open_surfaces.h"
 
 namespace rakelight::raster {
+
+namespace avx512 {
+[[maybe_unused]] static const Kernels* kernels() { return avx512x2::kernels(); }  // pairs of vectors are faster there
+}  // namespace avx512
+
 namespace {
-
-const Kernels* kernels_for(Isa isa) {
-    switch (isa) {
-        case Isa::scalar:
-            return scalar::kernels();
-        case Isa::sse2:
-            return sse2::kernels();
-        case Isa::avx2:
-            return avx2::kernels();
-        case Isa::avx512:
-            return avx512x2::kernels();
-    }
-    return scalar::kernels();
-}
-
-const GeometryKernels* geometry_kernels_for(Isa isa) {
-    switch (isa) {
-        case Isa::scalar:
-            return scalar::geometry_kernels();
-        case Isa::sse2:
-            return sse2::geometry_kernels();
-        case Isa::avx2:
-            return avx2::geometry_kernels();
-        case Isa::avx512:
-            return avx512::geometry_kernels();
-    }
-    return scalar::geometry_kernels();
-}
 
 /// What the tiles of this picture took, and begins anew. When no scratch is out.
 void add_times(cpu_shading::ScratchPool<TileScratch>& pool, StageTimes& sum) {
@@ -88,8 +65,8 @@ int strip_end(const TileGrid& grid, int first, int rows) {
 class SoftEngine final : public Engine {
 public:
     SoftEngine()
-        : kernels_(kernels_for(isa_from_environment())),
-          geometry_kernels_(geometry_kernels_for(isa_from_environment())) {}
+        : kernels_(RL_BY_ISA(isa_from_environment(), kernels())),
+          geometry_kernels_(RL_BY_ISA(isa_from_environment(), geometry_kernels())) {}
 
     std::string name() const override { return "soft"; }
 

@@ -20,20 +20,6 @@
 namespace rakelight::raytrace {
 namespace {
 
-const Kernels* kernels_for(Isa isa) {
-    switch (isa) {
-        case Isa::scalar:
-            return scalar::kernels();
-        case Isa::sse2:
-            return sse2::kernels();
-        case Isa::avx2:
-            return avx2::kernels();
-        case Isa::avx512:
-            return avx512::kernels();
-    }
-    return scalar::kernels();
-}
-
 void add(const RayStats& from, RayStats& to) {
     to.primary += from.primary, to.shadow += from.shadow;
     to.reflected += from.reflected, to.refracted += from.refracted, to.dropped += from.dropped;
@@ -66,7 +52,7 @@ Window whole(const RenderSettings& s) { return s.window == Window{} ? Window{0, 
 
 class RaytraceEngine final : public Engine {
 public:
-    RaytraceEngine() : isa_(isa_from_environment()), kernels_(*kernels_for(isa_)), rays_(isa_) {}
+    RaytraceEngine() : isa_(isa_from_environment()), kernels_(*RL_BY_ISA(isa_, kernels())), rays_(isa_) {}
 
     std::string name() const override { return "trace"; }
     EngineAbilities abilities() const override {
