@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Long work without Python's lock: it runs on a thread of its own while the caller's looks for Ctrl+C and tells of progress.
+// Long work without the GIL: it runs on a thread of its own, while the caller's thread checks for signals and reports progress.
 #pragma once
 #include <pybind11/pybind11.h>
 
@@ -23,7 +23,7 @@ public:
     Runner(int threads, std::uint64_t max_memory);  ///< @throws Error usage: threads out of range
     Context& context() { return *context_; }
 
-    /// Calls work() without the lock and returns what it returns. Work must not touch Python.
+    /// Calls work() without the GIL and returns what it returns. Work must not touch Python.
     /// @param progress  called as progress(stage, fraction); None: nobody asks
     /// @throws what work throws; what a signal's handler (KeyboardInterrupt) or `progress` raises: the work was cancelled then
     template <class Work>

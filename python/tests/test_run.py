@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python's lock, Ctrl+C, progress, memory."""
+"""The GIL, Ctrl+C, progress, memory."""
 import os
 import signal
 import subprocess
