@@ -90,6 +90,7 @@ LIBRARIES = {
     r"embree": ["engines/raytrace"],
     r"epoxy/|EGL/|GL/": ["engines/opengl", "apps/viewer/gl_pictures.cpp"],
     r"toml": ["io"],
+    r"pybind11/": ["python/src"],
 }
 
 # Sources compiled per instruction set see only these: nothing whose inline functions the linker could merge between sets.
@@ -259,7 +260,7 @@ def main():
     parser.add_argument("--compile", action="store_true", help="also compile every header alone")
     options = parser.parse_args()
     wrong = []
-    for path in sources("src", "include", "apps", "examples"):
+    for path in sources("src", "include", "apps", "examples", "python"):
         check_file(path, wrong)
         if path.parts[0] == "include":
             check_export(path, wrong)
