@@ -121,10 +121,10 @@ endif()
 
 # One file of targets for each library and kind: whoever asks for attributes meets no other library's name.
 foreach(kind IN LISTS kinds)
-  foreach(name library attributes)
+  foreach(name library attributes)  # two components, as who wants attributes alone need not have the other's libraries
     set(set Rakelight-${name}-${kind})
     install(TARGETS rakelight_${name}_${kind} EXPORT ${set} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
-      LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development)
+      LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name} NAMELINK_COMPONENT development)
     install(EXPORT ${set} NAMESPACE Rakelight:: DESTINATION ${package_dir} COMPONENT development)
   endforeach()
 endforeach()
