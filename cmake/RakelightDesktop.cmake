@@ -5,7 +5,7 @@ set(made "")
 function(rl_printed_by_program file folder)
   set(path ${PROJECT_BINARY_DIR}/desktop/${file})
   add_custom_command(OUTPUT ${path} COMMAND rakelight ${ARGN} > ${path} DEPENDS rakelight VERBATIM)
-  install(FILES ${path} DESTINATION ${folder} COMPONENT programs)
+  install(FILES ${path} DESTINATION ${folder} COMPONENT programs OPTIONAL)
   set(made ${made} ${path} PARENT_SCOPE)
 endfunction()
 

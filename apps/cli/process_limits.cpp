@@ -16,6 +16,10 @@
 namespace rakelight::cli {
 namespace {
 
+using namespace std::chrono_literals;
+
+constexpr auto between_looks = 10ms;
+
 /// Of the process's first thread, which is who starts programs; empty where the kernel does not tell.
 std::vector<pid_t> children() {
     const std::string self = std::to_string(getpid());
@@ -55,7 +59,9 @@ std::string passed(const Limits& limits, double seconds) {
     std::uint64_t bytes = bytes_of(getpid());
     for (const pid_t child : children()) cpu += cpu_seconds_of(child), bytes += bytes_of(child);
     const std::string time = std::to_string(int(limits.cpu_seconds * 1000)) + " ms of processor time";
-    if (cpu > limits.cpu_seconds) return "it takes more than the " + time + " that it may";
+    const double until_end =
+        2 * std::chrono::duration<double>(between_looks).count();  // the next look, and ending itself
+    if (cpu + until_end > limits.cpu_seconds) return "it takes more than the " + time + " that it may";
     if (seconds > limits.seconds) return "it takes longer than " + std::to_string(int(limits.seconds)) + " s";
     if (bytes <= limits.bytes) return {};
     return "it takes more than the " + std::to_string(limits.bytes >> 20) + "M of memory that it may";
@@ -84,7 +90,7 @@ void ProcessLimits::watch() {
     using namespace std::chrono;
     const auto begun = steady_clock::now();
     std::unique_lock lock(mutex_);
-    while (!changed_.wait_for(lock, 10ms, [this] { return is_over_; })) {
+    while (!changed_.wait_for(lock, between_looks, [this] { return is_over_; })) {
         const std::string reason = passed(limits_, duration<double>(steady_clock::now() - begun).count());
         if (reason.empty()) continue;
         remove_unfinished_outputs();

@@ -15,7 +15,7 @@ struct Limits {
     std::uint64_t bytes;  ///< of memory in use, with the programs that this one has started
 };
 
-/// While it lives, a thread looks every 10 ms at what this process takes. Past a limit it removes unfinished outputs, says which limit it
+/// While it lives, a thread looks every 10 ms at what this process takes. Past a limit, of processor time shortly before it, it removes unfinished outputs, says which limit it
 /// was in a line on standard error, and ends the process with exit code 1. Memory has a hard limit of the same size beside that, for what
 /// asks for much at once: then the program says that there is no memory.
 class ProcessLimits {

@@ -53,7 +53,7 @@ PictureRequest request_of(const Run& run, const std::string& model, int size) {
 Command thumbnail_command() {
     const Option seconds = {
         "cpu-seconds", "Output", "S",
-        "Processor time that the thumbnail may take, 0.01 to 60 (default 0.3); by the clock it is ten times as long"};
+        "Processor time that the thumbnail may take, 0.05 to 60 (default 0.3); by the clock it is ten times as long"};
     std::vector<Option> options = apps::without(apps::joined({{seconds}, apps::common_options()}), {"config", "json"});
     apps::find(options, "max-memory").help = "Memory that the whole program may take, for example 1G (default: 285M)";
     apps::find(options, "threads").help =
@@ -72,7 +72,7 @@ int run_thumbnail(const Run& run) {
     const int size = values::integer("SIZE", run.inputs[2], 16, 2048);
     const Given& given = run.given;
     const double cpu_seconds = given.has("cpu-seconds")
-                                   ? values::number("cpu-seconds", given.word("cpu-seconds"), 0.01, 60)
+                                   ? values::number("cpu-seconds", given.word("cpu-seconds"), 0.05, 60)
                                    : most_cpu_seconds;
     const std::uint64_t bytes = run.max_memory ? run.max_memory : most_bytes;
     try {

@@ -4,9 +4,12 @@
 
   thumbnail_test.py PROGRAM [unittest arguments]"""
 import os
+import pathlib
 import unittest
 
 import program
+
+MODELS = {".glb", ".gltf", ".obj", ".ply", ".xyz", ".pts", ".fbx", ".dae", ".3ds", ".ase", ".blend", ".stl", ".off", ".x"}
 
 
 class Thumbnail(program.Case):
@@ -91,6 +94,27 @@ class Thumbnail(program.Case):
         self.assertNotEqual(result.code, 0)
         self.assertEqual(len(result.lines), 1, result.err)
         self.assertEqual(os.listdir(self.folder), ["many.obj"])
+
+    @unittest.skipIf(program.SANITIZED, "sanitizers have memory of their own")
+    def test_broken_files_take_no_more_than_they_may(self):
+        """Each ends with a known exit code, a thumbnail or one line, and never takes more than 300 MB."""
+        folder = pathlib.Path(os.environ.get("RAKELIGHT_SHARED", pathlib.Path(__file__).parents[3] / "shared")) / "hostile"
+        if not folder.is_dir():
+            self.skipTest(f"{folder} is not there")
+        models = [path for path in sorted(folder.rglob("*")) if path.suffix.lower() in MODELS]
+        self.assertGreater(len(models), 300)
+        for model in models:
+            picture, said = self.folder / "small.png", self.folder / "said"
+            picture.unlink(missing_ok=True)
+            actions = [(os.POSIX_SPAWN_OPEN, 2, str(said), os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)]
+            child = os.posix_spawn(program.PROGRAM, [program.PROGRAM, "thumbnail", str(model), str(picture), "128"], os.environ, file_actions=actions)
+            _, status, used = os.wait4(child, 0)
+            with self.subTest(model=model.relative_to(folder)):
+                code = os.waitstatus_to_exitcode(status)
+                self.assertIn(code, (0, 1, 3, 4))
+                self.assertEqual(picture.exists(), code == 0)
+                self.assertEqual(len(said.read_text(errors="replace").splitlines()), int(code != 0))
+                self.assertLess(used.ru_maxrss * 1024, 300e6)
 
 
 if __name__ == "__main__":
