@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The same sources give the same Debian packages, byte by byte, from two folders, without the compiler cache: about an hour on two cores. With
-# RAKELIGHT_QUICK=1 it is the attribute library alone that is built twice, and the packages are put together twice of one build.
+# The same sources give the same bytes from two folders, without the compiler cache: the attribute library is built twice, and the Debian
+# packages are put together twice of one build. With RAKELIGHT_WHOLE=1 everything is built twice, which takes an hour on two cores.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/../.."
 
@@ -16,7 +16,7 @@ zones=(UTC Asia/Kolkata)
 build() {
     mkdir -p "$1"
     git ls-files -z | xargs -0 cp --parents -t "$1"
-    if [ "${RAKELIGHT_QUICK:-}" = 1 ]; then
+    if [ "${RAKELIGHT_WHOLE:-}" != 1 ]; then
         cmake --preset deb -S "$1" -B "$1/build/deb" >/dev/null
         cmake --build "$1/build/deb" -j "$(nproc)" --target rakelight_attributes_shared rakelight_attributes_static
         mkdir -p "$1/build/packages"
@@ -29,7 +29,7 @@ build() {
 for i in 0 1; do
     CCACHE_DISABLE=1 build "${folders[i]}" "${zones[i]}" >"$place/log" 2>&1 || { tail -n 30 "$place/log"; exit 1; }
 done
-if [ "${RAKELIGHT_QUICK:-}" = 1 ]; then
+if [ "${RAKELIGHT_WHOLE:-}" != 1 ]; then
     for i in 0 1; do
         TZ=${zones[i]} tools/make_packages.sh "$place/packages$i" >"$place/log" 2>&1 || { tail -n 30 "$place/log"; exit 1; }
         mv "$place/packages$i"/* "${folders[i]}/build/packages/"
