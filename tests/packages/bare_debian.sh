@@ -75,6 +75,7 @@ root=$(mktemp -d "$cache/run.XXXXXX")
 trap 'rm -rf --one-file-system "$root"' EXIT
 trap 'exit 130' INT TERM
 tar -C "$root" -xf "$base"
+chmod 755 "$root"  # its other users go in, too
 cp -L /etc/resolv.conf "$root/etc/resolv.conf"
 mkdir "$root/given" "$root/out" "$root/work"
 for path in "${given[@]}"; do cp -RL "$path" "$root/given/"; done
