@@ -38,7 +38,12 @@ endif()
 target_compile_definitions(rl_flags INTERFACE $<$<OR:$<CONFIG:Debug>,$<BOOL:${RAKELIGHT_TESTS}>>:RL_ASSERTIONS=1>)
 set_property(TARGET rl_flags PROPERTY INTERFACE_POSITION_INDEPENDENT_CODE ON)
 
-set(RL_ISAS scalar sse2 avx2 avx512)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+  set(RL_ISAS scalar sse2 avx2 avx512)
+else()  # the same bits, one pixel at a time; char is signed as there
+  set(RL_ISAS scalar)
+  target_compile_options(rl_flags INTERFACE -fsigned-char)
+endif()
 set(RL_ISA_FLAGS_scalar "")
 set(RL_ISA_FLAGS_sse2 "-msse2")
 set(RL_ISA_FLAGS_avx2 "-mavx2;-mno-fma")
@@ -74,7 +79,9 @@ endfunction()
 
 # By pairs of vectors (math/wide_pair.h), for the set that has the registers for it.
 function(rl_add_pair_sources target)
-  rl_add_flavour(${target} avx512 avx512x2 RL_WIDE_PAIRS=1 ${ARGN})
+  if(avx512 IN_LIST RL_ISAS)
+    rl_add_flavour(${target} avx512 avx512x2 RL_WIDE_PAIRS=1 ${ARGN})
+  endif()
 endfunction()
 
 # As rl_add_isa_sources, with pairs in place of single vectors where there are any.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A picture of buffers of your own: no file. Two squares that meet at a right angle become two objects of a scene.
 //
-//   buffers [PICTURE]      buffers.png when nothing is said
+//   buffers [PICTURE]      buffers.png by default
 #include <cstdio>
 #include <string>
 #include <vector>

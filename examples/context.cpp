@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a program with a window wants of a long run: how far it is, to end it, to begin again, and a limit on memory.
 //
-//   context [MODEL]      builtin:teapot when nothing is said
+//   context [MODEL]      builtin:teapot by default
 #include <cstdio>
 #include <string>
 

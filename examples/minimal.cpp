@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The shortest way from a model to a picture: load, smooth, render, save.
 //
-//   minimal [MODEL] [PICTURE]      builtin:teapot and teapot.png when nothing is said
+//   minimal [MODEL] [PICTURE]      builtin:teapot and teapot.png by default
 #include <cstdio>
 #include <string>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tiles into memory of your own, as they are finished: a sink that counts how many pixels show each object, and keeps no picture.
 //
-//   own_sink [MODEL]      builtin:teapot when nothing is said
+//   own_sink [MODEL]      builtin:teapot by default
 #include <cstdio>
 #include <map>
 #include <mutex>

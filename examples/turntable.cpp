@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Many pictures of one scene: a session keeps what was made for the first. The model turns once round, as numbered pictures.
 //
-//   turntable [MODEL] [FOLDER] [FRAMES]      builtin:teapot, the folder it runs in and 12 when nothing is said
+//   turntable [MODEL] [FOLDER] [FRAMES]      builtin:teapot, the folder it runs in and 12 by default
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

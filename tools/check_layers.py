@@ -54,7 +54,7 @@ ROOMS = {
 # Of an engine's headers what modules above it see, and what these headers may include of the engine themselves.
 DOORS = {
     "engines/raster": re.compile(r"engines/raster/(raster_engine|geometry/clip|kernels/clip_planes|visibility/depth_formats|"
-                                 r"lights/lit_corner|inspect/(inspection|explanation|traced_pixel|inspect_pixels|inspect_samples|inspect_shading|nearest_shown))\.h"),
+                                 r"lights/lit_corner|inspect/(inspection|explanation|traced_pixel|inspect_pixels|inspect_samples|inspect_shading|nearest_visible))\.h"),
     "engines/raytrace": re.compile(r"engines/raytrace/(raytrace_engine|surface_rays)\.h"),
     "engines/opengl": re.compile(r"engines/opengl/(opengl_engine|window_view)\.h"),
 }
@@ -82,7 +82,7 @@ LIBRARIES = {
     r"expat\.h": ["src/io/import/xml_events.cpp"],
     r"draco/|meshoptimizer\.h": ["io"],
     r"nlohmann/": ["io", "tools", "render", "apps/cli"],
-    r"fmt/": ["tools", "render", "apps/cli"],
+    r"fmt/": ["base"],
     r"assimp/": ["apps/import"],
     r"CLI/": ["apps/common"],
     r"opensubdiv/": ["geometry"],

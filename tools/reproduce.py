@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the pictures and numbers of docs/reproduction.md from nothing, and holds the numbers against the ranges of tools/reproduction/ranges.py.
+"""Makes the pictures and numbers of docs/reproduction.md from nothing, and compares the numbers with the ranges of tools/reproduction/ranges.py.
 
   reproduce.py [--program build/release/rakelight] [--out build/reproduction] [--page docs/reproduction.md] [NAME...]
   reproduce.py --list
 
-NAME is an entry (s1-fig3) or the beginning of some (s2). Writes NAME.png, and numbers.json of all that the folder has. --timed measures times too, which
-no range holds. --page writes those numbers into the page, too. --scale 0.3 makes smaller pictures for the numbers. Exit code 1 where a number is outside of its range.
-Only the standard library is needed."""
+NAME is an entry (s1-fig3) or the beginning of several (s2). Writes NAME.png, and numbers.json with the numbers of all entries in the folder. --timed also
+measures times, which have no range. --page also writes the numbers into the page. --scale 0.3 measures with smaller pictures. Exit code 1 if a number is
+outside of its range. Only the standard library is needed."""
 import argparse
 import json
 import pathlib
@@ -15,12 +15,12 @@ import re
 import sys
 import tempfile
 
-from reproduction import pending, s1_attributes, s1_frames, s1_light, s1_seams, s2_pipeline, s2_shading, s2_visibility, s3_bumps, s3_light, s3_maps
+from reproduction import pending, s1_attributes, s1_frames, s1_light, s1_models, s1_scenes, s1_seams, s2_pipeline, s2_shading, s2_visibility, s2_world, s3_bumps, s3_detail, s3_light, s3_maps
 from reproduction.kit import Failure, Kit
 from reproduction.ranges import RANGES
 from sheet import PROGRAM, ROOT
 
-MODULES = (s1_light, s1_frames, s1_attributes, s1_seams, s2_pipeline, s2_visibility, s2_shading, s3_maps, s3_bumps, s3_light, pending)
+MODULES = (s1_light, s1_models, s1_scenes, s1_frames, s1_attributes, s1_seams, s2_pipeline, s2_visibility, s2_shading, s2_world, s3_maps, s3_bumps, s3_detail, s3_light, pending)
 ENTRIES = {entry.name: entry for module in MODULES for entry in module.ENTRIES}
 
 
@@ -39,7 +39,7 @@ def words_of(low, high):
 
 
 def faults(name, numbers):
-    """What is outside of its range, or has none."""
+    """The numbers that are outside of their range, or have none."""
     found = []
     for what in sorted(numbers.keys() | RANGES[name].keys()):
         if what not in numbers or what not in RANGES[name]:
@@ -52,7 +52,7 @@ def faults(name, numbers):
 
 
 def make(entry, options):
-    """Numbers of an entry, and its picture; None where the program lacks what it needs."""
+    """Numbers of an entry, and its picture; None if the program lacks a feature that it needs."""
     with tempfile.TemporaryDirectory() as folder:
         kit = Kit(options.program, folder, options.scale)
         why = pending.lacks(kit, entry.name)
@@ -69,7 +69,7 @@ def rows(name, entry):
     """The numbers as a table of Markdown."""
     shown = [(what, number(value), words_of(*RANGES[name][what])) for what, value in entry["numbers"].items()]
     shown += [(what, number(value), "") for what, value in entry["times"].items()]
-    return "".join(f"| {' | '.join(row)} |\n" for row in (("number", "", "may be"), ("---", "---:", "---"), *shown))
+    return "".join(f"| {' | '.join(row)} |\n" for row in (("number", "value", "allowed"), ("---", "---:", "---"), *shown))
 
 
 def update_page(page, made):

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake_verb.h"
-
 #include <algorithm>
 
 #include <rakelight/tools/rows.h>
@@ -10,6 +8,7 @@
 #include "help_texts.h"
 #include "map_size.h"
 #include "run_file.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 namespace {
@@ -21,12 +20,13 @@ struct Length {
 };
 constexpr Length lengths[] = {
     {"distance", "Rays",
-     "How far the cage stands off [m], outside and inside (default: proposed by rays from LOW, and said)",
+     "Distance of the cage from LOW [m], outward and inward (default: estimated by rays from LOW, and printed)",
      &BakeOptions::distance},
-    {"occlusion-distance", "Maps", "Occlusion: what is farther away [m] hides nothing (default: nothing is too far)",
+    {"occlusion-distance", "Maps", "Occlusion: surfaces farther away [m] do not occlude (default: no limit)",
      &BakeOptions::occlusion_distance},
     {"curvature-radius", "Maps",
-     "Curvature: the radius [m] whose curvature is white, hollow black (default: a 50th of HIGH's diagonal)",
+     "Curvature: the radius of curvature [m] that maps to white where convex and to black where concave (default: 1/50 "
+     "of HIGH's diagonal)",
      &BakeOptions::curvature_radius},
 };
 
@@ -37,15 +37,15 @@ struct Count {
     int low, high;
 };
 constexpr Count counts[] = {
-    {"samples", "N", "Rays", "Rays a texel: 1, 4 (default) or 16", &BakeOptions::samples, 1, 16},
+    {"samples", "N", "Rays", "Rays per texel: 1, 4 (default) or 16", &BakeOptions::samples, 1, 16},
     {"radiosity-elements", "N", "Maps",
-     "Light: pieces that HIGH is cut into, 1 to 200000 (default 20000, or half as many again as its triangles)",
-     &BakeOptions::light_elements, 1, most_radiosity_elements},
-    {"rays", "N", "Maps", "Occlusion: rays to the sky a sample, 1 to 4096 (default 64)", &BakeOptions::rays, 1, 4096},
-    {"padding", "PX", "Texture coordinates", "Pixels by which charts are continued beyond their borders (default 8)",
+     "Light: radiosity elements that HIGH is divided into, 1 to 200000 (default 20000, or 1.5 times its triangles)",
+     &BakeOptions::light_elements, 1, max_radiosity_elements},
+    {"rays", "N", "Maps", "Occlusion: rays per sample, 1 to 4096 (default 64)", &BakeOptions::rays, 1, 4096},
+    {"padding", "PX", "Texture coordinates", "Pixels by which charts are extended beyond their borders (default 8)",
      &BakeOptions::padding, 0, 1024},
     {"chart-margin", "PX", "Texture coordinates",
-     "Pixels left free between charts where coordinates are made (default 8)", &BakeOptions::chart_margin, 1, 1024},
+     "Free pixels between charts of generated texture coordinates (default 8)", &BakeOptions::chart_margin, 1, 1024},
 };
 
 constexpr Word<BakeSpace> spaces[] = {{"tangent", BakeSpace::tangent}, {"object", BakeSpace::object}};
@@ -71,28 +71,31 @@ std::vector<Option> own_options() {
            .is_required = true,
            .letter = 'o'},
           {"model", "Output", "FILE",
-           "Also write LOW as .glb or .gltf, with the coordinates, normals and tangents that the maps fit, and with "
-           "the maps of normals and occlusion"},
-          {"bits", "Output", "N", "PNG: bits a component, 8 or 16 (default 16 for heights, else 8)"},
-          {"size", "Output", "N", "Pixels a side, or W,H (default 1024)"}},
-         {{"maps", "Maps", "LIST", "Of normal, height, curvature, occlusion, light (default normal)"},
-          {"space", "Maps", "WHICH", "Normals: tangent (default) or object space"},
-          {"green", "Maps", "WAY", "Normals in tangent space: up (default, as glTF and OpenGL) or down (DirectX)"},
+           "Also write LOW as .glb or .gltf, with the texture coordinates, normals and tangents that the maps were "
+           "baked for, and with the normal and occlusion maps"},
+          {"bits", "Output", "N", "PNG: bits per component, 8 or 16 (default 16 for heights, else 8)"},
+          {"size", "Output", "N", "Size of the maps in pixels: one number for a square, or W,H (default 1024)"}},
+         {{"maps", "Maps", "LIST", "Maps to bake: normal, height, curvature, occlusion, light (default normal)"},
+          {"space", "Maps", "WHICH", "Space of normal maps: tangent (default) or object"},
+          {"green", "Maps", "WAY",
+           "Direction of green in tangent-space normal maps: up (default, as glTF and OpenGL) or down (DirectX)"},
           {"normalize-frames", "Maps", "",
-           "Normal and tangent of LOW are made unit and perpendicular in each texel before normals are written in "
-           "them, "
-           "as Rakelight reads maps unless told otherwise (default off: as MikkTSpace)",
-           switched}},
+           "Make normal and tangent of LOW unit and perpendicular in each texel before a normal is encoded. Rakelight "
+           "reads maps that way by default (default off: as MikkTSpace)",
+           on_off}},
          number_options("Maps"),
          number_options("Rays"),
          {{"high-normals", "Normals", "WHICH",
-           "HIGH's: auto (default: as it is rendered; glTF without normals is flat) or model (made over all objects)"},
+           "Normals of HIGH: auto (default: as rendered; glTF without normals is flat) or model (computed, smooth "
+           "across all objects)"},
           {"normals", "Normals", "WHICH",
-           "LOW's: auto (default: the file's where it has them, else model) or model (made over all objects)"},
+           "Normals of LOW: auto (default: the file's where it has them, else model) or model (computed, smooth across "
+           "all objects)"},
           {"crease-angle", "Normals", "DEG",
-           "LOW's edges that bend more stay sharp where normals are made (default 180: none). Rays know no creases"}},
+           "Edges of LOW with a larger angle between their faces stay sharp where normals are computed (default 180: "
+           "none). Rays ignore creases"}},
          {{"make-coordinates", "Texture coordinates", "",
-           "Make new texture coordinates although LOW has some (they are made where it has none)", flag}},
+           "Generate texture coordinates even if LOW has some (where it has none, they are always generated)", flag}},
          number_options("Texture coordinates"),
          apps::without(apps::common_options(), {"config"})});
 }
@@ -131,7 +134,7 @@ BakeOptions bake_options(const Given& given) {
         options.high_normals = values::word("high-normals", given.word("high-normals"), normals);
     if (given.has("green")) options.green_down = values::word("green", given.word("green"), greens);
     if (given.has("normalize-frames"))
-        options.normalize_frames = values::switched("normalize-frames", given.word("normalize-frames"));
+        options.normalize_frames = values::on_off("normalize-frames", given.word("normalize-frames"));
     if (given.has("crease-angle"))
         options.crease_angle_rad = radians(values::number("crease-angle", given.word("crease-angle"), 0, 180));
     options.make_coordinates = given.has("make-coordinates");
@@ -142,10 +145,10 @@ BakeOptions bake_options(const Given& given) {
 
 Command bake_command() {
     return {"bake",
-            "Write what a detailed model looks like into maps for a simple one",
+            "Bake the surface of a detailed model into maps for a simple one",
             bake_footer,
-            {{"HIGH", "Model of many triangles: a file, world file or builtin:...", true, false},
-             {"LOW", "Model of few, at the same place", true, false}},
+            {{"HIGH", "The detailed model: a file, world file or builtin:...", true, false},
+             {"LOW", "The simple model, at the same place", true, false}},
             own_options()};
 }
 

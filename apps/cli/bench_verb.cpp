@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench_verb.h"
-
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "../common/picture_options.h"
 #include "help_texts.h"
 #include "interrupt.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 namespace {
@@ -26,42 +25,43 @@ std::vector<Option> options_of_pictures() {
     std::vector<Option> options = apps::without(apps::picture_options(), {"engine"});
     apps::find(options, "resolution").help = "Size of the picture in pixels, also WxH (default 1920,1080)";
     Option& crease = apps::find(options, "crease-angle");
-    crease.help = "Edges bent more than this stay sharp, 0 to 180 (default 60; of smooth 180)";
+    crease.help = "Edges with a larger angle between their faces stay sharp, 0 to 180 (default 60; smooth: 180)";
     crease.also = "crease";
     Option& weld = apps::find(options, "weld-distance");
     weld.help =
-        "Positions of different objects at most this far apart count as one: of render in meters (default: equal, but "
-        "for "
-        "rounding), of smooth in edge lengths, up to 0.25 (default 0: exact)";
+        "Positions of different objects at most this far apart are welded: for render in meters (default: equal up to "
+        "rounding), for smooth in edge lengths, up to 0.25 (default 0: exact)";
     weld.also = "tolerance";
     apps::find(options, "weight").help =
-        "How a triangle pulls on a normal: angle (default of render), uniform (default of smooth), area, angle-area";
+        "Weight of a triangle in a vertex normal: angle (default for render), uniform (default for smooth), area, "
+        "angle-area";
     return options;
 }
 
 std::vector<Option> options_of_measurement() {
     return {
         {"triangles", "Measurement", "N",
-         "Size of the model that is made; 100k, 10M (default: smooth and pose 1M, render 100k)"},
+         "Triangles of the generated model, such as 100k or 10M (default: 1M for smooth and pose, 100k for render)"},
         {"objects", "Measurement", "N",
-         "Objects that it has (default: smooth and pose 16, render 100; fewer where triangles are few)"},
-        {"order", of_smooth, "ORDER", "coherent (default) or shuffled triangles and vertices"},
-        {"repetitions", of_smooth, "N", "Counted runs of each row, of pose too (default 10)"},
+         "Objects of the generated model (default: 16 for smooth and pose, 100 for render; fewer if it has few "
+         "triangles)"},
+        {"order", of_smooth, "ORDER", "Order of triangles and vertices: coherent (default) or shuffled"},
+        {"repetitions", of_smooth, "N", "Timed runs per row, for smooth and pose (default 10)"},
         {"with", of_smooth, "ROWS",
          "Also measure: crease (60 degrees), tolerance (0.1), order (the other one), plan (group, accumulate, "
-         "regroup), borders (matched where neighbors share no vertices); all"},
-        {"brute-force", of_smooth, "", "Also every vertex against every face, up to 50k triangles", flag},
-        {"joints", of_pose, "N", "Joints of the character that is made (default 64)"},
+         "regroup), borders (matched where neighbors share no vertices), or all"},
+        {"brute-force", of_smooth, "", "Also measure every vertex against every face, up to 50k triangles", flag},
+        {"joints", of_pose, "N", "Joints of the generated character (default 64)"},
         {"lights", of_render, "N",
-         "Point lights of the scene that is made, 0 to 8 (default 2), or up to 10000 small ones; 8,1000: both"},
+         "Point lights of the generated scene, 0 to 8 (default 2), or up to 10000 small ones; 8,1000 measures both"},
         {"engine", of_render, "NAMES", "Engines, separated by commas; their pictures are interleaved (default soft)"},
-        {"frames", of_render, "N", "Counted pictures of each engine, after one that is not counted (default 15)"},
+        {"frames", of_render, "N", "Timed pictures per engine, after one to warm up (default 15)"},
         {.name = "output",
          .group = of_render,
          .type = "FILE",
          .help = "Also write the picture of the first engine",
          .letter = 'o'},
-        {"export", of_render, "FILE", "Also write the scene as .glb, for other programs to be measured with"},
+        {"export", of_render, "FILE", "Also write the scene as .glb, to measure other programs with it"},
     };
 }
 
@@ -69,12 +69,11 @@ std::vector<Option> options_of_measurement() {
 
 Command bench_command() {
     return {"bench",
-            "Measure the program itself, beside what it is compared with",
+            "Measure the speed of the program next to baselines",
             bench_footer,
             {{"WHAT", "What to measure: smooth (normals and tangents), render (pictures) or pose (clips)", true, false},
              {"SCENE",
-              "For render: a model or world file, or builtin:teapot; for pose: a model with clips (default: made by "
-              "formulas)",
+              "For render: a model or world file, or builtin:teapot; for pose: a model with clips (default: generated)",
               false, false}},
             apps::joined({options_of_pictures(), options_of_measurement(), apps::common_options()})};
 }
@@ -118,16 +117,16 @@ std::uint64_t memory_of_machine() {
 /// An option that belongs to the other measurement.
 void refuse(const Given& given, const char* what, std::initializer_list<std::string_view> options) {
     if (const std::string_view option = given.first_of(options); !option.empty())
-        throw Error(ErrorCode::usage, "--" + std::string(option) + " is not for bench " + what);
+        throw Error(ErrorCode::usage, "--" + std::string(option) + " does not apply to bench " + what);
 }
 
 SmoothBenchOptions smooth_options(const Run& run) {
     const Given& given = run.given;
-    if (run.inputs.size() > 1) throw Error(ErrorCode::usage, "a scene is not for bench smooth");
+    if (run.inputs.size() > 1) throw Error(ErrorCode::usage, "bench smooth takes no scene");
     refuse(given, "smooth", {"lights", "engine", "frames", "output", "export", "joints"});
     for (const WorldValue& value : given.settings())
         if (value.key != "weight" && value.key != "crease-angle" && value.key != "weld-distance")
-            throw Error(ErrorCode::usage, "--" + value.key + " is not for bench smooth");
+            throw Error(ErrorCode::usage, "--" + value.key + " does not apply to bench smooth");
     constexpr Word<bool> orders[] = {{"coherent", false}, {"shuffled", true}};
     SmoothBenchOptions o;
     o.triangles = 1'000'000;
@@ -148,7 +147,7 @@ SmoothBenchOptions smooth_options(const Run& run) {
 void take_world(const Run& run, RenderBenchOptions& o) {
     const WorldRequest world = world_request(run, o.scene, run.given.settings());
     const bool says_size = run.given.has("resolution") ||
-                           std::ranges::find(world.taken, "resolution", &WorldValue::key) != world.taken.end();
+                           std::ranges::find(world.applied, "resolution", &WorldValue::key) != world.applied.end();
     const int width = o.settings.width, height = o.settings.height;
     o.picture = world.picture;
     o.load = o.picture.load;
@@ -163,7 +162,7 @@ RenderBenchOptions render_options(const Run& run) {
     if (run.inputs.size() > 1) o.scene = run.inputs[1];
     if (const std::string_view option = given.first_of({"triangles", "objects", "lights"});
         !o.scene.empty() && !option.empty())
-        throw Error(ErrorCode::usage, "--" + std::string(option) + " is for the built-in scene, not for a file");
+        throw Error(ErrorCode::usage, "--" + std::string(option) + " applies to the generated scene, not to a file");
     o.load = run.picture.load;
     o.output = given.word("output");
     o.export_file = given.word("export");
@@ -196,7 +195,7 @@ PoseBenchOptions pose_options(const Run& run) {
     if (const std::string_view option = given.first_of({"triangles", "objects", "joints"});
         !o.scene.empty() && !option.empty())
         throw Error(ErrorCode::usage,
-                    "--" + std::string(option) + " is for the character that is made, not for a file");
+                    "--" + std::string(option) + " applies to the generated character, not to a file");
     o.load = run.picture.load;
     read_count(given, "triangles", o.triangles, 100, 100'000'000);
     o.objects = std::uint32_t(std::min<std::uint64_t>(o.objects, o.triangles / 32));

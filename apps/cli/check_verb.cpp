@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "check_verb.h"
-
 #include <algorithm>
 
 #include <rakelight/tools/rows.h>
@@ -10,14 +8,15 @@
 #include "help_texts.h"
 #include "interrupt.h"
 #include "run_file.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 
 Command check_command() {
-    const Option schema = {"schema", "Output", "", "Print the JSON schema of world files, for editors, and end",
+    const Option schema = {"schema", "Output", "", "Print the JSON schema of world files, for editors, and exit",
                            apps::Form::flag};
     return {"check",
-            "Say whether scene files load, and what they hold",
+            "Check that scene files load, and list what they contain",
             check_footer,
             {{"SCENE", "Model files and world files", false}},
             apps::joined({{schema}, apps::input_options(), apps::common_options()})};
@@ -29,7 +28,7 @@ namespace {
 void check_render(const Run& run, const std::string& input, const Scene& scene, Context& context) {
     if (!is_world_file(input)) return;
     const auto takes = [](std::string_view key) { return apps::refuse_options_of_the_run(key), true; };
-    const WorldRequest world = read_world_request(input, run.picture.load, {.values = {}, .takes = takes}, context);
+    const WorldRequest world = read_world_request(input, run.picture.load, {.values = {}, .accepts = takes}, context);
     try {
         check_picture(scene, world.picture, context);
     } catch (const Error& error) {

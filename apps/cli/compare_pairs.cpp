@@ -34,7 +34,7 @@ std::vector<ComparedPair> pairs_of_folders(const std::string& a, const std::stri
     std::set<std::string> all = in_a;
     all.insert(in_b.begin(), in_b.end());
     if (all.empty())
-        throw Error(ErrorCode::not_found, "neither this folder nor '" + one_line(b, 160) + "' holds a picture")
+        throw Error(ErrorCode::not_found, "neither this folder nor '" + one_line(b, 160) + "' contains a picture")
             .with_file(a);
     std::vector<ComparedPair> pairs;
     for (const std::string& name : all) {
@@ -88,12 +88,12 @@ std::vector<ComparedPair> pairs_of_inputs(const Run& run) {
     if (run.given.has("engines")) return pairs_of_engines(run);
     if (run.inputs.size() != 2)
         throw Error(ErrorCode::usage,
-                    "two pictures, folders or scenes are compared, not " + std::to_string(run.inputs.size()), {},
+                    "compare takes two pictures, folders or scenes, not " + std::to_string(run.inputs.size()), {},
                     "see rakelight compare --help");
     const std::string &a = run.inputs[0], &b = run.inputs[1];
     if (is_folder(a) && is_folder(b)) return pairs_of_folders(a, b);
     for (const std::string* input : {&a, &b})
-        if (is_folder(*input)) throw Error(ErrorCode::usage, "is a folder, and the other is none").with_file(*input);
+        if (is_folder(*input)) throw Error(ErrorCode::usage, "is a folder, but the other is not").with_file(*input);
     return {{side_of(run, a), side_of(run, b), {}, {}}};
 }
 
@@ -112,7 +112,7 @@ void check_drawn(const Run& run, std::vector<ComparedPair>& pairs) {
             }
         }
     if (!draws && !run.given.settings().empty())
-        throw Error(ErrorCode::usage, "is for scenes that are drawn, and these are pictures")
+        throw Error(ErrorCode::usage, "applies to scenes, but these are pictures")
             .about(run.given.settings().front().key);
 }
 

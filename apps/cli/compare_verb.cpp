@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare_verb.h"
-
 #include <algorithm>
 #include <filesystem>
 
@@ -13,6 +11,7 @@
 #include "help_texts.h"
 #include "interrupt.h"
 #include "run_file.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 namespace {
@@ -23,12 +22,12 @@ struct Limit {
     std::optional<double> CompareLimits::*limit;
 };
 constexpr Limit limits[] = {
-    {"max-error", "V", "Largest difference of a component, 0 to 1", &CompareLimits::max_error},
-    {"max-rmse", "V", "Largest root of the mean squared difference", &CompareLimits::max_rmse},
-    {"min-psnr", "DB", "Least peak signal-to-noise ratio, in decibels", &CompareLimits::min_psnr_db},
-    {"min-ssim", "V", "Least mean structural similarity, -1 to 1 (equal)", &CompareLimits::min_ssim},
-    {"max-flip", "V", "Largest mean FLIP, 0 (equal) to 1", &CompareLimits::max_flip},
-    {"max-differing", "V", "Largest share of differing pixels, 0 to 1", &CompareLimits::max_differing_share},
+    {"max-error", "V", "Largest allowed difference of a component, 0 to 1", &CompareLimits::max_error},
+    {"max-rmse", "V", "Largest allowed root-mean-square difference", &CompareLimits::max_rmse},
+    {"min-psnr", "DB", "Smallest allowed peak signal-to-noise ratio, in decibels", &CompareLimits::min_psnr_db},
+    {"min-ssim", "V", "Smallest allowed mean structural similarity, -1 to 1 (equal)", &CompareLimits::min_ssim},
+    {"max-flip", "V", "Largest allowed mean FLIP, 0 (equal) to 1", &CompareLimits::max_flip},
+    {"max-differing", "V", "Largest allowed fraction of differing pixels, 0 to 1", &CompareLimits::max_differing_share},
 };
 
 std::vector<Option> own_options() {
@@ -39,17 +38,18 @@ std::vector<Option> own_options() {
          .help = "Picture of the difference, or .html: a page with wipe sliders. {model} stands for the name of B",
          .letter = 'o'},
         {"difference", "Output", "WHAT",
-         "In the picture: flip (default; 0 dark blue, over green and yellow, 1 white) or absolute (|A - B| times the "
-         "gain). EXR and HDR hold the numbers"},
-        {"gain", "Output", "G", "Times which absolute differences are shown (default 10; EXR and HDR: 1)"},
+         "What the difference picture shows: flip (default; from 0, dark blue, through green and yellow to 1, white) "
+         "or absolute (|A - B| times the gain). EXR and HDR files hold the values themselves"},
+        {"gain", "Output", "G", "Factor on absolute differences (default 10; EXR and HDR: 1)"},
         {"engines", "Compare", "LIST",
-         "Draw each scene with these engines, as soft,gl, and compare the first with each other"},
+         "Draw each scene with these engines, such as soft,gl, and compare the first engine with each of the others"},
         {"tolerance", "Compare", "T",
-         "Components may be off by so much before a pixel counts as differing (default 0)"},
-        {"pixels-per-degree", "Compare", "P", "FLIP: of the viewer's angle, 1 to 1000 (default 67)"},
+         "A pixel counts as differing if a component differs by more than this (default 0)"},
+        {"pixels-per-degree", "Compare", "P",
+         "FLIP: pixels per degree of the viewer's visual angle, 1 to 1000 (default 67)"},
     };
     for (const Limit& limit : limits)
-        options.push_back({limit.name, "Limits (exit code 5 past any)", limit.type, limit.help});
+        options.push_back({limit.name, "Limits (exit code 5 if one is exceeded)", limit.type, limit.help});
     return options;
 }
 
@@ -88,10 +88,10 @@ Settings settings_of(const Run& run) {
     if (s.gain && !(*s.gain > 0)) throw values::wrong("gain", "must be more than 0");
     const bool is_picture = !run.picture.output.empty() && !is_page(run.picture.output);
     if (given.has("difference") && !is_picture)
-        throw Error(ErrorCode::usage, "is for a difference picture; pages have both", {}, "write -o difference.png")
+        throw Error(ErrorCode::usage, "applies to a difference picture; pages have both", {}, "write -o difference.png")
             .about("difference");
     if (s.gain && (run.picture.output.empty() || (is_picture && s.kind == DifferenceKind::flip)))
-        throw Error(ErrorCode::usage, "is for absolute differences", {}, "add -o FILE.png --difference absolute")
+        throw Error(ErrorCode::usage, "applies to absolute differences", {}, "add -o FILE.png --difference absolute")
             .about("gain");
     return s;
 }
@@ -109,11 +109,11 @@ Pixels pixels_of(const ComparedSide& side, Context& context) {
     }
 }
 
-/// Nobody has said how large the picture of a scene is.
+/// The size of the picture of a scene is not given.
 bool has_free_size(const Run& run, const ComparedSide& side) {
     if (!side.scene || run.given.has("resolution") || run.given.has("window")) return false;
     const std::optional<WorldRequest>& world = side.scene->world;
-    return !world || std::ranges::find(world->taken, "resolution", &WorldValue::key) == world->taken.end();
+    return !world || std::ranges::find(world->applied, "resolution", &WorldValue::key) == world->applied.end();
 }
 
 /// Both sides; a scene beside a picture is drawn as large as that.
@@ -134,7 +134,7 @@ std::pair<Pixels, Pixels> pixels_of(const Run& run, const ComparedPair& pair, Co
     return {std::move(a), std::move(b)};
 }
 
-/// What stands above two pictures of a page: names without folders, which are nobody else's business, unless these tell them apart.
+/// What stands above two pictures of a page: names without folders, which are nobody else's business, unless these distinguish them.
 PageTitles titles_of(const ComparisonRow& row) {
     const std::string file_a = std::filesystem::path(row.a).filename().string(),
                       file_b = std::filesystem::path(row.b).filename().string();
@@ -173,9 +173,9 @@ int print_failures(const ComparisonRow& row) {
 
 Command compare_command() {
     return {"compare",
-            "Say how much two pictures differ, or the pictures of two engines",
+            "Measure how much two pictures differ, or the pictures of two engines",
             compare_footer,
-            {{"A B", "Two pictures, two folders of pictures, or two scenes, which are drawn; with --engines scenes"}},
+            {{"A B", "Two pictures, two folders of pictures, or two scenes to draw; with --engines, scenes"}},
             apps::joined({own_options(),
                           apps::without(apps::picture_options(), {"channels", "channel-files", "exr-colors"}),
                           apps::common_options()})};

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "explain_verb.h"
-
 #include <algorithm>
 
 #include <rakelight/compare.h>
@@ -12,6 +10,7 @@
 #include "help_texts.h"
 #include "interrupt.h"
 #include "run_file.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 
@@ -19,13 +18,13 @@ Command explain_command() {
     const Option pixel = {.name = "pixel",
                           .group = "Output",
                           .type = "X,Y",
-                          .help = "Which pixel; 0,0 is the top left one. Several: --pixel once for each",
+                          .help = "Pixel to explain; 0,0 is the top left one. May be repeated",
                           .form = apps::Form::list,
                           .is_required = true};
     const Option output = {.name = "output",
                            .group = "Output",
                            .type = "FILE",
-                           .help = "Write to this file in place of standard output: .json as JSON, else as text",
+                           .help = "Write to this file instead of standard output: .json as JSON, else as text",
                            .letter = 'o'};
     // What is about files and parts of pictures has no meaning here.
     std::vector<Option> options = apps::without(
@@ -33,7 +32,7 @@ Command explain_command() {
         {"window", "channels", "channel-files", "exr-colors", "engine", "line-width", "point-size", "line-color"});
     apps::hide_drawn_lines(options);
     return {"explain",
-            "Say why a pixel has its color: every number on the way to it",
+            "Explain the color of a pixel, with every number that leads to it",
             explain_footer,
             {{"MODEL", models_help}},
             apps::joined({{pixel, output}, apps::input_options(), options, apps::common_options()})};
@@ -52,12 +51,12 @@ std::vector<PixelPlace> pixels_of(const Run& run) {
             throw values::wrong("pixel",
                                 one_line(word, 20) + " is not in the picture: it has " + std::to_string(s.width) +
                                     " x " + std::to_string(s.height) + " pixels, counted from 0",
-                                "--resolution says how many");
+                                "--resolution sets how many");
     }
     return pixels;
 }
 
-/// The rows of one input: one for each pixel, all with what is said of the input.
+/// The rows of one input: one for each pixel, all with the remarks about the input.
 int explain_input(const Run& run, const InputRequest& input, const std::vector<PixelPlace>& pixels,
                   std::vector<ExplainRow>& rows) {
     ExplainRow common{.file = input.picture.input};

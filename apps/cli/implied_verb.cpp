@@ -29,7 +29,8 @@ const std::string* first_model(std::span<const apps::Command> commands, const st
     const bool is_own = asks_help(words[0]) || words[0] == "-V" || words[0] == "--version";
     const auto model = std::ranges::find_if(words, is_model_word);
     if (const auto verb = std::find_if(words.begin(), model, is_verb); !is_own && verb != model && model != words.end())
-        throw Error(ErrorCode::usage, "the verb '" + *verb + "' comes first", {}, "see rakelight " + *verb + " --help");
+        throw Error(ErrorCode::usage, "the subcommand '" + *verb + "' must come first", {},
+                    "see rakelight " + *verb + " --help");
     return is_own || model == words.end() ? nullptr : &*model;
 }
 

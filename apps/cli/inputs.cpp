@@ -60,7 +60,7 @@ std::vector<Input> expanded(std::span<const std::string> words, bool is_recursiv
         const std::vector<std::string> paths =
             is_recursive ? models_in<fs::recursive_directory_iterator>(word) : models_in<fs::directory_iterator>(word);
         if (paths.empty())
-            throw Error(ErrorCode::not_found, "the folder holds no model", {},
+            throw Error(ErrorCode::not_found, "the folder contains no model", {},
                         is_recursive ? "" : "--recursive looks into its subfolders too")
                 .with_file(word);
         for (const std::string& path : paths) {
@@ -73,8 +73,7 @@ std::vector<Input> expanded(std::span<const std::string> words, bool is_recursiv
 
 MemoryFile standard_input(const std::string& format, std::uint64_t most) {
     if (isatty(STDIN_FILENO))
-        throw Error(ErrorCode::usage, "- is standard input, and that is a terminal", {},
-                    "pipe a model into it, or name a file");
+        throw Error(ErrorCode::usage, "standard input (-) is a terminal", {}, "pipe a model into it, or name a file");
     MemoryFile file{"standard input" + (format.empty() ? "" : "." + format), {}};
     std::vector<std::byte> bytes;
     constexpr std::size_t step = 1 << 20;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "inspect_verb.h"
-
 #include <algorithm>
 
 #include <rakelight/compare.h>
@@ -14,6 +12,7 @@
 #include "help_texts.h"
 #include "interrupt.h"
 #include "run_file.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 namespace {
@@ -27,23 +26,24 @@ struct Limit {
     const char* help;
 };
 constexpr Limit limits_of_surfaces[] = {
-    {"no-degenerate", &CheckLimits::no_degenerate, "No triangle without area"},
-    {"no-t-junctions", &CheckLimits::no_t_junctions, "No vertex on the inside of another face's open edge"},
-    {"no-non-manifold", &CheckLimits::no_non_manifold, "No edge of three or more faces"},
-    {"consistent-winding", &CheckLimits::consistent_winding, "No edge whose two faces go along it the same way"},
-    {"no-inside-out", &CheckLimits::no_inside_out, "No closed body, of one or several objects, that looks inwards"},
-    {"closed", &CheckLimits::closed, "Every object closed: no edge of one face"},
-    {"unit-normals", &CheckLimits::unit_normals, "No zero, non-finite or non-unit normal in the file"},
+    {"no-degenerate", &CheckLimits::no_degenerate, "No triangle has zero area"},
+    {"no-t-junctions", &CheckLimits::no_t_junctions, "No vertex lies inside another face's open edge"},
+    {"no-non-manifold", &CheckLimits::no_non_manifold, "No edge has three or more faces"},
+    {"consistent-winding", &CheckLimits::consistent_winding,
+     "No edge is traversed in the same direction by both of its faces"},
+    {"no-inside-out", &CheckLimits::no_inside_out, "No closed body, of one or several objects, is inside out"},
+    {"closed", &CheckLimits::closed, "Every object is closed: no edge has only one face"},
+    {"unit-normals", &CheckLimits::unit_normals, "No normal in the file is zero, non-finite or not of unit length"},
 };
 
 std::vector<Option> normal_options() {
     std::vector<Option> all = apps::picture_options(), options;
     apps::find(all, "normals").help =
-        "Whose normals are looked at: auto (default: the file's, smoothed per object where it has none), file (else "
-        "flat), flat, object, model, seams (the file's, joined where parts meet, as smooth does)";
+        "Normals to inspect: auto (default: the file's, smoothed per object where it has none), file (else flat), "
+        "flat, object, model, seams (the file's, joined where parts meet, as smooth does)";
     apps::find(all, "border-distance").help =
-        "Also measure the seams along borders of different meshes at most this far apart [m] that run along each other "
-        "without shared vertices (default 0: off, and a value is proposed where there are some)";
+        "Also measure seams along borders of different meshes that run along each other without shared vertices, at "
+        "most this far apart [m] (default 0: off; a value is suggested if there are such borders)";
     for (const char* name : {"normals", "crease-angle", "weld-distance", "border-distance", "weight", "tangents",
                              "orthogonalize", "keep-instances"})
         options.push_back(apps::find(all, name));
@@ -52,23 +52,22 @@ std::vector<Option> normal_options() {
 
 std::vector<Option> own_options() {
     std::vector<Option> options = {
-        {"no-borders", "Normals", "", "Do not look for the borders that objects share", flag},
-        {"no-surfaces", "Normals", "", "Do not look at edges, faces and normals of each object", flag},
-        {"check", "Check", "", "Only pass or fail: exit code 5 past the limit of --max-seam or one asked for below",
-         flag},
-        {"max-seam", "Check", "DEG", "Largest seam between two objects (default 1; 180 allows any)"},
+        {"no-borders", "Normals", "", "Do not search for borders that objects share", flag},
+        {"no-surfaces", "Normals", "", "Do not check edges, faces and normals of each object", flag},
+        {"check", "Check", "",
+         "Print only pass or fail: exit code 5 if the limit of --max-seam or one of those below is exceeded", flag},
+        {"max-seam", "Check", "DEG", "Largest allowed seam between two objects (default 1; 180 allows any)"},
     };
     for (const Limit& limit : limits_of_surfaces) options.push_back({limit.name, "Check", "", limit.help, flag});
-    options.push_back(
-        {"report", "Reports", "FILE",
-         "Write a page of all models (.html), or their checks as JUnit's XML (.xml; as --check, it fails past "
-         "a limit). Several: --report once for each",
-         list});
+    options.push_back({"report", "Reports", "FILE",
+                       "Write a page of all models (.html), or their checks as JUnit XML (.xml; like --check, it fails "
+                       "if a limit is exceeded). May be repeated",
+                       list});
     options.push_back({"junit", "Reports", "FILE", "The same as --report FILE.xml, whatever the file's name"});
     options.push_back({"heatmap", "Heat map", "FILE",
                        "Write a picture of the seams, colored by their angle. {model} stands for the model's name"});
     options.push_back(
-        {"heatmap-legend", "Heat map", "", "Write angles and the largest seam on it (default on)", switched});
+        {"heatmap-legend", "Heat map", "", "Draw a legend on it: angles, and the largest seam (default on)", on_off});
     return options;
 }
 
@@ -76,8 +75,7 @@ std::vector<Option> motion_options() {
     std::vector<Option> options = apps::picture_options();
     std::erase_if(options, [](const Option& option) { return std::string_view(option.group) != "Motion"; });
     apps::find(options, "animation-time").help =
-        "The moment of the clip in seconds whose bounds are given (default: its begin); seams are those of the bind "
-        "pose";
+        "Time in the clip, in seconds, whose bounds are printed (default: its start); seams are those of the bind pose";
     return options;
 }
 
@@ -98,7 +96,7 @@ std::vector<Option> heat_map_options() {
 
 Command inspect_command() {
     return {"inspect",
-            "Say what is in models: objects, materials, textures, seams",
+            "List what is in models: objects, materials, textures, seams",
             inspect_footer,
             {{"MODEL", models_help}},
             apps::joined({apps::input_options(), normal_options(), motion_options(), own_options(), heat_map_options(),
@@ -115,13 +113,13 @@ std::optional<CheckLimits> limits_of(const Given& given, bool is_checked) {
     const bool has_seam = given.has("max-seam"), no_borders = given.has("no-borders");
     if (!given.has("check") && !is_checked) {
         if (!of_surfaces && !has_seam) return {};
-        throw Error(ErrorCode::usage, "limits are for --check", {}, "add --check");
+        throw Error(ErrorCode::usage, "limits need --check", {}, "add --check");
     }
     if (of_surfaces && given.has("no-surfaces"))
-        throw Error(ErrorCode::usage, "--no-surfaces leaves nothing to check the limits of surfaces by");
+        throw Error(ErrorCode::usage, "with --no-surfaces, the limits of surfaces cannot be checked");
     if (no_borders && has_seam) throw Error(ErrorCode::usage, "--no-borders and --max-seam exclude each other");
     if (no_borders && !of_surfaces)
-        throw Error(ErrorCode::usage, "--no-borders leaves nothing to check", {}, "ask for a limit of surfaces");
+        throw Error(ErrorCode::usage, "with --no-borders, there is nothing to check", {}, "add a limit of surfaces");
     if (no_borders) limits.max_seam_deg.reset();
     if (has_seam) limits.max_seam_deg = values::number("max-seam", given.word("max-seam"));
     if (limits.max_seam_deg && !(*limits.max_seam_deg >= 0 && *limits.max_seam_deg <= 180))
@@ -160,13 +158,13 @@ void check_heat_map(const Run& run) {
             return option.is_setting && std::string_view(option.group) == "Heat map" && run.given.has(option.name);
         });
         if (is_given)
-            throw Error(ErrorCode::usage, "the view and its resolution are for --heatmap", {},
+            throw Error(ErrorCode::usage, "the view and its resolution need --heatmap", {},
                         "add --heatmap FILE, or --report FILE.html");
         return;
     }
     if (run.given.has("no-borders") && run.given.has("heatmap"))
         throw Error(ErrorCode::usage, "--no-borders and --heatmap exclude each other");
-    constexpr std::int64_t most_pixels = 1 << 26;  // it is kept whole, 28 bytes a pixel
+    constexpr std::int64_t most_pixels = 1 << 26;  // it is kept whole, 28 bytes per pixel
     if (std::int64_t(s.width) * s.height > most_pixels)
         throw values::wrong("resolution", "a heat map has at most 64 million pixels");
 }
@@ -190,7 +188,7 @@ struct Task {
     bool has_page = false;
 };
 
-/// All of the model where nobody asks for a camera: one of the file may show a part alone.
+/// All of the model where unused for a camera: one of the file may show a part alone.
 ViewRequest seam_view(const PictureRequest& picture) {
     ViewRequest view = picture.view;
     const bool is_asked = !view.side.empty() || !view.camera.empty() || view.is_placed();
@@ -198,7 +196,7 @@ ViewRequest seam_view(const PictureRequest& picture) {
     return view;
 }
 
-/// As it is asked for, and from behind: seams lie on both sides.
+/// As it is requested, and from behind: seams lie on both sides.
 std::vector<ReportPicture> page_pictures(const Scene& scene, const PictureRequest& picture, const Task& task,
                                          const Inspection& inspection, const Frame& asked, Context& context) {
     std::vector<ReportPicture> pictures = {report_picture("Seams, by their angle", asked)};
@@ -232,7 +230,7 @@ void inspect_file(const PictureRequest& picture, Task task, InspectionRow& row, 
     row.inspection->seam_lines = {};
 }
 
-/// What is said of a model on standard output: of one that is only checked that it passed, of others all tables.
+/// The output about a model: whether it passed if it is only checked, else all tables.
 std::string text_of(const Run& run, const InspectionRow& row, const std::optional<CheckLimits>& limits, bool is_first) {
     if (!row.check || run.loudness == Loudness::verbose) return (is_first ? "" : "\n") + to_text(*row.inspection);
     if (!row.check->empty() || run.loudness == Loudness::quiet) return {};
@@ -275,17 +273,17 @@ void write_reports(const Reports& reports, const InspectionPage& page, const std
 
 int run_inspect(const Run& run) {
     const Reports reports(run.given);
-    const Task task{.options = options_of(run),
-                    .limits = limits_of(run.given, !reports.junit.empty()),
-                    .marks = run.given.has("heatmap-legend") &&
-                                     !values::switched("heatmap-legend", run.given.word("heatmap-legend"))
-                                 ? SeamMarks::none
-                                 : SeamMarks::legend,
-                    .has_page = !reports.pages.empty()};
+    const Task task{
+        .options = options_of(run),
+        .limits = limits_of(run.given, !reports.junit.empty()),
+        .marks = run.given.has("heatmap-legend") && !values::on_off("heatmap-legend", run.given.word("heatmap-legend"))
+                     ? SeamMarks::none
+                     : SeamMarks::legend,
+        .has_page = !reports.pages.empty()};
     check_heat_map(run);
     InspectionPage page;
     std::vector<InspectionRow> rows;
-    std::string text;  // what is said once the reports are written: who reads it may stop
+    std::string text;  // what is reported once the reports are written: who reads it may stop
     int worst = 0;
     for (const InputRequest& input : requests_of(run)) {
         const PictureRequest& picture = input.picture;
@@ -303,7 +301,7 @@ int run_inspect(const Run& run) {
         worst = std::max(worst, print_failures(row));
         if (!row.heat_map.empty())
             print_note(
-                row.heat_map + ": seams from 0.01 degrees dark blue over 1 violet, 5 red, 20 orange to 60 yellow",
+                row.heat_map + ": seams from 0.01 degrees dark blue through 1 violet, 5 red, 20 orange to 60 yellow",
                 run.loudness);
         if (task.has_page) page.add(row, pictures);
         rows.push_back(std::move(row));

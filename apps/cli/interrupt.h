@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ctrl-C, SIGTERM and SIGHUP cancel the run, so that no temporary file stays. What does not stop by itself within 0.3
-// seconds (the work of a library that cannot be cancelled) is ended then, and a second signal ends the program at once:
-// without the rows of --json, but without temporary files, too. The import helper dies with its parent. SIGXFSZ is
-// ignored: writing beyond the file size limit is an error with a message then.
+// Ctrl-C, SIGTERM and SIGHUP cancel the run, so that no temporary file stays. Work that does not stop within 0.3
+// seconds (of a library that cannot be cancelled) is ended then, and a second signal ends the program at once. Then
+// --json prints no rows, but temporary files are removed. The import helper dies with its parent. SIGXFSZ is ignored:
+// writing beyond the file size limit is an error with a message then.
 #pragma once
 #include <string>
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "join_windows_verb.h"
-
 #include <charconv>
 #include <filesystem>
 
@@ -10,6 +8,7 @@
 #include "../common/picture_options.h"
 #include "help_texts.h"
 #include "run_file.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 
@@ -17,17 +16,17 @@ Command join_windows_command() {
     const Option picture = {.name = "output",
                             .group = "Output",
                             .type = "FILE",
-                            .help = "Picture to write, of the format that the parts have",
+                            .help = "Picture to write, in the format of the windows",
                             .is_required = true,
                             .letter = 'o'};
     const Option size = {"resolution", "Input", "W,H",
-                         "Size of the whole picture in pixels, also WxH (default: what the parts say)"};
+                         "Size of the whole picture in pixels, also WxH (default: as recorded in the windows)"};
     return {"join-windows",
-            "Put windows of one picture together to the whole",
+            "Join the windows of one picture",
             join_windows_footer,
             {{"PART",
-              "Pictures that render --window wrote: .png, .exr or .hdr; FILE@X,Y for one that does not say where "
-              "its top left pixel lies"}},
+              "Pictures written by render --window: .png, .exr or .hdr; FILE@X,Y gives the top left pixel of one that "
+              "does not record it"}},
             apps::joined({{picture, size}, apps::without(apps::common_options(), {"config", "allow-outside"})})};
 }
 
@@ -52,7 +51,8 @@ JoinRequest join_request(const Run& run) {
     if (!run.given.has("resolution")) return request;
     const std::vector<int> size = values::integers("resolution", run.given.word("resolution"), 2);
     request.width = size[0], request.height = size[1];
-    if (request.width < 1 || request.height < 1) throw values::wrong("resolution", "must be 1 to 65536 pixels a side");
+    if (request.width < 1 || request.height < 1)
+        throw values::wrong("resolution", "must be 1 to 65536 pixels per side");
     return request;
 }
 

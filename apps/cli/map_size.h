@@ -11,7 +11,7 @@ namespace rakelight::cli {
 inline std::vector<int> map_size(const char* option, const std::string& text) {
     std::vector<int> size = values::integers(option, text, text.find_first_of(",x") == std::string::npos ? 1 : 2);
     for (const int side : size)
-        if (side < 1 || side > 16384) throw values::wrong(option, "must be 1 to 16384 pixels a side");
+        if (side < 1 || side > 16384) throw values::wrong(option, "must be 1 to 16384 pixels per side");
     return size;
 }
 

@@ -102,8 +102,8 @@ std::size_t check_template(const std::string& output) {
             if (known == std::end(known_parts) || !is_number_part(part))
                 throw Error(
                     ErrorCode::usage,
-                    "'" + one_line(output, 80) + "': {" + one_line(std::string(part), 40) + "} is not filled in", {},
-                    "{model}, {ext}, {dir}, {n}, {camera} and {frame} are, and {n:3} has three digits");
+                    "'" + one_line(output, 80) + "': {" + one_line(std::string(part), 40) + "} is no placeholder", {},
+                    "write {model}, {ext}, {dir}, {n}, {camera} or {frame}; {n:3} has three digits");
             differing += word_of(part) != "camera" && word_of(part) != "frame";
         });
     return differing;
@@ -128,10 +128,10 @@ std::string format_of(const Run& run, bool of_pictures) {
         for (char& c : name) c = char(std::tolower(static_cast<unsigned char>(c)));
         const bool is_picture = has_picture_ending("x." + name) || name == "ppm";
         if (!is_picture && !is_scene("x." + name))
-            throw values::wrong("format", "'" + one_line(name, 40) + "' is no format of models and none of pictures",
+            throw values::wrong("format", "'" + one_line(name, 40) + "' is neither a model format nor a picture format",
                                 "write for example glb, obj, png or ppm");
         if (is_picture != of_pictures) continue;
-        if (!found.empty()) throw values::wrong("format", "names two formats of a kind");
+        if (!found.empty()) throw values::wrong("format", "names two formats of the same kind");
         found = name;
     }
     return found;
@@ -144,7 +144,7 @@ void check_picture_name(const Run& run) {
     if (output.empty() || means_folder(output) || is_standard_output(output)) return;
     if (!ending_of(output).empty()) return;
     const std::string name = one_line(output, 80);
-    throw Error(ErrorCode::usage, "'" + name + "' has no ending that says the kind of picture", {},
+    throw Error(ErrorCode::usage, "'" + name + "' has no ending that names a picture format", {},
                 "write -o " + name + ".png, or for a folder -o " + name + "/");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Progress on a terminal: one line that is written anew, and wiped when the work is done.
+// Progress on a terminal: one line that is rewritten, and wiped when the work is done.
 #pragma once
 #include <condition_variable>
 #include <cstddef>

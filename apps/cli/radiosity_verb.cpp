@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "radiosity_verb.h"
-
 #include <algorithm>
 #include <string_view>
 
@@ -11,6 +9,7 @@
 #include "interrupt.h"
 #include "map_size.h"
 #include "run_file.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 namespace {
@@ -33,14 +32,14 @@ Command radiosity_command() {
         .name = "output",
         .group = "Output",
         .type = "FILE",
-        .help = "File to write: .glb or .gltf, unlit, with colors of vertices. {model} stands for the model's name",
+        .help = "File to write: .glb or .gltf, unlit, with vertex colors. {model} stands for the model's name",
         .is_required = true,
         .letter = 'o'};
     const Option map = {"lightmap", "Output", "N",
-                        "Write the model's own triangles with the light as an emission texture of N pixels a side (or "
-                        "W,H), in place of colors of vertices"};
+                        "Write the model's own triangles with the light as an emission texture of N x N pixels (or "
+                        "W,H), instead of vertex colors"};
     return {"radiosity",
-            "Write models with the light of all their surfaces in them",
+            "Write models with their diffuse global illumination baked in",
             radiosity_footer,
             {{"MODEL", models_help}},
             apps::joined({{file, map}, apps::input_options(), light_options(), apps::common_options()})};

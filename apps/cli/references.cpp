@@ -14,7 +14,7 @@ namespace rakelight::cli {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr const char* group = "Reference (exit code 5 past the threshold)";
+constexpr const char* group = "Reference (exit code 5 beyond the threshold)";
 
 /// What was given by one of two names.
 std::string_view given_name(const Run& run, const char* name, const char* other) {
@@ -84,11 +84,12 @@ std::vector<Option> reference_options() {
          "picture of each output's name, or --ref once for each",
          list},
         {"ref-measure", group, "M",
-         "By which number: flip (default), rmse (0 for equal), psnr, ssim (larger is nearer)"},
+         "Measure to compare by: flip (default), rmse (0 if equal), psnr, ssim (larger is more similar)"},
         {"ref-threshold", group, "X",
-         "Most flip or rmse (default 0.01), least psnr (default 40 dB) or ssim (default 0.99)"},
+         "Largest allowed flip or rmse (default 0.01), smallest allowed psnr (default 40 dB) or ssim (default 0.99)"},
         {"ref-diff", group, "FILE",
-         "Write where they differ: a picture of the FLIP of each pixel ({model} as above), or .html: a page of all"},
+         "Write where they differ: a picture of the FLIP value of each pixel ({model} as above), or an .html page of "
+         "all comparisons"},
     };
     const std::pair<const char*, std::size_t> others[] = {
         {"reference", 0}, {"reference-measure", 1}, {"reference-threshold", 2}};
@@ -105,7 +106,7 @@ References::References(const Run& run, const std::vector<InputRequest>& requests
         const std::string_view other = run.given.first_of(
             {"ref-measure", "ref-threshold", "ref-diff", "reference-measure", "reference-threshold"});
         if (!other.empty())
-            throw Error(ErrorCode::usage, "is for a reference", {}, "add --ref PICTURE").about(std::string(other));
+            throw Error(ErrorCode::usage, "needs a reference", {}, "add --ref PICTURE").about(std::string(other));
         return;
     }
     const ReferenceRequest all = request_by_options(run);

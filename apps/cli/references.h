@@ -20,11 +20,11 @@ public:
     /// @throws Error usage: no reference for each picture, a picture that is its own reference, a wrong threshold or name
     References(const Run& run, const std::vector<InputRequest>& requests);
 
-    /// Compares the picture that was made of an input, if that is asked for. @throws Error as compare_with_reference()
+    /// Compares the picture that was made of an input, if that is requested. @throws Error as compare_with_reference()
     void check(std::size_t number, PictureRow& row, Context& context);
-    /// What stands in the way, one line; returns the exit code.
+    /// Prints what is wrong, one line; returns the exit code.
     int print_failure(const PictureRow& row) const;
-    /// Writes the page of all differences, where one is asked for.
+    /// Writes the page of all differences, where one is requested.
     void finish(std::vector<PictureRow>& rows);
 
 private:

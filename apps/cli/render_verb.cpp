@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render_verb.h"
-
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,6 +15,7 @@
 #include "run_file.h"
 #include "sequence_verb.h"
 #include "stats_text.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 
@@ -26,22 +25,20 @@ Command render_command() {
         .group = "Output",
         .type = "FILE",
         .help =
-            "Picture to write: .png .jpg .webp .ppm (sRGB) .exr .hdr (linear); a folder, for a "
-            "picture of each model; - or ppm:- for standard output. Filled in are {model} {ext} {dir} "
-            "(name, ending and folder of the model), {n} (its number; {n:3} has three digits), "
-            "{camera} (of --camera-index or --view) and {frame} (of a sequence or of --watch; {frame:4} as 0007). "
-            "Missing folders "
-            "are made. Or a movie: .mp4 .webm .gif .apng, and .webp of a sequence",
+            "Picture to write: .png .jpg .webp .ppm (sRGB) .exr .hdr (linear); a folder, for one picture per model; - "
+            "or ppm:- for standard output. Placeholders: {model} {ext} {dir} (name, ending and folder of the model), "
+            "{n} (its number; {n:3} has three digits), {camera} (of --camera-index or --view) and {frame} (of a "
+            "sequence or of --watch; {frame:4} as 0007). Missing folders are created. Or a movie: .mp4 .webm .gif "
+            ".apng, and .webp of a sequence",
         .is_required = true,
         .letter = 'o'};
-    const Option watch = {"watch", "Output", "",
-                          "Draw again whenever a file that the picture is made of changes, until a signal ends it",
+    const Option watch = {"watch", "Output", "", "Draw again whenever a file of the model changes, until interrupted",
                           apps::Form::flag};
     const Option stats = {"stats", "Output", "",
-                          "Say what the engine counted: lighting evaluations, triangles, pixels, overdraw",
+                          "Print what the engine counted: lighting evaluations, triangles, pixels, overdraw",
                           apps::Form::flag};
     const Option partial = {"keep-partial", "Output", "",
-                            "Write an interrupted picture all the same, the rest in the background's color",
+                            "Write the picture even if it is interrupted, the rest in the background color",
                             apps::Form::flag};
     return {"render",
             "Draw models to picture files",
@@ -64,7 +61,8 @@ void check_standard_output(const Run& run, std::size_t pictures) {
         if (run.given.has(other))
             throw Error(ErrorCode::usage, "-o - and --" + std::string(other) + " exclude each other");
     if (pictures > 1)
-        throw Error(ErrorCode::usage, "one picture goes to standard output", {}, "--as-one puts models into one");
+        throw Error(ErrorCode::usage, "only one picture can go to standard output", {},
+                    "--as-one puts models into one");
     if (isatty(STDOUT_FILENO))
         throw Error(ErrorCode::usage, "standard output is a terminal", {}, "pipe the picture on, or write -o FILE");
 }
@@ -83,7 +81,7 @@ PictureResult draw_to_standard_output(const PictureRequest& request, Context& co
     return result;
 }
 
-/// Draws all once. @param watched  what they were made of; null: nobody asks
+/// Draws all once. @param watched  what they were made of; null: unused
 int draw_all(const Run& run, int frame, apps::WatchedFiles* watched) {
     check_picture_name(run);
     std::vector<InputRequest> requests = picture_requests(run, frame);

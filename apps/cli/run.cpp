@@ -34,7 +34,7 @@ void take_config(Run& run) {
     std::vector<WorldValue> given = run.given.settings();
     const RenderOverrides overrides{given, [&run](std::string_view key) { return takes(run, key); }};
     run.config = read_settings_file(run.given.word("config"), run.picture.load, overrides, quiet);
-    std::vector<WorldValue> all = run.config->taken;
+    std::vector<WorldValue> all = run.config->applied;
     all.insert(all.end(), given.begin(), given.end());
     run.given.set_settings(std::move(all));
 }
@@ -83,7 +83,7 @@ Run run_of(const Command& command, apps::CommandLine line) {
     if (apps::find_or_null(command.options, "recursive")) take_inputs(run);
     run.files->of = std::max(run.inputs.size(), std::size_t(1));
     if (!are_all_worlds(run)) read_render_keys(given.settings(), run.picture);
-    run.picture.settings.own_shading = !shades_the_whole(given.settings());
+    run.picture.settings.material_shading = !sets_shading(given.settings());
     return run;
 }
 

@@ -50,7 +50,7 @@ struct InputRequest {
 /// The request for an input: as the command line says, and for a world file by its [render], too.
 InputRequest request_for(const Run& run, const std::string& input);
 
-/// What {camera} stands for in the outputs of a request.
+/// The value of {camera} in the outputs of a request.
 std::string camera_of(const PictureRequest& picture);
 
 /// A request for each input, each with an output of its own (output_names.h).

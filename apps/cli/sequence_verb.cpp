@@ -20,19 +20,17 @@ namespace rakelight::cli {
 
 std::vector<Option> sequence_options() {
     constexpr const char* group = "Sequences";
-    return {
-        {"frames", group, "A:B[:STEP]",
-         "Draw the pictures A to B of a clip (--animation-name; default: the first) or of --turntable, numbered from 0 "
-         "(default: all; A: goes on to the last)"},
-        {"fps", group, "F", "Pictures a second: of the clip, and of movies (default 30)"},
-        {"turntable", group, "N",
-         "N pictures once around the model, which turns to the right; with a clip named, it plays meanwhile"},
-        {"movie", group, "FILE",
-         "Make a movie of the pictures, too: .mp4 .webm .gif (by the program ffmpeg), .apng .webp (without loss)",
-         apps::Form::list},
-        {"skip-existing", group, "", "Do not draw pictures again that are there: goes on where a run was interrupted",
-         apps::Form::flag},
-        {"keep-frames", group, "", "With a movie as -o: keep its pictures, in FILE.frames/", apps::Form::flag}};
+    return {{"frames", group, "A:B[:STEP]",
+             "Draw frames A to B of a clip (--animation-name; default: the first) or of --turntable, numbered from 0 "
+             "(default: all; A: ends with the last)"},
+            {"fps", group, "F", "Frames per second of the clip and of movies (default 30)"},
+            {"turntable", group, "N", "N frames of one turn of the model, to the right; a named clip plays meanwhile"},
+            {"movie", group, "FILE",
+             "Also make a movie of the frames: .mp4 .webm .gif (by the program ffmpeg), .apng .webp (lossless)",
+             apps::Form::list},
+            {"skip-existing", group, "", "Skip frames whose pictures exist: continues an interrupted run",
+             apps::Form::flag},
+            {"keep-frames", group, "", "If -o is a movie, keep its frames in FILE.frames/", apps::Form::flag}};
 }
 
 namespace {
@@ -55,8 +53,8 @@ bool is_movie_output(const Run& run) { return is_movie(run.picture.output) && !h
 std::int64_t number_of(std::string_view word) {
     std::int64_t number = -1;
     const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (fault != std::errc{} || end != word.data() + word.size() || number < 0 || number >= most_frames)
-        throw values::wrong("frames", "must be A:B or A:B:STEP, numbers from 0 to " + std::to_string(most_frames - 1),
+    if (fault != std::errc{} || end != word.data() + word.size() || number < 0 || number >= max_frames)
+        throw values::wrong("frames", "must be A:B or A:B:STEP, numbers from 0 to " + std::to_string(max_frames - 1),
                             "write for example 0:59");
     return number;
 }
@@ -81,9 +79,9 @@ std::string with_number(const std::string& output) {
 void refuse_others(const Run& run) {
     for (const char* const other : {"watch", "ref", "reference", "keep-partial"})
         if (run.given.has(other))
-            throw Error(ErrorCode::usage, "is for single pictures, and a sequence is asked for").about(other);
+            throw Error(ErrorCode::usage, "applies to single pictures, but a sequence is requested").about(other);
     if (is_standard_output(run.picture.output))
-        throw Error(ErrorCode::usage, "a sequence needs files to go to", {},
+        throw Error(ErrorCode::usage, "a sequence needs output files", {},
                     "write -o 'out/{frame:4}.png' or -o FILE.mp4");
 }
 
@@ -95,11 +93,11 @@ void check_movies(const Job& job) {
         check_movie(movie, {has_window ? s.window.width : s.width, has_window ? s.window.height : s.height,
                             s.background.w < 1});
         if (!names.insert(fs::path(movie).lexically_normal().string()).second)
-            throw Error(ErrorCode::usage, "the movie is asked for twice").with_file(movie);
+            throw Error(ErrorCode::usage, "the movie is named twice").with_file(movie);
     }
     if (const double fps = job.sequence.fps / double(std::max<std::int64_t>(job.sequence.frames.step, 1));
         !job.movies.empty() && fps < least_fps)
-        throw Error(ErrorCode::usage, "leaves a movie with fewer than 0.01 pictures a second").about("frames", {"fps"});
+        throw Error(ErrorCode::usage, "leaves a movie with fewer than 0.01 frames per second").about("frames", {"fps"});
     if (!job.movies.empty() && !job.sequence.picture.output.ends_with(".png"))
         throw Error(ErrorCode::usage, "movies are made of PNG pictures", {},
                     "let -o end in .png, or name the movie there")
@@ -127,7 +125,7 @@ std::vector<Job> jobs_of(const Run& run) {
         if (run.given.has("frames")) sequence.frames = range_of(run.given.word("frames"));
         if (run.given.has("fps")) sequence.fps = values::number("fps", run.given.word("fps"), 0.01, 1000);
         if (run.given.has("turntable"))
-            sequence.turntable = values::integer("turntable", run.given.word("turntable"), 1, int(most_frames));
+            sequence.turntable = values::integer("turntable", run.given.word("turntable"), 1, int(max_frames));
         sequence.skip_existing = run.given.has("skip-existing");
         job.input = std::move(input);
         if (job.input.error) continue;
@@ -162,21 +160,21 @@ void draw(const Run& run, const Job& job, Made& made, Context& context) {
         render_sequence(job.sequence, context, keep);
     } catch (const Error& error) {
         if (!context.cancelled() || made.pictures.empty()) throw;
-        throw Error(ErrorCode::failed, "cancelled: " + std::to_string(made.pictures.size()) + " pictures are whole", {},
-                    "the same command with --skip-existing goes on");
+        throw Error(ErrorCode::failed, "cancelled: " + std::to_string(made.pictures.size()) + " pictures are complete",
+                    {}, "repeat the command with --skip-existing to continue");
     }
 }
 
 void make_movies(const Run& run, const Job& job, Made& made, Context& context) {
     std::vector<std::string> files;
     for (const PictureRow& row : made.pictures) files.push_back(row.result.output);
-    context.set_progress_part(0, 1);
+    context.set_progress_range(0, 1);
     for (const std::string& movie : job.movies) {
         try {
             // Every second picture stands twice as long.
             write_movie(movie, files, job.sequence.fps / double(job.sequence.frames.step), context);
         } catch (const Error& error) {
-            throw error.advising((error.advice().empty() ? "" : "; ") + std::string("the pictures are there: ") +
+            throw error.advising((error.advice().empty() ? "" : "; ") + std::string("the pictures are complete: ") +
                                  files[0]);
         }
         PictureRow& row = made.movies.emplace_back();
@@ -206,11 +204,11 @@ bool asks_sequence(const Run& run) {
     const bool is_webp = run.picture.output.ends_with(".webp");  // alone it is a picture
     if (is_asked || (is_movie_output(run) && !is_webp)) return true;
     if (const std::string_view how = run.given.first_of({"skip-existing", "keep-frames"}); !how.empty())
-        throw Error(ErrorCode::usage, "says how a sequence is drawn, but none is asked for", {},
+        throw Error(ErrorCode::usage, "applies to sequences, but none is requested", {},
                     "add 'frames', 'turntable' or 'movie'")
             .about(std::string(how), {"frames", "turntable", "movie"});
     if (has_frame_number(run.picture.output) && !run.given.has("watch"))
-        throw Error(ErrorCode::usage, "{frame} numbers the pictures of a sequence, and none is asked for", {},
+        throw Error(ErrorCode::usage, "{frame} numbers the pictures of a sequence, but none is requested", {},
                     "name a clip, or add --turntable, --frames or --watch")
             .about("output", {"turntable", "frames"});
     return false;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "smooth_verb.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
@@ -13,6 +11,7 @@
 #include "help_texts.h"
 #include "interrupt.h"
 #include "run_file.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 
@@ -20,40 +19,38 @@ Command smooth_command() {
     using enum apps::Form;
     std::vector<Option> shared = apps::picture_options();
     Option keep = apps::find(shared, "keep-instances");
-    keep.help = "glTF: instances go on sharing a mesh even where they touch different things";
+    keep.help = "glTF: keep instances sharing one mesh even where they touch different objects";
     return {
         "smooth",
-        "Write models back with seam-free normals and tangents",
+        "Rewrite models with seam-free normals and tangents",
         smooth_footer,
         {{"MODEL", models_help}},
         apps::joined(
             {{{.name = "output",
                .group = "Output",
                .type = "FILE",
-               .help = "File to write, may be the model itself: .glb or .gltf from glTF and .obj from OBJ "
-                       "(everything else of the file is kept), .glb, .gltf, .obj or .ply from any format. {model} "
-                       "stands for the model's name",
+               .help = "File to write, may be the model itself: .glb or .gltf from glTF and .obj from OBJ (all other "
+                       "data of the file is kept), .glb, .gltf, .obj or .ply from any format. {model} stands for the "
+                       "model's name",
                .letter = 'o'},
               {"preview", "Output", "PLACE",
-               "Write no model but a page with heat maps of the seams before and after: an .html file, or a "
+               "Write a page with heat maps of the seams before and after instead of a model: an .html file, or a "
                "folder for NAME.html and its pictures"},
-              {"keep-unused", "Output", "", "glTF: keep the bytes of buffer views that nothing uses any more", flag},
+              {"keep-unused", "Output", "", "glTF: keep the bytes of buffer views that are no longer used", flag},
               {"normals", "Normals", "WHICH",
-               "seams (default where the file has normals: they stay, and are joined only where parts meet), "
-               "or made anew: model (default for files without; over all objects, no seams), object, face "
-               "(flat)"},
+               "seams (default if the file has normals: they are kept, and joined only where parts meet), or "
+               "recomputed: model (default if it has none; smooth across all objects, no seams), object, face (flat)"},
               {"scope", "Normals", "WHICH", "Old name of --normals"},
               apps::find(shared, "crease-angle"),
               apps::find(shared, "weight"),
               {"weld-distance", "Normals", "M",
-               "Positions of different objects at most this far apart [m] count as one (default: equal, "
-               "but for rounding)"},
+               "Positions of different objects at most this far apart [m] are welded (default: equal up to rounding)"},
               apps::find(shared, "border-distance"),
               {"tangents", "Normals", "WHICH",
-               "auto (default: those of the file turn with their normals; beside normals made anew, where "
-               "there is a normal map or tangents were), always (where there are texture coordinates), never"},
+               "auto (default: tangents of the file are rotated with their normals; with recomputed normals, where "
+               "there is a normal map or there were tangents), always (where there are texture coordinates), never"},
               {"bitangents", "Normals", "",
-               "glTF: tangents and bitangents as --tangents published-no-handedness of render averages them, the "
+               "glTF: write tangents and bitangents averaged as by --tangents published-no-handedness of render, the "
                "bitangents as the attribute _BITANGENT",
                flag},
               keep},
@@ -129,7 +126,7 @@ SmoothedFile smooth_input(const Run& run, const PictureRequest& request, const S
     if (!run.given.has("preview")) return smooth_file(request.input, request.output, options, c);
     const PreviewPlace place = preview_place(run, request.output);
     if (!place.picture_before.empty()) {
-        std::error_code fault;  // what is not there then is said when the page is written
+        std::error_code fault;  // missing files are reported when the page is written
         std::filesystem::create_directories(std::filesystem::path(place.page).parent_path(), fault);
     }
     return preview_smooth(request.input, place, options, request.view, request.settings, c);
@@ -141,7 +138,7 @@ int run_smooth(const Run& given) {
     if (std::ranges::any_of(given.inputs, [](const std::string& file) { return file.starts_with("standard input"); }))
         throw Error(ErrorCode::usage, "smooth takes files, not standard input", {}, "write the model to a file first");
     const Run run = with_output(given);
-    (void)smooth_options(run, run.picture);  // what is wrong for all is said once
+    (void)smooth_options(run, run.picture);  // what is wrong for all is reported once
     std::vector<SmoothedFileRow> rows;
     int worst = 0;
     for (const InputRequest& input : picture_requests(run)) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stages_verb.h"
-
 #include <algorithm>
 
 #include <rakelight/compare.h>
@@ -11,6 +9,7 @@
 #include "help_texts.h"
 #include "interrupt.h"
 #include "run_file.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 
@@ -23,14 +22,13 @@ Command stages_command() {
                                "command. {model} stands for the model's name",
                            .is_required = true,
                            .letter = 'o'};
-    const Option single = {"single-file", "Output", "",
-                           "Write one page that holds all pictures and tables itself: -o names the .html file",
+    const Option single = {"single-file", "Output", "", "Write one self-contained page: -o names the .html file",
                            apps::Form::flag};
     std::vector<Option> options = apps::without(
         apps::picture_options(), {"window", "channels", "channel-files", "exr-colors", "engine", "line-color"});
     apps::hide_drawn_lines(options);  // the sizes stay: the picture has the model's own lines and points
     return {"stages",
-            "Show what each stage makes of a model, as a page",
+            "Show the result of each pipeline stage for a model, as a web page",
             stages_footer,
             {{"MODEL", models_help}},
             apps::joined({{folder, single}, apps::input_options(), options, apps::common_options()})};
@@ -39,11 +37,12 @@ Command stages_command() {
 int run_stages(const Run& run) {
     const StagesForm form = run.given.has("single-file") ? StagesForm::single_file : StagesForm::folder;
     if (form == StagesForm::single_file && !is_page(run.picture.output))
-        throw values::wrong("single-file", "writes a page, and '" + one_line(run.picture.output, 80) + "' is no .html",
+        throw values::wrong("single-file",
+                            "writes a page, and '" + one_line(run.picture.output, 80) + "' is no .html file",
                             "write for example -o stages.html");
     if (form == StagesForm::folder && is_page(run.picture.output))
         throw values::wrong("output",
-                            "'" + one_line(run.picture.output, 80) + "' names a page, and a folder is written",
+                            "'" + one_line(run.picture.output, 80) + "' names a page, but a folder is written",
                             "add --single-file");
     std::vector<StagesRow> rows;
     int worst = 0;

@@ -15,7 +15,7 @@ std::string rays_text(const std::string& name, const RayStats& rays) {
                 {"shadow rays", rays.shadow},
                 {"reflected rays", rays.reflected},
                 {"refracted rays", rays.refracted},
-                {"paths a pixel", std::uint64_t(rays.samples), true},
+                {"paths per pixel", std::uint64_t(rays.samples), true},
                 {"passes", rays.samples > 0 ? std::uint64_t(rays.passes) : 0, true},
                 {"dropped rays", rays.dropped, true},
                 {"deepest ray", std::uint64_t(rays.deepest)},

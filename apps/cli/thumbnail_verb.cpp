@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "thumbnail_verb.h"
-
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -15,6 +13,7 @@
 #include "help_texts.h"
 #include "process_limits.h"
 #include "run_file.h"
+#include "verbs.h"
 
 namespace rakelight::cli {
 namespace {

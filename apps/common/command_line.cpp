@@ -63,7 +63,7 @@ struct Target {
         WorldValue out{.key = option->name};
         if (option->form == Form::flag) out.words = {"on"};
         if (option->form == Form::list) out.words = words;
-        if (option->form == Form::switched)
+        if (option->form == Form::on_off)
             out.words = {word == "true" ? "on" : word == "false" ? "off" : word};  // "true": it stands alone
         if (out.words.empty()) out.words = {word};
         return out;
@@ -86,12 +86,12 @@ void declare(CLI::App& app, const Option& option, Target& to) {
         case Form::flag:
             to.read = app.add_flag(name, to.flag, option.help);
             break;
-        case Form::switched:
+        case Form::on_off:
             to.read = app.add_flag(name, to.word, option.help);
             break;
     }
     to.read->group(option.is_hidden ? "" : option.group)->required(option.is_required);
-    if (option.form == Form::switched) to.read->type_name(switch_type);
+    if (option.form == Form::on_off) to.read->type_name(switch_type);
     if (option.form == Form::value || option.form == Form::list) to.read->type_name(option.type);
 }
 
@@ -156,8 +156,9 @@ CommandLine read_command_line(const Program& program, const std::vector<std::str
     check_words(program, words);
     CLI::App app(program.help, program.name);
     app.formatter(std::make_shared<HelpLayout>(program.usage));  // before the commands, which inherit it
-    app.set_help_flag("-h,--help", std::string("Show this help; ") + program.name + " VERB --help shows a verb's");
-    app.set_version_flag("-V,--version", std::string("-"), "Say version, formats, engines and instruction sets");
+    app.set_help_flag("-h,--help",
+                      std::string("Show this help; ") + program.name + " SUBCOMMAND --help shows that of a subcommand");
+    app.set_version_flag("-V,--version", std::string("-"), "Print version, formats, engines and instruction sets");
     app.require_subcommand(1);
     app.footer(program.footer);
     std::deque<Reader> readers;

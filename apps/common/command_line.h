@@ -17,7 +17,7 @@ struct Program {
 };
 
 struct CommandLine {
-    std::string help;         ///< what is to be printed in place of anything else; empty: nothing
+    std::string help;         ///< what is to be printed instead of anything else; empty: nothing
     bool is_version = false;  ///< likewise
     std::size_t command = 0;  ///< into Program::commands
     Given given;

@@ -48,7 +48,7 @@ const Option* option_of(const Command& command, const std::string& word) {
     return word.starts_with("--") ? find_or_null(command.options, std::string_view(word).substr(2)) : nullptr;
 }
 
-/// "on", "off" and what else values::switched() takes; nothing: it is no such word.
+/// "on", "off" and what else values::on_off() takes; nothing: it is no such word.
 std::optional<bool> switch_of(std::string_view word) {
     for (const char* const on : {"on", "true", "1"})
         if (same_word(word, on)) return true;
@@ -140,12 +140,12 @@ std::vector<std::string> join_switches(const Program& program, std::vector<std::
     if (!command) return words;
     for (std::size_t i = 1; i < words.size() && words[i] != "--"; ++i) {
         const Option* const option = option_of(*command, words[i].substr(0, words[i].find('=')));
-        if (!option || (option->form != Form::switched && option->form != Form::flag)) continue;
+        if (!option || (option->form != Form::on_off && option->form != Form::flag)) continue;
         if (words[i].find('=') == std::string::npos && i + 1 < words.size()) {
             if (switch_of(words[i + 1])) {
                 words[i] += "=" + words[i + 1];
                 words.erase(words.begin() + std::ptrdiff_t(i) + 1);
-            } else if (option->form == Form::switched) {
+            } else if (option->form == Form::on_off) {
                 refuse_unless_file(words[i], words[i + 1]);
             }
         }

@@ -23,7 +23,8 @@ void check_words(const Program& program, std::span<const std::string> words);
 /// behind a switch stays one; flags stand alone ("--json", "on" is "--json", "--json=off" is nothing). @throws Error usage: a word behind a switch that looks like neither
 std::vector<std::string> join_switches(const Program& program, std::vector<std::string> words);
 
-/// The parser's message as one line that says where help is. An option that is not known is said with the nearest that is.
+/// The parser's message as one line that says where help is. An unknown option is reported with the most similar known
+/// one.
 /// @param command   null: none was read
 /// @param left      words that were not understood
 /// @param repeated  an option that takes one value and was given several; empty: none

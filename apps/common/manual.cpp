@@ -12,11 +12,11 @@ std::string written(const Option& option) {
     std::string text = option.letter ? std::string("-") + option.letter + ", " : "";
     text += std::string("--") + option.name;
     if (option.also) text += std::string(", --") + option.also;
-    if (option.form == Form::switched) return text + " [on|off]";
+    if (option.form == Form::on_off) return text + " [on|off]";
     return *option.type ? text + " " + option.type : text;
 }
 
-/// What stands behind the help.
+/// The remark after the help.
 std::string remark(const Option& option) { return option.is_required ? " (required)" : ""; }
 
 /// "rakelight render MODEL... [OPTIONS]"
@@ -100,8 +100,8 @@ std::string man_page(const Program& program) {
 }
 
 std::string markdown_page(const Program& program) {
-    std::string out = "# The command line\n\n" + std::string(program.help) + " This page is what `" + program.name +
-                      " --markdown` prints, and says the same as `--help` and the man page.\n";
+    std::string out = "# The command line\n\n" + std::string(program.help) + " `" + program.name +
+                      " --markdown` prints this page; `--help` and the man page have the same text.\n";
     out += "\n```\n" + std::string(program.footer) + "\n```\n";
     for (const Command& command : program.commands) {
         out += "\n## " + std::string(command.name) + "\n\n" + command.help + ": `" + usage(program, command) + "`\n";

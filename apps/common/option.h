@@ -14,9 +14,9 @@ namespace rakelight::apps {
 /// How an option takes its value.
 enum class Form : std::uint8_t {
     value,
-    list,      ///< a value, and it may be repeated
-    flag,      ///< stands alone
-    switched,  ///< stands alone, or with on or off behind it
+    list,    ///< a value, and it may be repeated
+    flag,    ///< stands alone
+    on_off,  ///< stands alone, or with on or off behind it
 };
 
 /// An option: "--crease-angle DEG".

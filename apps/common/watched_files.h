@@ -22,8 +22,8 @@ public:
     void take(const std::vector<std::string>& files);
     /// More of them behind begin(), as they are now; those that are known stay. What was written after `began`, when reading began, has changed.
     void add(const std::vector<std::string>& files, std::optional<Time> began = {});
-    /// To be called now and then; looks at `at_once` of them. True once one has changed and stayed the same from one look
-    /// to the next. What is missing may be on its way: editors write a new file in place of the old one.
+    /// To be called now and then; checks `at_once` of them. True once one has changed and stayed the same from one
+    /// look to the next. What is missing may be on its way: editors write a new file instead of the old one.
     bool has_changed();
     /// Waits until has_changed(); all is known then as it was last seen. @return one that has changed
     std::string wait();

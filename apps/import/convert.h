@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// aiScene -> the records of stream_format.h. Nothing is trusted: Assimp hands out what broken files said.
+// aiScene -> the records of stream_format.h. Nothing is trusted: Assimp passes on what broken files contain.
 #pragma once
 #include <assimp/scene.h>
 

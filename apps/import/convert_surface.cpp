@@ -66,7 +66,7 @@ void convert_links(const aiScene& scene, const aiMaterial& m, const Format& form
             surface.links.push_back(link_of(scene, m, source, format.max_placement));
         if (count > 1)
             out.notes.push_back(
-                {1, "material '" + surface.name + "'", "layers of textures are left out but for the first"});
+                {1, "material '" + surface.name + "'", "several layers of textures: only the first is used"});
     }
 }
 

@@ -8,7 +8,7 @@
 namespace rakelight::import_helper {
 
 /// Everything outside the folder, everything that is no regular file and every wish to write is answered with "not there".
-/// Where it is asked for, UTF-16 text is handed out as UTF-8: Assimp's ASE reader knows no other.
+/// Where it is requested, UTF-16 text is handed out as UTF-8: Assimp's ASE reader knows no other.
 class FolderIo final : public Assimp::IOSystem {
 public:
     FolderIo(const std::string& model, bool allow_outside, bool convert_utf16);

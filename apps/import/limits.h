@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the helper may take of the machine: set before the first foreign byte is read, inherited from nobody.
+// Resource limits of the helper, set before the first foreign byte is read, not inherited.
 #pragma once
 #include <cstdint>
 

@@ -42,7 +42,7 @@ bool parse(int argc, char** argv, Options& options) {
     return options.memory_bytes > 0 && options.seconds > 0;
 }
 
-/// Standard output for the stream alone: whatever Assimp prints goes nowhere.
+/// Standard output only for the stream: prints of Assimp are dropped.
 int take_standard_output() {
     const int stream = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3), nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (nowhere >= 0) dup2(nowhere, STDOUT_FILENO);
@@ -90,7 +90,7 @@ void keep_one_reader(Assimp::Importer& importer, const std::string& ending) {
     for (Assimp::BaseImporter* other : others) importer.UnregisterLoader(other);  // leaks it: the process is short
 }
 
-/// What Assimp throws itself has words for people. It catches the exceptions of the standard library, too; those go on.
+/// What Assimp throws itself has words for people. It catches the exceptions of the standard library, too; those continue.
 [[noreturn]] void refuse(const Assimp::Importer& importer) {
     try {
         if (importer.GetException()) std::rethrow_exception(importer.GetException());

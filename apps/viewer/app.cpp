@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "shown_path.h"
+#include "display_path.h"
 
 namespace rakelight::viewer {
 namespace {
@@ -98,7 +98,7 @@ void App::loop() {
         }
 }
 
-/// Files that were asked for are written, unless that takes long.
+/// Files that were requested are written, unless that takes long.
 void App::finish_writing() {
     const Clock::time_point begin = Clock::now();
     window_->hide();
@@ -139,7 +139,7 @@ void App::step() {
     draw();
 }
 
-/// How long the window did not look at events.
+/// How long the window did not process events.
 void App::note_pause() {
     const double pause_ms = 1e3 * seconds(Clock::now() - woke_);
     longest_block_ms_ = std::max(longest_block_ms_, pause_ms);
@@ -173,14 +173,14 @@ void App::poll_view(View& view) {
     if (!view.painter) return;
     view.painter->poll();
     if (auto painting = view.painter->take()) {
-        view.shown = std::move(painting);
-        gl_pictures_ += view.shown->picture != nullptr;
-        note_warnings(*view.shown);
-        if (view.shown->is_final) frames_to_draw_ = 3;  // what was said of its progress is gone
+        view.displayed = std::move(painting);
+        gl_pictures_ += view.displayed->picture != nullptr;
+        note_warnings(*view.displayed);
+        if (view.displayed->is_final) frames_to_draw_ = 3;  // what was said of its progress is gone
         is_dirty_ = true;
-        if (view.shown->number == view.number) {
+        if (view.displayed->number == view.number) {
             view.good = view.submitted, view.good_model = view.submitted_model;
-            if (view.shown->is_final || view.is_submitted_moving) view.is_painting = false;
+            if (view.displayed->is_final || view.is_submitted_moving) view.is_painting = false;
         }
     }
     const auto fault = view.painter->take_fault();
@@ -194,7 +194,7 @@ void App::poll_view(View& view) {
     if (can_go_back) view.look = view.good;  // what worked last
 }
 
-/// Says the first of them that was not said before.
+/// Shows the first of them that was not shown before.
 void App::note_warnings(const Painting& painting) {
     for (const std::string& warning : painting.warnings)
         if (ui_.announces && std::ranges::find(warned_, warning) == warned_.end()) {

@@ -30,7 +30,7 @@ class App {
 public:
     explicit App(Start start);
     ~App();
-    /// Until the window is closed. @return the exit code: 1 where a file that was asked for could not be written
+    /// Until the window is closed. @return the exit code: 1 where a file that was requested could not be written
     int run();
 
 private:
@@ -45,8 +45,8 @@ private:
         Look look, submitted, good;     ///< good: of the last picture without an error
         std::shared_ptr<GlPainter> gl;  ///< null: it was not needed yet; ends in the window's thread
         std::unique_ptr<Painter> painter;
-        std::unique_ptr<GlView> screen;                    ///< shows pictures that are not on the GPU
-        std::shared_ptr<const Painting> shown, on_screen;  ///< the second: what `screen` holds
+        std::unique_ptr<GlView> screen;                        ///< shows pictures that are not on the GPU
+        std::shared_ptr<const Painting> displayed, on_screen;  ///< the second: what `screen` holds
         MarkLines mark_lines;
         Marks submitted_marks;
         std::shared_ptr<const Model> submitted_model, good_model;
@@ -124,7 +124,7 @@ private:
     void write_file(const std::string& title, std::function<std::string(Context&)> work);
     void cancel_work();
     std::string with_not_begun(const std::string& text);
-    std::string shown_half() const;
+    std::string displayed_half() const;
     void screenshot(bool is_transparent);
     void save_scene();
     void save_seamless();
@@ -180,7 +180,7 @@ private:
     LightDrag light_drag_;
     Handle hovered_ = Handle::none;
     Clock::time_point last_click_{}, last_motion_{}, last_step_{}, last_watch_{}, last_moment_{};
-    std::atomic<bool> has_lost_file_{false};  ///< that was asked for and could not be written
+    std::atomic<bool> has_lost_file_{false};  ///< that was requested and could not be written
     bool is_quitting_ = false, is_dirty_ = true, is_walk_step_ = false;
     int frames_to_draw_ = 3;  ///< ImGui needs some frames to settle
     std::vector<Command> from_panels_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is shown: pictures, lines over them, panels.
+// What is displayed: pictures, lines over them, panels.
 #include <algorithm>
 
 #include "app.h"
@@ -26,10 +26,10 @@ void App::draw() {
     draw_panels_over();
     window_->end_panels();
     for (std::size_t i = 0; i < view_count(); ++i)
-        if (views_[i].shown && views_[i].shown->picture) mark_as_shown(*views_[i].shown->picture);
+        if (views_[i].displayed && views_[i].displayed->picture) mark_as_displayed(*views_[i].displayed->picture);
     window_->swap();
-    if (views_[0].shown) motion_times_.shown(views_[0].shown->number, Clock::now());
-    if (first_picture_ms_ == 0 && views_[0].shown)
+    if (views_[0].displayed) motion_times_.displayed(views_[0].displayed->number, Clock::now());
+    if (first_picture_ms_ == 0 && views_[0].displayed)
         first_picture_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - began_).count();
 }
 
@@ -37,8 +37,8 @@ PixelBox App::box_of(const View& view) const { return {view.area.x, view.area.y,
 
 /// With its lines.
 void App::draw_picture(View& view) {
-    if (!view.shown) return;
-    if (view.shown->picture) return window_->show(*view.shown->picture, box_of(view), box_of(view));
+    if (!view.displayed) return;
+    if (view.displayed->picture) return window_->show(*view.displayed->picture, box_of(view), box_of(view));
     show_codes(view);
     draw_lines(view);
 }
@@ -47,14 +47,14 @@ void App::show_codes(View& view) {
     const Rectangle& a = view.area;
     window_->set_viewport(a.x, a.y, a.width, a.height);
     if (!view.screen) view.screen = std::make_unique<GlView>();
-    if (view.on_screen == view.shown && view.screen->show_again()) return;
-    view.screen->show(view.shown->width, view.shown->height, view.shown->codes);
-    view.on_screen = view.shown;
+    if (view.on_screen == view.displayed && view.screen->show_again()) return;
+    view.screen->show(view.displayed->width, view.displayed->height, view.displayed->codes);
+    view.on_screen = view.displayed;
 }
 
 /// A left of the line, B right of it.
 void App::draw_wipe() {
-    const auto &a = views_[0].shown, &b = views_[1].shown;
+    const auto &a = views_[0].displayed, &b = views_[1].displayed;
     if (!a || !b) return draw_picture(views_[a ? 0 : 1]);
     if (a->picture || b->picture) return draw_wipe_on_gpu();
     draw_wipe_of_codes();
@@ -66,16 +66,16 @@ void App::draw_wipe_on_gpu() {
     const int line = int(ui_.wipe * all.width);
     const PixelBox halves[2] = {{all.x, all.y, line, all.height}, {all.x + line, all.y, all.width - line, all.height}};
     for (View& view : views_)
-        if (!view.shown->picture) draw_picture(view);  // whole: the other one covers a half of it
+        if (!view.displayed->picture) draw_picture(view);  // whole: the other one covers a half of it
     for (int i = 0; i < 2; ++i)
-        if (views_[i].shown->picture) window_->show(*views_[i].shown->picture, all, halves[i]);
+        if (views_[i].displayed->picture) window_->show(*views_[i].displayed->picture, all, halves[i]);
     const int from = std::max(0, line - 1), to = std::min(all.width, line + 1);
     window_->fill({all.x + from, all.y, to - from, all.height}, line_color);
 }
 
 /// Pictures of different sizes (one is coarse still) are sampled at their nearest pixels.
 void App::draw_wipe_of_codes() {
-    const auto &a = views_[0].shown, &b = views_[1].shown;
+    const auto &a = views_[0].displayed, &b = views_[1].displayed;
     const Rectangle& area = views_[0].area;
     GlView& screen = *views_[0].screen;
     window_->set_viewport(area.x, area.y, area.width, area.height);
@@ -104,8 +104,8 @@ void App::draw_wipe_of_codes() {
 
 /// Over a picture that is not on the GPU: those on it have theirs.
 void App::draw_lines(View& view) {
-    if (!view.shown || !model_ || view.shown->model != model_) return;
-    const Painting& p = *view.shown;
+    if (!view.displayed || !model_ || view.displayed->model != model_) return;
+    const Painting& p = *view.displayed;
     const Rectangle& a = view.area;
     std::vector<Line> lines =
         view.mark_lines.lines(marks(view), view.look, *model_, p.prepared, p.camera, a.width, a.height);
@@ -128,7 +128,7 @@ void App::draw_split() {
 
 void App::draw_panels_over() {
     View& view = active();
-    PanelView panels{.model = model_.get(), .look = view.look, .ui = ui_, .painting = view.shown.get()};
+    PanelView panels{.model = model_.get(), .look = view.look, .ui = ui_, .painting = view.displayed.get()};
     panels.width = view.area.width, panels.height = view.area.height;
     const float pixels_a_point = window_->pixels_a_point();
     panels.window_width = std::max(1, int(float(window_->width()) / pixels_a_point));

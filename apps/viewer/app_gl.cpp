@@ -26,21 +26,21 @@ std::shared_ptr<GlPainter> App::gl_of(View& view) {
     return view.gl;
 }
 
-/// A context that is lost is made anew. Where that does not help, pictures are made by sessions from now on, those that were GlView's
+/// A context that is lost is recomputed. Where that does not help, pictures are made by sessions from now on, those that were GlView's
 /// by soft. Engine gl can be chosen again: it has a context of its own.
 void App::handle_gl_fault(const Error& error) {
     if (gl_faults_++ < most_gl_faults) {
         for (View& view : views_) {
             if (view.gl) lost_gl_.push_back(std::move(view.gl));
-            view.submitted_model.reset();  // its picture is asked for again
+            view.submitted_model.reset();  // its picture is requested again
         }
         return say("OpenGL is started again: " + one_line(error.reason(), 200));
     }
     has_gl_failed_ = true;
     for (View& view : views_)
         if (view.look.request.engine == "gl" || view.look.request.engine == "auto") view.look.request.engine = "soft";
-    report(Error(ErrorCode::failed, "OpenGL fails in the window: " + error.reason(), {},
-                 "the engine soft draws from now on"));
+    report(
+        Error(ErrorCode::failed, "OpenGL fails in the window: " + error.reason(), {}, "engine soft draws from now on"));
 }
 
 Marks App::marks(const View& view) const {

@@ -73,7 +73,7 @@ void App::press(Button button, const Event& event) {
         return;
     }
     drag_ = ui_.is_walking ? Drag::look : drag_of(button, event.modifiers, ui_.has_blender_mouse);
-    if (button == Button::middle) press_modifiers_ |= 1 << 8;  // told from a left click later
+    if (button == Button::middle) press_modifiers_ |= 1 << 8;  // distinguished from a left click later
 }
 
 void App::move(const Event& event) {

@@ -11,18 +11,18 @@ GizmoView App::gizmo_view(const View& view) const {
     return {view.camera, view.area.width, view.area.height, double(window_->scale()), model_->box.bounds()};
 }
 
-/// The selected light; none: there is no such, or lights are not shown.
+/// The selected light; none: there is no such, or lights are not displayed.
 std::optional<Light> App::selected_light(const View& view) const {
-    if (!ui_.light_glyphs || !model_ || !view.shown) return {};
+    if (!ui_.light_glyphs || !model_ || !view.displayed) return {};
     Look lit = view.look;
     const std::vector<LightItem>& lights = changing_lights(lit, *model_, view.area.width, view.area.height);
     return ui_.light < lights.size() ? std::optional(lights[ui_.light].light) : std::nullopt;
 }
 
-/// Whether a light that is shown, or a handle of the selected one, is under the pointer: that light is selected then.
+/// Whether a light that is displayed, or a handle of the selected one, is under the pointer: that light is selected then.
 bool App::take_light(double x, double y) {
     View& view = active();
-    if (!ui_.light_glyphs || !model_ || !view.shown) return false;
+    if (!ui_.light_glyphs || !model_ || !view.displayed) return false;
     const dvec2 pixel{x - view.area.x, y - view.area.y};
     Look lit = view.look;
     const std::vector<LightItem>& lights = changing_lights(lit, *model_, view.area.width, view.area.height);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What plays: each picture is of the moment at which it is asked for, and the next one is asked for when it is there. What there
+// What plays: each picture is of the moment at which it is requested, and the next one is requested when it is there. What there
 // is no time for is left out.
 #include <algorithm>
 
@@ -27,7 +27,7 @@ double App::wait_s() const {
     return std::clamp(shortest_s - since.count(), 0.0, shortest_s);
 }
 
-/// Goes on to the present moment, unless pictures of the one before are still to come.
+/// Continues to the present moment, unless pictures of the one before are still to come.
 void App::play() {
     Player& player = ui_.player;
     if (!plays()) return player.stop_clock();

@@ -8,11 +8,11 @@
 #include <rakelight/smooth_file.h>
 
 #include "app.h"
+#include "display_path.h"
 #include "gather.h"
 #include "materials.h"
 #include "record.h"
 #include "save.h"
-#include "shown_path.h"
 
 namespace rakelight::viewer {
 namespace {
@@ -77,7 +77,7 @@ std::string App::carry_to(const Model& model) {
             if (std::ranges::find(gone, title) == gone.end()) gone.push_back(title);
     ui_.object = same_object(model_->scene, ui_.object, model.scene);
     if (gone.empty()) return {};
-    std::string text = "no longer in the file, so that their changed materials are dropped: " + gone[0];
+    std::string text = "no longer in the file; changes of their materials are dropped: " + gone[0];
     for (std::size_t i = 1; i < std::min<std::size_t>(gone.size(), 5); ++i) text += ", " + gone[i];
     return gone.size() > 5 ? text + ", ..." : text;
 }
@@ -97,7 +97,7 @@ void App::watch_file() {
     if (file_ < start_.files.size() && !loader_.is_running() && watched_files_.has_changed()) load_current(true);
 }
 
-/// Behind all that is to be written before: nothing that was asked for is lost, and no name is taken twice.
+/// Behind all that is to be written before: nothing that was requested is lost, and no name is taken twice.
 /// @param work  gives what is to be said when it is done
 void App::write_file(const std::string& title, std::function<std::string(Context&)> work) {
     const auto run = [this, work = std::move(work)](Context& context) -> Background::Finish {
@@ -130,7 +130,7 @@ std::string App::with_not_begun(const std::string& text) {
 }
 
 /// Files are of one picture: which of two.
-std::string App::shown_half() const {
+std::string App::displayed_half() const {
     if (ui_.split == Split::none) return {};
     return ui_.active == 0 ? " (picture A alone)" : " (picture B alone)";
 }
@@ -141,7 +141,7 @@ void App::screenshot(bool is_transparent) {
     PictureRequest request = request_of(view.look, view.area.width, view.area.height);
     if (is_transparent) request.settings.background = {0, 0, 0, 0};
     if (view.look.channel) request.settings.channels = view.look.channel, request.channel_files = channel_files_png;
-    write_file("screenshot", [model = model_, look = view.look, request, which = shown_half()](Context& context) {
+    write_file("screenshot", [model = model_, look = view.look, request, which = displayed_half()](Context& context) {
         PictureRequest named = request;
         named.output = free_name(model->file, "", ".png");
         const PictureResult result = render_picture(with_edits(model->scene, look.materials, context), named, context);
@@ -153,7 +153,7 @@ void App::screenshot(bool is_transparent) {
 void App::save_scene() {
     if (!model_) return;
     const View& view = active();
-    write_file("save", [model = model_, look = view.look, area = view.area, which = shown_half()](Context&) {
+    write_file("save", [model = model_, look = view.look, area = view.area, which = displayed_half()](Context&) {
         const std::string path = free_world_name(model->file), missing = not_saved(look);
         const std::size_t copies = save_with_files(world_of(look, *model, area.width, area.height, path), path);
         const std::string with = copies == 0   ? ""
@@ -169,8 +169,9 @@ void App::copy_command_line() {
     try {
         window_->set_clipboard(command_line_of(view.look, *model_, view.area.width, view.area.height));
         const std::string missing = not_on_command_line(view.look, *model_);
-        say(missing.empty() ? "copied the command line"
-                            : "copied the command line, but for " + missing + ": save the scene for these (Ctrl+S)");
+        say(missing.empty()
+                ? "copied the command line"
+                : "copied the command line, but for " + missing + ": save the scene to keep these (Ctrl+S)");
     } catch (const Error& error) {
         report(error);
     }
@@ -206,7 +207,8 @@ void App::explain_at(int x, int y) {
                        y](Context& context) -> Background::Finish {
         const Scene scene = with_edits(model->scene, edits, context);
         std::string text = to_text(*explain(scene, request, x, y, context));
-        if (request.engine == "trace") text = "as engine soft draws it, without rays that go on:\n\n" + text;
+        if (request.engine == "trace")
+            text = "as engine soft draws it, without reflected or refracted rays:\n\n" + text;
         return [this, file = model->file, text = std::move(text)] {
             ui_.explained = with_short_paths(text, file);
             ui_.open[std::size_t(Panel::pixel)] = true, ui_.are_panels_hidden = false;
@@ -216,7 +218,7 @@ void App::explain_at(int x, int y) {
     explainer_.start("explain", work, [this](const Error& error) { report(error); });
 }
 
-/// Seams are looked for anew whenever normals change.
+/// Seams are looked for again whenever normals change.
 void App::look_for_seams() {
     if (!ui_.seams || !model_) return;
     const PrepareOptions& prepare = active().look.request.prepare;

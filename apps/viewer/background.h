@@ -35,11 +35,11 @@ public:
     Background(const Background&) = delete;
     Background& operator=(const Background&) = delete;
 
-    /// Work that hands back what is to be done in the window's thread; what it throws is handed to `failed`, there too.
+    /// Work that returns a function for the window's thread; what it throws is passed to `failed`, there too.
     using Finish = std::function<void()>;
     using Work = std::function<Finish(Context&)>;
     using Failed = std::function<void(const Error&)>;
-    /// Takes the place of what was given before: it is cancelled, and nobody waits for its end or hears of it.
+    /// Replaces the work before, which is cancelled without waiting for its end.
     void start(const std::string& title, Work work, Failed failed);
     /// Begins when what was given before has ended.
     void queue(const std::string& title, Work work, Failed failed);

@@ -31,9 +31,9 @@ void show_side(Look& look, const char* side) {
 void next_camera(Look& look, const Model& model) {
     const std::size_t count = model.box.cameras().size();
     if (count == 0) return;
-    const std::optional<std::size_t> now = shown_camera(look, model);
+    const std::optional<std::size_t> now = current_camera(look, model);
     look.eye.reset();
-    const std::size_t number = now ? (*now + 1) % count : shown_camera(look, model).value_or(0);
+    const std::size_t number = now ? (*now + 1) % count : current_camera(look, model).value_or(0);
     look.request.view = {.camera = std::to_string(number), .world_up = look.request.view.world_up};
 }
 
@@ -113,7 +113,7 @@ bool apply_to_view(Command command, Look& look, const Model& model, int width, i
 void set_shading(PictureRequest& request) {
     constexpr Shading all[] = {Shading::phong, Shading::gouraud, Shading::flat, Shading::unlit, Shading::automatic};
     request.settings.shading = next(all, request.settings.shading);
-    request.settings.own_shading = false;
+    request.settings.material_shading = false;
     request.settings.shading_rules.clear();
 }
 

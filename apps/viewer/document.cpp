@@ -15,7 +15,7 @@ PictureRequest request_of(const Look& look, int width, int height) {
     request.settings.height = height;
     request.settings.window = {};
     request.settings.channels = 0;
-    if (request.motion.asks() && look.time_s) request.motion.time_s = look.time_s;
+    if (request.motion.is_set() && look.time_s) request.motion.time_s = look.time_s;
     if (look.eye) place(request.view, *look.eye, look.world_up);
     if (look.lights) {
         request.default_lights = request.studio_lights = false;
@@ -30,7 +30,7 @@ PictureRequest request_of(const Look& look, int width, int height) {
 
 std::vector<ClipTime> clips_of(const Look& look, const Model& model) {
     MotionRequest motion = look.request.motion;
-    if (motion.asks() && look.time_s) motion.time_s = look.time_s;
+    if (motion.is_set() && look.time_s) motion.time_s = look.time_s;
     return rakelight::clips_of(model.scene, motion);
 }
 
@@ -65,7 +65,7 @@ bool set_eye(Look& look, const Eye& eye, const Model& model, int width, int heig
     return true;
 }
 
-std::optional<std::size_t> shown_camera(const Look& look, const Model& model) {
+std::optional<std::size_t> current_camera(const Look& look, const Model& model) {
     const ViewRequest& view = look.request.view;
     const std::vector<std::string>& cameras = model.box.cameras();
     if (look.eye || view.is_placed() || cameras.empty()) return {};
@@ -78,7 +78,7 @@ std::optional<std::size_t> shown_camera(const Look& look, const Model& model) {
 
 std::vector<LightItem>& changing_lights(Look& look, const Model& model, int width, int height) {
     if (look.lights) return *look.lights;
-    Scene lit;  // what asked_lights() looks at
+    Scene lit;  // what requested_lights() looks at
     lit.lights = model.box.lights(clips_of(look, model));
     lit.environment = model.scene.environment;
     PictureRequest request = request_of(look, width, height);
@@ -87,9 +87,9 @@ std::vector<LightItem>& changing_lights(Look& look, const Model& model, int widt
     request.materials = {};
     request.hdri_file.clear();  // whether an environment gives light does not depend on its picture
     Context quiet({.threads = 1});
-    lit = with_asked_surfaces(std::move(lit), request, quiet);
+    lit = with_requested_surfaces(std::move(lit), request, quiet);
     look.lights.emplace();
-    for (Light& light : asked_lights(lit, request, quick_camera_of(look, model, width, height)))
+    for (Light& light : requested_lights(lit, request, quick_camera_of(look, model, width, height)))
         look.lights->push_back({.light = std::move(light)});
     return *look.lights;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is looked at, and how. A save keeps it, but for what not_saved() says. No window: commands change it, pictures are
+// What is looked at, and how. A save keeps it, except for what not_saved() says. No window: commands change it, pictures are
 // made of it.
 #pragma once
 #include <memory>
@@ -70,11 +70,11 @@ struct Look {
     std::vector<MaterialEdit> materials;
     std::optional<double> time_s;  ///< [s] the moment; absent: as `request.motion` says
     std::vector<EyeKey> keys;      ///< of the camera, in the order of their times
-    std::uint32_t channel = 0;     ///< shown in place of the colors; 0: colors
+    std::uint32_t channel = 0;     ///< shown instead of the colors; 0: colors
     bool operator==(const Look&) const = default;
 };
 
-/// The request of a picture of that size: what render_picture() draws to the pixel, but for edited materials.
+/// The request for a picture of that size: the same as render_picture() draws, except for edited materials.
 PictureRequest request_of(const Look& look, int width, int height);
 /// The clips that it shows, at their moments.
 std::vector<ClipTime> clips_of(const Look& look, const Model& model);
@@ -90,7 +90,7 @@ Eye& moving_eye(Look& look, const Model& model, int width, int height);
 /// Moves the eye there, if a camera can stand there. @return false: it cannot, and nothing is changed
 bool set_eye(Look& look, const Eye& eye, const Model& model, int width, int height);
 /// The number of the file's camera that is seen; none: another view.
-std::optional<std::size_t> shown_camera(const Look& look, const Model& model);
+std::optional<std::size_t> current_camera(const Look& look, const Model& model);
 /// The list of lights, made from those that are seen now where nobody has changed them.
 std::vector<LightItem>& changing_lights(Look& look, const Model& model, int width, int height);
 /// Lights that follow the camera go as it went.
@@ -99,7 +99,7 @@ void carry_lights(Look& look, const Camera& from, const Camera& to);
 /// Pictures that it names.
 std::vector<std::string> files_of(const Look& look);
 
-/// A fresh look at a model: as its request says.
+/// The initial look of a model, from its request.
 Look first_look(const Model& model);
 
 /// By paths, pass after pass.

@@ -22,7 +22,7 @@ struct Eye {
 /// The eye of a camera that choose_camera() gave; it looks at the point of its axis that is nearest to the model's center.
 Eye eye_of(const Camera& camera, const Bounds& bounds);
 
-/// Says in a request where the eye is, in place of what it said before of the view; near and far stay. The request's up is the
+/// Says in a request where the eye is, instead of what it said before of the view; near and far stay. The request's up is the
 /// world's where that gives the eye's, so that who reads it knows both; else, of rolled and steep views, the eye's own.
 void place(ViewRequest& view, const Eye& eye, dvec3 world_up);
 

@@ -23,7 +23,7 @@ std::string effect_on_view(Command command, const Look& look, const Model& model
     if (command == Command::orthographic)
         return look.eye && look.eye->is_orthographic ? "orthographic projection" : "perspective projection";
     if (command != Command::next_camera) return {};
-    const std::optional<std::size_t> camera = shown_camera(look, model);
+    const std::optional<std::size_t> camera = current_camera(look, model);
     return camera ? "camera: " + model.box.cameras()[*camera] : "the file has no cameras";
 }
 

@@ -92,7 +92,7 @@ void take_files(Copies& copies, WorldFile& world) {
 std::size_t save_with_files(WorldFile world, const std::string& path) {
     Copies copies(path);
     take_files(copies, world);
-    to_toml(world);  // what cannot be said is found before anything is copied
+    to_toml(world);  // settings that cannot be written are found before anything is copied
     copies.make();
     save_world(world, path);
     copies.keep();

@@ -70,7 +70,7 @@ std::optional<double> along_axis(const Ray& ray, dvec3 place, dvec3 axis) {
     return (b * e - d) / rest;
 }
 
-/// The point of a ball that a ray meets, on the side `is_far`; past the rim it goes on over the other side.
+/// The point of a ball that a ray hits, on the side `is_far`; past the rim it continues over the other side.
 dvec3 on_ball(const Ray& ray, dvec3 center, double radius, bool is_far) {
     const double middle = dot(center - ray.origin, ray.direction);
     const dvec3 nearest = ray.origin + ray.direction * middle;

@@ -15,7 +15,7 @@
 namespace rakelight::viewer {
 
 /// Made in the window's thread, used in one other; ends in the window's thread, after end() in the other.
-/// @throws Error as GlView; failed: OpenGL does not go on, then neither does this
+/// @throws Error as GlView; failed: OpenGL does not continue, then neither does this
 class GlPainter {
 public:
     explicit GlPainter(std::unique_ptr<SharedContext> context) : context_(std::move(context)) {}

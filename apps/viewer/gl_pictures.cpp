@@ -17,15 +17,15 @@ namespace {
 constexpr std::size_t most_free = 3;  // textures kept for pictures to come: coarse ones, whole ones, one more
 constexpr GLuint64 second_ns = 1'000'000'000, longest_picture_s = 60;  // llvmpipe may need many for a large model
 
-/// Waits for a fence in the thread that draws; not for ever, since the window waits for this thread when it is closed.
+/// Waits for a fence in the thread that draws; not forever, since the window waits for this thread when it is closed.
 void wait_for(GLsync fence, const char* what) {
     const GLenum state = glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, longest_picture_s * second_ns);
     if (state == GL_ALREADY_SIGNALED || state == GL_CONDITION_SATISFIED) return;
     throw Error(ErrorCode::failed, std::string("OpenGL does not finish ") + what);
 }
 
-/// [px] of a texture for so many. llvmpipe makes code for textures whose sides are powers of two and others apart, some 150 ms in
-/// the window's thread; that for the former is there, since the texture of ImGui's font is one.
+/// [px] of a texture for so many. llvmpipe compiles separate code for textures whose sides are powers of two and for
+/// others, some 150 ms in the window's thread. The former exists already, since the texture of ImGui's font is one.
 int texture_side(int pixels) {
     constexpr int most = 2048;  // larger ones would waste too much
     return pixels <= most ? int(std::bit_ceil(unsigned(pixels))) : (pixels + 255) / 256 * 256;
@@ -60,10 +60,10 @@ GlPicturePool::~GlPicturePool() {
     glDeleteFramebuffers(1, &frame_);
     glDeleteTextures(GLsizei(store_->textures.size()), store_->textures.data());
     const std::scoped_lock lock(store_->mutex);
-    for (const GlPicture& picture : store_->free) glDeleteSync(static_cast<GLsync>(picture.shown));
+    for (const GlPicture& picture : store_->free) glDeleteSync(static_cast<GLsync>(picture.display_fence));
 }
 
-/// One that nobody holds, of this size if there is one; else a new one.
+/// An unused one, of this size if possible; else a new one.
 GlPicture GlPicturePool::take_free(int texture_width, int texture_height) {
     const std::scoped_lock lock(store_->mutex);
     auto& free = store_->free;
@@ -89,10 +89,10 @@ void GlPicturePool::begin(int width, int height) {
     };
     drawn_ = std::shared_ptr<GlPicture>(new GlPicture(take_free(texture_width, texture_height)), give_back);
     GlPicture& picture = *drawn_;
-    if (picture.shown) {  // the window's thread may still be reading it
-        wait_for(static_cast<GLsync>(picture.shown), "showing a picture");
-        glDeleteSync(static_cast<GLsync>(picture.shown));
-        picture.shown = nullptr;
+    if (picture.display_fence) {  // the window's thread may still be reading it
+        wait_for(static_cast<GLsync>(picture.display_fence), "showing a picture");
+        glDeleteSync(static_cast<GLsync>(picture.display_fence));
+        picture.display_fence = nullptr;
     }
     if (picture.texture == 0) {
         glGenTextures(1, &picture.texture);
@@ -121,9 +121,9 @@ std::shared_ptr<GlPicture> GlPicturePool::finish() {
     return std::move(drawn_);
 }
 
-void mark_as_shown(GlPicture& picture) {
-    glDeleteSync(static_cast<GLsync>(picture.shown));  // null is ignored
-    picture.shown = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+void mark_as_displayed(GlPicture& picture) {
+    glDeleteSync(static_cast<GLsync>(picture.display_fence));  // null is ignored
+    picture.display_fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
 }
 
 }  // namespace rakelight::viewer

@@ -11,7 +11,7 @@ struct GlPicture {
     unsigned texture = 0;
     int width = 0, height = 0;                  ///< [px]
     int texture_width = 0, texture_height = 0;  ///< [px] at least those
-    void* shown = nullptr;                      ///< fence behind its last use by the window's thread; null: never shown
+    void* display_fence = nullptr;              ///< fence behind its last use by the window's thread; null: never shown
 };
 
 /// Textures to draw pictures into. In one thread, whose context is current.
@@ -37,6 +37,6 @@ private:
 };
 
 /// In the window's thread, once what shows a picture is drawn: it is not drawn into again before that is done.
-void mark_as_shown(GlPicture& picture);
+void mark_as_displayed(GlPicture& picture);
 
 }  // namespace rakelight::viewer

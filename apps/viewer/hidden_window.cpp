@@ -34,7 +34,7 @@ private:
 std::string last_glfw_error() {
     const char* text = nullptr;
     glfwGetError(&text);
-    return text ? one_line(text) : "GLFW says nothing of it";
+    return text ? one_line(text) : "GLFW gives no reason";
 }
 
 void wish_for_opengl() {
@@ -43,7 +43,7 @@ void wish_for_opengl() {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS,
-                   GLFW_LOSE_CONTEXT_ON_RESET);  // else a GPU that was reset would not be told of
+                   GLFW_LOSE_CONTEXT_ON_RESET);  // else a GPU that was reset would not be distinguished of
 }
 
 std::unique_ptr<SharedContext> make_hidden_window(GLFWwindow* shared) { return std::make_unique<HiddenWindow>(shared); }

@@ -66,12 +66,12 @@ constexpr Binding table[] = {
     {Command::previous_clip, 'W', mod_alt, "Alt+W", "previous clip", motion},
     {Command::at_rest, backspace, 0, "Backspace", "no clip: at rest", motion},
     {Command::frame_back, left, mod_shift, "Shift+Left", "1/30 s back", motion},
-    {Command::frame_on, right, mod_shift, "Shift+Right", "1/30 s on", motion},
+    {Command::frame_on, right, mod_shift, "Shift+Right", "1/30 s forward", motion},
     {Command::slower, '[', 0, "[, ]", "slower, faster", motion},
     {Command::faster, ']', 0, "", "", motion},
     {Command::loop, 'L', mod_control, "Ctrl+L", "loop", motion},
     {Command::turntable, ' ', mod_shift, "Shift+Space", "turntable", motion},
-    {Command::set_key, insert, 0, "Insert", "set a key of camera and lights", motion},
+    {Command::set_key, insert, 0, "Insert", "set a key for camera and lights", motion},
     {Command::delete_key, del, 0, "Del", "delete the key of this moment", motion},
 
     {Command::grid, 'G', 0, "G", "grid", marks},
@@ -134,7 +134,7 @@ std::string key_table_text() {
         if (keys.empty()) continue;
         if (group != b.group) text += (group.empty() ? "" : "\n") + ("| " + std::string(b.group) + " | |\n|---|---|\n");
         group = b.group;
-        if (keys == " ") text.erase(text.size() - 3);  // goes on with the row above
+        if (keys == " ") text.erase(text.size() - 3);  // continues with the row above
         text += keys == " " ? " " + cell(b.what) + " |\n" : "| " + cell(keys) + " | " + cell(b.what) + " |\n";
     }
     return text;

@@ -9,7 +9,7 @@ std::optional<std::string> LightingFile::changed(const std::string& file) {
     if (file.empty()) return {};
     std::error_code fault;
     const std::filesystem::file_time_type now = std::filesystem::last_write_time(file, fault);
-    if (fault) return {};  // it may be on its way: editors write a new file in place of the old one
+    if (fault) return {};  // it may be on its way: editors write a new file instead of the old one
     if (file != file_) {
         file_ = file, read_time_ = changed_time_ = now;
         return {};

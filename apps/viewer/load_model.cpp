@@ -17,7 +17,7 @@ PictureRequest request_for(const std::string& file, const Start& start) {
         request.load = start.load;
         request.look = rakelight::Look::standard;
         read_render_keys(start.settings, request);
-        request.settings.own_shading = !shades_the_whole(start.settings);
+        request.settings.material_shading = !sets_shading(start.settings);
     }
     request.input = file;
     request.settings.channels = 0;
@@ -71,8 +71,8 @@ std::shared_ptr<const Model> load_model(const std::string& file, const Start& st
     model->scene = load(file, model->request.load, context);
     context.throw_if_cancelled();
     const Scene moved = scene_at(model->scene, wanted_clips(model->scene, model->request, context));
-    take_look(moved, model->request, context);
-    take_look_of_picture(with_asked_surfaces(moved, model->request, context), model->request, context);
+    apply_look(moved, model->request, context);
+    apply_look_exposure(with_requested_surfaces(moved, model->request, context), model->request, context);
     model->request.look = rakelight::Look::plain;
     model->box = ViewBox(model->scene);
     count(*model);

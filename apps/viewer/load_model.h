@@ -15,7 +15,7 @@ struct Start {
     std::vector<std::string> files;
     std::vector<WorldValue> settings;
     LoadOptions load;
-    std::function<bool(std::string_view)> takes;  ///< RenderOverrides::takes
+    std::function<bool(std::string_view)> takes;  ///< RenderOverrides::accepts
     int threads = 0;
     std::uint64_t max_memory = 0;
     bool wants_stats = false;

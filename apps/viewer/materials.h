@@ -39,10 +39,10 @@ struct ObjectInWorld {
 /// @throws Error usage: there is no such node
 ObjectInWorld object_in_world(const Scene& scene, std::uint32_t node);
 
-/// The object of a scene that was read anew whose name in a world file is that of an object before; no_index: it is gone. Objects
+/// The object of a scene that was reloaded whose name in a world file is that of an object before; no_index: it is gone. Objects
 /// that are told by numbers keep theirs, if their names, or that they have none, are the same.
 std::uint32_t same_object(const Scene& from, std::uint32_t node, const Scene& to);
-/// Edits for a scene that was read anew. @return titles of those whose object is gone; they are dropped
+/// Edits for a scene that was reloaded. @return titles of those whose object is gone; they are dropped
 std::vector<std::string> carry_edits(std::vector<MaterialEdit>& edits, const Scene& from, const Scene& to);
 
 }  // namespace rakelight::viewer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said at the foot of the picture, for a while.
+// The message at the bottom of the picture, for a while.
 #pragma once
 #include <chrono>
 #include <string>

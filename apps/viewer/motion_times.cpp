@@ -8,7 +8,7 @@ namespace rakelight::viewer {
 
 void MotionTimes::asked(std::uint64_t number, Clock::time_point at) { asked_.push_back({number, at}); }
 
-void MotionTimes::shown(std::uint64_t number, Clock::time_point at) {
+void MotionTimes::displayed(std::uint64_t number, Clock::time_point at) {
     std::erase_if(asked_, [&](const Asked& a) {
         if (a.number > number) return false;
         ms_.push_back(std::chrono::duration<double, std::milli>(at - a.at).count());

@@ -13,10 +13,10 @@ class MotionTimes {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// A picture was asked for. @param number  grows, as PaintJob::number has it
+    /// A picture was requested. @param number  grows, as PaintJob::number has it
     void asked(std::uint64_t number, Clock::time_point at);
-    /// A picture is on the screen: it answers all that were asked for up to it.
-    void shown(std::uint64_t number, Clock::time_point at);
+    /// A picture is on the screen: it answers all that were requested up to it.
+    void displayed(std::uint64_t number, Clock::time_point at);
 
     std::size_t count() const { return ms_.size(); }
     /// [ms]; 0 where there is none. @param share  0: the shortest, 0.5: the median, 1: the longest

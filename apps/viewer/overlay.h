@@ -31,7 +31,7 @@ void add_arrow(std::vector<Line>& to, dvec3 tail, dvec3 tip, vec4 color, float w
 std::vector<Line> light_lines(std::span<const LightItem> lights, const Bounds& bounds, std::size_t selected);
 
 enum class VertexVector { normal, tangent, bitangent };
-/// A line a vertex of a prepared scene, in the world; at most `most`, taken evenly.
+/// A line per vertex of a prepared scene, in the world; at most `most`, taken evenly.
 std::vector<Line> vertex_lines(const Scene& prepared, VertexVector which, const Bounds& bounds,
                                std::size_t most = 20000);
 

@@ -234,7 +234,7 @@ bool Painter::paint_pass(const PaintJob& job, double scale, int samples, bool is
 void Painter::draw_by_session(const PaintJob& job, const PictureRequest& request, Painting& to, Context& context) {
     is_in_gl_ = false;
     PictureRequest drawn = request;
-    const vec4 behind = keep_background(drawn.settings, drawn.tone);
+    const vec4 behind = separate_background(drawn.settings, drawn.tone);
     const std::uint32_t wished = job.wants_depth ? std::uint32_t(channel_depth) : 0u;
     const auto begin = std::chrono::steady_clock::now();
     PassSink sink([&](const Frame& frame, int samples) {
@@ -254,7 +254,7 @@ void Painter::draw_by_session(const PaintJob& job, const PictureRequest& request
     Frame& frame = sink.frame();
     to.prepared = studio_->prepared();
     to.codes = job.look.channel
-                   ? channel_codes(frame, job.look.channel, view_range_of(job.model->box.bounds(), to.camera))
+                   ? channel_codes(frame, job.look.channel, channel_range_of(job.model->box.bounds(), to.camera))
                    : to_srgb8(frame, request.tone, behind);
     to.depth = std::move(frame.depth);
 }

@@ -40,7 +40,7 @@ struct Painting {
     int width = 0, height = 0;           ///< [px] of the picture
     std::shared_ptr<GlPicture> picture;  ///< with its lines; null: it is in `codes`
     std::vector<std::uint32_t> codes;    ///< sRGB, R in the low byte
-    std::vector<float> depth;            ///< [m] along the view; empty: not asked for
+    std::vector<float> depth;            ///< [m] along the view; empty: not requested
     Camera camera;
     PictureRequest request;  ///< at the job's size
     std::shared_ptr<const PreparedScene> prepared;
@@ -59,14 +59,14 @@ public:
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    /// Takes the place of the job before, whose refinement is broken off.
+    /// Replaces the job before, whose refinement is stopped.
     void paint(PaintJob job);
     /// The newest picture since the last call; null: there is none.
     std::shared_ptr<const Painting> take();
     struct Fault {
         std::uint64_t number = 0;  ///< of the job that it ended
         Error error;
-        bool is_of_gl = false;  ///< PaintJob::gl does not go on
+        bool is_of_gl = false;  ///< PaintJob::gl does not continue
     };
     /// The newest since the last call.
     std::optional<Fault> take_fault();

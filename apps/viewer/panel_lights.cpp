@@ -4,8 +4,8 @@
 
 #include <rakelight/linear.h>
 
+#include "display_path.h"
 #include "panels.h"
-#include "shown_path.h"
 #include "widgets.h"
 
 namespace rakelight::viewer {
@@ -71,7 +71,7 @@ void draw_environment(PanelView& view) {
     if (slide("intensity", intensity, 0, 10)) r.hdri_intensity = double(intensity);
     if (slide("rotation", turn, -180, 180, "%.1f deg")) r.hdri_rotation_rad = radians(double(turn));
     ImGui::TextDisabled("%s", r.hdri_file.empty() ? "drop a .hdr or .exr file to use it"
-                                                  : one_line(shown_path(r.hdri_file), 60).c_str());
+                                                  : one_line(display_path(r.hdri_file), 60).c_str());
 }
 
 /// Before the model, a little up and to the right, where it can be seen and dragged.
@@ -119,7 +119,7 @@ void draw_lights_panel(PanelView& view) {
     if (lights != before) view.look.lights = lights;
     if (view.look.lights && ImGui::Button("reset lights")) view.look.lights.reset();
     double intensity = view.look.request.light_intensity;
-    if (slide("all lights times", intensity, 0, 10)) view.look.request.light_intensity = intensity;
+    if (slide("factor on all lights", intensity, 0, 10)) view.look.request.light_intensity = intensity;
     ImGui::Checkbox("shadows", &view.look.request.settings.shadows);
     ImGui::SameLine();
     ImGui::Checkbox("show lights", &view.ui.light_glyphs);

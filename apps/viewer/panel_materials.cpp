@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "display_path.h"
 #include "materials.h"
 #include "panels.h"
-#include "shown_path.h"
 #include "widgets.h"
 
 namespace rakelight::viewer {

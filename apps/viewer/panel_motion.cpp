@@ -13,7 +13,7 @@ void draw_clip(PanelView& view, std::optional<int> clip) {
     Look& look = view.look;
     const bool is_shown = clip == -1 ? look.request.motion.index == -1
                           : clip     ? chosen_clip(look, *view.model) == clip
-                                     : !look.request.motion.asks();
+                                     : !look.request.motion.is_set();
     ImGui::PushID(clip.value_or(-2));
     if (ImGui::Selectable(clip_title(*view.model, clip).c_str(), is_shown)) choose_clip(look, clip);
     ImGui::PopID();
@@ -72,7 +72,7 @@ void draw_keys(PanelView& view) {
     const std::vector<double> times = key_times(view.look);
     if (times.empty()) {
         ImGui::SameLine();
-        return ImGui::TextDisabled("of the camera and of moved lights");
+        return ImGui::TextDisabled("for the camera and moved lights");
     }
     ImGui::SameLine();
     if (ImGui::Button("delete key")) view.commands.push_back(Command::delete_key);
@@ -96,11 +96,11 @@ void draw_motion_panel(PanelView& view) {
     draw_moment(view);
     ImGui::Dummy({0, 2 * view.scale});
     slide("speed", player.speed, 1.0 / 16, 16.0, "%.3g times", true);
-    if (!view.look.request.motion.asks()) slide("length", player.length_s, 0.1, 120.0, "%.1f s", true);
+    if (!view.look.request.motion.is_set()) slide("length", player.length_s, 0.1, 120.0, "%.1f s", true);
     draw_keys(view);
     ImGui::Separator();
     ImGui::Checkbox("turntable", &player.is_turning);
-    slide("a turn takes", player.turn_s, 1.0, 120.0, "%.1f s", true);
+    slide("duration of a turn", player.turn_s, 1.0, 120.0, "%.1f s", true);
 }
 
 }  // namespace rakelight::viewer

@@ -6,8 +6,8 @@
 // clang-format on
 
 #include "../common/picture_options.h"
+#include "display_path.h"
 #include "panels.h"
-#include "shown_path.h"
 #include "widgets.h"
 
 namespace rakelight::viewer {
@@ -29,13 +29,13 @@ std::vector<std::string> split(const std::string& text) {
     return words;
 }
 
-/// The request with one key set anew, checked with all others. @throws Error usage
+/// The request with one key set again, checked with all others. @throws Error usage
 PictureRequest with_key(const PictureRequest& request, const std::string& key, const std::string& text) {
     PictureRequest plain = request;
-    plain.settings.own_shading = PictureRequest().settings.own_shading;  // it has no key; see below
+    plain.settings.material_shading = PictureRequest().settings.material_shading;  // it has no key; see below
     std::vector<WorldValue> values = written_render_keys(plain);
     std::erase_if(values, [&](const WorldValue& value) {
-        return value.key == key || (key == "preset" && is_of_preset(value.key));
+        return value.key == key || (key == "preset" && is_preset_key(value.key));
     });
     if (!text.empty()) {
         const bool is_list = require_render_key(key).kind == RenderKey::Kind::list;
@@ -45,7 +45,7 @@ PictureRequest with_key(const PictureRequest& request, const std::string& key, c
     PictureRequest changed;
     changed.input = request.input, changed.load = request.load;
     read_render_keys(values, changed);
-    changed.settings.own_shading = request.settings.own_shading && key != "shading";
+    changed.settings.material_shading = request.settings.material_shading && key != "shading";
     return changed;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Engine, shading frequency, lighting model, bump technique, channels, lines, tone.
+#include "display_path.h"
 #include "document.h"
 #include "panels.h"
-#include "shown_path.h"
 #include "widgets.h"
 
 #include <cmath>
@@ -41,7 +41,7 @@ void draw_bumps(PictureRequest& r) {
     choose("bump terms", terms, s.bump_terms);
     slide("depth", s.relief.depth, 0, 0.5f);
     slide("bias", s.relief.bias, 0, 1);
-    choose("height maps hold", polarity_words, s.relief.holds_depth);
+    choose("height maps contain", polarity_words, s.relief.holds_depth);
     slide("min layers", s.relief.min_steps, 1, 128);
     slide("max layers", s.relief.max_steps, 1, 256);
     s.relief.max_steps = std::max(s.relief.max_steps, s.relief.min_steps);
@@ -96,15 +96,15 @@ void draw_shading_panel(PanelView& view) {
         ImGui::EndCombo();
     }
     draw_channels(view);
-    if (choose("shading", shading_words, s.shading)) s.own_shading = false, s.shading_rules.clear();
+    if (choose("shading", shading_words, s.shading)) s.material_shading = false, s.shading_rules.clear();
     if (choose("lighting", lighting_words, s.lighting)) s.lighting_name.clear(), s.lighting_text.clear();
     if (!s.lighting_name.empty())
-        ImGui::TextWrapped("in its place: %s", one_line(shown_path(s.lighting_name), 100).c_str());
+        ImGui::TextWrapped("replaced by: %s", one_line(display_path(s.lighting_name), 100).c_str());
     choose("specular", specular_form_words, s.specular_form);
     constexpr Word<int> sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}};
     if (r.engine == "trace") draw_rays(r);
     if (s.method == RayMethod::path)
-        slide("paths a pixel", s.samples, 1, most_paths_a_pixel, true);
+        slide("paths per pixel", s.samples, 1, max_paths_per_pixel, true);
     else
         choose("samples", sample_words, s.samples);
     slide("anisotropy", s.anisotropy, 1, 16);

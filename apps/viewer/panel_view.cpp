@@ -10,7 +10,7 @@ void draw_cameras(PanelView& view) {
     const auto& cameras = view.model->box.cameras();
     ImGui::TextDisabled(cameras.empty() ? "The file has no cameras" : "Cameras of the file");
     for (std::size_t i = 0; i < cameras.size(); ++i) {
-        const bool is_shown = shown_camera(view.look, *view.model) == i;
+        const bool is_shown = current_camera(view.look, *view.model) == i;
         if (!ImGui::Selectable((cameras[i] + "##" + std::to_string(i)).c_str(), is_shown)) continue;
         view.look.eye.reset();
         view.look.request.view = {.camera = std::to_string(i)};

@@ -5,7 +5,7 @@
 
 #include <rakelight/picture_parts.h>
 
-#include "shown_path.h"
+#include "display_path.h"
 #include "widgets.h"
 
 namespace rakelight::viewer {
@@ -160,7 +160,7 @@ void draw_status(const PanelView& view) {
     const float left = view.ui.panel_width + 8 * view.scale;
     std::string text;
     if (view.ui.file_name && view.model) {
-        text += one_line(shown_path(view.model->file), 100);
+        text += one_line(display_path(view.model->file), 100);
         if (view.file_count > 1)
             text += "  " + std::to_string(view.file_number + 1) + " of " + std::to_string(view.file_count);
         text += "\n";

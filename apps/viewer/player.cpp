@@ -50,7 +50,7 @@ double Player::elapsed(double now_s) {
     return elapsed_s;
 }
 
-bool has_motion(const Look& look) { return look.request.motion.asks() || !key_times(look).empty(); }
+bool has_motion(const Look& look) { return look.request.motion.is_set() || !key_times(look).empty(); }
 
 ClipSpan span_of(const Look& look, const Model& model, const Player& player) {
     std::optional<ClipSpan> span;
@@ -74,7 +74,7 @@ double time_of(const Look& look, const Model& model, const Player& player) {
 
 void set_time(Look& look, const Model& model, const Player& player, int width, int height, double time_s) {
     const ClipSpan span = span_of(look, model, player);
-    if (!look.eye && !shown_camera(look, model)) moving_eye(look, model, width, height);
+    if (!look.eye && !current_camera(look, model)) moving_eye(look, model, width, height);
     look.time_s = std::clamp(time_s, span.begin_s, span.end_s);
     follow_keys(look, *look.time_s);
 }
@@ -85,7 +85,7 @@ void choose_clip(Look& look, std::optional<int> clip) {
 }
 
 std::optional<int> chosen_clip(const Look& look, const Model& model) {
-    if (!look.request.motion.asks() || look.request.motion.index == -1) return {};
+    if (!look.request.motion.is_set() || look.request.motion.index == -1) return {};
     const std::vector<ClipTime> clips = clips_of(look, model);
     return clips.empty() ? std::nullopt : std::optional(int(clips[0].animation));
 }

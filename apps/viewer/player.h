@@ -43,7 +43,7 @@ void choose_clip(Look& look, std::optional<int> clip);
 /// none: no clip, or all (-1)
 std::optional<int> chosen_clip(const Look& look, const Model& model);
 
-/// Goes on by so much of the clock's time. @return false: it has come to its end, and nothing is left to be played
+/// Continues by so much of the clock's time. @return false: it has come to its end, and nothing is left to be played
 bool advance(Look& look, const Model& model, const Player& player, int width, int height, double elapsed_s);
 
 /// What a command does to the player and to the look that it plays; false: it is not about that.

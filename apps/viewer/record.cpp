@@ -40,11 +40,11 @@ Turn record_turn(const std::shared_ptr<const Model>& model, const Look& look, in
         for (; turn.written < count; ++turn.written) {
             const double done = double(turn.written) / count;
             context.throw_if_cancelled();
-            context.set_progress_part(done, double(turn.written + 1) / count);
+            context.set_progress_range(done, double(turn.written + 1) / count);
             context.progress("record", 0);
             const Look now = turned(look, *model, width, height, 2 * pi * done);
             PictureRequest request = request_of(now, width, height);
-            const vec4 behind = keep_background(request.settings, request.tone);
+            const vec4 behind = separate_background(request.settings, request.tone);
             Frame frame;
             studio.draw(model, now, request, camera_of(now, *model, width, height), 0, frame, context);
             char name[32];

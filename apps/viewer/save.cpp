@@ -102,12 +102,12 @@ void add_keys(WorldFile& world, const Look& look, const Camera& now, PictureRequ
 
 /// Shading of the whole that goes before what parts and materials say: [render] of a world says it by taking that away.
 void take_own_shading(WorldFile& world, PictureRequest& request) {
-    if (request.settings.own_shading) return;
+    if (request.settings.material_shading) return;
     for (WorldModel& model : world.models) model.shading.reset();
     for (WorldPrimitive& shape : world.primitives) shape.shading.reset();
     for (WorldMaterial& material : world.materials)
         std::erase_if(material.values, [](const WorldValue& value) { return value.key == "shading"; });
-    request.settings.own_shading = true;
+    request.settings.material_shading = true;
 }
 
 std::vector<WorldValue> render_of(const PictureRequest& request, const fs::path& folder) {
@@ -119,24 +119,23 @@ std::vector<WorldValue> render_of(const PictureRequest& request, const fs::path&
             for (std::string& word : value.words) word = from_folder(word, folder);
     }
     const RenderSettings& s = request.settings;
-    if (!has_size)  // what is the default today need not be it for ever
+    if (!has_size)  // what is the default today need not be it forever
         values.push_back({.key = "resolution", .words = {std::to_string(s.width) + "," + std::to_string(s.height)}});
     return values;
 }
 
-bool is_flag(const RenderKey& key) {
-    return key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::switched;
-}
+bool is_flag(const RenderKey& key) { return key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::on_off; }
 
 /// What [render] of the model's world sets and the look does not: it is at its default again.
 std::vector<WorldValue> taken_back(const Model& model, const std::vector<WorldValue>& written) {
-    const auto is_said = [&](const WorldValue& value) {
+    const auto is_listed = [&](const WorldValue& value) {
         const bool is_place = places_camera(value.key);
         return std::ranges::any_of(
             written, [&](const WorldValue& w) { return w.key == value.key || (is_place && places_camera(w.key)); });
     };
     std::vector<WorldValue> back = model.world.render;
-    std::erase_if(back, [&](const WorldValue& v) { return is_said(v) || v.key == "resolution" || v.key == "shading"; });
+    std::erase_if(back,
+                  [&](const WorldValue& v) { return is_listed(v) || v.key == "resolution" || v.key == "shading"; });
     return back;
 }
 
@@ -162,7 +161,7 @@ std::string with_number(const std::string& name, int number, const std::string& 
     return name + "-" + std::to_string(number) + ending;
 }
 
-/// The first that is not there yet of "folder/name.ending", "folder/name-2.ending", ...
+/// The first that does not exist yet of "folder/name.ending", "folder/name-2.ending", ...
 std::string free_beside(const std::string& model_file, const std::string& name, const std::string& ending) {
     const fs::path folder = is_shape(model_file) ? fs::path(".") : folder_of(model_file);
     std::error_code ignored;
@@ -223,10 +222,10 @@ std::string command_line_of(const Look& look, const Model& model, int width, int
     PictureRequest request = request_of(look, width, height);
     std::string text = "rakelight render " + quoted(model.file) + " -o " + quoted(stem_of(model.file) + ".png");
     if (request.load.allow_outside) text += " --allow-outside";
-    if (!is_world_file(model.file)) text += " --look plain";  // what the default look chose is said below
-    const bool is_said = !request.settings.own_shading && request.settings.shading == Shading::phong;
-    if (is_said) text += " --shading phong";  // the default, but here it takes away what materials say
-    request.settings.own_shading = true;
+    if (!is_world_file(model.file)) text += " --look plain";  // what the default look chose is reported below
+    const bool is_listed = !request.settings.material_shading && request.settings.shading == Shading::phong;
+    if (is_listed) text += " --shading phong";  // the default, but here it takes away what materials say
+    request.settings.material_shading = true;
     const std::vector<WorldValue> written = written_render_keys(request);
     for (const WorldValue& value : written) {
         const RenderKey& key = require_render_key(value.key);
@@ -242,7 +241,7 @@ std::string command_line_of(const Look& look, const Model& model, int width, int
 std::string not_on_command_line(const Look& look, const Model& model) {
     std::string text = look.materials.empty() ? "" : "changed materials";
     PictureRequest request = request_of(look, 1, 1);
-    request.settings.own_shading = true;
+    request.settings.material_shading = true;
     for (const WorldValue& value : taken_back(model, written_render_keys(request)))
         if (!is_flag(require_render_key(value.key))) text += (text.empty() ? "" : ", ") + value.key;
     return text;

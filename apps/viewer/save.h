@@ -15,13 +15,13 @@ WorldFile world_of(const Look& look, const Model& model, int width, int height, 
 /// What of the look no world file says, for people: "1 light that is off, ..."; empty: nothing.
 std::string not_saved(const Look& look);
 
-/// "rakelight render MODEL -o picture.png --resolution 640,480 ...", each word quoted for a shell where it must be, but for
+/// "rakelight render MODEL -o picture.png --resolution 640,480 ...", each word quoted for a shell where it must be, except for
 /// what not_on_command_line() says.
 std::string command_line_of(const Look& look, const Model& model, int width, int height);
 /// For people: "changed materials, samples"; empty: nothing. Settings of a world file that are at their default again have no words.
 std::string not_on_command_line(const Look& look, const Model& model);
 
-/// "folder/name.scene.toml" beside the model, for shapes in the working folder; one that is not there yet.
+/// "folder/name.scene.toml" beside the model, for shapes in the working folder; one that does not exist yet.
 std::string free_world_name(const std::string& model_file);
 /// "folder/name-seamless.obj" beside the model, likewise; of formats that cannot be written as .glb.
 std::string free_seamless_name(const std::string& model_file);

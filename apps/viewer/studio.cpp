@@ -17,7 +17,7 @@ bool leaves_lights_to_the_session(const PictureRequest& r, const Scene& scene) {
            scene.lights.empty();
 }
 
-/// What the request says of materials stands above what clips say: it has to be said again at each moment.
+/// Material settings of the request override clips, so they are applied again at each moment.
 bool moves_overridden_materials(const Scene& scene, std::span<const ClipTime> clips, const PictureRequest& request) {
     if (request.materials == MaterialOverrides{} && !request.coloring.is_on) return false;
     return std::ranges::any_of(clips, [&](const ClipTime& clip) {
@@ -35,7 +35,7 @@ bool Studio::is_taken_up(const std::shared_ptr<const Model>& model, const Look& 
            prepare_ == request.prepare;
 }
 
-void Studio::take_up(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
+void Studio::warm_up(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
                      const Camera& camera, Context& context) {
     if (!session_ || engine_ != request.engine) {
         is_set_ = false;
@@ -48,7 +48,7 @@ void Studio::take_up(const std::shared_ptr<const Model>& model, const Look& look
         is_set_ = false;
         look_.reset();
         scene_ = scene_at(with_edits(model->scene, look.materials, context), surface_clips);
-        scene_ = with_asked_surfaces(std::move(scene_), request, context);
+        scene_ = with_requested_surfaces(std::move(scene_), request, context);
         scene_.animations.clear();
         model_ = model;
         look_ = look;
@@ -61,7 +61,7 @@ void Studio::take_up(const std::shared_ptr<const Model>& model, const Look& look
     if (leaves_lights_to_the_session(request, lit))
         lit.lights.clear();
     else
-        lit.lights = asked_lights(lit, request, camera);
+        lit.lights = requested_lights(lit, request, camera);
     lit.fog = request.fog.value_or(lit.fog);
     if (is_set_ && lit.lights == lights_ && lit.fog == fog_ && clips == clips_ && prepare_ == request.prepare) return;
     is_set_ = false;
@@ -74,7 +74,7 @@ const std::shared_ptr<const PreparedScene>& Studio::prepare(const std::shared_pt
                                                             const PictureRequest& request, const Camera& camera,
                                                             Context& context) {
     context.progress(is_taken_up(model, look, request) ? "render" : "prepare", 0);
-    take_up(model, look, request, camera, context);
+    warm_up(model, look, request, camera, context);
     prepared_ = session_->prepared(request.settings, context);
     return prepared_;
 }
@@ -82,8 +82,8 @@ const std::shared_ptr<const PreparedScene>& Studio::prepare(const std::shared_pt
 RenderStats Studio::draw(const std::shared_ptr<const Model>& model, const Look& look, PictureRequest request,
                          const Camera& camera, std::uint32_t wished, Sink& sink, Context& context) {
     context.progress(is_taken_up(model, look, request) ? "render" : "prepare", 0);
-    take_up(model, look, request, camera, context);
-    request.settings.channels |= wished & session_->engine().abilities().channels;
+    warm_up(model, look, request, camera, context);
+    request.settings.channels |= wished & session_->engine().capabilities().channels;
     prepared_ = session_->prepared(request.settings, context);
     return session_->render(camera, request.settings, sink, context);  // which takes the scene up where it is new
 }

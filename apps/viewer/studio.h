@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A session with a model in it, as a look wants it: only what changed is made anew.
+// A session with a model in it, as a look wants it: only what changed is recomputed.
 #pragma once
 #include <memory>
 #include <optional>
@@ -28,7 +28,7 @@ public:
 private:
     /// Whether nothing but lights, camera and moment changed.
     bool is_taken_up(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request) const;
-    void take_up(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
+    void warm_up(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
                  const Camera& camera, Context& context);
 
     std::optional<Session> session_;

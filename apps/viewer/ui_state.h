@@ -26,7 +26,7 @@ struct UiState {
     float panel_column = 0;  ///< [px at scale 1] as wide as the user has dragged them; 0: as wide as they need
     bool grid = false, axes = false, light_glyphs = false, normals = false, tangents = false, bitangents = false,
          seams = false;
-    bool announces = true;  ///< what a key did is said
+    bool announces = true;  ///< messages tell what a key did
     bool file_name = true, frame_time = false, help = false, is_picking = false, is_walking = false;
     bool has_blender_mouse = false;  ///< the middle button orbits
     bool is_arcball = false, is_dark = true;

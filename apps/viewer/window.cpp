@@ -296,8 +296,8 @@ void GlfwWindow::end_panels() {
 
 void GlfwWindow::show(const GlPicture& picture, const PixelBox& to, const PixelBox& clip) {
     const bool is_same_size = picture.width == to.width && picture.height == to.height;
-    // Pixels of the same size hit the middles of texels, and a little more, lest rounding takes a part of their neighbors;
-    // others stay within the picture, beyond which the texture goes on.
+    // Pixels of the same size hit the centers of texels, and a little more, so that rounding does not mix in
+    // neighbors. Others stay within the picture, beyond which the texture continues.
     const float first = is_same_size ? 1.0f / 512 : 0.5f, behind = is_same_size ? -first : 0.5f;
     const float u = 1.0f / float(picture.texture_width), v = 1.0f / float(picture.texture_height);
     const ImVec2 top_left{first * u, (float(picture.height) - behind) * v},

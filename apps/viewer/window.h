@@ -27,7 +27,7 @@ public:
     GlfwWindow(const GlfwWindow&) = delete;
     GlfwWindow& operator=(const GlfwWindow&) = delete;
 
-    /// Waits for events, at most so long; 0: takes those that are there.
+    /// Waits for events, at most so long; 0: takes those that exist.
     void wait(double seconds);
     /// Ends a wait(); from any thread.
     static void wake();
@@ -50,7 +50,7 @@ public:
     /// Panels: between the two calls ImGui's functions are used. Its font 0 is for words, font 1 for texts in columns.
     void begin_panels();
     void end_panels();
-    /// In place of end_panels() where a fault came between: nothing of them is drawn.
+    /// Instead of end_panels() where a fault came between: nothing of them is drawn.
     void abandon_panels();
     /// Between them: shows a picture below the panels. @param to  where all of it would lie  @param clip  what of that is seen
     void show(const GlPicture& picture, const PixelBox& to, const PixelBox& clip);

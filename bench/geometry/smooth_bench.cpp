@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seam-free normals and tangents of a displaced sphere cut into objects, beside what they are measured against: the
-// plain loop that everybody writes, the brute force of the publication, Assimp's generators. per_triangle is the figure
-// to compare.
+// Seam-free normals and tangents of a displaced sphere cut into objects, next to baselines: a plain loop, the
+// publication's brute force, Assimp's generators. per_triangle is the figure to compare.
 //   RAKELIGHT_BENCH_LARGE=1 smooth_bench --benchmark_filter='T:10000000/K:16/'     10M and 50M triangles are made only
 //   when asked for
 #include <benchmark/benchmark.h>

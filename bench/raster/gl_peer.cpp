@@ -163,7 +163,7 @@ private:
     Context& context_;
     Camera camera_;
     std::unique_ptr<Engine> engine_;
-    PictureSink sink_{PixelFormat{.channels = 4}};  ///< as the other side's target: sRGB codes, four bytes a pixel
+    PictureSink sink_{PixelFormat{.channels = 4}};  ///< as the other side's target: sRGB codes, four bytes per pixel
     RenderStats stats_;
 };
 

@@ -16,7 +16,7 @@ public:
     GlContext(const GlContext&) = delete;
     GlContext& operator=(const GlContext&) = delete;
     std::string renderer() const, version() const;
-    static void finish();  ///< returns when all that was asked for is drawn
+    static void finish();  ///< returns when all that was requested is drawn
 
 private:
     void* display_ = nullptr;
@@ -24,8 +24,8 @@ private:
 };
 
 /// sRGB color and 24 bits of depth, `samples` a pixel; those are averaged by resolve(). OpenGL counts rows, and the
-/// positions of a pixel's samples in a frame buffer object, from the bottom; so that both lie as those of the soft
-/// engine, what is drawn stands on its head: row 0 is the picture's top.
+/// sample positions in a framebuffer object, from the bottom. To match the soft engine, pictures are drawn upside
+/// down: row 0 is the picture's top.
 class GlTarget {
 public:
     GlTarget(int width, int height, int samples);

@@ -28,7 +28,7 @@ public:
     void end_pass(int) override { benchmark::ClobberMemory(); }
 };
 
-/// A texture made in code: three bytes a texel, color(x, y).
+/// A texture made in code: three bytes per texel, color(x, y).
 template <class Color>
 TextureUse add_texture(Scene& scene, int size, const Color& color) {
     Pixels pixels;

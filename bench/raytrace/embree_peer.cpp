@@ -16,7 +16,7 @@
 #include "cpu_shading/draw_list.h"
 #include "engines/raytrace/ray_scene.h"
 #include "math/linear.h"
-#include "shading/view.h"
+#include "shading/picture_camera.h"
 
 namespace rakelight::bench {
 namespace {
@@ -60,7 +60,8 @@ public:
     FlatScene& operator=(const FlatScene&) = delete;
 
     /// Distances of a tile's pixels; with `light`, whether it reaches them, too.
-    void trace(const shading::View& view, const Window& area, const dvec3* light, float* depth, float* seen) const {
+    void trace(const shading::PictureCamera& view, const Window& area, const dvec3* light, float* depth,
+               float* seen) const {
         const raytrace::EmbreeLibrary& e = raytrace::embree();
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
@@ -128,7 +129,7 @@ void compare(const Scene& loaded, int width, int height, int frames, bool with_s
     session.render(camera, settings, sink, context);
     shading::TextureCache textures;
     const cpu_shading::DrawList list = cpu_shading::make_draw_list(scene, textures, context);
-    const shading::View view = shading::view_of(list, camera, settings);
+    const shading::PictureCamera view = shading::picture_camera_of(list, camera, settings);
     const FlatScene flat(list, eye);
     std::vector<float> depth(std::size_t(width) * std::size_t(height)), seen(depth.size());
     const dvec3 light_about_eye = light - eye;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Immutable shared arrays: what makes a scene a cheap value.
+// Immutable shared arrays, which make a Scene cheap to copy.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace rakelight {
 
-/// An immutable array that any number of scenes share. Copying shares; equality is identity of the storage (so engines
-/// can keep what they made of a block while a new scene still holds it). The empty block is the default.
+/// An immutable array shared by any number of scenes. Copies share the storage, and equality is identity of the
+/// storage. Engines use it to keep data derived from a block. The default is empty.
 template <class T>
 class Block {
 public:
     Block() = default;
-    /// A vector becomes a block by being moved in.
-    /// @param charge  what pays for it; it ends with the last owner of the array
+    /// Takes the vector over.
+    /// @param charge memory charge of the array; it ends with the last owner
     Block(std::vector<T> values, MemoryCharge charge = {})  // NOLINT(google-explicit-constructor)
     {
         // As an if: GCC 12 warns of freed memory in users' code where this is a conditional expression.
@@ -43,16 +43,16 @@ public:
     const T& operator[](std::size_t i) const { return storage_->values[i]; }
     const T* begin() const { return data(); }
     const T* end() const { return data() + size(); }
-    /// All of it.
+    /// The whole array.
     std::span<const T> span() const { return {data(), size()}; }
-    /// All of it.
+    /// The whole array.
     operator std::span<const T>() const { return span(); }
-    /// Equal for blocks that share one array; null: empty.
+    /// Equal for blocks that share an array; null: empty.
     const void* identity() const { return storage_; }
-    /// Whether a charge pays for the array; the empty block needs none.
-    bool is_paid() const { return !storage_ || storage_->charge.bytes() > 0; }
-    /// Gives an array the charge that it was made without. Only by who made it, before others share it.
-    void pay(MemoryCharge charge) const {
+    /// Whether the array has a memory charge; an empty block needs none.
+    bool is_charged() const { return !storage_ || storage_->charge.bytes() > 0; }
+    /// Adds a memory charge to an array created without one. Only for its creator, before the block is shared.
+    void attach_charge(MemoryCharge charge) const {
         if (storage_) storage_->charge = std::move(charge);
     }
     bool operator==(const Block& other) const { return storage_ == other.storage_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colors for numbers.
+// Color maps.
 #pragma once
 #include <cstdint>
 
@@ -8,10 +8,10 @@
 
 namespace rakelight {
 
-/// Colors for numbers.
+/// Color maps.
 enum class ColorMap : std::uint8_t { viridis, magma, inferno, plasma, turbo, coolwarm, gray };
 
-/// @param t  0..1; outside it is clamped, NaN gives gray
+/// @param t 0..1, clamped; NaN gives gray
 /// @return   linear RGB
 RL_API vec3 color_of(ColorMap map, double t);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much two pictures differ, where, and whether that is too much: numbers, a difference picture, a page.
+// Comparison of pictures: metrics, limits, a difference picture, an HTML page.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -14,103 +14,111 @@
 
 namespace rakelight {
 
-/// How pictures are compared.
+/// Options of a comparison.
 struct CompareOptions {
-    double tolerance = 0;  ///< >= 0; pixels any component of which differs by more count as different
+    double tolerance = 0;  ///< >= 0; a pixel counts as different if any component differs by more
     double pixels_per_degree =
-        67;  ///< 1..1000; FLIP: of the viewer's angle (0.7 m wide display of 3840 pixels seen from 0.7 m)
+        67;  ///< 1..1000; FLIP: pixels per degree of visual angle (default: a display 0.7 m wide with 3840 pixels, seen from 0.7 m)
 };
 
-/// Error, RMSE, PSNR and the share of pixels are of the components as they are: integers as 0..1 of their largest code, floats as the
-/// linear light that they hold, alpha among them. SSIM and FLIP look at 8-bit sRGB colors as a display shows them: linear light is
-/// clamped to 0..1 and encoded; where alpha is below 1 the color lies over middle gray (code 128).
+/// Error, RMSE, PSNR and the share of pixels use the stored components including alpha: integers scaled to 0..1, floats
+/// as linear light. SSIM and FLIP use 8-bit sRGB display colors: linear light is clamped to 0..1 and encoded, and
+/// transparent pixels are composited over middle gray (code 128).
 struct PictureComparison {
     int width = 0, height = 0;  ///< [px] of both
-    double max_error = 0;       ///< infinity where a NaN or an infinity meets anything but itself
+    double max_error = 0;       ///< infinity if a NaN or an infinity meets a different value
     double rmse = 0;            ///< root of the mean squared difference of all components
     double psnr_db = 0;         ///< -20 log10(rmse), peak 1; +infinity where rmse is 0
-    /// Of luma, -1..1; 1 for equal pictures. Absent: a side is under 11 pixels. Wang et al. 2004, "Image Quality Assessment: From
-    /// Error Visibility to Structural Similarity", windows that lie whole in the picture, no downsampling.
+    /// Of luma, -1..1; 1 for equal pictures. Absent: a side has fewer than 11 pixels. Wang et al. 2004, "Image Quality
+    /// Assessment: From Error Visibility to Structural Similarity", windows entirely inside the picture, no
+    /// downsampling.
     std::optional<double> ssim{};
     /// Mean over all pixels, 0..1; 0 for equal pictures. Andersson et al. 2020, "FLIP: A Difference Evaluator for Alternating Images".
     double flip = 0;
-    std::uint64_t differing_pixels = 0;  ///< pixels off by more than the tolerance
-    double differing_share = 0;          ///< 0..1 of all pixels
-    /// Whether no component differs.
+    std::uint64_t differing_pixels = 0;  ///< pixels that differ by more than the tolerance
+    double differing_share = 0;          ///< share of these pixels, 0..1
+    /// Whether all components are equal.
     bool is_equal() const { return max_error == 0; }
 };
 
-/// What is shown of a difference.
+/// Content of a difference picture.
 enum class DifferenceKind : std::uint8_t {
-    flip,  ///< FLIP of each pixel: dark blue 0 over green and yellow to white 1; in EXR and HDR files the number itself
-    absolute,  ///< |a - b| of red, green and blue as displayed, times a gain; in EXR and HDR files of the components as they are
+    flip,      ///< FLIP per pixel: dark blue (0), green, yellow, white (1); in EXR and HDR files the value itself
+    absolute,  ///< |a - b| of display RGB times a gain; in EXR and HDR files of the stored components
 };
 
-/// Two pictures that were compared.
+/// The comparison of two pictures.
 class RL_API ComparedPictures {
 public:
-    /// Where one has more channels than the other, gray is copied to RGB, and missing alpha is 1. Where one holds linear light, the
-    /// other's sRGB colors are decoded.
+    /// If the numbers of channels differ, gray is copied to RGB, and missing alpha is 1. If one picture holds linear
+    /// light, the other's sRGB colors are decoded.
     /// @throws Error check_failed: they differ in size; usage: impossible options; bad_file: beyond the memory budget
     ComparedPictures(Pixels a, Pixels b, const CompareOptions& options, Context& context);
     ~ComparedPictures();
     ComparedPictures(ComparedPictures&&) noexcept;
     ComparedPictures& operator=(ComparedPictures&&) noexcept;
 
-    /// The numbers.
+    /// The metrics.
     const PictureComparison& comparison() const;
-    /// RGB. @param gain  of DifferenceKind::absolute, > 0. @param component  u8, or f32 for numbers as they are
+    /// The difference picture, RGB.
+    /// @param gain for DifferenceKind::absolute, > 0
+    /// @param component u8, or f32 for unscaled values
     Pixels difference(DifferenceKind kind, double gain, Component component = Component::u8) const;
 
-    struct State;  ///< of the library itself
+    struct State;  ///< internal
     const State& state() const { return *state_; }
 
 private:
     std::unique_ptr<const State> state_;
 };
 
-/// A picture file, decoded. @throws Error not_found, bad_file
+/// Reads and decodes a picture file.
+/// @throws Error not_found, bad_file
 RL_API Pixels read_picture(const std::string& path, Context& context);
 
-/// Whether a name's ending is that of a picture format which read_picture() reads.
+/// Whether read_picture() supports the ending of a name.
 RL_API bool has_picture_ending(const std::string& path);
 
-/// Whether a name means something that is drawn: a world file, "builtin:...", an ending of a model format that this build reads.
+/// Whether a name denotes a scene: a world file, "builtin:...", or an ending of a model format of this build.
 RL_API bool is_scene(const std::string& name);
 
-/// Writes a difference picture; its name's ending says the format. @throws Error usage: unknown ending; failed
+/// Writes a difference picture in the format of its ending.
+/// @throws Error usage: unknown ending; failed
 RL_API void save_difference(const ComparedPictures& pictures, DifferenceKind kind, double gain,
                             const std::string& path);
 
-/// Limits of a comparison; those absent hold for any.
+/// Limits of a comparison; absent ones are not checked.
 struct CompareLimits {
-    /// Of the fields of PictureComparison.
+    /// Limits of the fields of PictureComparison.
     std::optional<double> max_error{}, max_rmse{}, min_psnr_db{}, min_ssim{}, max_flip{}, max_differing_share{};
     bool empty() const {
         return !max_error && !max_rmse && !min_psnr_db && !min_ssim && !max_flip && !max_differing_share;
     }
 };
 
-/// One entry for each limit that is passed, in the order of CompareLimits; a picture that has no SSIM passes its limit.
+/// One entry for each exceeded limit, in the order of CompareLimits. A comparison without SSIM fails its limit.
 RL_API std::vector<CheckFailure> check_limits(const PictureComparison& comparison, const CompareLimits& limits);
 
-/// Whether a name means a page (.html, .htm); others mean a difference picture.
+/// Whether a name is that of a page (.html, .htm); others are difference pictures.
 RL_API bool is_page(const std::string& path);
-/// What is wrong with the name of a difference picture or a page before anything is compared. @throws Error usage, failed
+/// Checks the name of a difference picture or page before the comparison.
+/// @throws Error usage, failed
 RL_API void check_comparison_output(const std::string& path);
 
-/// What is written above two pictures of a page.
+/// Titles of a comparison on a page.
 struct PageTitles {
-    std::string title{}, a{}, b{};  ///< the heading; what A and B are called
+    std::string title{}, a{}, b{};  ///< the heading; the names of A and B
 };
 
-/// A page with the pictures of comparisons, one after the other: a wipe slider between the two, their differences, the numbers. One
-/// file of HTML that refers to nothing outside of it.
+/// An HTML page with comparisons: a wipe slider between the two pictures, their difference, the metrics. The file is
+/// self-contained.
 class RL_API ComparisonPage {
 public:
-    /// Adds a comparison below those that are there. @param gain  of DifferenceKind::absolute, > 0
+    /// Appends a comparison.
+    /// @param gain for DifferenceKind::absolute, > 0
     void add(const PageTitles& titles, const ComparedPictures& pictures, const CompareOptions& options, double gain);
-    /// The whole page. @throws Error failed
+    /// Writes the page.
+    /// @throws Error failed
     void save(const std::string& path) const;
 
 private:

@@ -19,19 +19,20 @@ namespace rakelight {
 
 class Context;
 
-/// What a run may take, and who is told.
+/// Resources of a run, and its progress callback.
 struct ContextOptions {
-    int threads = 0;               ///< worker threads, the calling one included; 0: as many as the machine has. 1..1024
-    std::uint64_t max_memory = 0;  ///< [bytes] limit for data that files ask for; 0: the default rule of MemoryBudget
-    /// Called now and then with a stage ("load", "render") and how far it is, 0..1. From any thread, one call at a time.
+    int threads = 0;               ///< worker threads including the calling one, 1..1024; 0: one per processor
+    std::uint64_t max_memory = 0;  ///< [bytes] limit for data of files; 0: the default of MemoryBudget
+    /// Called with a stage ("load", "render") and its progress 0..1. From any thread, one call at a time.
     std::function<void(std::string_view stage, double fraction)> progress{};
-    const Context* parent = nullptr;  ///< cancelling it cancels this one too; must outlive it
-    /// Path of the program rakelight-import, which reads FBX, DAE, STL and other rare formats. Empty: that of the parent; else
-    /// the environment's RAKELIGHT_IMPORT; else it is looked for beside the running program and where the library was installed.
+    const Context* parent = nullptr;  ///< its cancellation also cancels this context; must outlive it
+    /// Path of the program rakelight-import, which reads FBX, DAE, STL and other formats. Empty: the parent's path,
+    /// else the environment variable RAKELIGHT_IMPORT, else next to the running program, else where the library is
+    /// installed.
     std::string import_helper{};
 };
 
-/// One per run; not copyable; every long function takes it by reference. Results never depend on the number of threads.
+/// The context of one run, passed by reference to every long function. Results never depend on the number of threads.
 class RL_API Context {
 public:
     explicit Context(ContextOptions options = {});  ///< @throws Error usage: threads out of range
@@ -40,34 +41,35 @@ public:
     Context& operator=(const Context&) = delete;
 
     int threads() const noexcept;  ///< >= 1
-    /// What was changed, guessed or left out so far.
+    /// The remarks so far.
     Report& report() noexcept { return report_; }
-    /// What files may ask for.
+    /// The memory budget for data of files.
     MemoryBudget& memory() noexcept { return memory_; }
 
-    /// Tells ContextOptions::progress. @param fraction  0..1 of the stage
+    /// Calls ContextOptions::progress.
+    /// @param fraction 0..1 of the stage
     void progress(std::string_view stage, double fraction);
-    /// What is reported from now on, 0..1, stands for this part of its stage. For work that is done in several goes.
-    void set_progress_part(double from, double to);
-    /// Ends each loop at its next item; from any thread.
+    /// Maps progress 0..1 to this part of the stage, for work done in several rounds.
+    void set_progress_range(double from, double to);
+    /// Requests cancellation: each loop ends at its next item. From any thread.
     void cancel() noexcept { cancelled_ = true; }
     /// Whether it or its parent was cancelled.
     bool cancelled() const noexcept { return cancelled_ || (options_.parent && options_.parent->cancelled()); }
     void throw_if_cancelled() const;  ///< @throws Error failed "cancelled"
-    /// Takes cancel() back, so that the next run can use this context. Only while nothing runs on it.
+    /// Clears cancel() for the next run. Only while nothing runs on this context.
     void reset_cancel() noexcept { cancelled_ = false; }
-    /// ContextOptions::import_helper, or that of the parent.
+    /// ContextOptions::import_helper, or the parent's.
     const std::string& import_helper() const noexcept;
 
-    /// Loaders tell of each file that they open. Textures are opened when they are decoded: EncodedImage::path names them.
+    /// Records a file that a loader opens. Textures are opened when they are decoded: see EncodedImage::path.
     void note_file(const std::string& path);
-    /// Those that were told of, each once, in their order; such as could not be read are among them.
+    /// The recorded files in order, each once, including unreadable ones.
     std::vector<std::string> files() const;
 
     /// Calls body(i) for every i in 0..count-1, on the context's threads, in any order, each once; returns when all are
-    /// done. The first exception of a body is thrown again here. Bodies must not depend on one another; calls may nest.
-    /// `body` is any callable; no copy of it is made.
-    /// @throws Error failed "cancelled": what had not begun when the context was cancelled was not called.
+    /// done. The first exception of a body is rethrown here. Bodies must be independent; calls may nest. `body` is any
+    /// callable and is not copied.
+    /// @throws Error failed "cancelled": bodies that had not started were not called.
     template <class Body>
     void parallel_for(std::size_t count, const Body& body) {
         run_parallel(

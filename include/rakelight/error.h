@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one exception type of the library: bad input or a missing part of the environment.
+// The exception type of the library: bad input, or a missing part of the environment.
 #pragma once
 #include <exception>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace rakelight {
 
-/// What went wrong, in the classes that callers tell apart; the program ends with their numbers.
+/// Classes of errors, with the exit codes of the program.
 enum class ErrorCode {
     failed,        ///< 1: the work could not be done (disk full, out of memory, cancelled)
     usage,         ///< 2: a wrong option or argument
@@ -27,7 +27,7 @@ public:
     /// @param advice  what to do: "export FBX or glTF instead"; may be empty
     explicit Error(ErrorCode code, std::string reason, std::string place = {}, std::string advice = {});
 
-    /// The class, which is the exit code too.
+    /// The class of the error, which also decides the exit code.
     ErrorCode code() const noexcept { return code_; }
     /// For people, without file and place.
     const std::string& reason() const noexcept { return reason_; }
@@ -37,25 +37,25 @@ public:
     const std::string& file() const noexcept { return file_; }
     /// What to do; may be empty.
     const std::string& advice() const noexcept { return advice_; }
-    /// The setting that it is about, by its key in [render] of world files: "crease-angle"; empty: none. A part of it may
+    /// The setting of the error, as a key of [render] in world files: "crease-angle"; empty: none. A part of it may
     /// follow: "light color".
     const std::string& setting() const noexcept { return setting_; }
-    /// Other settings that are part of it, or that help.
+    /// Other settings that are involved, or that help.
     const std::vector<std::string>& related() const noexcept { return related_; }
     /// The whole line.
     const char* what() const noexcept override { return text_.c_str(); }
 
-    /// The same error with the file's name added on the way out; a name that is already there stays.
+    /// The same error with a file name, unless it already has one.
     Error with_file(const std::string& file) const;
-    /// The same error with where it is in the file.
+    /// The same error with a place in the file.
     Error at(const std::string& place) const;
-    /// The same error of another class.
+    /// The same error with another code.
     Error as(ErrorCode code) const;
-    /// The same error with more advice behind what it has.
+    /// The same error with `advice` appended to its advice.
     Error advising(const std::string& advice) const;
-    /// The same error about a setting, in place of another one that it was about.
+    /// The same error about another setting.
     Error about(const std::string& setting, std::vector<std::string> related = {}) const;
-    /// The same error whose text names settings in quotes.
+    /// The same error with the list of settings that its text quotes.
     Error naming(std::vector<std::string> settings) const;
 
 private:
@@ -65,7 +65,8 @@ private:
     std::vector<std::string> related_;
 };
 
-/// Text made safe for one line of a terminal: control characters and invalid UTF-8 become '?', cut to `max_bytes` with "...".
+/// Text made safe for one line of a terminal: control characters and invalid UTF-8 become '?', and the text is cut to
+/// `max_bytes` with "...".
 RL_API std::string one_line(const std::string& text, std::size_t max_bytes = 240);
 
 }  // namespace rakelight

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures in a window: scenes drawn by OpenGL, or frames of any engine shown, in a context of the caller's. No type of
-// OpenGL is named here.
+// Draws scenes by OpenGL, or frames of any engine, in the caller's OpenGL context. This header uses no OpenGL type.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -13,11 +12,10 @@
 
 namespace rakelight {
 
-/// Draws into the framebuffer that is bound, at the viewport that is set: 8-bit sRGB codes, whatever GL_FRAMEBUFFER_SRGB
-/// says; what else OpenGL is set to is not kept. All calls on the thread of the context, which must be current; ends
-/// there, too. OpenGL 3.3 core or ES 3.0.
-/// @throws Error failed: too old a context, no memory on the GPU, a context that is lost: then its owner makes a new one,
-/// and a new view
+/// Draws 8-bit sRGB codes into the bound framebuffer, at the current viewport, whatever GL_FRAMEBUFFER_SRGB is. Other
+/// OpenGL state is not preserved. All calls, and the destructor, run on the thread where the context is current. OpenGL
+/// 3.3 core or ES 3.0.
+/// @throws Error failed: the context is too old or lost (create a new one, and a new view), or out of GPU memory
 class RL_API GlView {
 public:
     GlView();
@@ -25,24 +23,29 @@ public:
     GlView(const GlView&) = delete;
     GlView& operator=(const GlView&) = delete;
 
-    std::string renderer() const;  ///< what draws, as GL_RENDERER says
-    bool has_gpu() const;          ///< false: llvmpipe or the like draws; frames of the engine soft come faster then
+    std::string renderer() const;  ///< GL_RENDERER
+    bool has_gpu() const;  ///< false: a software rasterizer such as llvmpipe draws; the engine soft is faster then
 
-    /// Takes a scene up, for so long at a time; until it is whole, draw() draws the one before.
-    /// @return true: it is whole
+    /// Uploads a scene, for at most this time per call. Until it is complete, draw() draws the previous one.
+    /// @return true: it is complete
     bool upload(std::shared_ptr<const PreparedScene> scene, double milliseconds, Context& context);
-    /// Draws the scene that is whole, as Session::render() does with the engine gl; nothing where there is none.
+    /// Draws the last completely uploaded scene, as Session::render() does with the engine gl; nothing if there is
+    /// none.
     RenderStats draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone, Context& context);
-    /// Shows a picture of codes, row 0 on top, over the whole viewport. @param srgb8  [width * height] R in the low byte,
-    /// straight alpha, over black. `smooth`: filtered where the viewport has another size
+    /// Shows a picture over the whole viewport, row 0 on top.
+    /// @param srgb8 [width * height] sRGB codes, R in the low
+    /// byte, straight alpha, over black
+    /// @param smooth filtered where the viewport has another size
     void show(int width, int height, std::span<const std::uint32_t> srgb8, bool smooth = true);
-    /// The same of a frame of linear colors. @param behind  as to_srgb8() takes it: of keep_background()
+    /// The same for a frame of linear colors.
+    /// @param behind as in to_srgb8(): the result of separate_background()
     void show(const Frame& frame, const ToneSettings& tone = {}, vec4 behind = {});
-    /// Shows the picture of the last show() once more, as it was to be filtered then; nothing is uploaded. For windows
-    /// that are drawn again while their picture stays. @return false: there is none, and nothing was drawn
+    /// Shows the picture of the last show() again, without an upload: for windows that are redrawn while their picture
+    /// stays.
+    /// @return false: there is no picture, and nothing was drawn
     bool show_again();
-    /// Lines over what was drawn or shown. Those that are no overlay are hidden by the surfaces of the last draw(); after
-    /// show() nothing hides them.
+    /// Draws lines over the picture. Surfaces of the last draw() hide lines that are not overlays; after show() nothing
+    /// hides them.
     void lines(const Camera& camera, std::span<const Line> lines);
 
 private:

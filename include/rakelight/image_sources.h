@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures for textures and environments of scenes that a caller makes.
+// Pictures for textures and environments of scenes created in memory.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -10,12 +10,14 @@
 
 namespace rakelight {
 
-/// A picture that is a file of its own; it is opened when it is decoded. @param path  names it in messages too
+/// A picture file, opened when it is decoded.
+/// @param path also its name in messages
 RL_API ImageHandle image_from_file(const std::string& path);
-/// A picture whose file is in memory: PNG, JPEG, WebP, EXR, HDR, TGA or BMP, by content. @param name  for messages
+/// An encoded picture in memory: PNG, JPEG, WebP, EXR, HDR, TGA or BMP, detected by content.
+/// @param name  for messages
 RL_API ImageHandle image_from_bytes(std::vector<std::byte> bytes, const std::string& name);
-/// A picture made of pixels that are there. Code values are what the role of the texture makes of them, sRGB for colors.
-/// @throws Error usage: a size that no picture has, or another number of bytes than the size needs
+/// A picture of given pixels. The role of the texture decides the color space of code values: sRGB for colors.
+/// @throws Error usage: an impossible size, or a number of bytes that does not match the size
 RL_API ImageHandle image_from_pixels(Pixels pixels, const std::string& name);
 
 }  // namespace rakelight

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Arithmetic on the vectors and matrices of <rakelight/vector.h>: operators, products, inverse, look-at, projections.
-// Only + - * / and sqrt, so the same bits everywhere (angles come in as their sine and cosine or go through functions of our own).
+// Only + - * / and sqrt, so results are bit-identical on all machines. Trigonometric functions are the library's own.
 #pragma once
 #include <cmath>
 #include <limits>
@@ -92,12 +92,12 @@ template <class T>
 T length(Vector3<T> a) {
     return std::sqrt(dot(a, a));
 }
-/// The lesser of each component.
+/// Component-wise minimum.
 template <class T>
 Vector3<T> min(Vector3<T> a, Vector3<T> b) {
     return {a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.z < b.z ? a.z : b.z};
 }
-/// The greater of each component.
+/// Component-wise maximum.
 template <class T>
 Vector3<T> max(Vector3<T> a, Vector3<T> b) {
     return {a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y, a.z > b.z ? a.z : b.z};
@@ -108,7 +108,8 @@ bool is_finite(Vector3<T> a) {
     return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
-/// Unit vector of a's direction, right for any finite non-zero length (1e-30 and 1e30 too); `fallback` for zero and non-finite a.
+/// Unit vector in the direction of `a`, without overflow or underflow for any finite length; `fallback` for zero and
+/// non-finite `a`.
 template <class T>
 Vector3<T> normalize_or(Vector3<T> a, Vector3<T> fallback) {
     const T largest = std::fmax(std::fmax(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
@@ -156,7 +157,7 @@ constexpr Vector3<T> transform_point(const Matrix4<T>& m, Vector3<T> p) {
     return {m[0].x * p.x + m[1].x * p.y + m[2].x * p.z + m[3].x, m[0].y * p.x + m[1].y * p.y + m[2].y * p.z + m[3].y,
             m[0].z * p.x + m[1].z * p.y + m[2].z * p.z + m[3].z};
 }
-/// Without the translation.
+/// Ignores the translation.
 template <class T>
 constexpr Vector3<T> transform_direction(const Matrix4<T>& m, Vector3<T> d) {
     return {m[0].x * d.x + m[1].x * d.y + m[2].x * d.z, m[0].y * d.x + m[1].y * d.y + m[2].y * d.z,
@@ -168,14 +169,14 @@ template <class T>
 constexpr Matrix3<T> upper_left(const Matrix4<T>& m) {
     return {{m[0].xyz(), m[1].xyz(), m[2].xyz()}};
 }
-/// Its sign says whether it mirrors.
+/// Negative for mirroring matrices.
 template <class T>
 constexpr T determinant(const Matrix3<T>& m) {
     return dot(m[0], cross(m[1], m[2]));
 }
 
-/// Cofactor matrix: takes normals where m takes points, of any determinant; its sign keeps the outside out for mirrored m
-/// when the winding is flipped with it: the transposed inverse times the determinant.
+/// Cofactor matrix: the inverse transpose times the determinant. Transforms normals for any determinant; for mirroring
+/// m with flipped winding, normals still point outward.
 template <class T>
 constexpr Matrix3<T> cofactor(const Matrix3<T>& m) {
     return {{cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])}};
@@ -189,30 +190,30 @@ constexpr Matrix4<T> transpose(const Matrix4<T>& m) {
     return r;
 }
 
-/// A matrix that moves.
+/// Translation matrix.
 template <class T>
 constexpr Matrix4<T> translation(Vector3<T> t) {
     return {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {t.x, t.y, t.z, 1}}};
 }
-/// A matrix that scales along the axes.
+/// Scaling matrix.
 template <class T>
 constexpr Matrix4<T> scaling(Vector3<T> s) {
     return {{{s.x, 0, 0, 0}, {0, s.y, 0, 0}, {0, 0, s.z, 0}, {0, 0, 0, 1}}};
 }
 
-/// Translation * rotation * scale. A quaternion that is not of unit length is normalized; a zero one is no rotation.
+/// Translation * rotation * scale. The quaternion is normalized; zero is the identity.
 RL_API dmat4 compose(dvec3 translation, dquat rotation, dvec3 scale);
 
-/// Inverse of an affine matrix; a singular one gives false and leaves `out` alone.
+/// Inverse of an affine matrix; returns false and leaves `out` unchanged if it is singular.
 RL_API bool inverse_affine(const dmat4& m, dmat4& out);
 
-/// Camera to world: at `eye`, looking at `target` along -Z. A target at the eye, or an `up` along the view, is replaced by a
-/// fixed other direction, so the result is always a rotation and a translation.
+/// Camera to world: at `eye`, looking at `target` along -Z. If the target is at the eye, or `up` is parallel to the
+/// view, a fixed direction is used instead, so the result is always a rigid transform.
 RL_API dmat4 look_at(dvec3 eye, dvec3 target, dvec3 up);
 
 /// Clip space with -w <= x, y, z <= w, camera looking along -Z. `z_far` may be infinity. z_near > 0, fov in (0, pi), aspect = width / height.
 RL_API dmat4 perspective(double vertical_fov_rad, double aspect, double z_near, double z_far);
-/// The same for parallel projection; half_height > 0 is half of the visible height.
+/// The same for orthographic projection; half_height > 0 is half of the visible height.
 RL_API dmat4 orthographic(double half_height, double aspect, double z_near, double z_far);
 
 }  // namespace rakelight

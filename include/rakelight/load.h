@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where scenes come from: files of all formats, world files, built-in shapes.
+// Loading of scenes: model files, world files, built-in shapes.
 #pragma once
 #include <cstddef>
 #include <memory>
@@ -12,36 +12,35 @@
 
 namespace rakelight {
 
-/// A file that lies in memory: load() takes its bytes where its name is asked for.
+/// A file in memory: load() reads its bytes in place of a file with its name.
 struct MemoryFile {
-    std::string name{};  ///< its ending says the format; what it names is looked for in its folder
+    std::string name{};  ///< its ending selects the format; references are relative to its folder
     std::shared_ptr<const std::vector<std::byte>> bytes{};  ///< the whole file
     bool operator==(const MemoryFile&) const = default;
 };
 
-/// What load() may read.
+/// Options of load().
 struct LoadOptions {
-    bool allow_outside = false;  ///< references may leave the model's own folder tree
+    bool allow_outside = false;  ///< references may leave the model's folder tree
     std::vector<MemoryFile> memory_files{};
-    /// More of what load() takes, put into the same scene, each where its own coordinates say. load() takes them into account
-    /// when it reads `path`, but not when it reads these.
+    /// More inputs as for load(), merged into the same scene with their own coordinates. They apply when load() reads
+    /// `path`, but not when it reads these inputs.
     std::vector<std::string> joined{};
-    /// Settings in [render] of a world file whose place others have taken, such as "camera-index": what they name need
-    /// not be there.
+    /// Overridden settings in [render] of a world file, such as "camera-index": what they refer to need not exist.
     std::vector<std::string> overridden{};
     bool operator==(const LoadOptions&) const = default;
 };
 
-/// Loads a model file, a world file, or one of builtin:teapot, sphere, cylinder, cone, torus, plane, with what shape_of_words() takes
-/// behind it. What was changed, guessed or dropped goes to context.report().
+/// Loads a model file, a world file, or one of builtin:teapot, sphere, cylinder, cone, torus, plane, with parameters as
+/// in shape_of_words(). Changed, guessed and dropped data is listed in context.report().
 /// @throws Error not_found, bad_file
 RL_API Scene load(const std::string& path, const LoadOptions& options, Context& context);
 
-/// The same of a file that is in memory.
+/// The same for a file in memory.
 /// @param bytes  the whole file
-/// @param path   where it would lie: its ending says the format as a file's does, what it names is looked for in its folder (the
-///               working folder where it has none), and messages call it so
-/// @throws Error not_found: what it names; bad_file; failed: formats that the import helper reads need room for a temporary file
+/// @param path its name: the ending selects the format, references are relative to its folder (default: the working
+///         folder), and messages use it
+/// @throws Error not_found: a referenced file; bad_file; failed: no space for the temporary file of the import helper
 RL_API Scene load(std::vector<std::byte> bytes, const std::string& path, const LoadOptions& options, Context& context);
 
 }  // namespace rakelight

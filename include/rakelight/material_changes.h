@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials of a scene that is there, changed as world files change them.
+// Changes the materials of a scene like [[material]] of world files.
 #pragma once
 #include <span>
 #include <string>
@@ -12,25 +12,25 @@
 
 namespace rakelight {
 
-/// Which materials of a scene are meant.
+/// Selects materials of a scene.
 struct MaterialTarget {
-    std::string name{};             ///< of the material; "*": any; "default": that of meshes that have none
-    std::uint32_t node = no_index;  ///< that of this object alone; none: of all objects
+    std::string name{};             ///< of the material; "*": all; "default": the material of meshes without one
+    std::uint32_t node = no_index;  ///< only the materials of this object; no_index: of all objects
     bool operator==(const MaterialTarget&) const = default;
 };
 
-/// Keys of [[material]] with their values, of material_values(); pictures are named as in MaterialOverrides.
+/// Keys of [[material]] with their values, see material_values(); pictures are named as in MaterialOverrides.
 struct MaterialChanges {
     MaterialTarget target{};
     std::vector<WorldValue> values{};
 };
 
-/// The scene with keys of [[material]] set, as a world file sets them: those of all objects first, then those of single
-/// objects, which get materials and meshes of their own behind the scene's.
+/// The scene with keys of [[material]] set as in a world file. Changes of all objects are applied first. Changes of
+/// single objects follow; these objects get new materials and meshes at the end of the tables.
 /// @throws Error usage; bad_file: see validate(); not_found, bad_file: a picture
 RL_API Scene with_material_changes(Scene scene, std::span<const MaterialChanges> changes, Context& context);
 
-/// The same of all materials of a name.
+/// The same for all materials of a name.
 RL_API Scene with_material_values(Scene scene, const std::string& name, const std::vector<WorldValue>& values,
                                   Context& context);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes that move: clips at a moment. What skins and morph targets make of the vertices then: posed_scene() in
+// Animation: scenes at a moment of their clips. For skinning and morphing of vertices see posed_scene() in
 // <rakelight/prepare.h>.
 #pragma once
 #include <cstdint>
@@ -11,41 +11,41 @@
 
 namespace rakelight {
 
-/// A clip at a moment.
+/// A moment of a clip.
 struct ClipTime {
     std::uint32_t animation = 0;  ///< into Scene::animations
-    double time_s = 0;            ///< [s] finite; before the first and after the last key of a channel: that key
+    double time_s = 0;            ///< [s] finite; clamped to the first and last key of each channel
     bool operator==(const ClipTime&) const = default;
 };
 
-/// [s] From the first to the last key of a clip; 0 to 0 for one that has no keys.
+/// The time range of a clip; 0 to 0 without keys.
 struct ClipSpan {
     double begin_s = 0, end_s = 0;  ///< [s]
     /// [s]
     double length() const { return end_s - begin_s; }
 };
-/// From the first to the last key of all channels.
+/// The time range from the first to the last key of all channels.
 RL_API ClipSpan clip_span(const Animation& animation);
 
-/// The scene with its clips at a moment: Scene::pose says where nodes and morph weights are then; numbers of materials,
-/// lights and cameras are replaced. Without clips: the scene as its file has it, pose or none.
-/// Interpolation as glTF 2.0, appendix C: step, linear (rotations along the shorter arc), cubic Hermite splines. Of
-/// several clips that move one thing the last counts. Meshes are shared: costs what the channels do.
-/// @throws Error usage: no such clip, a time that is not finite; bad_file: see validate()
+/// The scene at a moment of its clips: Scene::pose gets the transforms and morph weights, and properties of materials,
+/// lights and cameras are replaced. Without clips: the scene as in its file. Interpolation as in glTF 2.0, appendix C:
+/// step, linear (rotations along the shorter arc), cubic Hermite splines. If several clips animate one property, the
+/// last one applies. Meshes are shared; the cost depends on the channels only.
+/// @throws Error usage: no such clip, a non-finite time; bad_file: see validate()
 RL_API Scene scene_at(Scene scene, std::span<const ClipTime> clips);
 
-/// The clip of a world's own keys, the last of its scene. Animation::goes_with_all marks it.
+/// The clip of a world file's keys, the last one of its scene. It has Animation::plays_always.
 inline constexpr std::string_view world_clip_name = "world";
 
-/// What channels of materials, lights and cameras can move.
+/// A property of materials, lights or cameras that can be animated.
 struct AnimatedProperty {
     AnimationPath path;
     std::string_view name;  ///< AnimationChannel::property
-    std::uint32_t width;    ///< numbers a key: 1..4
+    std::uint32_t width;    ///< numbers per key: 1..4
 };
-/// All properties that a channel can move.
+/// All properties that can be animated.
 RL_API std::span<const AnimatedProperty> animated_properties();
-/// The row of that name; null: there is none.
+/// The property of that name, or null.
 RL_API const AnimatedProperty* animated_property(AnimationPath path, std::string_view name);
 
 }  // namespace rakelight

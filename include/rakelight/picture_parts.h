@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of render_picture() for programs that show pictures as they change: what is the same for many pictures is made once.
+// The steps of render_picture(), for interactive programs that reuse results between pictures.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -11,35 +11,38 @@
 
 namespace rakelight {
 
-/// Fills in, where the request's look is the default one, what neither the file nor the request names: samples, light, shadows, and
-/// whether the file's camera and lights are taken. Says what it decided about the file's. The request is plain in these then.
+/// For Look::standard: chooses settings that neither the file nor the request gives: samples, light, shadows, and
+/// whether the file's camera and lights are used. The report lists decisions about the file. The request is explicit in
+/// these settings afterwards.
 /// @param scene  as loaded
-RL_API void take_look(const Scene& scene, PictureRequest& request, Context& context);
+RL_API void apply_look(const Scene& scene, PictureRequest& request, Context& context);
 
-/// The rest of it, that the model's picture decides: the background's tone, and the exposure of lights in physical units.
-/// @param asked  of with_asked_surfaces()
-RL_API void take_look_of_picture(const Scene& asked, PictureRequest& request, Context& context);
+/// The second part, which depends on the prepared scene: the background's tone, and the exposure of photometric lights.
+/// @param prepared  of with_requested_surfaces()
+RL_API void apply_look_exposure(const Scene& prepared, PictureRequest& request, Context& context);
 
-/// A loaded scene with the materials and the environment that a request asks for. Textures that the request names are new
-/// in each result: call it again only where PictureRequest::materials or hdri_... changed.
+/// A loaded scene with the materials and the environment of a request. Textures named in the request are new in each
+/// result: call it again only if PictureRequest::materials or hdri_... changed.
 /// @throws Error bad_file: see validate(); not_found, bad_file: a picture of the request
-RL_API Scene with_asked_surfaces(Scene scene, const PictureRequest& request, Context& context);
+RL_API Scene with_requested_surfaces(Scene scene, const PictureRequest& request, Context& context);
 
-/// For pictures that are shown or written as codes: where there is an exposure or a tone curve, the background is laid behind the picture
-/// after them, so that it stays the color that was named. @return what is to be laid behind the picture of these settings: save(),
-/// to_srgb8()
-RL_API vec4 keep_background(RenderSettings& settings, const ToneSettings& tone);
+/// For display values: with an exposure or a tone curve the background is composited after tone mapping, so that it
+/// keeps its display color.
+/// @return the background to composite: argument `behind` of save() and to_srgb8()
+RL_API vec4 separate_background(RenderSettings& settings, const ToneSettings& tone);
 
-/// The lights of a picture seen by a camera of choose_camera(): those that were asked for, the scene's or the default rig,
-/// with light_intensity and light_cutoff.
-RL_API std::vector<Light> asked_lights(const Scene& scene, const PictureRequest& request, const Camera& camera);
+/// The lights of a picture for a camera of choose_camera(): those of the request, the scene's or the default rig, with
+/// light_intensity and light_cutoff applied.
+RL_API std::vector<Light> requested_lights(const Scene& scene, const PictureRequest& request, const Camera& camera);
 
-/// As PictureResult::view_range. @param camera  of choose_camera()
-RL_API ViewRange view_range_of(const Bounds& bounds, const Camera& camera);
+/// As PictureResult::channel_range.
+/// @param camera  of choose_camera()
+RL_API ChannelRange channel_range_of(const Bounds& bounds, const Camera& camera);
 
-/// A channel of a frame for the eye, as PNG files of channels are: [width * height of its window] sRGB codes, R in the low byte.
+/// A channel of a frame as display values, as in PNG files of channels: [width * height of its window] sRGB codes, R in
+/// the low byte.
 /// @param channel  one Channel bit @throws Error usage: the frame has no such channel
-RL_API std::vector<std::uint32_t> channel_codes(const Frame& frame, std::uint32_t channel, const ViewRange& range);
+RL_API std::vector<std::uint32_t> channel_codes(const Frame& frame, std::uint32_t channel, const ChannelRange& range);
 
 /// The words of --channels, in the order of the Channel bits.
 RL_API std::vector<std::string> channel_words();

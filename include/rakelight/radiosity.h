@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Radiosity: the light that diffuse surfaces give one another, worked out on the surfaces, for pictures from anywhere.
+// Radiosity: diffuse interreflection computed on the surfaces, independent of the view.
 #pragma once
 #include <cstdint>
 
@@ -10,32 +10,32 @@
 
 namespace rakelight {
 
-/// What came of a solution. Powers are luminances of [W], of Rec. 709 primaries; their sum holds:
-/// emitted = absorbed + unshot + left.
+/// Statistics of a solution. Powers are luminances in [W], with Rec. 709 primaries. Energy balance: emitted = absorbed
+/// + unshot + escaped.
 struct RadiosityReport {
-    std::uint32_t elements = 0;       ///< that the light is shown on, sides counted
-    std::uint32_t patches = 0;        ///< that shoot
-    std::uint32_t shots = 0;          ///< times that a patch has sent its light out
-    int rounds = 0;                   ///< of subdivision at shadow borders
-    double emitted = 0;               ///< by surfaces, and by lights onto surfaces
-    double absorbed = 0, unshot = 0;  ///< by surfaces; still to be shot
-    double left = 0;                  ///< went out of the scene, or onto the backs of one-sided surfaces
+    std::uint32_t elements = 0;       ///< elements that store the light; both sides count
+    std::uint32_t patches = 0;        ///< patches that shoot
+    std::uint32_t shots = 0;          ///< number of shots
+    int rounds = 0;                   ///< rounds of subdivision at shadow boundaries
+    double emitted = 0;               ///< by emissive surfaces, and by lights onto surfaces
+    double absorbed = 0, unshot = 0;  ///< by surfaces; remaining power to shoot
+    double escaped = 0;               ///< left the scene, or hit the backs of one-sided surfaces
     double seconds = 0;               ///< [s] wall clock
 };
 
-/// What the colors of the result are. `leaving`: radiance, as pictures show it. `arriving`: irradiance / pi, as if
-/// surfaces were white, of front sides alone.
-enum class LitColors : std::uint8_t { leaving, arriving };
+/// The quantity in the colors of the result. `radiance`: exitant radiance, as pictures show it. `irradiance`:
+/// irradiance / pi of front sides, as if surfaces were white.
+enum class LitColors : std::uint8_t { radiance, irradiance };
 
-/// The scene with its light as the colors of its surfaces: cut into elements, unlit, vertex colors times base color (and its
-/// texture) are what diffuse surfaces send out. Its lights and its environment as a light are gone; what is not diffuse
-/// (metal, glass, highlights) is left out and said in the report.
-/// Progressive refinement: Cohen, Chen, Wallace & Greenberg 1988, "A Progressive Refinement Approach to Fast Radiosity Image
-/// Generation". The same bits for any number of threads.
+/// The scene with its light as vertex colors. Surfaces are subdivided into elements and unlit; vertex color times base
+/// color (and its texture) is the exitant radiance. Lights, and the environment as a light, are removed. Non-diffuse
+/// reflection (metal, glass, highlights) is ignored and mentioned in the report. Progressive refinement: Cohen, Chen,
+/// Wallace & Greenberg 1988, "A Progressive Refinement Approach to Fast Radiosity Image Generation". Bit-identical for
+/// any number of threads.
 /// @param scene  valid, posed and prepared, with normals, with the lights of the picture
-/// @throws Error usage: impossible settings; bad_file: more than most_radiosity_elements triangles, counted with their sides,
-///         over the memory budget; failed: the library is built without engine trace, Embree is not installed, cancelled
+/// @throws Error usage: impossible settings; bad_file: more than max_radiosity_elements triangle sides, or over the
+///         memory budget; failed: the library is built without engine trace, Embree is not installed, cancelled
 RL_API Scene with_radiosity(Scene scene, const RadiositySettings& settings, RadiosityReport& report, Context& context,
-                            LitColors colors = LitColors::leaving);
+                            LitColors colors = LitColors::radiance);
 
 }  // namespace rakelight

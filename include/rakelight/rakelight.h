@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole library in one include; what its own programs need beside it is in rakelight/tools/. Reading order: render.h (the facade), load.h,
-// scene.h (the data), engine.h (settings, frame), session.h (many pictures), request.h and picture.h (files, worlds, cameras), linear.h, scene_queries.h.
+// The whole library in one include. Headers for the project's own programs are in rakelight/tools/. Reading order:
+// render.h (the facade), load.h, scene.h (the data), engine.h (settings, frame), session.h (many pictures), request.h
+// and picture.h (files, worlds, cameras), linear.h, scene_queries.h.
 #pragma once
 #include <rakelight/attributes.h>
 #include <rakelight/bake.h>
@@ -13,6 +14,7 @@
 #include <rakelight/image.h>
 #include <rakelight/image_sources.h>
 #include <rakelight/inspect.h>
+#include <rakelight/interleaved.h>
 #include <rakelight/light_limits.h>
 #include <rakelight/linear.h>
 #include <rakelight/load.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An optional value that few have.
+// Optional values and lists for members that are rarely set.
 #pragma once
 #include <algorithm>
 #include <initializer_list>
@@ -9,8 +9,8 @@
 
 namespace rakelight {
 
-/// As std::optional, but where there is no value it takes the room of a pointer only: for large members that most of
-/// many objects lack. Copying copies the value.
+/// Like std::optional, but stored on the heap: an unset value has the size of a pointer. For large members that most
+/// objects do not have. Copies are deep.
 template <class T>
 class Rare {
 public:
@@ -39,7 +39,7 @@ private:
     std::unique_ptr<T> value_;
 };
 
-/// A list that is nearly always empty, and then takes the room of a pointer only.
+/// A vector that is nearly always empty and then has the size of a pointer.
 template <class T>
 class RareList {
 public:

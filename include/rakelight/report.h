@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run changed, guessed, dropped or wants to warn about. Part of the result, never printed by the library.
+// What a run changed, guessed, dropped or warns about. It is part of the result; the library never prints it.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -11,37 +11,37 @@
 
 namespace rakelight {
 
-/// What kind of remark an entry is. `changed`, `guessed` and `dropped` are about the model's data; they and `warning` are
-/// for everyone to see, `note` for who asks.
+/// The kind of a remark. `changed`, `guessed` and `dropped` are about the model's data. Programs print these and
+/// `warning` always, and `note` only when asked (--verbose).
 enum class Remark { note, changed, guessed, dropped, warning };
 
 /// The name of a remark in JSON: "note", "changed", "guessed", "dropped", "warning".
 RL_API const char* name_of(Remark remark) noexcept;
 
-/// A remark, as it was made first.
+/// One remark, as it was first made.
 struct ReportEntry {
     Remark remark = Remark::note;
     std::string file{};       ///< as the caller named it; may be empty
     std::string place{};      ///< "mesh 3 'body'", "line 12"; that of the first occurrence
     std::string message{};    ///< one sentence without a full stop
     std::uint64_t count = 1;  ///< how often the same remark was made for the same file
-    /// Settings that `message` names in quotes, by their keys in [render] of world files: "normal-map-green".
+    /// Settings that `message` quotes, as keys of [render] in world files: "normal-map-green".
     std::vector<std::string> settings{};
 };
 
-/// Collects remarks. Thread-safe. Equal remarks (kind, file, message) are counted, not repeated; at most 1000 distinct notes
-/// and 1000 others are kept, the rest only counted, so that a hostile file cannot fill memory with warnings. Entries keep the order in
-/// which they were first made.
+/// Collects remarks. Thread-safe. Equal remarks (kind, file, message) are stored once and counted. At most 1000
+/// distinct notes and 1000 others are kept and the rest only counted, so a hostile file cannot fill memory with
+/// warnings. Entries are in the order of their first occurrence.
 class RL_API Report {
 public:
-    /// Adds a remark, or counts it where it is there.
+    /// Adds a remark, or counts it if an equal one is stored.
     void add(Remark remark, std::string file, std::string place, std::string message,
              std::vector<std::string> settings = {});
-    /// A copy of those so far.
+    /// A copy of the remarks so far.
     std::vector<ReportEntry> entries() const;
     std::uint64_t left_out() const;        ///< remarks beyond the first 1000 distinct ones of notes, and of others
-    std::uint64_t notes_left_out() const;  ///< how many of them are notes, which are no warnings
-    /// Forgets all.
+    std::uint64_t notes_left_out() const;  ///< the notes among left_out()
+    /// Removes all remarks.
     void clear();
 
 private:

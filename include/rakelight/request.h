@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is asked of a picture: model, view, materials, lights, surroundings, settings, files. A plain value; the keys of [render] in
-// world files read and write it (world.h).
+// The description of a picture: model, view, materials, lights, environment, settings, files. A plain value, read and
+// written by the keys of [render] in world files (world.h).
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -21,138 +21,140 @@
 
 namespace rakelight {
 
-/// Where the camera stands, as far as the caller wants to say. With nothing said the first camera of the file is used,
-/// and where the file has none a camera fitted to the model's bounding box.
+/// The camera of a picture; all members are optional. By default the first camera of the file is used, or a camera
+/// fitted to the model's bounding box if the file has none.
 struct ViewRequest {
-    std::string
-        side{};  ///< "front", "back", "left", "right", "top", "bottom", "isometric", "default"; "file": its first camera; or empty
-    std::string camera{};                ///< number (from 0) or name of a camera of the file, or empty
+    /// "front", "back", "left", "right", "top", "bottom", "isometric", "default"; "file": its first camera; or empty.
+    std::string side{};
+    std::string camera{};                ///< index (from 0) or name of a camera of the file, or empty
     std::optional<dvec3> position{};     ///< [m] world
     std::optional<dvec3> focal_point{};  ///< [m] world; what the camera looks at
-    std::optional<dvec3> up{};           ///< any length; of the picture; default: the world's
-    /// Any length; which way is up in the world, default +Y: sides, the environment and the picture's own up turn along. Where
-    /// only `up` is given, fitted views turn along with that.
+    std::optional<dvec3> up{};           ///< up vector of the picture, any length; default: the world's
+    /// The world's up direction, any length, default +Y. Sides, the environment and the picture's default up vector
+    /// rotate with it. If only `up` is given, fitted views rotate with `up`.
     std::optional<dvec3> world_up{};
-    /// World, any length; along which a fitted view looks, in place of a side.
+    /// View direction of a fitted view in world space, any length; replaces the side.
     std::optional<dvec3> direction{};
-    /// Turns the eye about what it looks at after all else: to the right about the world's up, then upward.
+    /// Orbit about the focal point, applied last: to the right about the world's up direction, then upward.
     std::optional<double> azimuth_rad{}, elevation_rad{};
-    std::optional<double>
-        zoom_factor{};  ///< > 0; share of the picture's tighter side that the model takes; default 0.9
+    std::optional<double> zoom_factor{};  ///< > 0; share of the picture's smaller side filled by the model; default 0.9
     std::optional<double> vertical_fov_rad{};  ///< 0..pi, both exclusive
-    /// 0..pi, both exclusive. Alone: pixels stay square, the vertical one follows. With the vertical one: pixels are as wide as both say.
+    /// 0..pi, both exclusive. Alone: the vertical one follows, with square pixels. With the vertical one: pixels may be
+    /// non-square.
     std::optional<double> horizontal_fov_rad{};
-    /// [m] more than 0, z_near < z_far: nothing nearer, nothing farther is drawn. Absent: the camera's own, or about the
-    /// model where the camera is fitted or placed.
+    /// [m] > 0, z_near < z_far: the clip planes. Absent: the camera's own, or around the model for fitted and placed
+    /// cameras.
     std::optional<double> z_near{}, z_far{};
-    bool orthographic = false;  ///< parallel projection that shows what the perspective one shows at the focal point
+    bool orthographic = false;  ///< orthographic projection with the extent of the perspective one at the focal point
 
-    /// Whether anything says where the camera stands, or what it sees.
+    /// Whether a member defines the camera's placement or field of view.
     bool is_placed() const {
         return position || focal_point || up || vertical_fov_rad || horizontal_fov_rad || orthographic || direction ||
                zoom_factor;
     }
-    /// Whether the camera goes round what it looks at.
+    /// Whether the camera orbits its focal point.
     bool is_orbited() const { return azimuth_rad || elevation_rad; }
     bool operator==(const ViewRequest&) const = default;
 };
 
-/// Overrides applied to every material; texture pictures lie on the first texture coordinate set.
+/// Overrides applied to every material; textures use texture coordinate set 0.
 struct MaterialOverrides {
-    std::string base_color{}, normal{}, height{};  ///< picture files, as the caller names them; empty: the model's own
+    std::string base_color{}, normal{}, height{};  ///< picture files; empty: the model's own
     std::optional<double> normal_scale{};          ///< of all normal maps
     std::optional<bool> green_down{};              ///< Material::green_down
     std::optional<bool> centered_normals{};        ///< Material::centered_normals
-    std::optional<vec3> color{};                   ///< linear; the factor that base color textures are multiplied by
-    std::optional<double> opacity{};               ///< 0..1, the factor of alpha; below 1 surfaces are blended
-    /// 0..1, factors of metallic-roughness materials; classical ones are converted to such first.
+    std::optional<vec3> color{};                   ///< linear; base color factor
+    std::optional<double> opacity{};               ///< 0..1, alpha factor; surfaces are blended if less than 1
+    /// 0..1, factors of metallic-roughness materials; classical materials are converted first.
     std::optional<double> roughness{}, metallic{};
-    /// Keys of [[material]] in world files, of material_values(); pictures as the caller names them. They act before
-    /// all above but the pictures.
+    /// Keys of [[material]] in world files, see material_values(). Applied after the picture files above, and before
+    /// the other members.
     std::vector<WorldValue> values{};
 
     bool operator==(const MaterialOverrides&) const = default;
 };
 
-/// The scene with its materials so changed; meshes without a material get one.
-/// @throws Error not_found: a picture file that is not there, or a folder; bad_file: one that cannot be decoded
+/// The scene with overridden materials; meshes without a material get one.
+/// @throws Error not_found: a missing picture file, or a folder; bad_file: a picture that cannot be decoded
 RL_API Scene override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context);
 
-/// Colors by the numbers of one array of the vertices (Mesh::arrays), not lit.
+/// Unlit coloring by a custom vertex attribute (Mesh::arrays).
 struct Coloring {
-    bool is_on = false;              ///< false: colors as the materials say
-    std::string array{};             ///< its name; empty: the first that there is
-    std::optional<int> component{};  ///< from 0; absent: the length of all components
-    std::optional<dvec2> range{};    ///< values at the ends of the colormap, x <= y; absent: the least and the greatest
+    bool is_on = false;              ///< false: material colors
+    std::string array{};             ///< its name; empty: the first one
+    std::optional<int> component{};  ///< from 0; absent: the magnitude over all components
+    std::optional<dvec2> range{};    ///< values at the ends of the color map, x <= y; absent: minimum and maximum
     ColorMap map = ColorMap::viridis;
-    bool has_bar = false;  ///< the colormap with numbers stands at the picture's right side
+    bool has_bar = false;  ///< draw a color bar with numbers at the right side
     bool operator==(const Coloring&) const = default;
 };
 
-/// The scene in these colors, which take the place of materials and vertex colors; what has no such numbers is gray.
-/// @throws Error usage: no vertices have such numbers, or such a component; the message lists what there is
+/// The scene in these colors, which replace materials and vertex colors; vertices without the attribute are gray.
+/// @throws Error usage: no such attribute or component; the message lists the available ones
 RL_API Scene color_by_array(Scene scene, const Coloring& coloring, Context& context);
 
-/// Which clips of a scene are shown, and when. With nothing said nodes stand as the file has them.
+/// Which clips of a scene are shown, and their time. By default nodes have the transforms of the file.
 struct MotionRequest {
-    std::optional<int> index{};      ///< into Scene::animations; -1: all of them; absent: by `name`, else the first
+    std::optional<int> index{};      ///< into Scene::animations; -1: all; absent: by `name`, else the first
     std::string name{};              ///< of a clip; empty: by `index`
-    std::optional<double> time_s{};  ///< [s] absent: where the clip begins
-    bool autoplay = false;           ///< the viewer plays from the start; a picture shows the clip
-    /// Whether any of it is set.
-    bool asks() const { return index || !name.empty() || time_s || autoplay; }
+    std::optional<double> time_s{};  ///< [s] absent: the begin of the clip
+    bool autoplay = false;           ///< the viewer starts playing; a picture shows the clip
+    /// Whether any member is set.
+    bool is_set() const { return index || !name.empty() || time_s || autoplay; }
     bool operator==(const MotionRequest&) const = default;
 };
 
-/// The clips of a scene that a request names, at their moments; and those that go with all
-/// (Animation::goes_with_all), at the moment of the others. Empty: it asks for none.
-/// @throws Error usage: the scene has no clips, or no such one; the message lists them
+/// The requested clips of a scene with their times, and the clips with Animation::plays_always at the same time. Empty:
+/// none requested.
+/// @throws Error usage: no such clip; the message lists them
 RL_API std::vector<ClipTime> clips_of(const Scene& scene, const MotionRequest& motion);
 
-/// How data channels are written, as bits.
+/// How data channels are written, as bits. `exr`: one file per channel, NAME.depth.exr, with 32-bit floats in Y, R G, R G
+/// B or R G B A. Indices are floats there (exact up to 2^24), -1 for none. `layers`: one file with the layers depth.Z,
+/// normal.X ... next to R, G, B in the .exr output, else in NAME.channels.exr; indices are UINT. `png`: one viewable picture
+/// per channel, NAME.depth.png.
 enum ChannelFiles : std::uint32_t {
-    channel_files_exr = 1u << 0,  ///< a file each, NAME.depth.exr: 32-bit floats in Y, R G, R G B or R G B A; numbers
-                                  ///< as floats (exact up to 2^24), -1 where nothing is
-    channel_files_layers = 1u << 1,  ///< all in one: layers depth.Z, normal.X ... beside R, G, B of the .exr output,
-                                     ///< else of NAME.channels.exr; numbers as UINT
-    channel_files_png = 1u << 2,     ///< a picture for the eye each, NAME.depth.png
+    channel_files_exr = 1u << 0,
+    channel_files_layers = 1u << 1,
+    channel_files_png = 1u << 2,
 };
 
-/// The Channel bits of "depth", "face-normal", ..., of "lighting", of "all" or of "none". @throws Error usage
+/// The Channel bits of "depth", "face-normal", ..., "lighting", "all" or "none".
+/// @throws Error usage
 RL_API std::uint32_t channels_by_name(std::string_view name);
 
-/// What a picture is like in what nobody names: docs/default-look.md.
+/// Defaults of settings that are not given: docs/default-look.md.
 enum class Look : std::uint8_t {
-    plain,    ///< what the members below say
-    standard  ///< take_look() fills in what neither the file nor PictureRequest::named has a say in
+    plain,    ///< the values of the members
+    standard  ///< apply_look() sets what neither the file nor PictureRequest::given_keys sets
 };
 
-/// Settings that go together: docs/shading.md.
+/// Predefined combinations of settings: docs/shading.md.
 enum class Preset : std::uint8_t {
     none,
-    fixed_function  ///< what OpenGL 1.x could do without a program
+    fixed_function  ///< the fixed-function pipeline of OpenGL 1.x
 };
-/// Keys of [render] that a preset decides where nobody gives them; given beside it they go before it.
-RL_API bool is_of_preset(std::string_view key);
-/// Whether settings ask for a preset. Given from outside it takes the place of what a world says of its keys.
-RL_API bool asks_for_preset(std::span<const WorldValue> settings);
+/// Whether a preset sets this key of [render]. Explicitly given keys override the preset.
+RL_API bool is_preset_key(std::string_view key);
+/// Whether settings contain a preset. As an override it replaces these keys of a world file.
+RL_API bool sets_preset(std::span<const WorldValue> settings);
 
-/// What is drawn over the finished picture, beside the model: docs/overlays.md.
+/// Overlays drawn over the finished picture: docs/overlays.md.
 struct Overlays {
-    bool grid = false;      ///< on the ground below the model
-    bool axis = false;      ///< which way the world's axes point, in a corner
+    bool grid = false;      ///< a grid on the ground below the model
+    bool axis = false;      ///< the world axes in a corner
     bool filename = false;  ///< the model's name
-    bool metadata = false;  ///< how much there is of the model
-    /// Whether anything is drawn over the picture.
+    bool metadata = false;  ///< the size of the model
+    /// Whether any overlay is on.
     bool any() const { return grid || axis || filename || metadata; }
     bool operator==(const Overlays&) const = default;
 };
 
-/// One picture to be made.
+/// The description of one picture.
 struct PictureRequest {
     std::string input{};          ///< model file, or builtin:teapot, sphere, cylinder, cone, torus, plane
     std::string output{};         ///< ending .png, .jpg, .webp, .ppm (sRGB, 8 bit), .exr or .hdr (linear)
-    std::string engine = "soft";  ///< as make_engine() takes it
+    std::string engine = "soft";  ///< name for make_engine()
     LoadOptions load{};
     MaterialOverrides materials{};
     Coloring coloring{};
@@ -160,66 +162,66 @@ struct PictureRequest {
     PrepareOptions prepare{};
     ViewRequest view{};
     std::optional<std::vector<Light>>
-        lights{};  ///< replace all lights; else the file's, else, where no environment lights the scene, the default rig
-    bool default_lights = false;  ///< the default rig although the file has lights; `lights` goes first
-    bool studio_lights = false;   ///< the built-in studio and a key light in place of all lights; `lights` goes first
+        lights{};  ///< replace all lights; absent: the file's, or the default rig if neither lights nor an environment light the scene
+    bool default_lights = false;  ///< use the default rig even if the file has lights; `lights` overrides it
+    bool studio_lights = false;   ///< the built-in studio and a key light replace all lights; `lights` overrides it
     Look look = Look::plain;
-    /// Read as a key it sets what is_of_preset() lists; here it says which materials and lights there can be.
+    /// Also restricts materials and lights. Reading the key "preset" sets the keys of is_preset_key().
     Preset preset = Preset::none;
-    std::vector<std::string>
-        named{};                 ///< keys of [render] that somebody has given: look and preset leave their topics alone
-    double light_intensity = 1;  ///< >= 0; multiplies every light
-    /// [radiance of a white Lambert surface that faces the light] 0..1: point and spot lights without a range get one
-    /// where less than this is left of them; no surface loses more of a light than this. 0: none does.
+    std::vector<std::string> given_keys{};  ///< explicitly given keys of [render], which look and preset do not change
+    double light_intensity = 1;             ///< >= 0; multiplies every light
+    /// [radiance of a white Lambert surface facing the light] 0..1: point and spot lights without a range get one that
+    /// ends where their light falls below this value. No surface loses more than this from a light. 0: off.
     double light_cutoff = 0;
-    std::optional<Fog> fog{};  ///< in place of the scene's
+    std::optional<Fog> fog{};  ///< replaces the scene's
     Overlays overlays{};
-    ToneSettings tone{};      ///< of 8-bit pictures; EXR and HDR stay linear
-    std::string hdri_file{};  ///< equirectangular picture, takes the place of the scene's environment; empty: none
-    /// Whether the environment (without a file: the scene's, else the built-in studio) gives light, and whether it is
-    /// the background; absent: as the scene says, else not.
+    ToneSettings tone{};      ///< for 8-bit pictures; EXR and HDR stay linear
+    std::string hdri_file{};  ///< equirectangular picture that replaces the scene's environment; empty: none
+    /// Whether the environment (without a file: the scene's, else the built-in studio) lights the scene, and whether it
+    /// is the background. Absent: as in the scene, else off.
     std::optional<bool> hdri_ambient{}, hdri_skybox{};
-    std::optional<double> hdri_intensity{};     ///< >= 0; of the environment, in place of the scene's
-    std::optional<double> hdri_rotation_rad{};  ///< about +Y, likewise
+    std::optional<double> hdri_intensity{};     ///< >= 0; replaces the scene's Environment::intensity
+    std::optional<double> hdri_rotation_rad{};  ///< about +Y, replaces the scene's
     RenderSettings
-        settings{};  ///< channels go into files by `channel_files`; a window makes the picture as large as the
-                     ///< window; alpha is written when background.w < 1
+        settings{};  ///< channels are written by `channel_files`; with a window the picture has the window's size; alpha is written if background.w < 1
     std::uint32_t channel_files = channel_files_exr;  ///< ChannelFiles bits
-    /// A picture that is cancelled is written with what is there, the rest in the background's color; false: nothing is.
+    /// Write cancelled pictures with the finished pixels, the rest in the background's color; false: write nothing.
     bool keep_partial = false;
-    bool half_colors = false;  ///< colors in EXR files, those of channels too, as 16-bit halves; data stays at 32 bits
-    /// Something is drawn over the finished picture.
+    bool half_colors =
+        false;  ///< colors in EXR files, including color channels, as 16-bit halves; data stays at 32 bits
+    /// Whether anything is drawn over the finished picture.
     bool has_overlays() const { return overlays.any() || (coloring.is_on && coloring.has_bar); }
     bool operator==(const PictureRequest&) const = default;
 };
 
-/// Whether settings say how all of a picture is shaded. Given from outside they take the shading of materials and parts of a world away
-/// (RenderSettings::own_shading).
-RL_API bool shades_the_whole(std::span<const WorldValue> settings);
+/// Whether settings define the shading of the whole picture. As overrides they disable the shading of materials and
+/// parts of a world (RenderSettings::material_shading).
+RL_API bool sets_shading(std::span<const WorldValue> settings);
 
-/// Settings that go before those of a world file.
+/// Settings that override those of a world file.
 struct RenderOverrides {
-    /// Each takes the place of the file's of the same key; one that says where the camera stands that of all such.
+    /// Each overrides the same key in the file; a camera placement overrides all camera placements.
     std::vector<WorldValue> values{};
-    /// Whether a setting of the file is wanted; empty: all are. What it throws gets the place in the file.
-    std::function<bool(std::string_view key)> takes{};
+    /// Whether to use a setting of the file; empty: use all. Errors thrown by it get the place in the file.
+    std::function<bool(std::string_view key)> accepts{};
 };
 
-/// The picture that a world file asks for, and how it says so.
+/// The picture of a world file, and its settings.
 struct WorldRequest {
-    PictureRequest picture{};         ///< LoadOptions::overridden names what others took the place of
-    std::vector<WorldValue> taken{};  ///< of the file's [render], names of files resolved
+    PictureRequest picture{};           ///< LoadOptions::overridden lists the overridden keys
+    std::vector<WorldValue> applied{};  ///< applied settings of the file's [render], with resolved file names
 };
 
-/// What [render] of a world file says, files from the world's folder, behind `overrides`. Where to write the picture is the caller's.
-/// @throws Error not_found, bad_file: with the file, line and column of what is wrong; usage: an override is wrong, or excludes
-///         a setting of the file
+/// Reads [render] of a world file and applies `overrides`. File names are relative to the world's folder. The caller
+/// sets the output.
+/// @throws Error not_found, bad_file: with the file, line and column of what is wrong; usage: an override is invalid or
+///         conflicts with a setting of the file
 RL_API WorldRequest read_world_request(const std::string& path, const LoadOptions& options,
                                        const RenderOverrides& overrides, Context& context);
 /// The same without overrides.
 RL_API PictureRequest request_of_world(const std::string& path, const LoadOptions& options, Context& context);
 
-/// An error about a setting that the file gave, with its place there; another as it is.
+/// The error with its place in the file if it is about a setting of the file; else unchanged.
 RL_API Error at_world_value(const Error& error, const WorldRequest& world);
 
 }  // namespace rakelight

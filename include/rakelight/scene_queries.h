@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a scene is, and what lights it when nothing does.
+// Bounding box of a scene, and the default lights.
 #pragma once
 #include <vector>
 
@@ -18,14 +18,15 @@ struct RL_API Bounds {
     double diagonal() const;  ///< [m]
 };
 
-/// Box of all drawn vertices of all objects, in the world [m]; vertices that are not finite are left out. Empty when nothing
-/// is drawn. @throws Error bad_file: see validate()
+/// Bounding box in world space [m] of all drawn vertices of all objects, without non-finite ones. Empty if nothing is
+/// drawn.
+/// @throws Error bad_file: see validate()
 RL_API Bounds bounds(const Scene& scene);
 
-/// The default light rig, fixed to the camera's frame so that what is looked at is lit: ambient 0.12, a key light (0.68) from
-/// above left and a fill (0.2) from the right, both directional and white, classical units: a white surface stays just below 1.
+/// The default light rig, fixed to the camera: ambient 0.12, a key light (0.68) from above left and a fill light (0.2)
+/// from the right. Both are directional and white, in classical units; a white surface stays just below 1.
 RL_API std::vector<Light> default_lights(const dmat4& camera_to_world);
-/// The key light that goes with the built-in studio, from the left above the camera.
+/// The key light of the built-in studio, from the left above the camera.
 RL_API std::vector<Light> studio_lights(const dmat4& camera_to_world);
 
 }  // namespace rakelight

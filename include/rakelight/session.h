@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many pictures of one scene, or of a scene that changes: what was made for one is kept for the next.
+// Many pictures of one scene, or of a changing scene: intermediate results are reused.
 #pragma once
 #include <memory>
 #include <string>
@@ -10,60 +10,61 @@
 
 namespace rakelight {
 
-/// A scene made ready to be drawn: repaired, with normals, tangents, height maps and displaced meshes. Immutable: any number of
-/// sessions, in any threads, may share it.
+/// A scene prepared for drawing: repaired, with normals, tangents, height maps and displaced meshes. Immutable; any
+/// number of sessions may share it, in any threads.
 class PreparedScene;
 
-/// An engine with a scene. The same pictures as render() of render.h gives, without its cost for each: decoded textures, mip chains,
-/// shadow maps, made normals and the engine's own memory stay. One thread at a time; different sessions are independent. One that was
-/// moved from can only be assigned to or destroyed.
+/// An engine with a scene. Gives the same pictures as render() of render.h, but keeps decoded textures, mip chains,
+/// shadow maps, computed normals and the engine's memory between them. Use it from one thread at a time; different
+/// sessions are independent. A moved-from session can only be assigned to or destroyed.
 ///
 ///     Session session;
-///     session.set(load("helmet.glb", {}, context));
-///     for (const Camera& camera : cameras) session.render(camera, settings, frame, context);
+/// session.set(load("helmet.glb", {}, context));
+/// for (const Camera& camera : cameras) session.render(camera, settings, frame, context);
 class RL_API Session {
 public:
     /// @throws Error usage: no such engine
     explicit Session(const std::string& engine = "soft");
-    /// With an engine of the caller's.
+    /// With the caller's engine.
     explicit Session(std::unique_ptr<Engine> engine);  ///< @throws Error usage: null
     ~Session();
     Session(Session&&) noexcept;
     Session& operator=(Session&&) noexcept;
 
-    /// Draws another scene from now on. Blocks that it shares with the one before are not taken up again; where only lights,
-    /// cameras, fog or environment differ, nothing is made anew.
-    /// @throws Error bad_file: see validate(), or there is nothing to draw; the scene before stays
+    /// Sets the scene. Blocks shared with the previous scene are not processed again. If only lights, cameras, fog or
+    /// environment differ, everything is reused.
+    /// @throws Error bad_file: see validate(), or nothing to draw; the previous scene stays
     void set(Scene scene, const PrepareOptions& options = {});
-    /// Draws a scene that was made ready before, here or by another session, as it was prepared, whatever the settings of a
-    /// picture would ask for.
+    /// Sets a scene prepared before, by this or another session. It is drawn as it was prepared, even if the settings
+    /// of a picture would require other preparation.
     void set(std::shared_ptr<const PreparedScene> scene);
 
-    /// The scene as pictures with these settings need it; made where it is not there yet.
+    /// The scene prepared for pictures with these settings; prepared now if necessary.
     /// @throws Error usage: impossible settings, no scene was set; bad_file, failed: cancelled
     std::shared_ptr<const PreparedScene> prepared(const RenderSettings& settings, Context& context);
 
-    /// All that render() does before it draws: the engine has the scene with its textures then, and what is to be said of them
-    /// is in the report. @throws Error as render()
-    void take_up(const Camera& camera, const RenderSettings& settings, Context& context);
-    /// Draws through a camera of the scene, or one placed in the world. A scene that has no lights, and no environment that is one, gets
-    /// the default rig, which stands with the camera.
-    /// @throws Error as prepared(); what the engine throws: settings beyond its abilities
+    /// Does all work of render() except drawing: the engine then has the scene with its textures, and remarks on them
+    /// are in the report.
+    /// @throws Error as render()
+    void warm_up(const Camera& camera, const RenderSettings& settings, Context& context);
+    /// Draws through a camera of the scene, or one placed in world space. A scene without lights and without a lighting
+    /// environment gets the default light rig, which is fixed to the camera.
+    /// @throws Error as prepared(); usage: settings beyond the engine's capabilities
     RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context);
 
-    /// The engine that it draws with.
+    /// The engine of the session.
     const Engine& engine() const;
 
 private:
-    friend void give(Session& session, std::shared_ptr<PreparedScene> scene);  // of the library itself
+    friend void give(Session& session, std::shared_ptr<PreparedScene> scene);  // internal
     struct State;
     std::unique_ptr<State> state_;
 };
 
-/// The scene that was made ready; it lives as long as the prepared one. Vertices that move are posed when this is first
-/// asked. @throws Error bad_file: over the memory budget
+/// The prepared scene, valid as long as `prepared`. Animated vertices are posed at the first call.
+/// @throws Error bad_file: over the memory budget
 RL_API const Scene& scene_of(const PreparedScene& prepared);
-/// The same, but that vertices which move may be in bind pose: for questions about all else, at no cost.
+/// The same, but animated vertices may be in bind pose: free of cost, for all other data.
 RL_API const Scene& unposed_scene_of(const PreparedScene& prepared);
 
 }  // namespace rakelight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a scene that was made in memory is whole.
+// Validation of scenes created in memory.
 #pragma once
 #include <rakelight/error.h>
 #include <rakelight/export.h>
@@ -7,12 +7,12 @@
 
 namespace rakelight {
 
-/// Checks what everything else relies on: node parents come before their children, indices are in range, vertex arrays
-/// have V entries, matrices, colors and parameters are finite, enumerators exist, textures have images (which are not
-/// decoded here). Positions, normals and texture coordinates may be anything. Every function of the library that takes
-/// a scene begins with this check, as load() ends with it; whoever builds a scene may ask for it sooner. One pass over
-/// the indices: about 2 ms for a million triangles.
-/// @throws Error bad_file with the place ("mesh 3 'body'") of the first fault
+/// Checks the invariants of a scene. Parents precede their children, indices are in range, and vertex arrays have V
+/// entries. Matrices, colors and parameters are finite, and enumerators are valid. Textures have images, which are not
+/// decoded here. Positions, normals and texture coordinates may have any value. Every public function that takes a
+/// scene starts with this check, and load() ends with it. One pass over the indices: about 2 ms for a million
+/// triangles.
+/// @throws Error bad_file with the place of the first fault ("mesh 3 'body'")
 RL_API void validate(const Scene& scene);
 
 }  // namespace rakelight

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// World files (*.scene.toml): a scene put together from models, primitives, lights and cameras. Here is what such a
-// file says, read and checked, before any model of it is loaded. docs/world-files.md explains the format.
+// World files (*.scene.toml): scenes composed of models, primitives, lights and cameras. This is the parsed and checked
+// content of a file, before its models are loaded. Format: docs/world-files.md.
 #pragma once
 #include <optional>
 #include <span>
@@ -14,21 +14,21 @@
 
 namespace rakelight {
 
-/// Where something stands in a file, from 1; 0: nowhere.
+/// A place in a file, counted from 1; 0: none.
 struct WorldPlace {
-    int line = 0, column = 0;  ///< of its first character
+    int line = 0, column = 0;  ///< of the first character
     bool operator==(const WorldPlace&) const = default;
 };
 /// "line 3, column 7"
 RL_API std::string to_text(WorldPlace place);
 
-/// A key with its value: words as people write them ("1.5", "on", "red"), and numbers where they are such.
+/// A key with its value: as words ("1.5", "on", "red"), and as numbers if all words are numeric.
 struct WorldValue {
-    std::string key{};                 ///< as it is written
-    std::vector<std::string> words{};  ///< one, or as many as the array has elements
-    std::vector<double> numbers{};     ///< as many as `words`, or empty: some are no numbers
+    std::string key{};                 ///< as written
+    std::vector<std::string> words{};  ///< one, or the elements of an array
+    std::vector<double> numbers{};     ///< [words], or empty if a word is not numeric
     bool is_array = false;             ///< written in brackets
-    WorldPlace place{};                ///< of the value; in [render] of the key
+    WorldPlace place{};                ///< of the value; of the key in [render]
     bool operator==(const WorldValue&) const = default;
 };
 
@@ -39,119 +39,121 @@ struct WorldPlacement {
 
 /// A model file in the world.
 struct WorldModel {
-    std::string name{};  ///< of the node that carries it; the file's name without ending by default
-    std::string file{};  ///< as written: from the world file's folder, or "builtin:teapot"
+    std::string name{};  ///< of its node; default: the file's name without ending
+    std::string file{};  ///< as written: relative to the world file's folder, or "builtin:teapot"
     WorldPlacement placement{};
-    std::string material{};  ///< of the world, for all of it; empty: its own
-    std::string normals{};   ///< "auto", "file", "flat", "object", "model"; empty: as the picture's options say
-    std::optional<double> crease_angle_rad{};  ///< 0..pi; absent: as the picture's options say
-    std::optional<Subdivision> subdivision{};  ///< absent: as the picture's options say
-    bool lights = false, cameras = false;      ///< whether the model's own come along
+    std::string material{};  ///< a material of the world for the whole model; empty: its own materials
+    std::string normals{};   ///< "auto", "file", "flat", "object", "model"; empty: by PrepareOptions::normals
+    std::optional<double> crease_angle_rad{};  ///< 0..pi; absent: by PrepareOptions
+    std::optional<Subdivision> subdivision{};  ///< absent: by PrepareOptions
+    bool lights = false, cameras = false;      ///< whether to include the model's own
     std::optional<Shading> shading{};
     WorldPlace place{}, material_place{};  ///< of `file`, `material`
 };
 
-/// A shape that is made by formula.
+/// A built-in shape.
 struct WorldPrimitive {
     std::string name{}, type{};  ///< "teapot", "sphere", "cylinder", "cone", "torus", "plane"
     WorldPlacement placement{};
-    double radius = 1, tube_radius = 0.35, height = 2;  ///< [m] tube: of the torus
+    double radius = 1, tube_radius = 0.35, height = 2;  ///< [m] tube_radius: of the torus
     double width = 2, depth = 2;                        ///< [m] of the plane
-    int divisions = 1;                                  ///< quads along a side of the plane or of the teapot's patches
-    int objects = 1;                                    ///< it is cut into so many
-    double tolerance = 0;    ///< [m] farthest that a facet is from the surface; 0: a thousandth of the largest radius,
-                             ///< teapot: `divisions`
-    std::string material{};  ///< of the world; empty: the default material
-    std::string normals{};   ///< as WorldModel::normals
-    std::optional<double> crease_angle_rad{};  ///< 0..pi; absent: as the picture's options say
-    std::optional<Subdivision> subdivision{};  ///< absent: as the picture's options say
+    int divisions = 1;                                  ///< quads per side of the plane or of the teapot's patches
+    int objects = 1;                                    ///< number of objects it is cut into
+    double tolerance =
+        0;  ///< [m] largest distance between facets and the surface; 0: 1/1000 of the largest radius, teapot: by `divisions`
+    std::string material{};                    ///< a material of the world; empty: the default material
+    std::string normals{};                     ///< as WorldModel::normals
+    std::optional<double> crease_angle_rad{};  ///< 0..pi; absent: by PrepareOptions
+    std::optional<Subdivision> subdivision{};  ///< absent: by PrepareOptions
     std::optional<Shading> shading{};
     WorldPlace place{}, material_place{}, objects_place{};
 };
 
-/// Changes to materials, or a material of the world's own.
+/// Changes to materials, or a new material of the world.
 struct WorldMaterial {
     std::string name{};   ///< of the material; "*": all of `model`
-    std::string model{};  ///< changes this model's materials only; empty: those of all models
-    /// Name of an object of the model, or the number of its node there: changes its materials alone, after those of all objects
-    /// were changed. Empty: of all objects.
+    std::string model{};  ///< changes only materials of this model; empty: of all models
+    /// Name of an object of the model, or its node index: changes only this object's materials, after changes for all
+    /// objects. Empty: all objects.
     std::string object{};
     std::vector<WorldValue> values{};
     WorldPlace place{};
 };
 
-/// Light from all around, as a world file has it.
+/// The environment of a world file.
 struct WorldEnvironment {
     std::string file{};         ///< as written; empty: the built-in studio
     Environment environment{};  ///< without its picture
     WorldPlace place{};
 };
 
-/// A place, number or color of a camera or light of the world that `keys` move.
+/// Keyframes of a property of a camera or light of the world.
 struct WorldTrack {
-    /// Between two keys.
-    enum class Between : std::uint8_t { linear, step, smooth };  ///< keys; smooth: a cubic spline through them
+    /// Interpolation between keys.
+    enum class Between : std::uint8_t { linear, step, smooth };  ///< smooth: a cubic spline through the keys
     AnimationPath path = AnimationPath::camera;                  ///< or light
-    std::uint32_t element = 0;  ///< into WorldFile::cameras or lights; a track of one that is not there is left out
-    std::string property{};     ///< of animated_properties() (motion.h), in its units
+    std::uint32_t element = 0;  ///< into WorldFile::cameras or lights; out of range: ignored
+    std::string property{};     ///< name in animated_properties() (motion.h), in its units
     Between between = Between::linear;
-    std::vector<float> times{};   ///< [K] seconds, each later than the one before
+    std::vector<float> times{};   ///< [K] [s] strictly increasing
     std::vector<float> values{};  ///< [K * width]
     bool operator==(const WorldTrack&) const = default;
 };
 
-/// What is to be told of a world file that is not refused.
+/// A remark on an accepted world file.
 struct WorldRemark {
     Remark kind = Remark::note;
     WorldPlace place{};
     std::string message{};  ///< for people
 };
 
-/// What a world file says, in its order. Numbers are finite and in range; files are not looked at.
+/// The content of a world file, in its order. Numbers are finite and in range; referenced files are not checked.
 struct WorldFile {
     std::vector<WorldModel> models{};
     std::vector<WorldPrimitive> primitives{};
     std::vector<Light> lights{};
     std::vector<Camera> cameras{};
     std::vector<WorldTrack>
-        tracks{};  ///< what moves of lights and cameras: the clip `world_clip_name` (motion.h) of the scene
+        tracks{};  ///< keyframes of lights and cameras: the clip `world_clip_name` (motion.h) of the scene
     std::vector<WorldMaterial> materials{};
     std::optional<Fog> fog{};
     std::optional<WorldEnvironment> environment{};
-    std::vector<WorldValue> render{};    ///< settings of the picture: render_keys()
+    std::vector<WorldValue> render{};    ///< settings of the picture, see render_keys()
     std::vector<WorldRemark> remarks{};  ///< load() adds them to the report
 };
 
-/// Whether a file is named as a world: "*.scene.toml" in any case.
+/// Whether a name is that of a world file: "*.scene.toml", ignoring case.
 RL_API bool is_world_file(std::string_view path);
 
-/// @param text  of the whole file, UTF-8. At most 10 000 entries of a kind, and 4 MiB.
-/// @throws Error bad_file: what is wrong, with line and column; unknown keys with the nearest that there is, but for those of [render]:
-///         read_world_request() looks at them
+/// @param text the whole file in UTF-8, at most 4 MiB and 10 000 entries of a kind
+/// @throws Error bad_file, with line and column; for unknown keys with the nearest known key. Keys of [render] are
+///         checked by read_world_request()
 RL_API WorldFile parse_world(std::string_view text);
 
-/// Reads and parses. @throws Error not_found; and as parse_world(), with the file's name
+/// Reads and parses.
+/// @throws Error not_found; and as parse_world(), with the file's name
 RL_API WorldFile read_world(const std::string& path, Context& context);
 
-/// The text of a world file that parse_world() reads as this world (of cameras with the rounding of one look_at()), without comments.
-/// Names of files are written as they are: from the folder of the world that is to be.
-/// @throws Error usage: what no world file can have, such as lights on a node, an environment's picture without a file, unknown or wrong
-///         settings; bad_file: what parse_world() refuses
+/// The text of a world file that parse_world() reads as this world, without comments. Cameras are exact up to the
+/// rounding of one look_at(). File names are written unchanged, relative to the folder of the new file.
+/// @throws Error usage: not representable in a world file, such as lights on a node, an environment picture without a
+///         file, unknown or invalid settings; bad_file: what parse_world() refuses
 RL_API std::string to_toml(const WorldFile& world);
-/// Writes it; the file appears when it is whole. @throws Error as to_toml(); usage: another ending; failed: cannot be written
+/// Writes a world file; it appears when it is complete.
+/// @throws Error as to_toml(); usage: another ending; failed: cannot be written
 RL_API void save_world(const WorldFile& world, const std::string& path);
 
-/// Where a file that a world names lies. @param path  of the world
-/// @throws Error bad_file: it would leave the world's folder, unless `allow_outside`
+/// The path of a file named in a world.
+/// @param path of the world file
+/// @throws Error bad_file: it is outside of the world's folder, unless `allow_outside`
 RL_API std::string resolve_in_world(const std::string& path, const std::string& name, bool allow_outside);
 
-/// What "KEY=VALUE" says of a material: keys of [[material]] with their checks, numbers of a list
-/// separated by commas, flags on or off. Colors are linear or "#rrggbb".
+/// Parses "KEY=VALUE" for materials: keys of [[material]] with their checks. Lists are separated by commas, flags are
+/// on or off, colors are linear or "#rrggbb".
 /// @throws Error usage
 RL_API std::vector<WorldValue> material_values(std::span<const std::string> words);
 
-/// A shape as "sphere" or "sphere:tolerance=0.01:radius=2" says it: keys of [[primitive]] that make the shape, with
-/// their checks.
+/// Parses a shape such as "sphere" or "sphere:tolerance=0.01:radius=2": keys of [[primitive]] with their checks.
 /// @throws Error usage
 RL_API WorldPrimitive shape_of_words(std::string_view words);
 
@@ -160,44 +162,45 @@ RL_API std::string world_schema();
 
 struct PictureRequest;
 
-/// A key of [render] and what it sets.
+/// A key of [render] and the setting it controls.
 struct RenderKey {
-    /// How its value is written.
+    /// The form of its value.
     enum class Kind : std::uint8_t {
         value,
-        file,      ///< a file's name
-        flag,      ///< true or false
-        switched,  ///< a flag whose default may be on
-        list,      ///< any number of values, in their order
+        file,    ///< a file name
+        flag,    ///< true or false
+        on_off,  ///< a flag with a default that may be on
+        list,    ///< any number of values, in order
     };
     const char* name;  ///< "crease-angle"
     Kind kind{};
-    /// @param words  one, or of a list as many as there are, at least one; flags: "on", "off". @throws Error usage about the key
+    /// @param words one, or the elements of a list, at least one; flags: "on", "off".
+    /// @throws Error usage about the key
     void (*read)(PictureRequest& to, std::span<const std::string> words);
-    /// Words that read() makes the field of again; empty: it is as by default.
+    /// Words from which read() restores the setting; empty: it has its default.
     std::vector<std::string> (*write)(const PictureRequest& of);
 };
 
-/// All, in the order in which they are read.
+/// All keys in the order in which they are read.
 RL_API std::span<const RenderKey> render_keys();
-/// Null: there is none of that name.
+/// The key of that name, or null.
 RL_API const RenderKey* find_render_key(std::string_view name);
-/// @throws Error usage with the nearest name: there is none
+/// @throws Error usage: no such key, with the nearest name
 RL_API const RenderKey& require_render_key(const std::string& name);
-/// Whether a key of [render] says where the camera stands, so that one takes the place of another: a side, a camera of the
-/// file, a position, a direction.
+/// Whether a key of [render] places the camera: a side, a camera of the file, a position, a direction. Such keys
+/// override each other.
 RL_API bool places_camera(std::string_view key);
 
-/// Whether the words of a value of [render] are names of files: those of a world count from its folder.
+/// Whether the words of a value of [render] are file names, which are relative to the world's folder.
 RL_API bool names_files(const WorldValue& value);
 
-/// Sets what the values say, each key once, and checks what only several of them together can get wrong. Files are taken as
-/// they are named. @throws Error usage about the key: an unknown one, a wrong value, or keys that exclude each other
+/// Applies values, each key once, and checks their combination. File names are used unchanged.
+/// @throws Error usage about the key: unknown key, invalid value, or conflicting keys
 RL_API void read_render_keys(std::span<const WorldValue> values, PictureRequest& to);
 
-/// What read_render_keys() makes the same request of: the keys whose fields are not as by default. Colors come back as near as their
-/// display values are (1e-6), directions of lights at length 1, their names not at all; files and LoadOptions are no keys.
-/// @throws Error usage: the request asks for what no key says, such as no lights at all or one on a node
+/// The inverse of read_render_keys(): the keys of settings that differ from their defaults. Colors are exact up to 1e-6
+/// in display values, light directions are normalized, and light names are lost. Files and LoadOptions are not keys.
+/// @throws Error usage: not representable by keys, such as an empty list of lights or a light on a node
 RL_API std::vector<WorldValue> written_render_keys(const PictureRequest& of);
 
 }  // namespace rakelight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way of a bake: checks, LOW with coordinates and frames, HIGH as it is shaded, the texels, the padding.
+// Stages of baking: checks, LOW with texture coordinates and frames, HIGH with shading normals, texels, padding.
 #include <rakelight/bake.h>
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 #include "bake/check_settings.h"
 #include "bake/make_coordinates.h"
 #include "bake/padding.h"
+#include "base/format_text.h"
 #include "prepare/variants.h"
 #include "scene/scene_tools.h"
 
@@ -53,7 +54,7 @@ bool lacks_coordinates(const Scene& scene) {
     });
 }
 
-/// What LOW has of bumps is what the map takes the place of.
+/// Removes LOW's bump maps, which the baked map replaces.
 void drop_bumps(Scene& scene) {
     for (Material& material : scene.materials) {
         material.normal_texture = material.height_texture = {};
@@ -61,7 +62,7 @@ void drop_bumps(Scene& scene) {
     }
 }
 
-/// @param report  gets what was made
+/// @param report gets the computed coordinates
 Scene with_coordinates(Scene low, const BakeOptions& options, BakeReport& report, Context& context) {
     if (!options.make_coordinates && !lacks_coordinates(low)) return low;
     bool had_textures = false;
@@ -78,7 +79,7 @@ Scene with_coordinates(Scene low, const BakeOptions& options, BakeReport& report
     return std::move(made.scene);
 }
 
-/// Normals: the file's, or made over all objects; tangents as MikkTSpace has them, of the first coordinates.
+/// Normals of the file, or computed over all objects; MikkTSpace tangents of texture coordinate set 0.
 Scene prepared_low(Scene low, const BakeOptions& options, Context& context) {
     for (Mesh& mesh : low.meshes) {
         const bool keeps = options.low_normals == NormalSource::automatic && !mesh.normals.empty();
@@ -100,7 +101,7 @@ bool gives_light(const Scene& scene) {
            std::ranges::any_of(scene.materials, [](const Material& m) { return !(m.emission == vec3{}); });
 }
 
-/// HIGH as the map of light shows it; none where there is no such map.
+/// HIGH with irradiance for the light map; empty without such a map.
 std::optional<Scene> lit_high(const Scene& high, const BakeOptions& options, BakeReport& report, Context& context) {
     if (std::ranges::count(options.maps, BakeMap::light) == 0) return std::nullopt;
     if (!gives_light(high))
@@ -108,14 +109,14 @@ std::optional<Scene> lit_high(const Scene& high, const BakeOptions& options, Bak
                     "give it some, in a world file")
             .with_file(high.source)
             .naming({"maps"});
-    return with_radiosity(high, {.elements = options.light_elements}, report.radiosity, context, LitColors::arriving);
+    return with_radiosity(high, {.elements = options.light_elements}, report.radiosity, context, LitColors::irradiance);
 }
 
 void make_maps(const BakeOptions& options, BakeResult& result, Context& context) {
     const std::uint64_t texels = std::uint64_t(options.width) * std::uint64_t(options.height);
     std::uint64_t bytes = 0;
     for (const BakeMap map : options.maps) bytes += texels * 4 * std::uint64_t(kind_of(map).channels);
-    context.memory().check(bytes + 9 * texels, "baked maps");  // and what says which texels are covered
+    context.memory().check(bytes + 9 * texels, "baked maps");  // and the coverage of texels
     result.charge = MemoryCharge(context.memory(), bytes, "baked maps");
     result.width = options.width, result.height = options.height;
     for (const BakeMap map : options.maps) {
@@ -139,14 +140,13 @@ void pad(const std::vector<std::uint8_t>& covered, const BakeOptions& options, B
 }
 
 void add_remarks(const Scene& high, const Scene& low, const BakeReport& r, bool is_height_wanted, Context& context) {
-    constexpr std::uint64_t few = 1000;  // texels of so many that meet HIGH are none
+    constexpr std::uint64_t few = 1000;  // a share of hits below 1 / few counts as none
     if ((r.texels - r.missed) * few <= r.texels)
         throw Error(ErrorCode::bad_file,
-                    r.texels == 0 ? "no chart covers a texel of the map"
-                    : r.missed == r.texels
-                        ? "no ray from it meets '" + one_line(high.source, 80) + "'"
-                        : "only " + std::to_string(r.texels - r.missed) + " of " + std::to_string(r.texels) +
-                              " texels meet '" + one_line(high.source, 80) + "'",
+                    r.texels == 0          ? "no chart covers a texel of the map"
+                    : r.missed == r.texels ? "no ray from it meets '" + one_line(high.source, 80) + "'"
+                                           : format_text("only {} of {} texels meet '{}'", r.texels - r.missed,
+                                                         r.texels, one_line(high.source, 80)),
                     {},
                     r.texels == 0 ? "make the map larger"
                                   : "models have to lie at the same place; a larger 'distance' reaches farther")
@@ -154,23 +154,25 @@ void add_remarks(const Scene& high, const Scene& low, const BakeReport& r, bool 
             .naming({"distance"});
     Report& report = context.report();
     if (r.missed > 0)
-        report.add(Remark::warning, low.source, {},
-                   std::to_string(r.missed) + " of " + std::to_string(r.texels) +
-                       " texels show the model itself: no ray met the other one; a larger 'distance' reaches farther",
-                   {"distance"});
+        report.add(
+            Remark::warning, low.source, {},
+            format_text(
+                "{} of {} texels show the model itself: no ray met the other one; a larger 'distance' reaches farther",
+                r.missed, r.texels),
+            {"distance"});
     if (r.beyond > 0 && is_height_wanted)
         report.add(Remark::warning, low.source, {},
-                   std::to_string(r.beyond) + " of " + std::to_string(r.texels) +
-                       " texels lie beyond the proposed cage: heights in PNG end there; a larger 'distance' holds them",
+                   format_text("{} of {} texels lie beyond the proposed cage: heights in PNG end there; a larger "
+                               "'distance' holds them",
+                               r.beyond, r.texels),
                    {"distance"});
     if (r.overlapping > 0)
         report.add(Remark::warning, low.source, {},
-                   std::to_string(r.overlapping) + " of " + std::to_string(r.charts) +
-                       " charts lie on others or on themselves: " + std::to_string(r.overlapping_texels) +
-                       " texels are baked once, for the first that is not mirrored");
+                   format_text("{} of {} charts lie on others or on themselves: {} texels are baked once, for the "
+                               "first that is not mirrored",
+                               r.overlapping, r.charts, r.overlapping_texels));
     if (r.mirrored > 0)
-        report.add(Remark::note, low.source, {},
-                   std::to_string(r.mirrored) + " of " + std::to_string(r.charts) + " charts are mirrored");
+        report.add(Remark::note, low.source, {}, format_text("{} of {} charts are mirrored", r.mirrored, r.charts));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace rakelight {
 namespace bake {
 
 const MapKind& kind_of(BakeMap map) {
-    // Name, channels, beside charts, bits of integer pictures.
+    // Name, channels, value outside of charts, component type of integer pictures.
     static constexpr MapKind kinds[] = {{BakeMap::normal, "normal", 3, {0, 0, 1}, Component::u8},
                                         {BakeMap::height, "height", 1, {0, 0, 0}, Component::u16},
                                         {BakeMap::curvature, "curvature", 1, {0, 0, 0}, Component::u8},

@@ -9,8 +9,8 @@ struct MapKind {
     BakeMap map;
     const char* name;
     int channels;
-    float even[3];        ///< where no chart is
-    Component component;  ///< of pictures of integers
+    float even[3];        ///< value outside of charts
+    Component component;  ///< component type of integer pictures
 };
 
 const MapKind& kind_of(BakeMap map);

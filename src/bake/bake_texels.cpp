@@ -15,9 +15,9 @@
 namespace rakelight::bake {
 namespace {
 
-constexpr double longer[] = {1, 2, 4};  ///< cages that are tried where a proposed one misses
+constexpr double longer[] = {1, 2, 4};  ///< larger cages tried if the proposed one misses
 
-/// Of a sample, or the mean of a texel's.
+/// Value of a sample, or mean over a texel.
 struct Values {
     dvec3 normal{};
     double height = 0, curvature = 0, occlusion = 0;
@@ -83,7 +83,7 @@ private:
         std::uint64_t texel;
         int tried = 0, met = 0, lit = 0;
         Values of{};
-        dvec3 own{};  ///< of LOW, where nothing is met
+        dvec3 own{};  ///< of LOW, without a hit
     };
 
     void add(std::uint32_t triangle, dvec2 at, std::size_t sample, Sum& sum) const {
@@ -115,7 +115,7 @@ private:
             }
     }
 
-    /// A unit normal of the world in the space of the map; unit.
+    /// Converts a unit normal from world space to the space of the map; unit.
     dvec3 written(const LowPoint& low, dvec3 normal) const {
         constexpr dvec3 even{0, 0, 1};
         if (options_.space == BakeSpace::object) return normalize_or(low.to_object * normal, even);
@@ -169,12 +169,12 @@ bool has(const BakeResult& result, BakeMap wanted) {
     return std::ranges::any_of(result.maps, [&](const BakedMap& map) { return map.map == wanted; });
 }
 
-/// What the bands found, in any order.
+/// Results of the bands, in any order.
 struct Found {
     std::mutex mutex;
     Counts counts;
     std::uint64_t overlapping = 0;
-    std::vector<std::uint8_t> charts;  ///< [charts] 1: lies on another one
+    std::vector<std::uint8_t> charts;  ///< [charts] 1: overlaps another one
     int bands = 0;
 };
 

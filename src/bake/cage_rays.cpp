@@ -8,19 +8,20 @@
 namespace rakelight::bake {
 namespace {
 
-constexpr int most_layers = 64;          ///< that a ray goes through
-constexpr double step_on = 1e-6;         ///< of HIGH's diagonal: where a ray that goes on begins
-constexpr std::uint32_t probes = 65536;  ///< places on LOW that proposed_distance() looks from
+constexpr int max_layers = 64;           ///< hits along a ray
+constexpr double step_on = 1e-6;         ///< of HIGH's diagonal: offset of a continued ray
+constexpr std::uint32_t probes = 65536;  ///< sample points on LOW of proposed_distance()
 
 bool faces(const HighPoint& point, dvec3 outward) {
     return dot(point.face, outward) > 0 || dot(point.normal, outward) > 0;
 }
 
-/// The first triangle along a ray that looks `outward`. @param any  not null: the first of all
+/// The first hit along a ray that faces `outward`.
+/// @param any not null: gets the first hit of all
 std::optional<HighPoint> first_facing(const HighSurface& high, dvec3 from, dvec3 direction, double most, dvec3 outward,
                                       std::optional<HighPoint>* any) {
     double least = 0;
-    for (int layer = 0; layer < most_layers; ++layer) {
+    for (int layer = 0; layer < max_layers; ++layer) {
         const auto hit = high.first(from, direction, least, most);
         if (!hit) break;
         const HighPoint point = high.point(*hit);
@@ -44,7 +45,7 @@ std::optional<CageHit> meet_from_cage(const HighSurface& high, const LowPoint& l
 
 namespace {
 
-/// Places that are spread evenly over the area of a surface.
+/// Evenly distributed points on a surface.
 class SpreadPlaces {
 public:
     SpreadPlaces(const LowSurface& low, Context& context)
@@ -57,11 +58,12 @@ public:
             upto_.push_back(sum += area < 1e300 ? area : 0);
         }
     }
-    /// @param share  0..1 of the area before it. @param number  any: decides where on its triangle
+    /// @param share 0..1: cumulative area of the point.
+    /// @param number index of the point in its sequence
     LowPoint operator()(double share, std::uint32_t number) const {
         const auto found = std::ranges::lower_bound(upto_, share * upto_.back());
         const auto triangle = std::min(std::uint32_t(found - upto_.begin()), low_.triangle_count() - 1);
-        // the plastic number's sequence, whose points are even in the square however many: Roberts 2018
+        // low-discrepancy sequence of the plastic number (Roberts 2018)
         double u = 0.5 + 0.7548776662466927 * number, v = 0.5 + 0.5698402909980532 * number;
         u -= std::floor(u), v -= std::floor(v);
         if (u + v > 1) u = 1 - u, v = 1 - v;
@@ -71,7 +73,7 @@ public:
 private:
     const LowSurface& low_;
     MemoryCharge charge_;
-    std::vector<double> upto_;  ///< [T] twice the area of all triangles up to this one
+    std::vector<double> upto_;  ///< [T] cumulative twice the area
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From LOW to HIGH: rays from the cage inward.
+// Rays from LOW's cage inward to HIGH.
 #pragma once
 #include <optional>
 
@@ -13,13 +13,13 @@ struct CageHit {
     double height = 0;  ///< [m] from LOW along the cage's normal, outward > 0
 };
 
-/// The first triangle that faces outward, by itself or by its shading normal, from `distance` outside of LOW to as far inside; the
-/// first of all where none does.
+/// The first hit that faces outward, by its face or shading normal, from `distance` outside of LOW to the same distance
+/// inside. If none does, the first hit of all.
 std::optional<CageHit> meet_from_cage(const HighSurface& high, const LowPoint& low, double distance);
 
-/// [m] How far the cage should stand off: what 99 % of rays from LOW need to the nearest triangle that faces as LOW does, on
-/// either side, and a quarter more. Rays start in up to 16384 triangles, spread evenly over LOW. A hundredth of HIGH's diagonal
-/// where none meets any.
+/// [m] The proposed cage distance: the 99th percentile of the distances from LOW to the nearest triangle of the same
+/// orientation, on either side, plus a quarter. Rays start in up to 16384 evenly distributed triangles of LOW. Without
+/// hits: 1/100 of HIGH's diagonal.
 double proposed_distance(const HighSurface& high, const LowSurface& low, Context& context);
 
 }  // namespace rakelight::bake

@@ -13,7 +13,7 @@
 namespace rakelight::bake {
 namespace {
 
-/// That along which a normal reaches farthest; the first of equal ones. Triangles without area look along +x.
+/// The axis with the largest component of the normal; the first of equal ones. Triangles without area face +x.
 std::uint8_t axis_of(dvec3 n) {
     const double size[3] = {std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
     std::size_t axis = 0;
@@ -77,7 +77,7 @@ Charts find_charts(std::span<const dvec3> places, std::span<const std::uint32_t>
     }
     Charts charts;
     charts.of_triangle.resize(count);
-    std::vector<std::uint32_t> number(count, ~0u);  // of the piece that a triangle stands for
+    std::vector<std::uint32_t> number(count, ~0u);  // index of the piece of a triangle
     for (std::size_t t = 0; t < count; ++t, check()) {
         std::uint32_t& chart = number[pieces.root(std::uint32_t(t))];
         if (chart == ~0u) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Charts of a surface that has no texture coordinates: connected triangles that look along one axis of the world, each flattened
-// along it. Unmirrored as seen from outside, v down.
+// Charts for a surface without texture coordinates: connected triangles facing one world axis, projected along it. Not
+// mirrored seen from outside, v down.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -17,11 +17,11 @@ struct Charts {
     std::vector<dvec2> low{}, high{};          ///< [charts] [m] bounds of flattened()
 };
 
-/// A place along an axis of Charts.
+/// The projection of a position along an axis of Charts.
 dvec2 flattened(dvec3 place, std::uint8_t axis);
 
-/// @param places     [V] in the world
-/// @param triangles  [3T] counter-clockwise from outside; triangles are connected where they share two vertices
+/// @param places [V] world space
+/// @param triangles [3T] counter-clockwise from outside; triangles with two common vertices are connected
 Charts find_charts(std::span<const dvec3> places, std::span<const std::uint32_t> triangles, Context& context);
 
 }  // namespace rakelight::bake

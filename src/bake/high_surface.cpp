@@ -9,7 +9,7 @@
 namespace rakelight::bake {
 namespace {
 
-/// Rays look at no texture: none is decoded for them.
+/// Rays need no textures, so none are decoded.
 Scene without_textures(Scene scene) {
     for (Material& material : scene.materials) for_each_texture_use(material, [](TextureUse& use) { use = {}; });
     return scene;

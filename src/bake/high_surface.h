@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// HIGH as rays meet it: its triangles, its shading normals, its curvature.
+// HIGH for ray casting: triangles, shading normals, curvature.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -14,15 +14,15 @@
 
 namespace rakelight::bake {
 
-/// Where a ray meets HIGH, in the world.
+/// A ray hit on HIGH in world space.
 struct HighPoint {
     raytrace::SurfaceHit hit;
     dvec3 place;   ///< [m]
     dvec3 face;    ///< of the triangle, unit, outward
-    dvec3 normal;  ///< as it is shaded, unit
+    dvec3 normal;  ///< shading normal, unit
 };
 
-/// Whose curvature and normal maps are there.
+/// HIGH with its optional curvature and normal maps.
 class HighSurface {
 public:
     /// @param scene  prepared, posed
@@ -38,7 +38,7 @@ public:
     double diagonal() const { return diagonal_; }  ///< [m]
 
 private:
-    std::optional<MappedNormals> mapped_;  ///< of the scene before its textures were taken away
+    std::optional<MappedNormals> mapped_;  ///< from the scene before its textures were removed
     raytrace::SurfaceRays rays_;
     std::vector<std::vector<float>> curvatures_;  ///< [draws][V]
     MemoryCharge charge_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way of a lightmap: sides apart, coordinates, light (with_radiosity), texels, materials that show them.
+// Stages of a lightmap: split sides, texture coordinates, light (with_radiosity), texels, materials.
 #include <rakelight/lightmap.h>
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 #include "bake/lightmap_texels.h"
 #include "bake/make_coordinates.h"
 #include "math/color.h"
-#include "prepare/back_side.h"
+#include "prepare/turn_triangles.h"
 #include "prepare/variants.h"
-#include "radiosity/still_scene.h"
+#include "radiosity/lit_scene.h"
 #include "scene/scene_tools.h"
 #include "shading/choices.h"
 
@@ -21,14 +21,14 @@ namespace rakelight {
 namespace bake {
 namespace {
 
-/// Diffuse as before, with one side: those of classical parameters always have two.
+/// An equivalent diffuse one-sided material; classical materials are always two-sided.
 void make_one_sided(Material& m) {
     if (m.model == MaterialModel::classical)
         m.model = MaterialModel::metallic_roughness, m.metallic_roughness = {.metallic = 0};
     m.double_sided = false;
 }
 
-/// Two-sided surfaces as two one-sided ones, which have places of their own on the map.
+/// Two-sided surfaces as two one-sided ones with separate charts.
 Scene one_sided(Scene scene, Context& context) {
     std::vector<std::uint32_t> back(scene.meshes.size(), no_index);
     std::vector<bool> is_split(scene.materials.size());
@@ -49,14 +49,14 @@ Scene one_sided(Scene scene, Context& context) {
     return scene;
 }
 
-/// The set after all that a drawn mesh has; at least 1: set 0 is the model's own.
+/// The first texture coordinate set unused by drawn meshes; at least 1.
 std::uint32_t next_set(const Scene& scene) {
     std::size_t sets = 1;
     for (const Instance& at : drawn_instances(scene)) sets = std::max(sets, scene.meshes[at.mesh].texcoords.size());
     return std::uint32_t(sets);
 }
 
-/// [materials] the brightest component of each on the map.
+/// [materials] the largest color component of each on the map.
 std::vector<float> brightest(const LightmapTexels& texels, std::size_t materials) {
     std::vector<float> most(materials, 0);
     for (std::size_t i = 0; i < texels.color.size(); ++i)
@@ -83,7 +83,7 @@ Pixels coded(const LightmapTexels& texels, const std::vector<float>& most, const
     return out;
 }
 
-/// Black, and all that is seen is the map.
+/// Black materials with the map as emission.
 void show_map(Material& m, const TextureUse& map, float most) {
     Material out;
     out.name = m.name;
@@ -128,7 +128,7 @@ Lightmap with_lightmap(Scene scene, const RadiositySettings& settings, const Lig
     const std::vector<float> most = bake::brightest(texels, made.scene.materials.size());
     report.brightest = *std::ranges::max_element(most);
     Lightmap out{.picture = bake::coded(texels, most, options, context)};
-    out.scene = bake::showing_map(radiosity::still_scene(std::move(made.scene)), set, most, out.picture);
+    out.scene = bake::showing_map(radiosity::static_scene(std::move(made.scene)), set, most, out.picture);
     return out;
 }
 

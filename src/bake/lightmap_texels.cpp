@@ -13,14 +13,14 @@
 namespace rakelight::bake {
 namespace {
 
-/// Where samples fall on a lit surface, and what it shows there.
+/// Samples a lit surface in texture space.
 class LitTexels {
 public:
     LitTexels(const LowSurface& surface, const TexelOwners& owners, const SurfaceColors& colors,
               const LightmapOptions& options, LightmapTexels& out)
         : surface_(surface), owners_(owners), colors_(colors), options_(options), out_(out) {}
 
-    /// @return texels that charts cover or touch
+    /// @return number of texels covered or touched by charts
     std::uint64_t fill(const OwnerBand& band) const {
         const std::size_t samples = std::size_t(options_.samples), width = std::size_t(options_.width);
         std::uint64_t texels = 0;
@@ -81,7 +81,7 @@ void pad(LightmapTexels& texels, const LightmapOptions& options, Context& contex
 LightmapTexels lightmap_texels(const Scene& lit, std::uint32_t set, const LightmapOptions& options,
                                LightmapReport& report, Context& context) {
     const std::size_t count = std::size_t(options.width) * std::size_t(options.height);
-    constexpr std::uint64_t own = sizeof(vec3) + 4, beside = 1 + 4 + 4;  // beside: of the padding
+    constexpr std::uint64_t own = sizeof(vec3) + 4, beside = 1 + 4 + 4;  // outside of charts: padding
     context.memory().check(count * (own + beside), "the lightmap");
     LightmapTexels out{.charge = MemoryCharge(context.memory(), count * own, "the lightmap")};
     out.color.resize(count), out.material.assign(count, no_index);

@@ -17,7 +17,7 @@ namespace {
 
 dvec3 blend(const dvec3 (&v)[3], const CornerWeights& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; }
 
-/// Over all objects, without creases: rays of neighbors leave no gap.
+/// Cage normals over all objects, without creases, so that rays of neighbors leave no gap.
 AttributeOptions cage_options() {
     AttributeOptions options;
     options.scope = Scope::model;
@@ -90,7 +90,7 @@ LowTriangle LowSurface::triangle(std::uint32_t number) const {
     }
     out.to_object = {{{linear[0].x, linear[1].x, linear[2].x},
                       {linear[0].y, linear[1].y, linear[2].y},
-                      {linear[0].z, linear[1].z, linear[2].z}}};  // the transposed inverse of the cofactors
+                      {linear[0].z, linear[1].z, linear[2].z}}};  // the inverse transpose of the cofactors
     return out;
 }
 
@@ -125,7 +125,7 @@ std::vector<std::uint32_t> LowSurface::map_vertices() const {
             keys.push_back(
                 {transform_point(part.to_world, cast<double>(part.mesh.positions[v])), part.mesh.texcoords[set_][v]});
     }
-    const auto bits = [](const Key& k) {  // of numbers that may be anything
+    const auto bits = [](const Key& k) {  // of possibly invalid numbers
         return std::array{
             std::bit_cast<std::uint64_t>(k.place.x), std::bit_cast<std::uint64_t>(k.place.y),
             std::bit_cast<std::uint64_t>(k.place.z),

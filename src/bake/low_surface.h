@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LOW as its maps see it: triangles in the world with the directions of rays and the frames that normals are written in.
+// LOW for baking: triangles in world space with ray directions and tangent frames.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace rakelight::bake {
 
-/// Numbers of a triangle's corners.
+/// Barycentric weights.
 using CornerWeights = std::array<double, 3>;
 
 /// A triangle in the world. Vectors are unit at the corners.
 struct LowTriangle {
-    dvec3 place[3], cage[3];  ///< [m]; the normal over all objects, without creases
+    dvec3 place[3], cage[3];  ///< [m]; cage: normal smoothed over all objects without creases
     dvec3 normal[3], tangent[3];
-    double handedness = 1;  ///< of the tangents in the world, as seen from outside
-    dmat3 to_object;        ///< takes normals of the world to the mesh's object space, not to unit length
+    double handedness = 1;  ///< of the tangents in world space, seen from outside
+    dmat3 to_object;        ///< transforms normals from world to object space, without normalization
 };
 
 /// A place on a triangle.
@@ -35,8 +35,8 @@ LowPoint point_of(const LowTriangle& triangle, const CornerWeights& weights);
 
 class LowSurface {
 public:
-    /// Of all drawn meshes that have the set of texture coordinates.
-    /// @param scene  prepared, posed, with normals; with tangents where frames are asked for
+    /// All drawn meshes with the set of texture coordinates.
+    /// @param scene prepared, posed, with normals; with tangents if frames are needed
     /// @throws Error bad_file: no triangles, over the memory budget
     LowSurface(const Scene& scene, std::uint32_t set, Context& context);
 
@@ -45,9 +45,9 @@ public:
     const Mesh& mesh_of(std::uint32_t triangle) const;
     std::array<std::uint32_t, 3> vertices(std::uint32_t triangle) const;  ///< of its mesh
     std::array<vec2, 3> texcoords(std::uint32_t triangle) const;
-    /// Its placement mirrors: the corners go clockwise as seen from outside.
+    /// Whether its placement mirrors: the corners are clockwise seen from outside.
     bool is_turned(std::uint32_t number) const;
-    /// Vertices at one place of the map and of the world have the same number, whatever their mesh.
+    /// Vertices of any mesh with equal texture coordinates and equal world position have the same index.
     std::vector<std::uint32_t> map_vertices() const;
 
 private:

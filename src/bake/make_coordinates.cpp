@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "bake/charts.h"
-#include "bake/place_numbers.h"
 #include "bake/shelf_packing.h"
+#include "base/format_text.h"
 #include "math/linear.h"
 #include "prepare/split_vertices.h"
 #include "prepare/variants.h"
@@ -20,15 +22,27 @@
 namespace rakelight::bake {
 namespace {
 
-/// A placed mesh and its charts.
+/// [V] the first vertex at exactly the same position. @param places  finite
+std::vector<std::uint32_t> place_numbers(std::span<const dvec3> places) {
+    std::vector<std::uint32_t> order(places.size()), numbers(places.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto key = [&](std::uint32_t v) { return std::tie(places[v].x, places[v].y, places[v].z); };
+    std::ranges::sort(order,
+                      [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+    for (std::size_t i = 0; i < order.size(); ++i)
+        numbers[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? numbers[order[i - 1]] : order[i];
+    return numbers;
+}
+
+/// A mesh instance and its charts.
 struct Part {
     Instance instance;
-    std::vector<dvec3> places;  ///< [V] in the world
+    std::vector<dvec3> places;  ///< [V] world space
     Charts charts;
     MemoryCharge charge;
 };
 
-/// [3T] counter-clockwise from outside, by vertices at the same place as one
+/// [3T] counter-clockwise from outside, vertices at one place are merged
 std::vector<std::uint32_t> outward_triangles(const Mesh& mesh, std::span<const dvec3> places, bool is_mirrored) {
     const std::vector<std::uint32_t> number = place_numbers(places);
     std::vector<std::uint32_t> out;
@@ -54,7 +68,7 @@ Part make_part(const Mesh& mesh, const Instance& instance, const dmat4& to_world
     return part;
 }
 
-/// A vertex for each chart that a vertex is used in.
+/// Splits vertices so that each belongs to one chart.
 class ChartVertices {
 public:
     explicit ChartVertices(std::size_t vertices) : first_(vertices, no_index), count_(vertices) {}
@@ -76,8 +90,8 @@ private:
 
 /// @param place  [charts of the part] [px]
 Mesh with_coordinates(const Mesh& source, const Part& part, const dvec2* place, double scale,
-                      const CoordinateWishes& wishes, Context& context) {
-    const dvec2 size{double(wishes.width), double(wishes.height)};
+                      const CoordinateOptions& options, Context& context) {
+    const dvec2 size{double(options.width), double(options.height)};
     std::vector<std::uint32_t> indices(source.indices.begin(), source.indices.end());
     ChartVertices vertices(source.positions.size());
     for (std::size_t c = 0; c < indices.size(); ++c)
@@ -92,27 +106,27 @@ Mesh with_coordinates(const Mesh& source, const Part& part, const dvec2* place, 
     }
     Mesh mesh = source;
     mesh.tangents = {};
-    mesh.texcoords.resize(std::min<std::size_t>(mesh.texcoords.size(), wishes.set));
+    mesh.texcoords.resize(std::min<std::size_t>(mesh.texcoords.size(), options.set));
     split_vertices(mesh, std::move(indices), vertices.source(), context);
     const Block<vec2> made(std::move(uv));
     for (Block<vec2>& set : mesh.texcoords)
         if (set.empty()) set = made;
-    mesh.texcoords.resize(wishes.set + 1, made);
+    mesh.texcoords.resize(options.set + 1, made);
     charge_new_arrays(mesh, source, context);
     return mesh;
 }
 
 }  // namespace
 
-MadeCoordinates make_coordinates(Scene scene, const CoordinateWishes& wishes, Context& context) {
-    const auto [width, height, margin] = std::array{wishes.width, wishes.height, wishes.margin};
+MadeCoordinates make_coordinates(Scene scene, const CoordinateOptions& options, Context& context) {
+    const auto [width, height, margin] = std::array{options.width, options.height, options.margin};
     const std::vector<dmat4> world = world_matrices(scene);
     const std::vector<Mesh> originals = scene.meshes;
     std::vector<Part> parts;
     std::vector<dvec2> sizes;
     for (const Instance& instance : drawn_instances(scene)) {
         const Mesh& mesh = originals[instance.mesh];
-        if (wishes.only_lit && scene.materials[mesh.material].model == MaterialModel::unlit) continue;
+        if (options.only_lit && scene.materials[mesh.material].model == MaterialModel::unlit) continue;
         parts.push_back(make_part(mesh, instance, world[instance.node] * translation(mesh.origin), context));
         const Charts& charts = parts.back().charts;
         for (std::size_t i = 0; i < charts.low.size(); ++i) sizes.push_back(charts.high[i] - charts.low[i]);
@@ -120,16 +134,15 @@ MadeCoordinates make_coordinates(Scene scene, const CoordinateWishes& wishes, Co
     const auto packing = pack_shelves(sizes, width, height, margin, context);
     if (!packing || (packing->scale <= 0 && !sizes.empty()))
         throw Error(ErrorCode::usage,
-                    "a map of " + std::to_string(width) + " x " + std::to_string(height) + " pixels has no room for " +
-                        std::to_string(sizes.size()) + (sizes.size() == 1 ? " chart with " : " charts with ") +
-                        std::to_string(margin) + " pixels around each",
+                    format_text("a map of {} x {} pixels has no room for {}{}{} pixels around each", width, height,
+                                sizes.size(), sizes.size() == 1 ? " chart with " : " charts with ", margin),
                     {}, "make the map larger")
-            .about(wishes.size_setting);
+            .about(options.size_setting);
     MeshVariants variants(scene, context);
     const dvec2* place = packing->place.data();
     for (const Part& part : parts) {
         variants.place(part.instance,
-                       with_coordinates(originals[part.instance.mesh], part, place, packing->scale, wishes, context));
+                       with_coordinates(originals[part.instance.mesh], part, place, packing->scale, options, context));
         place += part.charts.low.size();
     }
     return {std::move(scene), std::uint32_t(parts.size()), packing->scale};

@@ -12,7 +12,7 @@ namespace {
 
 double in_range(float v) { return v > -1e5f && v < 1e5f ? double(v) : 0.0; }
 
-/// v down: counter-clockwise as seen from outside turns clockwise in numbers.
+/// With v down, counter-clockwise faces have negative signed area.
 bool is_mirrored(const dvec2 (&p)[3]) {
     const dvec2 a = p[1] - p[0], b = p[2] - p[0];
     return a.x * b.y - a.y * b.x > 0;

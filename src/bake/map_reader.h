@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of materials, read between their texels.
+// Bilinear sampling of material textures.
 #pragma once
 #include <map>
 #include <memory>
@@ -13,18 +13,19 @@
 
 namespace rakelight::bake {
 
-/// A picture as a material uses it.
+/// A texture as used by a material.
 class MapReader {
 public:
     MapReader(std::shared_ptr<const MipChain> chain, const TextureUse& use, const Sampler& sampler);
 
     std::uint32_t texcoord_set() const { return set_; }
-    /// Where texture coordinates lie on the picture. [uv] kept in -1e5..1e5
+    /// Position of texture coordinates on the picture; [uv] clamped to -1e5..1e5
     dvec2 place(dvec2 uv) const;
-    /// Linear between the four texels about place(uv): colors in linear light, data as codes / 255.
-    /// @param level  of the chain, the smallest where there is none
+    /// Bilinear at place(uv): colors in linear light, data as codes / 255.
+    /// @param level mip level, clamped to the last
     dvec3 operator()(dvec2 uv, std::size_t level = 0) const;
-    /// The level with about one texel for each sample. @param texels  of the full picture that a sample stands for
+    /// The mip level with about one texel per sample.
+    /// @param texels area of a sample in texels of the full picture
     std::size_t level_for(double texels) const;
     double width() const { return chain_->levels[0].width; }
     double height() const { return chain_->levels[0].height; }
@@ -36,12 +37,12 @@ private:
     std::uint32_t set_;
 };
 
-/// Decoded pictures, each once.
+/// Decoded pictures, each decoded once.
 class MapChains {
 public:
     explicit MapChains(ColorSpace space) : space_(space) {}
-    /// @param what  for the warning where it cannot be decoded: "a normal map"
-    /// @return null there
+    /// @param what for the warning if it cannot be decoded: "a normal map"
+    /// @return null if it cannot be decoded
     std::shared_ptr<const MipChain> chain_of(const Texture& texture, const char* what, Context& context);
 
 private:

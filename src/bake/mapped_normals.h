@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The normal maps that a surface has itself.
+// Normal maps of HIGH's materials.
 #pragma once
 #include <map>
 
@@ -7,13 +7,14 @@
 
 namespace rakelight::bake {
 
-/// Maps of materials whose normal maps act, in full size and linear between texels; with the frames of
+/// Active normal maps of materials, in full size with bilinear filtering, in the frames of
 /// src/lighting/relief/normal_map.glsl: unit normal, tangent perpendicular.
 class MappedNormals {
 public:
-    /// A map that cannot be decoded is a warning, and left out.
+    /// Maps that cannot be decoded cause a warning and are ignored.
     MappedNormals(const Scene& scene, Context& context);
-    /// The unit normal that the map makes of `normal`, which it is where there is no map. @param mesh  of the scene
+    /// The mapped unit normal; `normal` itself without a map.
+    /// @param mesh of the scene
     dvec3 at(const dmat4& to_world, const Mesh& mesh, std::uint32_t triangle, const double (&weight)[3],
              dvec3 normal) const;
 

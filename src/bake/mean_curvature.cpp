@@ -9,7 +9,7 @@
 namespace rakelight::bake {
 namespace {
 
-/// Of one triangle.
+/// Curvature of one triangle.
 struct FaceCurvature {
     double area = 0, mean = 0;
 };
@@ -18,7 +18,7 @@ FaceCurvature of_face(const dvec3 (&p)[3], const dvec3 (&n)[3]) {
     const dvec3 across = cross(p[1] - p[0], p[2] - p[0]);
     const double twice = length(across);
     if (!(twice > 0)) return {};
-    const dvec3 face = across / twice;  // the sum is the same for corners the other way round
+    const dvec3 face = across / twice;  // the sum does not depend on the winding
     double divergence = 0;
     for (std::size_t k = 0; k < 3; ++k) divergence += dot(n[k], cross(face, p[(k + 2) % 3] - p[(k + 1) % 3])) / twice;
     return {twice / 2, divergence / 2};

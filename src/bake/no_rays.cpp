@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// In place of what follows rays where no engine does: bake_maps() refuses before.
+// Replaces ray casting in builds without the engine trace: bake_maps() throws before.
 #include <rakelight/lightmap.h>
 
 #include "bake/bake_texels.h"
@@ -17,7 +17,7 @@ namespace rakelight {
 
 Lightmap with_lightmap(Scene scene, const RadiositySettings& settings, const LightmapOptions&,
                        RadiosityReport& solution, LightmapReport&, Context& context) {
-    return {.scene = with_radiosity(std::move(scene), settings, solution, context)};  // which refuses
+    return {.scene = with_radiosity(std::move(scene), settings, solution, context)};  // which throws
 }
 
 }  // namespace rakelight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Charts continued beyond their borders, so that filters and smaller versions of a map read nothing foreign.
+// Extends charts beyond their borders, so that filtering and mip levels do not read foreign texels.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,9 +9,9 @@
 
 namespace rakelight::bake {
 
-/// [height * width] for each texel the nearest one that is covered, at most `padding` [px] away: itself where it is; no_index where
-/// none is. Of equally near ones the first by columns, then rows.
-/// @param covered  [height * width] not 0
+/// [height * width] the nearest covered texel within `padding` [px] of each texel; no_index if there is none. Ties: the
+/// first by columns, then rows.
+/// @param covered [height * width] nonzero: covered
 std::vector<std::uint32_t> nearest_covered(std::span<const std::uint8_t> covered, int width, int height, int padding,
                                            Context& context);
 

@@ -10,7 +10,7 @@
 namespace rakelight {
 namespace {
 
-/// A map's number in 0..1 of a picture of integers, or as one of floats has it.
+/// A map's value scaled to 0..1 for integer pictures, or unchanged for float pictures.
 class Coding {
 public:
     Coding(const BakeResult& result, const BakedMap& map, const BakeOptions& options, bool is_float) {

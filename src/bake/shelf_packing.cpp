@@ -15,11 +15,11 @@ struct Sheet {
     int width, height, margin;
 };
 
-/// [px] that a length takes, a pixel at least.
+/// [px] size of a length, at least one pixel.
 double pixels(double length, double scale) { return std::max(1.0, std::ceil(length * scale)); }
 
-/// @param order  by height, the tallest first
-/// @param place  null: only whether they fit
+/// @param order sorted by decreasing height
+/// @param place null: only test whether they fit
 bool lay(std::span<const dvec2> sizes, std::span<const std::uint32_t> order, const Sheet& sheet, double scale,
          std::vector<dvec2>* place) {
     const double margin = sheet.margin;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rectangles of charts on shelves, as large as fits.
+// Shelf packing of chart rectangles at the largest possible scale.
 #pragma once
 #include <optional>
 #include <span>
@@ -15,11 +15,11 @@ struct Packing {
     std::vector<dvec2> place{};  ///< [rectangles] [px] of its upper left corner
 };
 
-/// All by one scale, the largest that a bisection finds to fit: sorted by height, laid side by side until a shelf is full ("next
-/// fit decreasing height", Coffman et al. 1980, "Performance Bounds for Level-Oriented Two-Dimensional Packing Algorithms").
-/// Each stands on whole pixels with `margin` free pixels around it, which neighbors share.
+/// Finds the largest common scale by bisection. Rectangles are sorted by height and placed side by side until a shelf
+/// is full ("next fit decreasing height", Coffman et al. 1980, "Performance Bounds for Level-Oriented Two-Dimensional
+/// Packing Algorithms"). Each starts at whole pixels with `margin` free pixels around it, shared by neighbors.
 /// @param sizes  [rectangles] [m] finite, >= 0
-/// @return none: they do not fit even as points
+/// @return absent: they do not fit even as points
 std::optional<Packing> pack_shelves(std::span<const dvec2> sizes, int width, int height, int margin, Context& context);
 
 }  // namespace rakelight::bake

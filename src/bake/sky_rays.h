@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much of the sky a place of HIGH sees.
+// Ambient occlusion of a point on HIGH.
 #pragma once
 #include <cstdint>
 
@@ -7,9 +7,9 @@
 
 namespace rakelight::bake {
 
-/// The share of rays about the shading normal that meet nothing within `reach` [m]: directions weighed by the cosine, in
-/// `side` x `side` strata, jittered by numbers that depend on `seed` alone (the disc of Malley's method; Pharr et al. 2016,
-/// "Physically Based Rendering", section 13.6.3). Directions below the triangle do not count.
+/// The share of unoccluded rays within `reach` [m] around the shading normal: cosine-weighted directions in `side` x
+/// `side` strata, with jitter that depends only on `seed` (the disc of Malley's method; Pharr et al. 2016, "Physically
+/// Based Rendering", section 13.6.3). Directions below the triangle are ignored.
 double open_sky(const HighSurface& high, const HighPoint& point, int side, double reach, std::uint64_t seed);
 
 }  // namespace rakelight::bake

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What unlit surfaces show.
+// Colors of unlit surfaces.
 #pragma once
 #include <map>
 
@@ -9,13 +9,13 @@ namespace rakelight::bake {
 
 class SurfaceColors {
 public:
-    /// A picture that cannot be decoded counts as white, with a warning.
+    /// Pictures that cannot be decoded are white, with a warning.
     SurfaceColors(const Scene& scene, Context& context);
 
-    /// Base color times its texture times the vertices' colors, linear RGB.
+    /// Base color times texture times vertex color, linear RGB.
     /// @param mesh     of the scene
     /// @param corner   [3] vertices of a triangle
-    /// @param samples  by which the triangle is read in all: they decide how fine its texture is read
+    /// @param samples number of samples of the triangle, which selects the mip level
     dvec3 at(const Mesh& mesh, const std::uint32_t* corner, const double (&weight)[3], double samples) const;
 
 private:

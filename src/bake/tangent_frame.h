@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frames in which normal maps are written: what src/lighting/relief/normal_map.glsl reads them in, in double.
+// Tangent frames of normal maps, as in src/lighting/relief/normal_map.glsl, in double.
 #pragma once
 #include <cmath>
 
@@ -28,8 +28,8 @@ inline TangentFrame unit_frame(dvec3 normal, dvec3 tangent, double handedness) {
     return {t, cross(n, t) * handedness, n};
 }
 
-/// Coordinates of `v` in the frame, up to a positive factor: by the inverse of its matrix, whose rows are the cross products of
-/// its columns over the determinant. False where it has none.
+/// Coordinates of `v` in the frame, up to a positive factor, by the inverse matrix (cross products of its columns over
+/// the determinant). False for singular frames.
 inline bool in_frame(const TangentFrame& f, dvec3 v, dvec3& out) {
     const dvec3 rows[3] = {cross(f.bitangent, f.normal), cross(f.normal, f.tangent), cross(f.tangent, f.bitangent)};
     const double determinant = dot(f.tangent, rows[0]);

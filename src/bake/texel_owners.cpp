@@ -13,7 +13,7 @@ double cross2(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 bool is_before(dvec2 a, dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
-/// Twice the area of a, b, p; the numbers of b, a, p are exactly the negative ones.
+/// Twice the signed area of a, b, p; exactly antisymmetric in a and b.
 double side_of(dvec2 a, dvec2 b, dvec2 p) { return is_before(a, b) ? cross2(b - a, p - a) : -cross2(a - b, p - b); }
 
 /// @param turn  +1 or -1: the sign of the triangle's area
@@ -26,14 +26,14 @@ bool is_covered(const dvec2 (&at)[3], double turn, dvec2 p) {
     return true;
 }
 
-/// The share of the way from a to b that is nearest to p.
+/// Parameter of the point on a-b nearest to p.
 double nearest_share(dvec2 a, dvec2 b, dvec2 p) {
     const dvec2 way = b - a;
     const double square = dot(way, way);
     return square > 0 ? std::clamp(dot(p - a, way) / square, 0.0, 1.0) : 0;
 }
 
-/// Of the place on the triangle's border that is nearest to p.
+/// Weights of the point on the triangle's border nearest to p.
 CornerWeights nearest_weights(const dvec2 (&at)[3], dvec2 p) {
     CornerWeights best{1, 0, 0};
     double least = 1e300;
@@ -51,7 +51,7 @@ CornerWeights nearest_weights(const dvec2 (&at)[3], dvec2 p) {
 
 dvec2 blend(const dvec2 (&at)[3], const CornerWeights& w) { return at[0] * w[0] + at[1] * w[1] + at[2] * w[2]; }
 
-/// At p, or at the nearest place of the triangle.
+/// Weights at p, or at the nearest point of the triangle.
 CornerWeights weights_at(const dvec2 (&at)[3], dvec2 p) {
     const double area = cross2(at[1] - at[0], at[2] - at[0]);
     if (area == 0) return nearest_weights(at, p);
@@ -60,12 +60,12 @@ CornerWeights weights_at(const dvec2 (&at)[3], dvec2 p) {
     return w[0] >= 0 && w[1] >= 0 && w[2] >= 0 ? w : nearest_weights(at, p);
 }
 
-/// Whole numbers from low to high - 1.
+/// Integers from low to high - 1.
 struct Range {
     int low, high;
 };
 
-/// Texels that a triangle may touch, and those a texel beside it.
+/// Texels that a triangle may touch, with a border of one texel.
 Range texels(const MapTriangle& t, double dvec2::*axis, int low, int high) {
     const auto [least, most] = std::minmax({t.at[0].*axis, t.at[1].*axis, t.at[2].*axis});
     return {int(std::clamp(std::floor(least) - 1, double(low), double(high))),
@@ -129,7 +129,7 @@ CornerWeights TexelOwners::weights(std::uint32_t triangle, dvec2 at) const {
     CornerWeights best{1, 0, 0};
     double least = 1e300;
     for (const bool left : {false, true})
-        for (const bool up : {false, true}) {  // the copy that lies there
+        for (const bool up : {false, true}) {  // the shifted copy
             const MapTriangle t = moved({triangle, left, up});
             const CornerWeights w = weights_at(t.at, at);
             const dvec2 off = blend(t.at, w) - at;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which triangle of LOW each sample of the map shows, band of rows by band.
+// The triangle of LOW for each sample of the map, computed in bands of rows.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,34 +8,34 @@
 
 namespace rakelight::bake {
 
-/// Rows of the map. A sample is shown by one triangle: the first in its order of those that cover it; what lies on an edge
-/// belongs to one of its two triangles (never to both, never to none).
+/// A band of rows. A sample belongs to the first triangle that covers it. A sample on an edge belongs to exactly one of
+/// its two triangles.
 struct OwnerBand {
     int first_row = 0, rows = 0;
     std::vector<std::uint32_t> owner{};  ///< [rows * width * samples] triangle, or no_index
     std::vector<std::uint32_t>
-        nearest{};  ///< [rows * width] no sample is covered: the triangle within a texel; or no_index
+        nearest{};  ///< [rows * width] if no sample is covered: the triangle within a texel's distance; or no_index
     std::uint64_t overlapping_texels = 0;
-    std::vector<std::uint32_t> overlapping_charts{};  ///< that were not first somewhere; sorted, each once
+    std::vector<std::uint32_t> overlapping_charts{};  ///< charts that are hidden by another one somewhere; sorted, unique
 };
 
 class TexelOwners {
 public:
-    /// Triangles of charts that are not mirrored come first.
-    /// @param samples  1, 4 or 16 a texel
+    /// Triangles of charts that are not mirrored have priority.
+    /// @param samples  1, 4 or 16 per texel
     TexelOwners(const LowSurface& low, const MapCharts& charts, int width, int height, int samples, Context& context);
 
     static constexpr int band_rows = 16;
     int bands() const { return (height_ + band_rows - 1) / band_rows; }
     OwnerBand band(int number) const;
 
-    /// [px] of a texel's sample.
+    /// [px] position of a sample.
     dvec2 sample_at(int x, int y, int sample) const;
-    /// Of the triangle's corners at its place that is nearest to one of the map.
+    /// The position of the triangle nearest to a point of the map.
     CornerWeights weights(std::uint32_t triangle, dvec2 at) const;
 
 private:
-    /// A triangle in a band, moved left or up by a whole map.
+    /// A triangle in a band, shifted left or up by a whole map.
     struct Entry {
         std::uint32_t triangle;
         bool left, up;

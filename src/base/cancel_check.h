@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cancelling long loops that do not run in parallel; Context::parallel_for() looks by itself.
+// Cancellation of long sequential loops; Context::parallel_for() checks by itself.
 #pragma once
 #include <cstdint>
 
@@ -7,7 +7,7 @@
 
 namespace rakelight {
 
-/// To be called once for each item of a loop: every 16384th call looks whether the run is cancelled.
+/// Call it once per item of a loop: every 16384th call checks for cancellation.
 class CancelCheck {
 public:
     explicit CancelCheck(const Context& context) : context_(context) {}

@@ -20,8 +20,8 @@ namespace rakelight {
 namespace {
 
 #if defined(__SANITIZE_THREAD__)
-/// The thread sanitizer does not see how oneTBB, which is built without it, hands work from thread to thread, and takes each
-/// hand-over for a race. Under it alone, loops run on threads that it understands.
+/// The thread sanitizer does not see the synchronization inside oneTBB, which is built without it, and reports false
+/// races. In sanitizer builds loops run on plain threads.
 void run_on_plain_threads(const Context& context, std::size_t count, void (*call)(const void*, std::size_t),
                           const void* body) {
     std::atomic<std::size_t> next{0};
@@ -50,7 +50,8 @@ void run_on_plain_threads(const Context& context, std::size_t count, void (*call
 }  // namespace
 
 struct Context::Arena {
-    // Without the control oneTBB writes a warning to standard error when more threads are asked for than there are cores.
+    // Without the control oneTBB writes a warning to standard error when more threads are requested than there are
+    // cores.
     explicit Arena(int threads)
         : control(tbb::global_control::max_allowed_parallelism,
                   std::size_t(std::max(threads, tbb::this_task_arena::max_concurrency()))),
@@ -82,7 +83,7 @@ void Context::progress(std::string_view stage, double fraction) {
     options_.progress(stage, progress_from_ + (progress_to_ - progress_from_) * fraction);
 }
 
-void Context::set_progress_part(double from, double to) {
+void Context::set_progress_range(double from, double to) {
     const std::lock_guard lock(progress_mutex_);
     progress_from_ = from;
     progress_to_ = to;

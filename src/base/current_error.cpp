@@ -20,7 +20,7 @@ Error current_error(const std::string& out_of_memory) {
         return Error(ErrorCode::failed, "unexpected: " + error.code().message());
     } catch (const std::runtime_error& error) {  // of a library, for people
         return Error(ErrorCode::failed, std::string("unexpected: ") + error.what());
-    } catch (...) {  // a logic error, whose text names functions instead of the trouble
+    } catch (...) {  // a logic error, whose text names functions instead of the problem
         return Error(ErrorCode::failed, "an internal error stopped the work", {}, "please report it with the file");
     }
 }

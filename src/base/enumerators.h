@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether an enumerator exists: numbers of callers come in by casts.
+// Validation of enumerators, which callers may create by casts.
 #pragma once
 #include <string>
 #include <type_traits>
 
 namespace rakelight {
 
-/// @param last  the last enumerator of E, whose numbers begin with 0 and have no gap
+/// @param last the last enumerator of E, whose values are 0, 1, 2, ...
 template <class E>
 constexpr bool exists(E value, E last) {
     return static_cast<std::underlying_type_t<E>>(value) <= static_cast<std::underlying_type_t<E>>(last);

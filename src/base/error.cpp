@@ -7,7 +7,7 @@
 namespace rakelight {
 namespace {
 
-/// Bytes of the UTF-8 sequence that begins at text[i], or 0 when it is not valid or is a control character.
+/// Length of the UTF-8 sequence at text[i], or 0 if it is invalid or a control character.
 std::size_t printable_bytes(const std::string& text, std::size_t i) {
     const auto byte = [&](std::size_t k) { return std::uint8_t(k < text.size() ? text[k] : 0); };
     const std::uint8_t first = byte(i);
@@ -22,7 +22,7 @@ std::size_t printable_bytes(const std::string& text, std::size_t i) {
         (first == 0xF4 && second >= 0x90))
         return 0;
     if (first == 0xC2 && second < 0xA0) return 0;  // C1 control characters
-    // Line separators and everything that turns the direction of writing: U+061C, U+200E-F, U+2028-E, U+2066-9.
+    // Line separators and bidirectional controls: U+061C, U+200E-F, U+2028-E, U+2066-9.
     if (first == 0xD8 && second == 0x9C) return 0;
     if (first == 0xE2 && second == 0x80 && (third == 0x8E || third == 0x8F || (third >= 0xA8 && third <= 0xAE)))
         return 0;
@@ -34,7 +34,7 @@ std::size_t printable_bytes(const std::string& text, std::size_t i) {
 
 std::string one_line(const std::string& text, std::size_t max_bytes) {
     std::string line;
-    std::size_t cut = 0;  // where "..." still fits behind
+    std::size_t cut = 0;  // where "..." still fits after it
     for (std::size_t i = 0; i < text.size();) {
         const std::size_t n = printable_bytes(text, i);
         if (line.size() + (n ? n : 1) > max_bytes) return line.substr(0, cut) + "...";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys for hash tables whose content a file decides: for a hash that everybody can compute a file can be made all of
-// whose entries meet in one slot, and then takes quadratic time. What is found in a table must not depend on the key.
+// A random key for hash tables with content from files. With a known hash, a hostile file could put all entries into
+// one slot and cause quadratic time. Results must not depend on the key.
 #pragma once
 #include <cstdint>
 
@@ -10,11 +10,11 @@ struct HashKey {
     std::uint64_t a = 0, b = 0;
 };
 
-/// Of this run of the program: random bytes that the system gave it when it started, else the clock's.
+/// The key of this process: random bytes from the system, else from the clock.
 HashKey hash_key_of_this_run();
 
-/// All 128 bits of the product, folded: each bit of the result depends on all bits of both.
-/// Source: Wang Yi 2019, "wyhash" (mum).
+/// The 128-bit product, folded: each bit of the result depends on all bits of both factors. Source: Wang Yi 2019,
+/// "wyhash" (mum).
 inline std::uint64_t folded_product(std::uint64_t a, std::uint64_t b) {
     __extension__ using Wide = unsigned __int128;
     const Wide product = Wide(a) * b;

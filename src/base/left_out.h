@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The error of a build that was told to leave a part out.
+// The error for a part that was left out of this build.
 #pragma once
 #include <rakelight/error.h>
 

@@ -8,6 +8,7 @@
 #include <rakelight/error.h>
 
 #include "base/assert.h"
+#include "base/format_text.h"
 
 namespace rakelight {
 
@@ -19,7 +20,7 @@ struct MemoryBudget::Account {
     void charge(std::uint64_t bytes, std::string_view what);
     void give_back(std::uint64_t bytes) noexcept;
 
-    const std::uint64_t max_bytes;  ///< 0: the default rule
+    const std::uint64_t max_bytes;  ///< 0: the default
     std::atomic<std::uint64_t> read_bytes{0}, charged{0}, refusals{0};
 };
 
@@ -29,9 +30,8 @@ constexpr std::uint64_t default_limit = 2ull << 30;
 constexpr std::uint64_t bytes_per_byte_read = 64;
 
 std::string too_much(std::string_view what, std::uint64_t bytes, std::uint64_t used, std::uint64_t limit) {
-    return std::string(what) + ": " + std::to_string(bytes) + " bytes" +
-           (used > 0 ? " beside " + std::to_string(used) + " in use" : "") + ", more than the limit of " +
-           std::to_string(limit);
+    return format_text("{}: {} bytes{}, more than the limit of {}", what, bytes,
+                       used > 0 ? format_text(" beside {} in use", used) : "", limit);
 }
 
 }  // namespace
@@ -54,12 +54,12 @@ void MemoryBudget::Account::require(std::uint64_t before, std::uint64_t bytes, s
 
 void MemoryBudget::Account::charge(std::uint64_t bytes, std::string_view what) {
     std::uint64_t before = charged;
-    do require(before, bytes, what);  // and again where another thread charged in between
+    do require(before, bytes, what);  // retried if another thread charged in between
     while (!charged.compare_exchange_weak(before, before + bytes));
 }
 
-/// What was read explains only what is made of it: with the last charge the allowance is what it was at first, so that a
-/// context that lives long protects as well as a new one.
+/// Bytes read only raise the limit for data made from them: with the last charge the limit returns to its initial
+/// value, so that a long-lived context protects as well as a new one.
 void MemoryBudget::Account::give_back(std::uint64_t bytes) noexcept {
     if (bytes > 0 && charged.fetch_sub(bytes) == bytes) read_bytes = 0;
 }
@@ -83,7 +83,7 @@ MemoryCharge::MemoryCharge(MemoryBudget& budget, std::uint64_t bytes, std::strin
 MemoryCharge MemoryCharge::of_file(MemoryBudget& budget, std::uint64_t bytes, std::string_view what) {
     MemoryBudget::Account& account = *budget.account_;
     MemoryCharge charge(budget);
-    charge.bytes_ = bytes;  // given back by the destructor where it is refused
+    charge.bytes_ = bytes;  // released by the destructor if it is refused
     const std::uint64_t before = account.charged.fetch_add(bytes);
     account.read_bytes += bytes;
     account.require(before, bytes, what);
@@ -94,7 +94,7 @@ MemoryCharge::MemoryCharge(MemoryCharge&& from) noexcept
     : account_(std::move(from.account_)), bytes_(from.bytes_.exchange(0)) {}
 
 MemoryCharge& MemoryCharge::operator=(MemoryCharge&& from) noexcept {
-    MemoryCharge old(std::move(*this));  // gives back what this paid for
+    MemoryCharge old(std::move(*this));  // releases the previous charge
     account_ = std::move(from.account_);
     bytes_ = from.bytes_.exchange(0);
     return *this;

@@ -8,7 +8,7 @@ namespace rakelight {
 
 std::uint64_t hash_of_text(std::string_view text, const HashKey& key) noexcept {
     std::uint64_t state = folded_product(key.a ^ text.size(), key.b);
-    do {  // the last step is filled up with zeros; the number of bytes tells "a" from "a\0"
+    do {  // the last step is padded with zeros; the number of bytes distinguishes "a" from "a\0"
         std::uint64_t words[2] = {0, 0};
         const std::size_t count = std::min(text.size(), sizeof words);
         if (count != 0) std::memcpy(words, text.data(), count);

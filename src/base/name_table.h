@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hash tables whose keys are texts of a file: names, paths, lines. std::hash is the same in every run, so a file can
-// hold names that all meet in one slot. The order of the entries changes from run to run: nothing may depend on it.
+// Hash tables with keys from files: names, paths, lines. std::hash is equal in every run, so a hostile file could put
+// all names into one slot. The order of entries changes from run to run; nothing may depend on it.
 #pragma once
 #include <cstddef>
 #include <functional>
@@ -13,8 +13,8 @@
 
 namespace rakelight {
 
-/// Of all bytes and their number. Without the key, no texts are known to have equal hashes.
-/// Source: Wang Yi 2019, "wyhash": 16 bytes a step, each step a folded product with a secret in both factors.
+/// Hash of all bytes and their number. Collisions cannot be found without the key. Source: Wang Yi 2019, "wyhash": 16
+/// bytes per step, each step a folded product with a secret in both factors.
 std::uint64_t hash_of_text(std::string_view text, const HashKey& key) noexcept;
 
 struct NameHash {

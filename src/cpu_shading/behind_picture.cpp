@@ -51,7 +51,7 @@ MipLevel smaller(const MipLevel& from, Context& context) {
 
 }  // namespace
 
-BehindPicture::BehindPicture(const shading::View& view, Context& context) {
+BehindPicture::BehindPicture(const shading::PictureCamera& view, Context& context) {
     chain_.is_float = true;
     const std::uint64_t pixels = std::uint64_t(view.width) * std::uint64_t(view.height);
     chain_.charge = MemoryCharge(context.memory(), pixels * 2 * sizeof(vec4), "what is behind transmissive surfaces");

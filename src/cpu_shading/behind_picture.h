@@ -7,16 +7,16 @@
 
 #include "cpu_shading/material_job.h"
 #include "cpu_shading/textures.h"
-#include "shading/view.h"
+#include "shading/picture_camera.h"
 
 namespace rakelight::cpu_shading {
 
 /// Not to be copied: views point into it.
 class BehindPicture final : public Sink {
 public:
-    /// @param view  view_behind() of the picture's
+    /// @param view  camera_behind() of the picture's
     /// @throws Error bad_file: over the memory budget
-    BehindPicture(const shading::View& view, Context& context);
+    BehindPicture(const shading::PictureCamera& view, Context& context);
     BehindPicture(const BehindPicture&) = delete;
     BehindPicture& operator=(const BehindPicture&) = delete;
 

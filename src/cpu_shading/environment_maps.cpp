@@ -8,7 +8,7 @@
 namespace rakelight::cpu_shading {
 namespace {
 
-/// All levels with their borders, which go on across the map's edges as the sphere does.
+/// All levels with their borders, which continue across the map's edges as the sphere does.
 void pack_mirrored(const std::vector<OctahedralMap>& maps, EnvironmentMaps& to) {
     TextureView& view = to.mirrored_view;
     view = {};

@@ -32,7 +32,7 @@ void set_bumps(const Material& m, const RenderSettings& s, Bump bump, MaterialJo
     out.green_down = m.green_down, out.centered_normals = m.centered_normals;
 }
 
-void set_viewer(const shading::View& view, const RenderSettings& s, MaterialJob& out) {
+void set_viewer(const shading::PictureCamera& view, const RenderSettings& s, MaterialJob& out) {
     out.orthographic = view.orthographic;
     out.viewer_at_infinity = s.viewer_at_infinity;
     const dvec3 back = view.camera_to_world[2].xyz();
@@ -55,7 +55,7 @@ bool is_metal_by_lambert(const MaterialJob& job) {
 }  // namespace
 
 MaterialJob make_material_job(const shading::DrawList& list, const MaterialViews& views, const shading::Draw& draw,
-                              const RenderSettings& settings, const shading::View& view, bool is_explained) {
+                              const RenderSettings& settings, const shading::PictureCamera& view, bool is_explained) {
     const Material& m = list.scene_material(list.material(draw));
     MaterialJob out{};
     out.material = &views.materials[draw.material];

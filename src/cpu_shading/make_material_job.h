@@ -5,14 +5,14 @@
 
 #include "cpu_shading/material_views.h"
 #include "shading/draw_list.h"
-#include "shading/view.h"
+#include "shading/picture_camera.h"
 
 namespace rakelight::cpu_shading {
 
 /// Without lights; `unlit` and `bump` are for lighting at every pixel.
 /// @param is_explained  also what adds nothing is found
 MaterialJob make_material_job(const shading::DrawList& list, const MaterialViews& views, const shading::Draw& draw,
-                              const RenderSettings& settings, const shading::View& view, bool is_explained);
+                              const RenderSettings& settings, const shading::PictureCamera& view, bool is_explained);
 
 /// The kernel that leaves out most of what a job does not ask for.
 KernelNumber kernel_for(const MaterialJob& job, bool has_shadows);

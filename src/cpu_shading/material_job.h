@@ -27,7 +27,7 @@ struct MaterialView : shading::MaterialFactors {
     TextureSlot map[texture_role_count];  ///< by TextureRoleNumber
 };
 
-/// Light from all around, with its pictures.
+/// Light from the environment, with its pictures.
 struct EnvironmentView : shading::EnvironmentFactors {
     const TextureView* specular;  ///< octahedral, each level prefiltered for a rougher surface
     const TextureView* sky;       ///< the picture itself, equirectangular
@@ -64,10 +64,10 @@ struct MaterialJob {
     shading::ReliefFactors relief;
 
     const EnvironmentView* environment;  ///< null: none
-    /// [points] 0..1: share of the light from all around that surfaces nearby let through; null: all of it
+    /// [points] 0..1: share of the light from the environment that surfaces nearby let through; null: all of it
     const float* openness;
     int32_t has_light_around;  ///< of ambient lights or the environment; 0: what they would give is unused
-    const BehindView* behind;  ///< null: what transmits is drawn opaque, or rays go on
+    const BehindView* behind;  ///< null: what transmits is drawn opaque, or rays continue
     float thickness_scale;     ///< of the draw: lengths in the world over those of its mesh
     shading::FogFactors fog;
     lighting::AlbedoTables albedo;

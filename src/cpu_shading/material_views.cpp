@@ -51,8 +51,8 @@ TextureSlot slot_for(const shading::TextureCache& textures, const TextureRole& r
     return slot;
 }
 
-MaterialView view_of(const shading::TextureCache& textures, const shading::DrawMaterial& drawn,
-                     const shading::DrawList& list, MaterialViews& views) {
+MaterialView picture_camera_of(const shading::TextureCache& textures, const shading::DrawMaterial& drawn,
+                               const shading::DrawList& list, MaterialViews& views) {
     MaterialView view{};
     static_cast<shading::MaterialFactors&>(view) = drawn.factors;
     for (const TextureRole& role : texture_roles()) {
@@ -73,7 +73,7 @@ MaterialViews make_material_views(const shading::DrawList& list, const shading::
     MaterialViews views;
     views.materials.reserve(list.materials.size());
     for (const shading::DrawMaterial& drawn : list.materials)
-        views.materials.push_back(view_of(textures, drawn, list, views));
+        views.materials.push_back(picture_camera_of(textures, drawn, list, views));
     return views;
 }
 

@@ -7,7 +7,7 @@
 
 namespace rakelight::cpu_shading {
 
-inline constexpr int max_mip_levels = 16;  ///< 32768 texels a side
+inline constexpr int max_mip_levels = 16;  ///< 32768 texels per side
 
 /// How texture coordinates wrap, and which mip levels are read: the numbers of Wrap and MipFilter (textures.cpp).
 enum WrapNumber : int32_t { wrap_repeat, wrap_mirrored, wrap_clamped };
@@ -18,7 +18,7 @@ enum MipNumber : int32_t { mip_none, mip_nearest, mip_linear };
 struct TextureView {
     const uint32_t* rgba8;           ///< linear codes of 8 bits, R in the low byte; or null
     const uint32_t* rgba16;          ///< linear codes of 15 bits, two words a texel: R | B << 16, G | A << 16; or null
-    const float* rgba32f;            ///< four linear floats a texel; or null
+    const float* rgba32f;            ///< four linear floats per texel; or null
     int32_t levels;                  ///< 1..max_mip_levels
     int32_t origin[max_mip_levels];  ///< [texels] place of each level's texel 0, 0
     int32_t width[max_mip_levels], height[max_mip_levels];            ///< [texels] of each level

@@ -15,7 +15,7 @@ class TexelArray {
 public:
     TexelArray() = default;
     explicit TexelArray(std::size_t count) : words_(new Word[count]), size_(count) {
-        wish_huge_pages(words_.get(), count * sizeof(Word));
+        advise_huge_pages(words_.get(), count * sizeof(Word));
     }
     Word* data() { return words_.get(); }
     const Word* data() const { return words_.get(); }

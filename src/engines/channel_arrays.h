@@ -36,7 +36,7 @@ void for_each_channel(const Visit& visit, Holders&... of) {
     visit(channel_ambient_occlusion, of.ambient_occlusion...);
 }
 
-/// What stands in a channel where nothing is seen.
+/// The value of a channel in the background.
 template <class T>
 T empty_value(std::uint32_t channel, const std::vector<T>&) {
     if constexpr (std::is_same_v<T, float>)
@@ -47,7 +47,7 @@ T empty_value(std::uint32_t channel, const std::vector<T>&) {
     return T{};
 }
 
-/// Makes the arrays of the channels that are asked for, filled with what stands where nothing is; empties the others.
+/// Makes the arrays of the requested channels, filled with their background values; empties the others.
 inline void clear(ChannelArrays& arrays, std::uint32_t channels, std::size_t pixels) {
     for_each_channel(
         [&](std::uint32_t bit, auto& array) { array.assign(channels & bit ? pixels : 0, empty_value(bit, array)); },

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/enumerators.h"
+#include "base/format_text.h"
 #include "math/linear.h"
 
 namespace rakelight {
@@ -27,13 +28,12 @@ bool is_finite(const vec4& v) { return rakelight::is_finite(v.xyz()) && std::isf
 
 void check_size(const RenderSettings& s) {
     require(s.width >= 1 && s.height >= 1 && s.width <= most_pixels && s.height <= most_pixels, "resolution",
-            "the resolution must be 1 to 65536 pixels a side");
+            "the resolution must be 1 to 65536 pixels per side");
     const Window w = s.window;
     const bool is_inside = w.x >= 0 && w.y >= 0 && w.width >= 1 && w.height >= 1 && w.width <= s.width &&
                            w.height <= s.height && w.x <= s.width - w.width && w.y <= s.height - w.height;
     require(w == Window{} || is_inside, "window",
-            "the window does not lie inside the picture of " + std::to_string(s.width) + " x " +
-                std::to_string(s.height) + " pixels");
+            format_text("the window does not lie inside the picture of {} x {} pixels", s.width, s.height));
 }
 
 void check_words(const RenderSettings& s) {
@@ -58,8 +58,8 @@ void check_words(const RenderSettings& s) {
 }
 
 void check_paths(const RenderSettings& s) {
-    require(s.samples >= 1 && s.samples <= most_paths_a_pixel, "samples",
-            "the paths of a pixel must be 1 to " + std::to_string(most_paths_a_pixel));
+    require(s.samples >= 1 && s.samples <= max_paths_per_pixel, "samples",
+            "the paths of a pixel must be 1 to " + std::to_string(max_paths_per_pixel));
     for (const auto& [setting, number] :
          {std::pair("max-seconds", s.paths.max_seconds), {"noise", s.paths.noise}, {"clamp", s.paths.clamp}})
         require(std::isfinite(number) && number >= 0, setting, "must be a number >= 0");
@@ -70,7 +70,7 @@ void check_numbers(const RenderSettings& s) {
         check_paths(s);
     else
         require(s.samples == 1 || s.samples == 4 || s.samples == 8, "samples",
-                "the samples of a pixel must be 1, 4 or 8 but for the method path");
+                "the samples of a pixel must be 1, 4 or 8, except for the method path");
     require(!has_pixel_samples(s) || s.visibility == Visibility::z_reversed, "samples",
             "more than one sample a pixel needs the default visibility, z-reversed");
     require(s.shadow_size >= 16 && s.shadow_size <= 8192, "shadow-size",
@@ -81,7 +81,7 @@ void check_numbers(const RenderSettings& s) {
     require(s.ambient_occlusion_radius >= 0 && std::isfinite(s.ambient_occlusion_radius), "ambient-occlusion-radius",
             "must be a number >= 0");
     require(
-        s.ambient_occlusion_samples >= least_occlusion_samples && s.ambient_occlusion_samples <= most_occlusion_samples,
+        s.ambient_occlusion_samples >= min_occlusion_samples && s.ambient_occlusion_samples <= max_occlusion_samples,
         "ambient-occlusion-samples", "must be 8 to 256");
     require(s.anisotropy >= 1 && s.anisotropy <= 16, "anisotropy", "anisotropy must be 1 to 16");
     for (const auto& [setting, width] : {std::pair("line-width", s.line_width), {"point-size", s.point_size}})
@@ -92,14 +92,14 @@ void check_numbers(const RenderSettings& s) {
     require((s.channels & ~(channels_all | channels_of_paths | channel_ambient_occlusion)) == 0, "channels",
             "there is no such data channel");
     require(s.ambient_occlusion || !(s.channels & channel_ambient_occlusion), "channels",
-            "the data channel ambient-occlusion is of pictures with 'ambient-occlusion'");
+            "the data channel ambient-occlusion needs 'ambient-occlusion'");
     require(s.max_depth >= 0 && s.max_depth <= 64, "max-depth", "the depth of rays must be 0 to 64");
-    require(!s.naive || s.method == RayMethod::cast, "naive", "is for the method cast alone");
-    require(s.radiosity.elements >= 1 && s.radiosity.elements <= most_radiosity_elements, "radiosity-elements",
-            "must be 1 to " + std::to_string(most_radiosity_elements));
+    require(!s.naive || s.method == RayMethod::cast, "naive", "needs the method cast");
+    require(s.radiosity.elements >= 1 && s.radiosity.elements <= max_radiosity_elements, "radiosity-elements",
+            "must be 1 to " + std::to_string(max_radiosity_elements));
     require(s.radiosity.unshot > 0 && s.radiosity.unshot <= 1, "radiosity-unshot", "must be more than 0 and at most 1");
     require(s.method != RayMethod::radiosity || s.front_face == FrontFace::counter_clockwise, "method",
-            "radiosity is for triangles that are counter-clockwise from their front");
+            "radiosity needs triangles that are counter-clockwise seen from their front");
     require(s.naive_limit >= 0, "naive-limit", "must be 0 or more");
     const char* const fault = fault_of(s.relief);
     require(!fault, "bump", fault ? fault : "");
@@ -115,8 +115,7 @@ void check_settings(const RenderSettings& settings) {
 
 void check_camera(const Camera& camera, std::size_t nodes, CameraUse use) {
     require(camera.node == no_index || camera.node < nodes, "",
-            "the camera's node " + std::to_string(camera.node) + " does not exist (there are " + std::to_string(nodes) +
-                ")");
+            format_text("the camera's node {} does not exist (there are {})", camera.node, nodes));
     const char* const fault = fault_of(camera, use);
     require(!fault, "", std::string("the camera is impossible: ") + (fault ? fault : ""));
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pixels begin with, and what comes behind them in the end.
+// The initial color of pixels, and the background that is laid behind the finished picture.
 #pragma once
 #include <rakelight/engine.h>
 
 namespace rakelight {
 
-/// The color of a pixel that nothing covers, where no environment is shown: the background, without alpha where that is laid later.
+/// The color of a pixel that nothing covers if no environment is shown: the background, or without alpha if that is
+/// laid behind later.
 inline vec4 empty_pixel(const RenderSettings& settings) {
     const vec4 b = settings.background;
-    return {b.x, b.y, b.z, settings.lays_background ? b.w : 0};
+    return {b.x, b.y, b.z, settings.composites_background ? b.w : 0};
 }
 
 /// The background as glass and mirrors see it.
@@ -18,7 +19,7 @@ inline vec3 light_of_background(const RenderSettings& settings) {
 
 /// What is laid behind the finished picture.
 inline vec4 laid_behind(const RenderSettings& settings) {
-    return settings.lays_background ? vec4{} : settings.background;
+    return settings.composites_background ? vec4{} : settings.background;
 }
 
 }  // namespace rakelight

@@ -9,6 +9,7 @@
 #include <new>
 #include <string>
 
+#include "base/format_text.h"
 #include "engines/channel_arrays.h"
 
 namespace rakelight {
@@ -20,8 +21,8 @@ void copy_rows(std::span<const T> from, const Window& area, std::vector<T>& to, 
     if (from.empty() || to.empty()) return;
     const std::size_t width = std::size_t(area.width);
     if (from.size() != width * std::size_t(area.height))
-        throw Error(ErrorCode::usage, "an array of a tile has " + std::to_string(from.size()) + " entries for " +
-                                          std::to_string(area.width) + " x " + std::to_string(area.height) + " pixels");
+        throw Error(ErrorCode::usage, format_text("an array of a tile has {} entries for {} x {} pixels", from.size(),
+                                                  area.width, area.height));
     for (int row = 0; row < area.height; ++row) {
         const std::size_t at =
             std::size_t(area.y - window.y + row) * std::size_t(window.width) + std::size_t(area.x - window.x);
@@ -53,9 +54,8 @@ double memory_of_machine() {
 Error too_large(const Window& window, double bytes) {
     constexpr double mib = 1 << 20;
     return Error(ErrorCode::failed,
-                 "a frame of " + std::to_string(window.width) + " x " + std::to_string(window.height) +
-                     " pixels needs " + std::to_string(std::uint64_t(std::min(bytes / mib, 1e18))) +
-                     " MiB, more than there is",
+                 format_text("a frame of {} x {} pixels needs {} MiB, more than available", window.width, window.height,
+                             std::uint64_t(std::min(bytes / mib, 1e18))),
                  {}, "render a smaller window, fewer channels, or into a sink that takes rows");
 }
 
@@ -81,7 +81,7 @@ void Frame::begin(int picture_width, int picture_height, Window picture_window, 
 void Frame::tile(const Tile& tile) {
     const Window& a = tile.area;
     if (!is_inside(a.x, a.width, window.x, window.width) || !is_inside(a.y, a.height, window.y, window.height))
-        throw Error(ErrorCode::usage, "a tile reaches out of the window");
+        throw Error(ErrorCode::usage, "a tile extends beyond the window");
     copy_rows(tile.color, a, color, window);
     for_each_channel([&](std::uint32_t, const auto& from, auto& to) { copy_rows(from, a, to, window); }, tile,
                      static_cast<ChannelArrays&>(*this));

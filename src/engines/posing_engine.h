@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Engines that take meshes in bind pose, with what poses them: from moment to moment they get joints and weights alone.
+// Engines that take meshes in bind pose: for each moment they get only joints and weights.
 #pragma once
 #include <memory>
 
@@ -9,7 +9,7 @@
 
 namespace rakelight {
 
-/// What an engine is beside an Engine.
+/// Implemented by such engines in addition to Engine.
 class PosingEngine {
 public:
     virtual ~PosingEngine() = default;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The door for callers who own the buffers.
+// compute_attributes_into(): output to the caller's buffers.
 #include <string>
 
+#include "base/format_text.h"
 #include "geometry/fast_attributes.h"
 #include "geometry/general_attributes.h"
 
@@ -11,15 +12,13 @@ namespace {
 void check_buffers(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                    std::span<const AttributeBuffers> out) {
     if (out.size() != meshes.size())
-        throw Error(ErrorCode::usage,
-                    std::to_string(out.size()) + " buffers for " + std::to_string(meshes.size()) + " meshes");
+        throw Error(ErrorCode::usage, format_text("{} buffers for {} meshes", out.size(), meshes.size()));
     for (std::size_t m = 0; m < meshes.size(); ++m) {
         const auto need = [&](std::size_t given, const char* what) {
             if (given >= meshes[m].positions.size()) return;
             throw Error(ErrorCode::usage,
-                        "room for " + std::to_string(given) + " " + what + " of " +
-                            std::to_string(meshes[m].positions.size()) + " vertices",
-                        "mesh " + std::to_string(m));
+                        format_text("room for {} {} of {} vertices", given, what, meshes[m].positions.size()),
+                        format_text("mesh {}", m));
         };
         need(out[m].normals.size(), "normals");
         if (options.tangents && !meshes[m].texcoords.empty()) need(out[m].tangents.size(), "tangents");

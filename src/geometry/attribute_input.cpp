@@ -6,26 +6,26 @@
 #include <string>
 
 #include "base/enumerators.h"
+#include "base/format_text.h"
 
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::uint64_t most_vertices = 0xffffffffull - 1, most_corners = 0xffffffffull - 2;
+constexpr std::uint64_t max_vertices = 0xffffffffull - 1, max_corners = 0xffffffffull - 2;
 constexpr std::uint32_t no_index = 0xffffffffu;
-constexpr double angle_slack = 1e-9;  // degrees turned into radians may land just beyond pi
+constexpr double angle_slack = 1e-9;  // conversion from degrees may round to just above pi
 
 [[noreturn]] void fail(std::size_t mesh, const std::string& reason) {
-    throw Error(ErrorCode::bad_file, reason, "mesh " + std::to_string(mesh));
+    throw Error(ErrorCode::bad_file, reason, format_text("mesh {}", mesh));
 }
 
 void check_size(std::size_t mesh, const char* what, std::size_t given, std::uint64_t wanted, const char* of) {
-    if (given != 0 && given != wanted)
-        fail(mesh, std::to_string(given) + " " + what + " for " + std::to_string(wanted) + " " + of);
+    if (given != 0 && given != wanted) fail(mesh, format_text("{} {} for {} {}", given, what, wanted, of));
 }
 
 void check_mesh(std::size_t m, const AttributeMesh& mesh) {
     if (!exists(mesh.group_kind, GroupKind::numbers)) fail(m, no_such("kind of smoothing groups", mesh.group_kind));
-    if (mesh.indices.size() % 3 != 0) fail(m, std::to_string(mesh.indices.size()) + " indices, not a multiple of 3");
+    if (mesh.indices.size() % 3 != 0) fail(m, format_text("{} indices, not a multiple of 3", mesh.indices.size()));
     const std::uint64_t triangles = mesh.indices.size() / 3;
     check_size(m, "texture coordinates", mesh.texcoords.size(), mesh.positions.size(), "vertices");
     check_size(m, "normals", mesh.normals.size(), mesh.positions.size(), "vertices");
@@ -63,7 +63,7 @@ Placement place(const dmat4& to_world) {
 
 namespace {
 
-// Without a branch an index, and four chains side by side: almost always this is all that is looked at.
+// Branch-free, with four independent chains: nearly always this first pass is sufficient.
 std::uint32_t largest_of(std::span<const std::uint32_t> indices) {
     std::uint32_t a = 0, b = 0, c = 0, d = 0;
     std::size_t i = 0;
@@ -79,7 +79,7 @@ std::uint32_t largest_of(std::span<const std::uint32_t> indices) {
 
 }  // namespace
 
-// Whichever thread meets one first.
+// The first thread that finds one.
 void check_indices(const AttributeInput& input, Context& context) {
     const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
     std::vector<std::uint32_t> first_bad(chunks.size(), no_index);
@@ -99,12 +99,12 @@ void check_indices(const AttributeInput& input, Context& context) {
     const auto found = std::min_element(first_bad.begin(), first_bad.end());
     if (found == first_bad.end() || *found == no_index) return;
     const std::uint32_t m = input.mesh_of_triangle(*found / 3), corner = *found - 3 * input.triangle_base[m];
-    fail(m, "index " + std::to_string(input.meshes[m].indices[corner]) + " at corner " + std::to_string(corner) +
-                " exceeds " + std::to_string(input.meshes[m].positions.size()) + " vertices");
+    fail(m, format_text("index {} at corner {} exceeds {} vertices", input.meshes[m].indices[corner], corner,
+                        input.meshes[m].positions.size()));
 }
 
 void PlacementTable::push_back(const dmat4& to_world) {
-    // Bit for bit: zeros of other signs may give normals with other ones.
+    // Compared bitwise: the sign of zeros affects the sign of zeros in normals.
     if (distinct_.empty() || std::memcmp(&distinct_.back().to_world, &to_world, sizeof to_world) != 0)
         distinct_.push_back(place(to_world));
     number_.push_back(std::uint32_t(distinct_.size() - 1));
@@ -124,7 +124,7 @@ AttributeInput number_input(std::span<const AttributeMesh> meshes) {
         vertices += meshes[m].positions.size();
         triangles += meshes[m].indices.size() / 3;
         // Splitting can add a vertex for each corner, and all are numbered with 32 bits.
-        if (vertices + 3 * triangles > most_vertices || 3 * triangles > most_corners)
+        if (vertices + 3 * triangles > max_vertices || 3 * triangles > max_corners)
             fail(m, "more than 2^32 vertices and corners in one call");
         input.placements.push_back(meshes[m].to_world);
     }
@@ -143,9 +143,8 @@ void check_normals(std::span<const AttributeMesh> meshes) {
     for (std::size_t m = 0; m < meshes.size(); ++m)
         if (meshes[m].normals.size() != meshes[m].positions.size())
             throw Error(ErrorCode::bad_file,
-                        std::to_string(meshes[m].normals.size()) + " normals for " +
-                            std::to_string(meshes[m].positions.size()) + " vertices",
-                        "mesh " + std::to_string(m));
+                        format_text("{} normals for {} vertices", meshes[m].normals.size(), meshes[m].positions.size()),
+                        format_text("mesh {}", m));
 }
 
 void check_options(const AttributeOptions& options) {
@@ -172,19 +171,19 @@ CreaseRange crease_range(std::span<const AttributeMesh> meshes, const AttributeO
 }
 
 std::vector<Chunk> make_chunks(std::span<const std::uint32_t> base, std::uint32_t target) {
-    constexpr std::uint32_t most_pieces = 64;  // the outboxes of the sums are pieces^2
-    constexpr std::uint32_t most_meshes = 4096;
+    constexpr std::uint32_t max_pieces = 64;  // the number of outboxes is pieces^2
+    constexpr std::uint32_t max_meshes = 4096;
     std::vector<Chunk> chunks;
     std::uint32_t open = 0;  // items in the last chunk of whole meshes; 0: none is open
     for (std::uint32_t m = 0; m + 1 < base.size(); ++m) {
         const std::uint32_t count = base[m + 1] - base[m];
         if (count > target) {
-            const std::uint32_t pieces = std::min(most_pieces, count / target + 1);
+            const std::uint32_t pieces = std::min(max_pieces, count / target + 1);
             for (std::uint32_t p = 0; p < pieces; ++p) chunks.push_back({m, m + 1, p, pieces});
             open = 0;
             continue;
         }
-        if (open == 0 || open + count > target || m - chunks.back().mesh_begin >= most_meshes) {
+        if (open == 0 || open + count > target || m - chunks.back().mesh_begin >= max_meshes) {
             chunks.push_back({m, m + 1, 0, 1});
             open = 1;
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the steps of the attribute door share.
+// The state shared by the steps of compute_attributes().
 #pragma once
 #include "geometry/grouping.h"
 #include "geometry/vertex_groups.h"
@@ -7,11 +7,11 @@
 namespace rakelight {
 
 struct AttributePlan::Impl {
-    AttributeOptions options;                        ///< without tangents where another stage makes them
-    bool tangents_after = false;                     ///< by options.tangent_mode, from the finished normals
-    std::vector<std::uint32_t> vertices, triangles;  ///< [meshes] counts that accumulate() insists on
+    AttributeOptions options;                        ///< without tangents if another stage computes them
+    bool tangents_after = false;                     ///< tangents are computed by options.tangent_mode from the finished normals
+    std::vector<std::uint32_t> vertices, triangles;  ///< [meshes] counts required by accumulate()
     std::vector<std::uint8_t> textured;              ///< [meshes] had texture coordinates
-    geometry::GroupingBase base;                     ///< kept by group() and regroup() for the next regroup()
+    geometry::GroupingBase base;                     ///< stored by group() and regroup() for the next regroup()
     geometry::Topology topology;
     geometry::VertexGroups groups;
 };

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The door of <rakelight/attributes.h>: weld -> creases and smoothing groups -> mirrored texture coordinates -> sums ->
-// vertices. Where everything at a place is joined (crease angle pi, no groups) the second stage has nothing to do, and only
+// compute_attributes() and its steps: weld -> creases and smoothing groups -> mirrored texture coordinates -> sums ->
+// vertices. With crease angle pi and no groups everything at a place is joined, so the second stage is skipped and only
 // vertices are welded, never corners: the fast path.
 #include <rakelight/attributes.h>
 
 #include <algorithm>
 #include <string>
 
+#include "base/format_text.h"
 #include "geometry/attribute_input.h"
 #include "geometry/attribute_plan.h"
 #include "geometry/fast_attributes.h"
@@ -23,7 +24,7 @@ using namespace geometry;
 
 using Plan = AttributePlan::Impl;
 
-// A rough sum of what the sums and the result hold, when it is known how many vertices there are after splitting.
+// Estimated memory of sums and result, from the number of vertices after splitting.
 void check_sums_memory(const AttributePlan::Impl& plan, Context& context) {
     std::uint64_t row = sizeof(NormalRow) + sizeof(vec3) + 2 * sizeof(std::uint32_t);
     const bool textured = std::find(plan.textured.begin(), plan.textured.end(), 1) != plan.textured.end();
@@ -44,7 +45,9 @@ std::vector<std::uint8_t> marks_of(const VoteSums& sums, const std::vector<std::
     return marks;
 }
 
-// The sums of a plan, made into vertices. @param finish  (sums) -> Cancelled @return the marks of what cancelled
+// Converts the sums of a plan to vertices.
+// @param finish (sums) -> Cancelled
+// @return marks of cancelled groups
 template <class FinishSums>
 std::vector<std::uint8_t> add_up(const Plan& plan, const AttributeInput& input, GeneralScratch& scratch,
                                  Context& context, const FinishSums& finish) {
@@ -61,7 +64,7 @@ std::vector<std::uint8_t> add_up(const Plan& plan, const AttributeInput& input, 
     return marks;
 }
 
-// What add_up() would find cancelled, from the sums of normals alone.
+// The cancelled groups that add_up() would find, from the sums of normals only.
 std::vector<std::uint8_t> find_cancelled(const Plan& plan, const AttributeInput& input, Context& context) {
     check_sums_memory(plan, context);
     AttributeOptions options = plan.options;
@@ -78,7 +81,7 @@ std::shared_ptr<Plan> describe(std::span<const AttributeMesh> meshes, const Attr
     if (plan->tangents_after) plan->options.tangents = false;
     for (std::size_t m = 0; m < meshes.size(); ++m) {
         if (!options.normals && meshes[m].normals.empty() && !meshes[m].positions.empty())
-            throw Error(ErrorCode::bad_file, "no normals to keep", "mesh " + std::to_string(m));
+            throw Error(ErrorCode::bad_file, "no normals to keep", format_text("mesh {}", m));
         plan->vertices.push_back(std::uint32_t(meshes[m].positions.size()));
         plan->triangles.push_back(std::uint32_t(meshes[m].indices.size() / 3));
         plan->textured.push_back(meshes[m].texcoords.empty() ? 0 : 1);
@@ -93,8 +96,9 @@ bool make_plan(Plan& plan, const AttributeInput& input, Context& context) {
     return grouped.may_cancel;
 }
 
-// Coincident shells that face opposite ways cancel where all is joined. Such places are grouped again by sides; what cancels
-// even then is left flat, which cannot cancel. @param cancelled  the marks of a plan -> the marks of the mended one
+// Coincident shells of opposite orientation cancel if everything is joined. Such places are regrouped by side; groups
+// that still cancel become flat.
+// @param cancelled marks of a plan -> marks of the repaired plan
 template <class Again>
 void mend_cancelled(Plan& plan, const AttributeInput& input, std::vector<std::uint8_t> cancelled, Context& context,
                     const Again& again) {
@@ -106,7 +110,7 @@ void mend_cancelled(Plan& plan, const AttributeInput& input, std::vector<std::ui
     }
 }
 
-// Both steps at once: the sums that show what cancels are the result.
+// Both steps at once: the sums that detect cancellation are the result.
 template <class FinishSums>
 void run(Plan& plan, const AttributeInput& input, GeneralScratch& scratch, Context& context, const FinishSums& finish) {
     plan.base.scratch = &scratch;
@@ -146,14 +150,14 @@ AttributePlan plan_from(GroupingBase base, std::span<const AttributeMesh> meshes
 
 void check_same(const Plan& plan, std::span<const AttributeMesh> meshes, bool needs_normals) {
     if (meshes.size() != plan.vertices.size())
-        throw Error(ErrorCode::bad_file, std::to_string(meshes.size()) + " meshes, but they were grouped as " +
-                                             std::to_string(plan.vertices.size()));
+        throw Error(ErrorCode::bad_file,
+                    format_text("{} meshes, but they were grouped as {}", meshes.size(), plan.vertices.size()));
     for (std::size_t m = 0; m < meshes.size(); ++m) {
         const bool fits = meshes[m].positions.size() == plan.vertices[m] &&
                           meshes[m].indices.size() / 3 == plan.triangles[m] &&
                           meshes[m].texcoords.empty() == (plan.textured[m] == 0) &&
                           (!needs_normals || meshes[m].normals.size() == meshes[m].positions.size());
-        if (!fits) throw Error(ErrorCode::bad_file, "not the mesh that was grouped", "mesh " + std::to_string(m));
+        if (!fits) throw Error(ErrorCode::bad_file, "not the mesh that was grouped", format_text("mesh {}", m));
     }
 }
 
@@ -183,7 +187,7 @@ std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<cons
     const AttributeInput input = check_input(meshes, context);
     check_same(impl, meshes, !impl.options.normals);
     GeneralScratch scratch;
-    std::vector<MeshAttributes> out;  // what cancels by a pose keeps what its own faces say
+    std::vector<MeshAttributes> out;  // groups that cancel in a pose keep the sums of their own faces
     add_up(impl, input, scratch, context, [&](const VoteSums& sums) {
         return finish_vertices(sums, impl.topology, input, impl.options, out, context);
     });
@@ -209,7 +213,7 @@ std::vector<SplitAttributes> geometry::general_attributes_into(std::span<const A
                                                                std::span<const AttributeBuffers> out,
                                                                GeneralScratch& scratch, Context& context) {
     std::vector<SplitAttributes> splits;
-    if (options.tangents && options.tangent_mode != TangentMode::averaged) {  // made from whole arrays of normals
+    if (options.tangents && options.tangent_mode != TangentMode::averaged) {  // computed from complete arrays of normals
         const std::vector<MeshAttributes> results = run(meshes, options, scratch, context);
         for (std::size_t m = 0; m < meshes.size(); ++m) splits.push_back(split_from(meshes[m], results[m], out[m]));
         return splits;

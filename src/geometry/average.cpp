@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Means of faces' values over the groups of a plan: the third door of <rakelight/attributes.h>.
+// average(): means of face values over the groups of a plan.
 #include <algorithm>
 #include <string>
 
+#include "base/format_text.h"
 #include "geometry/attribute_plan.h"
 #include "geometry/corner_weights.h"
 #include "geometry/vote_sums.h"
@@ -12,7 +13,7 @@ namespace {
 
 using namespace geometry;
 
-/// What the faces at one vertex, or at one group, say together.
+/// The sum over the faces at one vertex or group.
 struct ValueRow {
     dvec3 sum;
     double weight = 0;
@@ -27,7 +28,7 @@ void add(ValueRow& to, const ValueRow& from) {
     to.weight += from.weight;
 }
 
-/// Rounding never leaves the range of what a mean is of.
+/// Clamped to the range of the values, which rounding could leave.
 vec3 mean_of(const ValueRow& row) {
     if (!(row.weight > 0)) return {};
     return min(max(cast<float>(row.sum / row.weight), row.least), row.most);
@@ -36,17 +37,16 @@ vec3 mean_of(const ValueRow& row) {
 void check_values(const AttributePlan::Impl& plan, std::span<const AttributeMesh> meshes,
                   std::span<const std::span<const vec3>> values) {
     if (meshes.size() != plan.vertices.size() || values.size() != meshes.size())
-        throw Error(ErrorCode::bad_file, std::to_string(meshes.size()) + " meshes and values of " +
-                                             std::to_string(values.size()) + ", but " +
-                                             std::to_string(plan.vertices.size()) + " meshes were grouped");
+        throw Error(ErrorCode::bad_file, format_text("{} meshes and values of {}, but {} meshes were grouped",
+                                                     meshes.size(), values.size(), plan.vertices.size()));
     for (std::size_t m = 0; m < meshes.size(); ++m)
         if (meshes[m].positions.size() != plan.vertices[m] || meshes[m].indices.size() / 3 != plan.triangles[m] ||
             values[m].size() != plan.triangles[m])
             throw Error(ErrorCode::bad_file, "not the mesh that was grouped, or not a value for each triangle",
-                        "mesh " + std::to_string(m));
+                        format_text("mesh {}", m));
 }
 
-/// Each corner belongs to the vertex that the plan gives it, so meshes can be added up side by side.
+/// Each corner belongs to the vertex of the plan, so meshes can be summed in parallel.
 class ValueSums {
 public:
     ValueSums(const AttributePlan::Impl& plan, const AttributeInput& input, Context& context)

@@ -10,7 +10,7 @@
 namespace rakelight::geometry {
 namespace {
 
-/// False where the edge is of no use.
+/// False if the edge is unusable.
 bool edge_at(const PlacedMeshes& placed, std::uint32_t corner, BorderEdge& edge) {
     const AttributeInput& input = placed.input;
     const std::uint32_t m = edge.mesh = input.mesh_of_triangle(corner / 3), k = corner % 3;

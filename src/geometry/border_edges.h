@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Open edges as the matching of borders sees them: a segment in the world with its face beside it.
+// Open edges for border matching: a segment in world space with its face.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,24 +9,24 @@
 
 namespace rakelight::geometry {
 
-/// The face goes from `a` to `b`, counter-clockwise as seen from outside in the world.
+/// Directed from `a` to `b` in the counter-clockwise winding of the face, seen from outside in world space.
 struct BorderEdge {
     dvec3 a, b;                ///< [m] world
     dvec3 along;               ///< unit, a -> b
-    dvec3 inward;              ///< unit, in the face's plane, to its inside
+    dvec3 inward;              ///< unit, in the face's plane, toward its interior
     dvec3 face;                ///< the face's normal, unit
     dvec3 normal_a, normal_b;  ///< of the mesh, unit
     double length = 0;         ///< [m]
     std::uint32_t mesh = 0;
-    std::uint32_t vertex_a = 0, vertex_b = 0;  ///< numbered through
+    std::uint32_t vertex_a = 0, vertex_b = 0;  ///< global indices
     bool is_flat = false;                      ///< authored_flat_deg
     dvec3 point(double t) const { return a + (b - a) * t; }
-    /// Interpolated, unit; zero where both ends cancel.
+    /// Interpolated, unit; zero if both ends cancel.
     dvec3 normal(double t) const { return normalize_or(normal_a * (1 - t) + normal_b * t, dvec3{}); }
 };
 
-/// In the order of the open corners. Edges are left out that have no length, whose face has no area or one of whose
-/// ends has no usable normal.
+/// In the order of the open corners. Skips edges without length, edges of faces without area, and edges with an
+/// unusable normal at an end.
 /// @throws Error bad_file: over the memory budget
 std::vector<BorderEdge> border_edges(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
                                      Context& context);

@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t nothing = 0xffffffffu;
 constexpr std::size_t sides_per_chunk = 1024;
 
-/// A node as the border of one mesh passes through it.
+/// A side: a node on the border of one mesh.
 struct Side {
     std::uint32_t node, mesh;
     std::uint32_t first_use, last_use;  ///< of edges
@@ -33,7 +33,7 @@ struct Match {
     BorderHit hit;
 };
 
-/// How many matches each of the two meshes has along one stretch, and how long are edges whose ends both match.
+/// Number of matches of each of the two meshes along one stretch, and the length of edges with two matching ends.
 struct Stretch {
     std::uint32_t low_mesh = 0, high_mesh = 0, low = 0, high = 0;
     double low_length = 0, high_length = 0;  ///< [m]
@@ -107,7 +107,8 @@ private:
         result_.vertices_not_searched = given_up;
     }
 
-    /// Appends in the order of the other meshes. @return some question was given up
+    /// Appends in the order of the other meshes.
+    /// @return a search was cut off
     bool match_side(std::uint32_t number, std::vector<Match>& out) const {
         const Side& side = sides_[number];
         const std::size_t first = out.size();
@@ -141,8 +142,7 @@ private:
                                                                               : nothing;
     }
 
-    /// Matches of neighbors along a border with one mesh are one stretch, as are those of both sides that face one
-    /// another.
+    /// Neighboring matches with one mesh form a stretch, as do matches of two sides that face each other.
     void find_stretches() {
         sets_.reset(matches_.size());
         const auto join = [&](std::uint32_t a, std::uint32_t b) {
@@ -165,7 +165,7 @@ private:
         }
     }
 
-    /// Sides of one mesh at one place, whose normals differ.
+    /// Sides of one mesh at one place with different normals.
     void join_over_hard_edges() {
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> last;  // mesh, other mesh -> match
         for (std::uint32_t i = 0; i < matches_.size(); ++i) {
@@ -186,12 +186,12 @@ private:
         return sum;
     }
 
-    /// A mesh by which of two meshes leads where both have equally many vertices.
+    /// Tie-breaker for the leading mesh if both have equally many vertices.
     std::pair<std::uint32_t, std::uint32_t> standing(std::uint32_t mesh) const {
         return {input_.meshes[mesh].object, mesh};
     }
 
-    /// How a match is preferred where several could lead a node: fewest vertices, lower object, lower mesh, nearest.
+    /// Preference among several leading matches: fewest vertices, lower object, lower mesh, nearest.
     auto preference(std::uint32_t i) const {
         const Match& m = matches_[i];
         return std::tuple(stretch_of(i).of(m.other), standing(m.other), m.hit.rank, m.hit.edge);
@@ -201,7 +201,7 @@ private:
     bool follows(std::uint32_t i) const {
         const Match& m = matches_[i];
         const Stretch& stretch = stretch_of(i);
-        if (std::max(stretch.low_length, stretch.high_length) < least_run * distance_) return false;
+        if (std::max(stretch.low_length, stretch.high_length) < min_run * distance_) return false;
         const std::uint32_t own = stretch.of(m.mesh), other = stretch.of(m.other);
         return std::tuple(other, standing(m.other)) < std::tuple(own, standing(m.mesh));
     }
@@ -222,7 +222,7 @@ private:
             }
     }
 
-    /// A node that stands at the end that counts follows nothing: `node` is `nothing` then.
+    /// A node at the relevant end of an edge follows nothing: `node` is then `nothing`.
     BorderLink link_of(std::uint32_t match, std::uint32_t node) const {
         const BorderHit& hit = matches_[match].hit;
         const BorderEdge& edge = edges_[hit.edge];
@@ -232,8 +232,8 @@ private:
         return link;
     }
 
-    /// Of two nodes of one mesh at one place that would follow the same normal only the one that is nearer to it does, so
-    /// that a hard edge that ends at the border stays hard.
+    /// If two nodes of one mesh at one place would follow the same normal, only the nearer one does, so that a hard
+    /// edge that ends at the border stays hard.
     void drop_doubles() {
         std::vector<BorderLink>& links = result_.links;
         for (std::size_t i = 0; i < links.size();) {
@@ -247,7 +247,7 @@ private:
         std::erase_if(links, [](const BorderLink& l) { return l.depth == 0; });
     }
 
-    /// Whether link b is nearer to what both follow.
+    /// Whether link b is nearer to the common target.
     bool is_double(std::size_t a, std::size_t b) const {
         const Match &x = matches_[chosen_[a]], &y = matches_[chosen_[b]];
         if (x.mesh != y.mesh || x.other != y.other) return false;
@@ -256,7 +256,7 @@ private:
         return std::pair(x.hit.rank, a) > std::pair(y.hit.rank, b);
     }
 
-    /// Depths along the links, without recursion; a link that would close a circle or be too deep is dropped (depth 0).
+    /// Depths along the links, without recursion; links that close a cycle or are too deep are dropped (depth 0).
     void find_depths() {
         std::vector<BorderLink>& links = result_.links;
         std::vector<std::uint32_t> link_at(nodes_.count(), nothing), stack;
@@ -281,7 +281,7 @@ private:
                 look(links[i].counts_a(), links[i].node_a);
                 if (!waits) look(links[i].counts_b(), links[i].node_b);
                 if (waits) continue;
-                links[i].depth = circles || depth >= most_depth ? 0 : depth + 1;
+                links[i].depth = circles || depth >= max_depth ? 0 : depth + 1;
                 state[i] = done;
                 stack.pop_back();
             }

@@ -15,12 +15,12 @@ struct BorderLink {
     std::uint32_t member_a = 0, member_b = 0;  ///< of BorderNodes: the ends of the edge in its own mesh
     std::uint32_t node_a = 0, node_b = 0;      ///< that these are in
     double t = 0;
-    std::uint32_t depth = 1;  ///< 1: neither end that counts follows anything; at most `most_depth`
+    std::uint32_t depth = 1;  ///< 1: neither end that counts follows anything; at most `max_depth`
     bool counts_a() const { return t < 1; }
     bool counts_b() const { return t > 0; }
 };
 
-constexpr std::uint32_t most_depth = 4;
+constexpr std::uint32_t max_depth = 4;
 
 struct BorderLinks {
     std::vector<BorderLink> links;  ///< by depth, then by node; each node once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the samples of matched borders come to: of all of them, or of those of one pair of objects.
+// Statistics of the samples of matched borders, over all of them or one pair of objects.
 #pragma once
 #include <vector>
 
@@ -7,15 +7,15 @@
 
 namespace rakelight::geometry {
 
-/// A number that a piece of border of some length has.
+/// A value with the length of border it applies to.
 struct Weighted {
     double value, length;
 };
 
-/// The least value that a share of all length is not above.
+/// The weighted quantile.
 double weighted_quantile(std::vector<Weighted> values, double share);
 
-/// Sums up `samples`; what was there before is added to. Open length and edges that were not searched stay.
+/// Accumulates `samples` into the result. Open length and edges_not_searched are not changed.
 void sum_up(BorderMeasure& measure);
 
 }  // namespace rakelight::geometry

@@ -13,7 +13,7 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::size_t few_normals = 64;  // at one place, compared in pairs
+constexpr std::size_t few_normals = 64;  // limit at one place for pairwise comparison
 
 /// The corners of all faces at the ends of open edges, by place.
 CornerBins corners_at_borders(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
@@ -91,7 +91,7 @@ private:
         }
     }
 
-    /// Leaves `order_` as the vertices by their sets.
+    /// Sorts `order_` by the vertices' sets.
     void join_equal() {
         const std::size_t count = vertices_.size();
         sets_.reset(count);

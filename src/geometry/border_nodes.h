@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vertices at the ends of open edges: those at one place whose normals are equal are one node, across meshes.
+// Nodes of open edges: vertices at one place with equal normals are one node, across meshes.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -13,9 +13,9 @@ struct BorderNodes {
     static constexpr std::uint32_t no_node = 0xffffffffu;
 
     std::vector<std::uint32_t> member_begin;  ///< [nodes + 1] into `members`
-    std::vector<std::uint32_t> members;       ///< vertices, numbered through; ascending inside a node
+    std::vector<std::uint32_t> members;       ///< global vertex indices, ascending inside a node
     std::vector<std::uint32_t> corner_begin;  ///< [members + 1] into `corners`
-    std::vector<std::uint32_t> corners;       ///< that use the member, numbered through
+    std::vector<std::uint32_t> corners;       ///< global corner indices that use the member
     std::vector<std::uint32_t> place;         ///< [nodes] ascending
     std::vector<dvec3> normals;               ///< [nodes] unit, world
 
@@ -28,13 +28,13 @@ struct BorderNodes {
     }
 };
 
-/// @param open_corners  of find_open_edges()
-/// Normals are equal within `authored_equality`; where a place has more than 64 different ones, to the bit. Vertices
+/// Normals are equal within `authored_equality`, or bit-equal at places with more than 64 different ones. Vertices
 /// without a usable normal are in no node.
+/// @param open_corners of find_open_edges()
 BorderNodes find_border_nodes(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
                               Context& context);
 
-/// The member that a vertex is, or no_node; and the node that a member is in.
+/// The member of a vertex, or no_node; and the node of a member.
 class MemberIndex {
 public:
     explicit MemberIndex(const BorderNodes& nodes);

@@ -14,28 +14,28 @@ namespace rakelight {
 namespace geometry {
 namespace {
 
-constexpr std::size_t most_asked = 4096, edges_per_chunk = 64;
+constexpr std::size_t max_asked = 4096, edges_per_chunk = 64;
 constexpr int samples_per_edge = 4;
 constexpr double widest_gap = 0.5;       // of an edge's length
-constexpr double widest_spread = 0.25;   // of an edge's length, by which its gaps differ: an angle of about 18 degrees
+constexpr double widest_spread = 0.25;   // of an edge's length: maximum variation of its gaps, an angle of about 18 degrees
 constexpr double proposed_share = 0.98;  // of the length
-constexpr double least_share = 1e-3;     // of an edge, where there is no gap to speak of
+constexpr double min_share = 1e-3;       // of an edge's length, if there is practically no gap
 
-/// What the other border along one edge is like.
+/// The neighboring border along one edge.
 struct Neighbor {
     double length = 0;  ///< [m] of the edge
     double gap = 0;     ///< [m] the largest
     double seam_deg = 0;
 };
 
-/// The nearest one, in place.
+/// The nearest hit by distance.
 const BorderHit* nearest_of(const BorderHits& hits) {
     const auto at = std::ranges::min_element(
         hits.all(), [](const BorderHit& a, const BorderHit& b) { return a.distance < b.distance; });
     return at == hits.all().end() ? nullptr : &*at;
 }
 
-/// Nothing where the edge does not run along one other mesh from end to end.
+/// Nothing if the edge does not match one other mesh over its whole length.
 std::optional<Neighbor> neighbor_of(const BorderSearch& search, const BorderEdge& edge, double radius,
                                     BorderHits& hits) {
     Neighbor out{.length = edge.length};
@@ -57,7 +57,7 @@ std::optional<Neighbor> neighbor_of(const BorderSearch& search, const BorderEdge
     return out;
 }
 
-/// Every edge, or one at a place of its own in each of `most_asked` equal parts of the list: a fixed step could fall in
+/// Every edge, or one at a varying place in each of `max_asked` equal parts of the list: a fixed step could coincide
 /// with how a grid is numbered.
 std::size_t edge_to_ask(std::size_t k, std::size_t asked, std::size_t edges) {
     if (asked == edges) return k;
@@ -65,7 +65,7 @@ std::size_t edge_to_ask(std::size_t k, std::size_t asked, std::size_t edges) {
     return first + (std::uint64_t(k) * 0x9e3779b97f4a7c15u >> 33) % (last - first);
 }
 
-/// Up to two digits.
+/// Rounds up to two digits.
 double rounded_up(double value) {
     if (!(value > 0) || !std::isfinite(value)) return 0;
     double unit = 1;
@@ -76,7 +76,7 @@ double rounded_up(double value) {
 
 using Neighbors = std::vector<std::optional<Neighbor>>;  ///< [asked]
 
-/// @param radius_of  (edge) -> how far to look [m]
+/// @param radius_of (edge) -> search radius [m]
 template <class Radius>
 Neighbors ask(const BorderSearch& search, std::size_t asked, Context& context, const Radius& radius_of) {
     Neighbors out(asked);
@@ -93,11 +93,11 @@ Neighbors ask(const BorderSearch& search, std::size_t asked, Context& context, c
 double distance_of(const Neighbors& neighbors) {
     std::vector<Weighted> gaps;
     for (const std::optional<Neighbor>& n : neighbors)
-        if (n) gaps.push_back({std::fmax(n->gap, least_share * n->length), n->length});
+        if (n) gaps.push_back({std::fmax(n->gap, min_share * n->length), n->length});
     return rounded_up(1.25 * weighted_quantile(std::move(gaps), proposed_share));
 }
 
-/// Nothing where none of the neighbors that were asked again is as near as that.
+/// Nothing if none of the neighbors examined again is that near.
 ProposedDistance summarize(double distance, const Neighbors& neighbors) {
     ProposedDistance out;
     for (const std::optional<Neighbor>& n : neighbors)
@@ -116,11 +116,11 @@ ProposedDistance propose_distance(std::span<const AttributeMesh> meshes, const M
     const std::span<const BorderEdge> edges = surface.edges;
     if (edges.empty() || any.scope == Scope::face) return {};
     const BorderSearch search(edges, surface.placed.input, any, context);
-    const std::size_t asked = std::min(edges.size(), most_asked);
+    const std::size_t asked = std::min(edges.size(), max_asked);
     const double distance =
         distance_of(ask(search, asked, context, [](const BorderEdge& edge) { return widest_gap * edge.length; }));
     if (!(distance > 0)) return {};
-    // The nearer one looks, the less may faces lie over one another: some match no longer.
+    // A smaller radius allows less overlap of faces, so some edges do not match any more.
     return summarize(distance, ask(search, asked, context, [&](const BorderEdge&) { return distance; }));
 }
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which distance would find borders that run along each other, where nobody says one.
+// The proposed distance for matching borders.
 #pragma once
 #include <rakelight/matching_borders.h>
 
 namespace rakelight::geometry {
 
 struct ProposedDistance {
-    double distance = 0;  ///< [m] 0: no borders run along each other
-    double seam_deg = 0;  ///< the largest angle there, of what was asked
+    double distance = 0;  ///< [m] 0: no adjacent borders
+    double seam_deg = 0;  ///< largest angle among the examined borders
 };
 
-/// As proposed_border_distance(). At most 4096 edges, spread over all, are asked, so the work beyond the look for open
-/// edges is bounded.
+/// As proposed_border_distance(). Examines at most 4096 evenly distributed edges, so the work is bounded after open
+/// edges are found.
 ProposedDistance propose_distance(std::span<const AttributeMesh> meshes, const MatchOptions& options, Context& context);
 
 }  // namespace rakelight::geometry

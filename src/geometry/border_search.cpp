@@ -14,10 +14,10 @@ namespace rakelight::geometry {
 namespace {
 
 constexpr std::size_t leaf_edges = 4;
-constexpr std::uint32_t most_visits = 512;   // boxes and edges, for one question
+constexpr std::uint32_t max_visits = 512;    // boxes and edges per query
 constexpr double cosine_of_opposite = -0.5;  // edges run in opposite directions within 60 degrees
-constexpr double overlap_share = 0.5;        // of the distance, by which faces may lie over one another
-constexpr double normal_share = 0.25;        // of the distance: how far off a wrong normal counts as
+constexpr double overlap_share = 0.5;        // of the distance: maximum overlap of faces
+constexpr double normal_share = 0.25;        // of the distance: rank penalty of a deviating normal
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double square_distance(dvec3 p, dvec3 low, dvec3 high) {
@@ -80,7 +80,7 @@ bool BorderSearch::may_match(std::uint32_t mesh, std::uint32_t other) const {
            (options_.scope == Scope::model || input_.meshes[mesh].object == input_.meshes[other].object);
 }
 
-/// What does not depend on the place along the edges.
+/// Conditions that do not depend on the place along the edges.
 bool BorderSearch::runs_along(const Question& q, const BorderEdge& other) const {
     if (!may_match(q.own.mesh, other.mesh)) return false;
     const double bend = dot(q.own.face, other.face);
@@ -117,7 +117,7 @@ void BorderSearch::test(const Question& q, std::size_t place, BorderHits& out) c
     if (at == end || at->mesh == hit.mesh || comes_before(hit, *at)) *at = hit;
 }
 
-/// The rank below which something in a box could still change the hits.
+/// The rank below which the contents of a box could change the hits.
 double BorderSearch::limit(const Question& q, const Box& box, const BorderHits& hits) const {
     const double most = q.radius * q.radius;
     if (box.mesh == several) {
@@ -151,7 +151,7 @@ void BorderSearch::find(const BorderEdge& own, dvec3 point, dvec3 normal, double
     while (top > 0) {
         const Waiting at = stack[--top];
         if (!(at.square <= limit(q, boxes_[at.node], out))) continue;
-        if (++visits > most_visits) {
+        if (++visits > max_visits) {
             out.gave_up = true;
             return;
         }

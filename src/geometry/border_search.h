@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The nearest open edges of other meshes that run along an edge: which ones do is decided here, for matching and for measuring.
+// Search for the nearest adjacent open edges of other meshes. Used for matching and for measuring.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -12,37 +12,37 @@
 
 namespace rakelight::geometry {
 
-/// How long borders have to run along each other to match [distances]: cards and scraps that are shorter meet anywhere.
-constexpr double least_run = 10;
+/// [distances] Minimum length of a matching stretch: shorter cards and scraps touch anywhere.
+constexpr double min_run = 10;
 
 /// A point on an edge of another mesh.
 struct BorderHit {
     std::uint32_t edge = 0, mesh = 0;
     double t = 0;         ///< 0..1 from its `a` to its `b`
     double distance = 0;  ///< [m]
-    double rank = 0;      ///< the smaller, the nearer in place and normal
+    double rank = 0;      ///< smaller means closer in position and normal
 };
 
-/// What one question finds: of each other mesh the nearest point; of more than four meshes the nearest four.
+/// Result of one query: the nearest point of each other mesh, at most four meshes.
 struct BorderHits {
     static constexpr std::size_t most = 4;
     std::array<BorderHit, most> hits;
     std::size_t count = 0;
-    bool gave_up = false;  ///< the work was too much; the hits so far stand
+    bool gave_up = false;  ///< the search was cut off; the hits so far are valid
     std::span<const BorderHit> all() const { return {hits.data(), count}; }
 };
 
-/// A tree of boxes (heap order, cut in the middle of the widest axis) over edges.
+/// A bounding volume hierarchy over edges (heap order, median split on the widest axis).
 class BorderSearch {
 public:
     /// @param edges, input  outlive it
     BorderSearch(std::span<const BorderEdge> edges, const AttributeInput& input, const MatchOptions& options,
                  Context& context);
 
-    /// @param own     the edge from which is asked, a part of the surface
+    /// @param own the edge of the query, a part of the surface
     /// @param point   on it
     /// @param normal  there, unit
-    /// @param radius  [m] in place of MatchOptions::distance
+    /// @param radius [m] replaces MatchOptions::distance
     void find(const BorderEdge& own, dvec3 point, dvec3 normal, double radius, BorderHits& out) const;
 
     std::span<const BorderEdge> edges() const { return edges_; }
@@ -50,7 +50,7 @@ public:
 private:
     struct Box {
         dvec3 low, high;
-        std::uint32_t mesh;  ///< of all its edges; `several` where they are of more than one
+        std::uint32_t mesh;  ///< mesh of all its edges; `several` if there are more than one
     };
     static constexpr std::uint32_t several = 0xffffffffu;
     struct Question;
@@ -67,7 +67,7 @@ private:
     const MatchOptions& options_;
     std::vector<double> cosines_;  ///< [meshes] of crease angles
     std::vector<std::uint32_t> order_;
-    std::vector<BorderEdge> sorted_;  ///< by `order_`: neighbors lie together in memory
+    std::vector<BorderEdge> sorted_;  ///< by `order_`: neighbors are adjacent in memory
     std::size_t levels_ = 0, first_leaf_ = 0;
     std::vector<Box> boxes_;
 };

@@ -80,7 +80,7 @@ std::vector<MeshSeams> BorderSums::run(MatchReport& report, Context& context) {
     return out;
 }
 
-/// Own votes of all nodes that take part.
+/// Votes of all linked nodes.
 void BorderSums::weigh_members(Context& context) {
     CancelCheck check(context);
     for (std::uint32_t node = 0; node < nodes_.count(); ++node) {
@@ -112,7 +112,7 @@ void BorderSums::read_tangents() {
             const vec4 given = given_tangents_[m][nodes_.members[i] - input_.vertex_base[m]];
             t.unit = direction_of(input_.placements[m].linear * cast<double>(given.xyz())).unit;
             t.hand = t.unit == dvec3{} ? 0 : (given.w < 0 ? -1 : 1) * input_.placements[m].flip;
-            for (std::uint32_t k = first; k < std::min(i, first + 64) && t.hand != 0; ++k) {  // a few are compared
+            for (std::uint32_t k = first; k < std::min(i, first + 64) && t.hand != 0; ++k) {  // only a few are compared
                 const Tangent& other = tangents_[k];
                 if (other.lead == k && other.hand == t.hand && are_one_normal(other.unit, t.unit)) {
                     t.lead = k;
@@ -124,7 +124,7 @@ void BorderSums::read_tangents() {
     }
 }
 
-/// What a node that follows is to have.
+/// The target normal of a following node.
 dvec3 BorderSums::between(const BorderLink& link) const {
     return normalize_or(normals_[link.node_a] * (1 - link.t) + normals_[link.node_b] * link.t, normals_[link.node]);
 }
@@ -133,8 +133,8 @@ dvec3 BorderSums::tangent_between(const BorderLink& link) const {
     return sum - normals_[link.node] * dot(normals_[link.node], sum);
 }
 
-/// Votes go to what is followed, those of the deepest links first. Nodes all of whose followers agree with them already
-/// turn no more: what was joined once stays.
+/// Votes are passed to the followed nodes, deepest links first. Nodes whose followers all agree already do not change,
+/// so a second run changes nothing.
 void BorderSums::share_out() {
     for (const BorderLink& link : links_) {
         if (!(angle_between(normals_[link.node], between(link)) > continuous_rad)) continue;
@@ -174,7 +174,7 @@ void BorderSums::share_tangents(const BorderLink& link) {
     }
 }
 
-/// In the plane of its node's normal; nothing where it has no length there.
+/// Projected on the plane of its node's normal; nothing if the projection vanishes.
 void BorderSums::set_tangent(std::uint32_t member, dvec3 sum) {
     const auto above = std::upper_bound(nodes_.member_begin.begin(), nodes_.member_begin.end(), member);
     const dvec3 normal = normals_[std::size_t(above - nodes_.member_begin.begin()) - 1];
@@ -203,7 +203,7 @@ void BorderSums::follow() {
     }
 }
 
-/// As finish_vertices() takes tangents back.
+/// To object space, as in finish_vertices().
 vec4 BorderSums::tangent_in_object(std::uint32_t member, std::uint32_t mesh, dvec3 normal) const {
     const Tangent& t = tangents_[member];
     const Placement& placement = input_.placements[mesh];
@@ -213,7 +213,7 @@ vec4 BorderSums::tangent_in_object(std::uint32_t member, std::uint32_t mesh, dve
     return {float(unit.x), float(unit.y), float(unit.z), t.hand * placement.flip < 0 ? -1.0f : 1.0f};
 }
 
-/// The members that turn.
+/// The changed members.
 void BorderSums::write(std::uint32_t node, std::vector<MeshSeams>& out, MatchReport& report, double& sum) const {
     for (std::uint32_t i = nodes_.member_begin[node]; i < nodes_.member_begin[node + 1]; ++i) {
         const std::uint32_t m = mesh_of(i), v = nodes_.members[i] - input_.vertex_base[m];

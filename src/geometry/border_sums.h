@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Votes along the links of matched borders, and the normals and tangents that come of them.
+// Sums votes along the links of matched borders, and computes normals and tangents from them.
 #pragma once
 #include <span>
 #include <vector>
@@ -19,11 +19,11 @@ public:
     std::vector<MeshSeams> run(MatchReport& report, Context& context);
 
 private:
-    /// A vertex' tangent in the world. hand 0: it has none.
+    /// Tangent of a vertex in world space. hand 0: none.
     struct Tangent {
         dvec3 unit, sum;
         double hand = 0;
-        std::uint32_t lead = 0;  ///< the first member of its node with the same one
+        std::uint32_t lead = 0;  ///< the first member of its node with the same tangent
         bool received = false, is_set = false;
     };
 
@@ -46,10 +46,10 @@ private:
     const BorderNodes& nodes_;
     std::span<const BorderLink> links_;
     CornerWeight weight_;
-    std::vector<std::uint8_t> is_open_;  ///< [nodes] something that follows it does not yet agree
+    std::vector<std::uint8_t> is_open_;  ///< [nodes] a follower does not agree yet
     std::vector<std::uint8_t> role_;     ///< [nodes]
     std::vector<double> member_weight_;  ///< [members]
-    std::vector<dvec3> normals_, sums_;  ///< [nodes] now and as they become; of votes
+    std::vector<dvec3> normals_, sums_;  ///< [nodes] current and new normals; sums of votes
     std::vector<double> weights_;        ///< [nodes] of the votes
     std::vector<Tangent> tangents_;      ///< [members], or empty
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What matching and measuring of borders begin with.
+// The common first step of matching and measuring borders.
 #pragma once
 #include <rakelight/matching_borders.h>
 
@@ -7,10 +7,10 @@
 
 namespace rakelight::geometry {
 
-/// @throws Error usage: an option out of its range; bad_file: a mesh without normals
+/// @throws Error usage: an option out of range; bad_file: a mesh without normals
 void check_matching(std::span<const AttributeMesh> meshes, const MatchOptions& options);
 
-/// The open edges of some meshes. Not to be copied: `placed` is looked into from elsewhere.
+/// The open edges of some meshes. Not copyable: other objects keep references to `placed`.
 struct BorderSurface {
     BorderSurface(std::span<const AttributeMesh> meshes, const MatchOptions& options, Context& context);
     PlacedMeshes placed;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unit vectors in one plane, sorted by their direction around it. Where "at most an angle apart" joins vectors transitively,
-// only neighbors on the circle need to be compared: O(k log k) in place of O(k^2), exact for angles below pi.
+// Sorts coplanar unit vectors by angle. If vectors within an angle are joined transitively, only neighbors on the
+// circle must be compared: O(k log k) instead of O(k^2), exact for angles below pi.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace rakelight::geometry {
 
-/// Grows with the angle of (x, y) from 0 to 4, without a trigonometric function.
+/// Monotonic in the angle of (x, y), 0 to 4, without a trigonometric function.
 inline double pseudo_angle(double x, double y) {
     const double sum = std::fabs(x) + std::fabs(y);
     if (!(sum > 0)) return 0;
@@ -20,13 +20,13 @@ inline double pseudo_angle(double x, double y) {
     return y >= 0 ? 1 - p : 3 + p;
 }
 
-/// Order of the directions around their common plane, from that of directions[0] on. The sense of turning is any; ties by index.
+/// Angular order of the directions, starting at directions[0]. The sense of rotation is arbitrary; ties by index.
 inline std::vector<std::uint32_t> circular_order(const std::vector<dvec3>& directions) {
     std::vector<std::uint32_t> order(directions.size());
     std::iota(order.begin(), order.end(), 0u);
     if (directions.size() < 3) return order;
     const dvec3 u = directions[0];
-    dvec3 v;  // second axis: the part across u of the direction that has most of it
+    dvec3 v;  // second axis: from the direction with the largest component perpendicular to u
     for (const dvec3& d : directions) {
         const dvec3 across = d - u * dot(d, u);
         if (dot(across, across) > dot(v, v)) v = across;

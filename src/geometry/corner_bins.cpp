@@ -3,7 +3,7 @@
 
 namespace rakelight::geometry {
 
-// Counts become places: part by part, and inside a part chunk by chunk, so that corners ascend.
+// Prefix sums of the counts, by part and then by chunk, so that corners ascend.
 std::vector<std::uint32_t> CornerSort::add_up(std::vector<std::uint32_t>& cursor) const {
     std::vector<std::uint32_t> begin(std::size_t(parts_) + 1);
     std::uint32_t sum = 0;
@@ -34,7 +34,7 @@ void CornerSort::sort_part(std::uint32_t part, std::uint32_t begin, std::uint32_
     std::uint32_t* const corners = bins_.corners.data();
     const std::vector<std::uint32_t> unsorted(corners + begin, corners + end);
     for (std::uint32_t i = begin; i != end; ++i) corners[at[local_[i]]++] = unsorted[i - begin];
-    for (std::uint32_t k = keys; k-- > 1;) at[k] = at[k - 1];  // each has run on to its end: the next one's beginning
+    for (std::uint32_t k = keys; k-- > 1;) at[k] = at[k - 1];  // each has advanced to its end, the begin of the next
     if (keys != 0) at[0] = begin;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Corners sorted by a key, in linear time: one partition by ranges of keys, then each range by itself in the cache.
+// Sorts corners by key in linear time: one partition by ranges of keys, then each range within the cache.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -22,12 +22,12 @@ struct CornerBins {
     }
 };
 
-/// Sorts corners by their keys; the same for any number of threads. Bytes held on the way: 6 a corner.
+/// Sorts corners by key; the result is equal for any number of threads. Temporary memory: 6 bytes per corner.
 class CornerSort {
 public:
-    static constexpr std::uint32_t no_bin = 0xffffffffu;  ///< the corner goes to no bin
+    static constexpr std::uint32_t no_bin = 0xffffffffu;  ///< the corner is in no bin
 
-    /// @param bins, scratch  memory to use, of any contents
+    /// @param bins, scratch reused memory; contents are ignored
     CornerSort(const AttributeInput& input, std::uint32_t keys, CornerBins bins, BlockArray<std::uint16_t>& scratch,
                Context& context)
         : input_(input),
@@ -38,7 +38,7 @@ public:
           bins_(std::move(bins)),
           local_(scratch) {}
 
-    /// @param key_of  mesh -> (corner numbered through -> bin < keys, or no_bin); called twice a corner, by any thread
+    /// @param key_of mesh -> (global corner -> bin < keys, or no_bin); called twice per corner, from any thread
     template <class Key>
     CornerBins run(const Key& key_of) {
         std::vector<std::uint32_t> cursor(chunks_.size() * parts_, 0);

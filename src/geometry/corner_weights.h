@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Weights of a face's corners where the kind is known only when the program runs.
+// Corner weights of a face, selected at run time.
 #pragma once
 #include "geometry/face_vote.h"
 
 namespace rakelight::geometry {
 
-/// @param area2  the face's doubled area in the world
+/// @param area2 twice the area of the face in world space
 inline dvec3 corner_weights(CornerWeight weight, const Placement& placement, const FaceCorners& face, double area2) {
     switch (weight) {
         case CornerWeight::uniform:

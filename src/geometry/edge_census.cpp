@@ -57,7 +57,7 @@ private:
         }
     }
 
-    /// One entry an edge -> one a pair.
+    /// From one entry per edge to one per pair.
     void count_borders() {
         std::vector<InconsistentBorder>& borders = result_.inconsistent_borders;
         std::sort(borders.begin(), borders.end(), [](const InconsistentBorder& x, const InconsistentBorder& y) {

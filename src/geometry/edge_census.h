@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges between places: how many faces each has, and which way round they use it.
+// Edges between places, with the number and orientation of their faces.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace rakelight::geometry {
 
-/// The edges of one object, over its own faces.
+/// Edge counts of one object.
 struct ObjectEdges {
     std::uint64_t edges = 0;
-    std::uint64_t open = 0;          ///< of one face
-    std::uint64_t inconsistent = 0;  ///< of two faces that go along it the same way: one of them is wound inside out
-    std::uint64_t non_manifold = 0;  ///< of three or more faces
+    std::uint64_t open = 0;          ///< with one face
+    std::uint64_t inconsistent = 0;  ///< with two faces of opposite orientation: one of them is inside out
+    std::uint64_t non_manifold = 0;  ///< with three or more faces
     bool is_closed() const { return edges > 0 && open == 0; }
 };
 
@@ -23,7 +23,7 @@ struct PlaceEdge {
     bool operator==(const PlaceEdge&) const = default;
 };
 
-/// Edges of two faces, one each of two objects, that go along it the same way.
+/// Edges of two objects with one face each, of opposite orientation.
 struct InconsistentBorder {
     std::uint32_t object_a, object_b;  ///< a < b
     std::uint64_t edges;
@@ -36,9 +36,9 @@ struct EdgeCensus {
     std::vector<PlaceEdge> border_edges;      ///< of faces of two or more objects
 };
 
-/// Which way a face goes along an edge is judged where it is placed: a matrix that mirrors turns it round. Faces with a
-/// corner that is not finite or with two corners at one place are left out. Lists are in the order of the edges'
-/// smaller place. Expected O(n), 8 bytes a corner; `objects` is more than the largest AttributeMesh::object.
+/// Orientation is evaluated in world space: mirroring matrices reverse it. Faces with a non-finite corner, or with two
+/// corners at one place, are skipped. Lists are in the order of the edges' smaller place. Expected O(n), 8 bytes per
+/// corner. `objects` is larger than every AttributeMesh::object.
 EdgeCensus count_edges(const PlacedMeshes& placed, std::uint32_t objects, const Context& context);
 
 }  // namespace rakelight::geometry

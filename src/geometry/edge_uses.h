@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The edges between places, each with the faces that go along it.
+// Edges between places, each with its faces.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace rakelight::geometry {
 
-/// A use of an edge by a face: it begins at `corner`.
+/// A use of an edge by a face; the edge starts at `corner`.
 struct EdgeUse {
     std::uint32_t larger;  ///< of the edge's two places
     std::uint32_t corner;
 };
 
-/// Uses of edges, binned by the smaller place and sorted inside a bin, which holds about six. Faces without three
-/// places are left out (face_places()). 8 bytes a corner; expected O(n).
+/// Uses of edges, binned by the smaller place and sorted inside each bin (about six uses). Skips faces without three
+/// different places (face_places()). 8 bytes per corner; expected O(n).
 class EdgeUses {
 public:
     EdgeUses(const PlacedMeshes& placed, const Context& context) : placed_(placed), check_cancel_(context) {
@@ -31,7 +31,7 @@ public:
     }
 
     /// Calls visit(smaller place, uses of one edge) in the order of the smaller place, then of the larger; uses in the
-    /// order of their corners. To be called once.
+    /// order of their corners. Call it once.
     template <class Visit>
     void for_each_edge(const Visit& visit) {
         for (std::uint32_t place = 0; place + 1 < begin_.size(); ++place) {
@@ -49,8 +49,8 @@ public:
         }
     }
 
-    /// Whether the face goes from the smaller place to the larger in the world: counter-clockwise as seen from outside,
-    /// also where its placement mirrors.
+    /// Whether the face uses the edge from the smaller place to the larger, counter-clockwise seen from outside in
+    /// world space, also for mirroring placements.
     bool goes_up(std::uint32_t smaller, EdgeUse use) const {
         const std::uint32_t m = placed_.input.mesh_of_triangle(use.corner / 3);
         const bool is_first = placed_.place[placed_.input.corner_vertex(m, use.corner)] == smaller;

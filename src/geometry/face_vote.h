@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one triangle says about its corners: its unit normal and tangent in the world and the weight at each corner.
-// All in double, from differences of positions, so that edges of 1e-20 and 1e15 and models far away come out right.
+// The vote of one triangle for its corners: its unit normal and tangent in world space, and the weight at each corner.
+// Computed in double from differences of positions, which is accurate for edges of 1e-20 and 1e15 and for models far
+// from the origin.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -9,8 +10,8 @@
 
 namespace rakelight::geometry {
 
-/// arctan(y / x) for y >= 0, in 0..pi, from + - * / alone. Abramowitz & Stegun 4.4.49: off by at most 2e-8, and relatively
-/// so for small angles, which is far below what a weight needs.
+/// arctan(y / x) for y >= 0, in 0..pi, from + - * / alone. Abramowitz & Stegun 4.4.49: error at most 2e-8, relative for
+/// small angles, which is sufficient for weights.
 inline double corner_angle(double y, double x) {
     const double a = std::fabs(x);
     const bool steep = y > a;
@@ -26,7 +27,7 @@ inline double corner_angle(double y, double x) {
     return x < 0 ? pi - first : first;
 }
 
-/// A vector's direction and length; {0, 0} for zero and non-finite ones.
+/// Direction and length of a vector; {0, 0} for zero and non-finite ones.
 struct Direction {
     dvec3 unit;
     double length = 0;
@@ -41,7 +42,7 @@ inline Direction direction_of(dvec3 v) {
     return {unit, dot(unit, v) > 0 ? dot(unit, v) : 0.0};
 }
 
-/// The three corners of one triangle; edges are exact where the positions are of similar size.
+/// The three corners of one triangle; edges are exact for positions of similar magnitude.
 struct FaceCorners {
     dvec3 e1, e2;  ///< object space, from corner 0 to 1 and to 2
 };
@@ -50,24 +51,25 @@ inline FaceCorners face_corners(const AttributeMesh& mesh, const std::uint32_t* 
     return {cast<double>(mesh.positions[index[1]]) - p, cast<double>(mesh.positions[index[2]]) - p};
 }
 
-/// Unit normal in the world, outwards for counter-clockwise faces also where the matrix mirrors, and twice the area.
-/// Zero area (taken in object space, where collinear corners give exactly 0) or a non-finite corner: {0, 0}, no vote.
+/// Unit normal in world space and twice the area. Outward for counter-clockwise faces, also under mirroring matrices.
+/// {0, 0} (no vote) for zero area, evaluated in object space where collinear corners give exactly 0, or a non-finite
+/// corner.
 inline Direction face_normal(const Placement& placement, const FaceCorners& face) {
     return direction_of(placement.normal_to_world * cross(face.e1, face.e2));
 }
 
-/// A normal that the caller gave in object space, in the world; zero for zero and non-finite ones.
+/// The caller's normal, transformed from object to world space; zero for zero and non-finite ones.
 inline dvec3 given_normal(const Placement& placement, vec3 normal) {
     return direction_of(placement.normal_to_world * cast<double>(normal)).unit;
 }
 
-/// The vertex keeps a normal that is of use.
+/// Whether the vertex keeps its usable normal.
 inline bool is_locked(const AttributeMesh& mesh, std::uint32_t vertex) {
     return !mesh.locked.empty() && mesh.locked[vertex] != 0 && is_finite(mesh.normals[vertex]) &&
            !(mesh.normals[vertex] == vec3{});
 }
 
-/// Weights of the three corners of a face whose doubled area in the world is `area2`.
+/// Weights of the three corners of a face; `area2`: twice its area in world space.
 template <CornerWeight weight>
 inline dvec3 corner_weights(const Placement& placement, const FaceCorners& face, double area2) {
     if constexpr (weight == CornerWeight::uniform) return {1, 1, 1};
@@ -108,7 +110,7 @@ inline FaceTangent face_tangent(const AttributeMesh& mesh, const std::uint32_t* 
 }
 
 /// The handedness of a face, seen from a given normal that may point to the face's back.
-inline double hand_from(dvec3 given, const Direction& face, double hand) {
+inline double handedness_from(dvec3 given, const Direction& face, double hand) {
     return dot(given, face.unit) < 0 ? -hand : hand;
 }
 

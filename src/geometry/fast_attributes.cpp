@@ -3,16 +3,14 @@
 
 #include <cmath>
 
-#include "geometry/fast_finish.h"
-#include "geometry/fast_hard_places.h"
-#include "geometry/fast_scatter.h"
-#include "geometry/fast_weld.h"
+#include "geometry/fast_stages.h"
 #include "math/isa.h"
 
 namespace rakelight::geometry {
 namespace {
 
-// Rotation, uniform scale, mirroring, shift: unit normals and tangents of object space are those of the world, turned.
+// For rotation, uniform scale, mirroring and translation, normals and tangents of object space are rotated ones of
+// world space.
 bool keeps_angles(const dmat4& m) {
     constexpr double slack = 1e-12;
     const dvec3 x = m[0].xyz(), y = m[1].xyz(), z = m[2].xyz();
@@ -23,7 +21,7 @@ bool keeps_angles(const dmat4& m) {
            near(dot(z, x), 0);
 }
 
-// Without what only the general path has.
+// Whether no option needs the general path.
 bool is_plain(const AttributeOptions& o) {
     return o.tangent_mode == TangentMode::averaged && o.orthogonalize == Orthogonalize::attribute &&
            !o.measure_orthogonality && !o.fans;
@@ -37,19 +35,7 @@ struct Kernels {
     const FastKernels* rows;
     const WeldKernels* weld;
 };
-Kernels kernels_for(Isa isa) {
-    switch (isa) {
-        case Isa::scalar:
-            break;
-        case Isa::sse2:
-            return {sse2::fast_kernels(), sse2::weld_kernels()};
-        case Isa::avx2:
-            return {avx2::fast_kernels(), avx2::weld_kernels()};
-        case Isa::avx512:
-            return {avx512::fast_kernels(), avx512::weld_kernels()};
-    }
-    return {scalar::fast_kernels(), scalar::weld_kernels()};
-}
+Kernels kernels_for(Isa isa) { return {RL_BY_ISA(isa, fast_kernels()), RL_BY_ISA(isa, weld_kernels())}; }
 
 std::vector<SplitAttributes> without_splits(const FastState& state) {
     std::vector<SplitAttributes> splits(state.input.meshes.size());
@@ -60,7 +46,7 @@ std::vector<SplitAttributes> without_splits(const FastState& state) {
     return splits;
 }
 
-// The general path's result, in the form of the buffers.
+// The general path's result, converted to the buffers.
 std::vector<SplitAttributes> give_to_general(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                              std::span<const AttributeBuffers> out, Context& context) {
     const std::vector<MeshAttributes> results = general_attributes(meshes, options, context);

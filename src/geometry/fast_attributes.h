@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fast path: where a crease angle of pi joins everything at a place, no smoothing groups part anything and all meshes stand by
-// one matrix that keeps angles, votes are summed in float inside each mesh, only vertices are welded, and places at which
-// float could decide otherwise than double are given to the general path.
+// The fast path for crease angle pi, no smoothing groups and one angle-preserving matrix for all meshes. Votes are
+// summed in float inside each mesh, and only vertices are welded. Places that float could decide differently from
+// double are left to the general path.
 #pragma once
 #include "geometry/fast_state.h"
 
@@ -18,12 +18,12 @@ bool takes_fast_path(std::span<const AttributeMesh> meshes, const AttributeOptio
 SplitAttributes split_from(const AttributeMesh& mesh, const MeshAttributes& result, const AttributeBuffers& out);
 
 /// @param out  [meshes] large enough: checked by the caller
-/// @throws Error as the door says
+/// @throws Error as compute_attributes()
 std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                              std::span<const AttributeBuffers> out, FastScratch& scratch,
                                              Context& context);
 
-/// The same as arrays.
+/// The same with arrays as result.
 std::vector<MeshAttributes> fast_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                             Context& context);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/fast_classes.h"
+#include "geometry/fast_stages.h"
 
 #include <cmath>
 #include <cstring>
@@ -7,10 +7,10 @@
 namespace rakelight::geometry {
 namespace {
 
-// Stricter than the finish, which sees the very sums that passed here.
+// Stricter than the finish, which gets the sums accepted here.
 constexpr float class_normal_share = weak_normal_share * 1.01f, class_tangent_share = weak_tangent_share * 1.01f;
 constexpr float cos_45 = 0.70710678f, cos_margin = 1e-4f;
-constexpr std::size_t most_members = 16;  // whose tangents are compared pairwise; larger classes go to the general path
+constexpr std::size_t max_members = 16;  // for pairwise comparison of tangents; larger classes use the general path
 
 struct TangentRow8 {
     vec3 normal;
@@ -42,7 +42,7 @@ public:
         for (std::size_t i = 0; i < count; ++i) {
             float* row = state_.row(members_[i]);
             std::memcpy(row, &normal, sizeof normal);
-            // The finish compares hand with weight; the tangents of this class have been judged.
+            // The finish compares hand with weight; the tangents of this class are already checked.
             float& own = row[state_.floats() - 1];
             own = state_.tangents && row[3] != 0 ? std::fabs(row[3]) : weight;
         }
@@ -60,13 +60,13 @@ private:
         for (const std::uint32_t v : members_) state_.row(v)[state_.floats() - 1] = -1;
     }
 
-    // False: not to be decided here.
+    // False: undecidable in float.
     bool join_tangents(vec3 n) const {
         const std::size_t count = members_.size();
-        if (count > most_members) return false;
-        TangentRow8* rows[most_members];
-        vec3 direction[most_members];
-        std::size_t set[most_members];
+        if (count > max_members) return false;
+        TangentRow8* rows[max_members];
+        vec3 direction[max_members];
+        std::size_t set[max_members];
         for (std::size_t i = 0; i < count; ++i) {
             rows[i] = reinterpret_cast<TangentRow8*>(state_.row(members_[i]));
             set[i] = i;
@@ -93,8 +93,8 @@ private:
     }
 
     static bool add_sets(vec3 n, TangentRow8* const* rows, const std::size_t* set, std::size_t count) {
-        vec3 tangent[most_members];
-        float hand[most_members] = {};
+        vec3 tangent[max_members];
+        float hand[max_members] = {};
         for (std::size_t i = 0; i < count; ++i) {
             tangent[set[i]] += rows[i]->tangent;
             hand[set[i]] += rows[i]->hand;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/fast_finish.h"
+#include "geometry/fast_stages.h"
 
 namespace rakelight::geometry {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/fast_hard_places.h"
+#include "geometry/fast_stages.h"
 
 #include <bit>
 
@@ -8,7 +8,7 @@
 namespace rakelight::geometry {
 namespace {
 
-// The part of one mesh that touches the places, with its own numbering.
+// The part of one mesh that touches the places, with local indices.
 struct PartMesh {
     std::uint32_t mesh = 0;
     std::vector<std::uint32_t> faces;     ///< of the mesh, ascending
@@ -75,7 +75,7 @@ private:
         for (const std::uint32_t v : wanted_) marks_[v >> 5] |= 1u << (v & 31);
     }
 
-    // Only stretches of faces whose range of vertices holds a wanted one are looked through.
+    // Skips stretches of faces whose vertex range contains no marked vertex.
     void collect_faces() {
         const std::vector<std::size_t>& range_base = state_.scratch.range_base;
         std::vector<std::pair<std::uint32_t, std::uint32_t>> stretches;  // mesh, first face
@@ -141,7 +141,7 @@ private:
             out.normals[part.vertices[v]] = result.normals[v];
             if (has_tangents) out.tangents[part.vertices[v]] = result.tangents[v];
         }
-        std::vector<std::uint32_t> appended(result.source_vertex.size());  // number in the whole mesh
+        std::vector<std::uint32_t> appended(result.source_vertex.size());  // index in the whole mesh
         for (std::size_t a = 0; a < appended.size(); ++a) {
             const std::uint32_t source = result.source_vertex[a];
             if (part.is_wanted[source] == 0) continue;
@@ -160,7 +160,7 @@ private:
     FastState& state_;
     const AttributeInput& input_;
     std::span<const std::uint32_t> wanted_;
-    std::vector<std::uint32_t> marks_;  // a bit a vertex
+    std::vector<std::uint32_t> marks_;  // a bit per vertex
     std::vector<PartMesh> parts_;
 };
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the kernels of the fast path are given. Plain structs: this header is seen by sources compiled per instruction set.
+// Input of the fast path's kernels. Plain structs, because sources compiled per instruction set include this header.
 #pragma once
 #include <stdint.h>
 
 namespace rakelight::geometry {
 
-/// What the faces of one vertex say together, in object space:
-///   with tangents 8 floats  { n.x, n.y, n.z, hand, t.x, t.y, t.z, weight },  without 4  { n.x, n.y, n.z, weight }
-/// hand: sum of +-weight; exactly +-weight where all faces have one handedness, since both lanes then add the same numbers.
-/// weight 0: no face votes. weight < 0: the place is left to the general path.
+/// Sum over the faces of one vertex, in object space: with tangents 8 floats { n.x, n.y, n.z, hand, t.x, t.y, t.z,
+/// weight }, without 4 { n.x, n.y, n.z, weight } hand: sum of +-weight; exactly +-weight if all faces have one
+/// handedness, because both lanes then add equal numbers. weight 0: no face votes. weight < 0: the general path handles
+/// the place.
 constexpr int tangent_row_floats = 8, normal_row_floats = 4;
 
 /// A vote for a vertex that another piece of the mesh owns.
@@ -18,11 +18,12 @@ struct FastParcel {
     float row[floats];
 };
 
-/// A sum of unit vectors shorter than this share of its weights is not left to float.
+/// Sums of unit vectors shorter than this share of their weights are not computed in float.
 constexpr float weak_normal_share = 1.0f / 8, weak_tangent_share = 1.0f / 16;
 
-/// Some triangles of one mesh. A kernel adds their votes to the rows of vertices own_begin .. own_end - 1, which no other thread
-/// touches; votes for other vertices become parcels. It stops after a block of faces when `foreign` or `odd` could overflow.
+/// Some triangles of one mesh. A kernel adds their votes to the rows of vertices own_begin .. own_end - 1, which no
+/// other thread touches; votes for other vertices become parcels. It stops after a block of faces if `foreign` or `odd`
+/// could overflow.
 struct ScatterJob {
     const float* positions = nullptr;   ///< [3 * vertices]
     const float* texcoords = nullptr;   ///< [2 * vertices], or null: no votes for tangents
@@ -31,16 +32,16 @@ struct ScatterJob {
     uint32_t face = 0, face_end = 0;  ///< advanced by the kernel
     float* rows = nullptr;            ///< row of vertex 0 of the mesh
     uint32_t own_begin = 0, own_end = 0;
-    uint32_t ready_end = 0;   ///< own rows from here on are not yet cleared; the kernel stops where it meets one
-    uint32_t wanted_end = 0;  ///< and says here how many it wants
+    uint32_t ready_end = 0;   ///< own rows from here on are not yet cleared; the kernel stops there
+    uint32_t wanted_end = 0;  ///< and returns here the number of rows it needs
     void* foreign = nullptr;  ///< FastParcel[parcel_capacity]
     uint32_t foreign_count = 0;
-    uint32_t* odd = nullptr;  ///< [odd_capacity] faces on which float arithmetic is not safe: for the caller
+    uint32_t* odd = nullptr;  ///< [odd_capacity] faces for which float is not safe, left to the caller
     uint32_t odd_count = 0;
     uint32_t smallest = 0xffffffffu, largest = 0;  ///< of the indices met
     bool is_index_bad = false;                     ///< an index was out of range; nothing was read through it
 };
-constexpr uint32_t face_block = 16;  ///< faces that a kernel takes at a time; a multiple of the lanes of every set
+constexpr uint32_t face_block = 16;  ///< faces per block; a multiple of the lanes of every instruction set
 constexpr uint32_t parcel_capacity = 1024, odd_capacity = 1024;
 
 /// Some vertices of one mesh, from sums to attributes.

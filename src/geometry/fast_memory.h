@@ -32,7 +32,7 @@ public:
         const std::size_t bytes = (count * sizeof(T) + step - 1) / step * step;
         data_ = static_cast<T*>(std::aligned_alloc(step, bytes));
         if (data_ == nullptr) throw std::bad_alloc();
-        wish_huge_pages(data_, bytes);
+        advise_huge_pages(data_, bytes);
         capacity_ = bytes / sizeof(T);
     }
     T* data() { return data_; }

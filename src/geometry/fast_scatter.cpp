@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/fast_scatter.h"
+#include "geometry/fast_stages.h"
 
 #include <atomic>
 #include <cstring>
 
 #include "geometry/face_vote.h"
-#include "geometry/fast_weld.h"
 
 namespace rakelight::geometry {
 namespace {
 
 constexpr std::uint32_t faces_per_piece = 1u << 18;
-constexpr std::uint32_t most_pieces = 1u << 10;  // of one mesh
-constexpr std::uint32_t pieces_in_flight = 64;   // whose outboxes are kept at one time: bounds them for shuffled meshes
+constexpr std::uint32_t max_pieces = 1u << 10;  // of one mesh
+constexpr std::uint32_t pieces_in_flight = 64;  // pieces with simultaneous outboxes, which limits their memory for shuffled meshes
 constexpr std::uint32_t faces_per_small_chunk = 1u << 15;
 constexpr std::uint32_t vertices_per_step = 1u
-                                            << 10;  // made ready at a time, so that faces find their rows in the cache
+                                            << 10;  // rows prepared at a time, so that they are in the cache
 
 template <int floats>
 class FastScatter {
@@ -32,7 +31,7 @@ public:
         std::uint32_t open = 0;
         for (std::uint32_t m = 0; m < meshes; ++m) {
             const std::uint32_t faces = base[m + 1] - base[m];
-            const std::uint32_t pieces = std::min(most_pieces, faces / faces_per_piece + 1);
+            const std::uint32_t pieces = std::min(max_pieces, faces / faces_per_piece + 1);
             if (pieces > 1) {
                 if (!tasks.empty() && tasks.size() + pieces > pieces_in_flight && !flush(tasks)) return false;
                 if (pieces > pieces_in_flight) clear_mesh(m);
@@ -65,7 +64,7 @@ private:
 
     struct Task {
         std::uint32_t mesh_begin, mesh_end, piece, pieces;
-        bool clears;  ///< the rows it owns, before it adds to them
+        bool clears;  ///< clears its own rows before adding to them
     };
 
     // Pieces begin where a range does.
@@ -83,7 +82,7 @@ private:
         });
     }
 
-    // Rows of 0, and hashes for the weld while the positions are at hand.
+    // Clears rows, and hashes positions for the weld while they are in the cache.
     void make_ready(LaneScratch& lane, std::uint32_t m, std::uint32_t first, std::uint32_t last) const {
         if (first >= last) return;
         std::memset(state_.row(state_.input.vertex_base[m] + first), 0,
@@ -169,7 +168,7 @@ private:
     void send(const ScatterJob& job, const Task& task, std::size_t slot, const Parcel& parcel) {
         std::vector<std::byte>& box = state_.scratch.outbox[slot + piece_of(parcel.vertex, job.vertices, task.pieces)];
         const std::size_t at = box.size();
-        if (box.capacity() < at + sizeof parcel) {  // where triangles lie in disorder all parcels are sent
+        if (box.capacity() < at + sizeof parcel) {  // for unordered triangles all parcels are sent
             const std::size_t wanted = std::max<std::size_t>(4096, 2 * at), more = wanted - box.capacity();
             state_.context.memory().check(outbox_bytes_.fetch_add(more) + more,
                                           "smoothing normals of triangles in disorder");
@@ -179,7 +178,7 @@ private:
         std::memcpy(box.data() + at, &parcel, sizeof parcel);
     }
 
-    // A face on which float is not safe, as the general path has it. False: it has no vote.
+    // Computes a face for which float is not safe, like the general path. False: no vote.
     bool add_odd(const ScatterJob& job, const AttributeMesh& mesh, const Task& task, std::size_t slot,
                  std::uint32_t face) {
         const std::uint32_t* index = &mesh.indices[3 * std::size_t(face)];
@@ -214,8 +213,8 @@ private:
         for (int a = 0; a < floats; ++a) to[a] += parcel.row[a];
     }
 
-    // Every piece takes what the pieces of this wave have for it, in their order. A mesh of more pieces than fit a wave gets it
-    // wave by wave.
+    // Every piece receives parcels from the pieces of this wave, in their order. Meshes with more pieces take several
+    // waves.
     void drain(const std::vector<Task>& tasks) {
         std::vector<std::pair<std::size_t, std::uint32_t>> work;  // first task of the mesh, receiving piece
         for (std::size_t i = 0; i < tasks.size(); ++i)

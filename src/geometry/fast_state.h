@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the stages of the fast path share, and the scratch that they use again from call to call.
+// Shared state of the fast path's stages, and scratch memory reused by later calls.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace rakelight::geometry {
 
-/// Two vertices at one place. All of a place name the same winner.
+/// Two vertices at one place. All vertices of a place have the same winner.
 struct Duplicate {
     std::uint32_t winner, vertex;
 };
@@ -25,14 +25,14 @@ struct HashedRange {
 /// Scratch of one worker at a time.
 struct LaneScratch {
     std::vector<HashedRange> hashed;        ///< by this lane, for the weld
-    std::vector<std::uint32_t> counts;      ///< [partitions] of them, or empty; later where the next record goes
+    std::vector<std::uint32_t> counts;      ///< [partitions] [partitions] counts, or empty; later write positions
     LargeArray<std::uint32_t> table, left;  ///< of one partition of the weld
     std::vector<Duplicate> duplicates;
     std::vector<std::byte> parcels;
     std::vector<std::uint32_t> odd;
 };
 
-/// The vertices that some consecutive faces of a mesh use lie in first..last.
+/// The vertices of some consecutive faces of a mesh are in first..last.
 struct VertexRange {
     std::uint32_t first = 0xffffffffu, last = 0;
 };
@@ -71,7 +71,7 @@ struct FastState {
     float* row(std::uint32_t vertex) const { return scratch.rows.data() + std::size_t(vertex) * std::size_t(floats()); }
 };
 
-/// Calls body(lane, i) for i in 0..count-1; a lane is used by one thread at a time, so its scratch needs no lock.
+/// Calls body(lane, i) for i in 0..count-1; a lane is used by one thread at a time and needs no lock.
 template <class Body>
 void for_each_in_lanes(FastState& state, std::size_t count, const Body& body) {
     const std::size_t lanes = std::min(count, std::size_t(state.context.threads()));

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/fast_weld.h"
+#include "geometry/fast_stages.h"
 
 #include <bit>
 #include <cmath>
 #include <cstring>
 
-#include "geometry/fast_classes.h"
-
 namespace rakelight::geometry {
 namespace {
 
 constexpr std::uint32_t records_per_partition = 1u << 11, partitions_per_task = 8;
-constexpr std::uint32_t most_partitions = 1u << 13;
-constexpr std::uint32_t rounds_by_hash = 4;  // after them strangers may share a hash: it is made anew from the position
+constexpr std::uint32_t max_partitions = 1u << 13;
+constexpr std::uint32_t rounds_by_hash = 4;  // afterwards different positions may share a hash, which is then recomputed
 
-// Where the matrix is the identity, the bits of the float position; else those of the world position in double.
+// For the identity matrix, the bits of the float position; else of the world position in double.
 template <bool identity>
 struct PlaceKey;
 template <>
@@ -94,7 +92,7 @@ private:
         __builtin_prefetch(input_.meshes[mesh].positions.data() + (vertex - input_.vertex_base[mesh]));
     }
 
-    // From what the lanes counted to where each of them writes in each partition.
+    // Prefix sums: from the lanes' counts to their write positions in each partition.
     void place_partitions() {
         begin_.resize(partitions_ + 1);
         std::uint32_t sum = 0;
@@ -107,7 +105,8 @@ private:
         state_.scratch.records.reserve(sum);
     }
 
-    // Each lane takes the vertices that it hashed: in what order the records of a partition lie depends on the threads, the classes do not.
+    // Each lane writes the vertices that it hashed. The order of records in a partition depends on the threads, the
+    // classes do not.
     void partition() {
         std::vector<LaneScratch>& lanes = state_.scratch.lanes;
         state_.context.parallel_for(lanes.size(), [&](std::size_t l) {
@@ -123,9 +122,9 @@ private:
             records[cursors[std::uint64_t(hashes[v]) << bits >> 32]++] = record(hashes[v], base + v);
     }
 
-    // Every record writes its number to the slot of its hash; the first of each slot stays. A record that finds another
-    // one's number there is of its class if the positions are equal; else it lost the slot to a stranger, as all of its own
-    // position did, and goes into the next round, where slots are chosen anew.
+    // Every record writes its index to the slot of its hash; the first one stays. A record that finds another index
+    // joins its class if the positions are equal. Else the slot belongs to a different position, and all records of its
+    // position enter the next round with other slots.
     void match(std::uint32_t p, LaneScratch& lane) {
         const std::uint32_t count = begin_[p + 1] - begin_[p];
         const std::uint64_t* const records = state_.scratch.records.data() + begin_[p];
@@ -162,7 +161,7 @@ private:
         return judge(records, lane, losers, [&](std::uint32_t r) { return table[slot(r)]; });
     }
 
-    // Of the first `losers` entries of `left` those stay that lost to a stranger. Returns their count.
+    // Keeps those of the first `losers` entries of `left` whose slot has a different position. Returns their count.
     template <class Winner>
     std::uint32_t judge(const std::uint64_t* records, LaneScratch& lane, std::uint32_t losers,
                         const Winner& winner) const {
@@ -203,8 +202,8 @@ private:
 }  // namespace
 
 std::uint32_t weld_partition_bits(std::uint32_t vertices) {
-    return std::uint32_t(
-        std::bit_width(std::min(std::bit_ceil(vertices / records_per_partition + 1), most_partitions)) - 1);
+    return std::uint32_t(std::bit_width(std::min(std::bit_ceil(vertices / records_per_partition + 1), max_partitions)) -
+                         1);
 }
 
 void hash_places(const FastState& state, LaneScratch& lane, std::uint32_t mesh, std::uint32_t first,

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the kernels of the fast weld are given. Plain structs: this header is seen by sources compiled per instruction
-// set.
+// Input of the fast weld's kernels. Plain structs, because sources compiled per instruction set include this header.
 #pragma once
 #include <stdint.h>
 
 namespace rakelight::geometry {
 
-/// The hash of a float position; -0 is +0. Equal positions and seeds have equal hashes, in every flavour.
+/// The hash of a float position; -0 is +0. Equal positions and seeds have equal hashes in every flavor.
 constexpr uint32_t hash_multipliers[4] = {0x9e3779b1u, 0x85ebca77u, 0xc2b2ae3du, 0x846ca68bu};
 
 struct WeldKernels {

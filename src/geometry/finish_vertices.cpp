@@ -25,7 +25,7 @@ namespace {
 
 struct TangentRules {
     bool orthogonal;  // Gram-Schmidt
-    float* skew;      // [degrees] out: how far the sum is from perpendicular; or null
+    float* skew;      // [degrees] out: deviation of the sum from perpendicular; may be null
 };
 
 vec4 tangent_of(const Placement& placement, const TangentRow& row, dvec3 normal, dvec3 object_normal,
@@ -76,7 +76,7 @@ public:
             if (const std::uint32_t v = vertex_of(m, i); v != indices[i]) out.corners.push_back({std::uint32_t(i), v});
     }
 
-    // Where the vertices of one mesh are written: the first ones, and those that were appended.
+    // Output positions of a mesh's vertices: the input's, and the appended ones.
     struct Target {
         vec3 *normals, *more_normals;
         vec4 *tangents, *more_tangents;
@@ -121,7 +121,7 @@ public:
 private:
     bool makes_tangents(std::uint32_t m) const { return options_.tangents && !input_.meshes[m].texcoords.empty(); }
 
-    // Of a corner, counted in the mesh.
+    // Local vertex index of a corner.
     std::uint32_t vertex_of(std::uint32_t m, std::size_t corner) const {
         const std::uint32_t fixed = input_.vertex_count(), base = input_.vertex_base[m];
         const std::uint32_t v = topology_.corner_vertex[3 * std::size_t(input_.triangle_base[m]) + corner];
@@ -147,7 +147,7 @@ private:
             normal = given_normal(placement, given);
             if (normal != dvec3{}) object_normal = direction_of(cast<double>(given)).unit;
             const double square = dot(cast<double>(given), cast<double>(given));
-            const bool is_unit = std::fabs(square - 1) < 1e-5;  // then its very bits are kept
+            const bool is_unit = std::fabs(square - 1) < 1e-5;  // kept bit-identical
             *to_normal = is_unit ? given : cast<float>(object_normal);
         } else {
             if (sum.weight > 0) {
@@ -187,7 +187,7 @@ Cancelled finish_all(Finish& finish, const AttributeInput& input, std::vector<Ou
     out.resize(input.meshes.size());
     const std::vector<Chunk> chunks = make_chunks(input.vertex_base, vertices_per_chunk);
     context.parallel_for(chunks.size(), [&](std::size_t c) {
-        if (chunks[c].piece != 0) return;  // one thread a mesh allocates
+        if (chunks[c].piece != 0) return;  // one thread per mesh allocates
         for (std::uint32_t m = chunks[c].mesh_begin; m != chunks[c].mesh_end; ++m) finish.allocate(m, out[m]);
     });
     std::vector<Cancelled> cancelled(chunks.size());

@@ -18,7 +18,7 @@ bool has_groups(std::span<const AttributeMesh> meshes) {
     });
 }
 
-// A rough sum of what grouping holds at once: numbers and grid entries per vertex, lists and normals per triangle.
+// Estimated peak memory of grouping: indices and grid entries per vertex, lists and normals per triangle.
 void check_memory(const AttributeInput& input, bool refines, Context& context) {
     const std::uint64_t vertices = input.vertex_count(), triangles = input.triangle_count();
     context.memory().check(vertices * 112 + (refines ? triangles * 72 : 0), "smoothing normals");

@@ -1,39 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
-// From places to groups: weld -> creases and smoothing groups -> mirrored texture coordinates.
+// Grouping: weld -> creases and smoothing groups -> mirrored texture coordinates.
 #pragma once
 #include <memory>
 
-#include "geometry/general_scratch.h"
+#include "geometry/block_array.h"
 #include "geometry/join_rules.h"
 
 namespace rakelight::geometry {
 
-/// What grouping rests on whatever the crease angle is; shared by the plans that were made from one another. Each is
-/// made when it is first needed and null till then.
+/// The part of the grouping that does not depend on the crease angle; shared by plans of one model. Each is computed on
+/// demand and null until then.
 struct GroupingBase {
     std::shared_ptr<const std::vector<std::uint32_t>> places;  ///< [vertices] as Topology::places
     std::shared_ptr<FaceNormals> normals;                      ///< [triangles]
     std::shared_ptr<CornerBins> corners;                       ///< by place
-    GeneralScratch* scratch = nullptr;                         ///< where memory is taken from; null: new memory
+    GeneralScratch* scratch = nullptr;                         ///< source of memory; null: allocate
 
-    /// Gives the memory back; only where nothing else shares it.
+    /// Returns the memory, if it is not shared.
     void release();
     const FaceNormals& face_normals(const AttributeInput& input, Context& context);
 };
 
-/// Whether a weld made with options `a` serves options `b`.
+/// Whether a weld with options `a` is valid for options `b`.
 bool same_weld(const AttributeOptions& a, const AttributeOptions& b);
 
 struct Grouped {
     Topology topology;
-    bool may_cancel = true;  ///< false: the normals of no group can cancel
+    bool may_cancel = true;  ///< false: no group's normals can cancel
 };
 
-/// @param base  what is there of it is used, what is missing and needed is added
+/// @param base existing parts are used, missing parts are added
 Grouped make_groups(GroupingBase& base, const AttributeInput& input, const AttributeOptions& options, Context& context);
 
-/// Takes groups whose normals cancelled apart. @param selected  [output vertices] not 0: the group of this
-/// representative
+/// Splits groups whose normals cancelled.
+/// @param selected [output vertices] not 0: the group of this representative
 void take_apart(Topology& topology, GroupingBase& base, const AttributeInput& input, const AttributeOptions& options,
                 JoinRule rule, const std::vector<std::uint8_t>& selected, Context& context);
 

@@ -11,10 +11,10 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::size_t most_bodies = 1000, most_looks = 30'000'000;
+constexpr std::size_t max_bodies = 1000, max_looks = 30'000'000;
 constexpr std::uint32_t nobody = ~0u;
-constexpr double least_fill = 1e-6;    ///< 36 pi volume^2 / area^3: 1 of a ball, 0 of a sheet
-constexpr double most_opening = 1e-5;  ///< sum of the area vectors, in areas: 0 of what is closed and wound one way
+constexpr double min_fill = 1e-6;     ///< minimum of 36 pi volume^2 / area^3: 1 for a sphere, 0 for a sheet
+constexpr double max_opening = 1e-5;  ///< limit of |sum of area vectors| / area: 0 for closed, consistently oriented surfaces
 
 struct Body {
     dvec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
@@ -23,9 +23,9 @@ struct Body {
     bool is_open = false;
     InsideOutBody found;
 
-    bool is_closed() const { return !is_open && length(area_vector) <= most_opening * area; }
+    bool is_closed() const { return !is_open && length(area_vector) <= max_opening * area; }
     bool is_inside_out() const {
-        return is_closed() && volume < 0 && 36 * pi * volume * volume > least_fill * area * area * area;
+        return is_closed() && volume < 0 && 36 * pi * volume * volume > min_fill * area * area * area;
     }
     bool holds(const Body& other) const {
         for (std::size_t a = 0; a < 3; ++a)
@@ -34,7 +34,7 @@ struct Body {
     }
 };
 
-/// All bodies of a model, and to which of them each place belongs.
+/// All bodies of a model, and the body of each place.
 class Bodies {
 public:
     Bodies(const PlacedMeshes& placed, const Context& context)
@@ -94,12 +94,12 @@ private:
             }
     }
 
-    /// About the middle of the box, so that a body far away keeps its digits.
+    /// Relative to the center of the box, for precision far from the origin.
     void add_face(const Face& f) {
         Body& body = list[number_[f.place[0]]];
         const dvec3 middle = (body.low + body.high) * 0.5, a = f.at[0] - middle, b = f.at[1] - middle,
                     c = f.at[2] - middle;
-        const double side = placed_.input.placements[f.mesh].flip;  // where the matrix mirrors, fronts are the others
+        const double side = placed_.input.placements[f.mesh].flip;  // mirroring reverses the orientation
         const dvec3 area_vector = cross(b - a, c - a) * (0.5 * side);
         body.area_vector = body.area_vector + area_vector;
         body.area += length(area_vector);
@@ -114,7 +114,7 @@ private:
     std::vector<std::uint32_t> number_;  ///< [places]
 };
 
-/// Closed bodies, those with the largest boxes first: what encloses many is found at once.
+/// Closed bodies, largest boxes first, so that enclosing bodies are found early.
 class Enclosures {
 public:
     explicit Enclosures(const std::vector<Body>& bodies) {
@@ -125,10 +125,10 @@ public:
             return dot(of_a, of_a) > dot(of_b, of_b);
         });
     }
-    /// Also true when too much was looked at already: nothing is known then.
+    /// Also true if the search was cut off: the result is then unknown.
     bool may_hold(const Body& body) {
         for (const Body* other : closed_) {
-            if (looks_++ == most_looks) return --looks_, true;
+            if (looks_++ == max_looks) return --looks_, true;
             if (other != &body && other->holds(body)) return true;
         }
         return false;
@@ -148,9 +148,9 @@ std::vector<InsideOutBody> find_inside_out(const PlacedMeshes& placed, std::span
     Enclosures enclosures(bodies.list);
     std::vector<InsideOutBody> found;
     for (Body& body : bodies.list) {
-        if (found.size() == most_bodies) break;
+        if (found.size() == max_bodies) break;
         context.throw_if_cancelled();
-        if (!body.is_inside_out() || enclosures.may_hold(body)) continue;  // the inner side of a hollow one
+        if (!body.is_inside_out() || enclosures.may_hold(body)) continue;  // the inner surface of a hollow body
         std::vector<std::uint32_t>& objects = body.found.objects;
         std::sort(objects.begin(), objects.end());
         objects.erase(std::unique(objects.begin(), objects.end()), objects.end());

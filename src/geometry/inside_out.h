@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closed bodies, of however many meshes, whose faces all look inwards.
+// Closed bodies of any number of meshes with all faces oriented inwards.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,19 +9,17 @@
 
 namespace rakelight::geometry {
 
-/// A body: faces that are connected over places, whichever mesh or object they belong to.
+/// A body: faces connected over places, of any meshes and objects.
 struct InsideOutBody {
     std::uint32_t triangles = 0;
-    std::vector<std::uint32_t> objects;  ///< that have a part in it, ascending
+    std::vector<std::uint32_t> objects;  ///< objects of the body, ascending
 };
 
-/// Bodies without an open edge that enclose a volume which is negative by the winding of their faces (the divergence
-/// theorem; Zhang & Chen 2001, "Efficient Feature Extraction for 2D/3D Objects in Mesh Representation"). Left out are:
-/// bodies whose faces are not all wound one way (the sum of their area vectors is not 0: then the volume depends on the
-/// origin), thin ones (two sheets back to back), and those that lie in the bounding box of another closed body: the
-/// inner side of a hollow one looks inwards rightly. In the order of their smallest place, at most 1000. O(n log n),
-/// but for the boxes: O(inside out bodies times closed bodies), at most 30 million pairs; of bodies beyond nothing is
-/// said.
+/// Bodies without open edges and with negative signed volume (divergence theorem; Zhang & Chen 2001, "Efficient Feature
+/// Extraction for 2D/3D Objects in Mesh Representation"). Excluded are inconsistently oriented bodies (nonzero sum of
+/// area vectors, so the volume depends on the origin), thin ones (two sheets back to back), and bodies in the bounding
+/// box of another closed body, because inner surfaces of hollow bodies face inwards. In the order of their smallest
+/// place, at most 1000. O(n log n), plus at most 30 million box tests; bodies beyond that are not reported.
 /// @param open_corners  EdgeCensus::open_corners
 std::vector<InsideOutBody> find_inside_out(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
                                            const Context& context);

@@ -13,9 +13,9 @@ namespace {
 
 // "At most c, inclusive": a hexagonal prism with c = 60 degrees must not break up by the rounding of its float positions.
 constexpr double crease_slack = 1e-5;
-// Sides of a shell: a neighbor that turns back by more than this (177 degrees) is the other side.
+// Sides of a shell: a neighbor beyond this angle (177 degrees) is on the other side.
 constexpr double turned_back = -0.9986;
-// Up to here pairs are compared directly.
+// Up to this number, pairs are compared directly.
 constexpr std::size_t few = 16;
 
 bool is_hinted(const AttributeMesh& mesh) { return mesh.smoothing.empty() && !mesh.smoothing_hint.empty(); }
@@ -36,8 +36,8 @@ JoinRules::JoinRules(const AttributeInput& input, const Topology& topology, cons
       rule_(rule),
       groups_across_(options.groups_across) {
     const CreaseRange creases = crease_range(input.meshes, options);
-    least_cos_ = crease_cosine(creases.least);
-    joins_all_ = least_cos_ == -2 && !options.fans;
+    min_cos_ = crease_cosine(creases.least);
+    joins_all_ = min_cos_ == -2 && !options.fans;
     joins_some_ = crease_cosine(creases.most) == -2 && !options.fans;
     if (creases.least != creases.most)
         for (const AttributeMesh& mesh : input.meshes) own_cos_.push_back(crease_cosine(crease_angle(mesh, options)));
@@ -86,7 +86,7 @@ bool JoinRules::is_calm(std::span<const std::uint32_t> corners, std::uint32_t& m
     CalmFan fan;
     if (rule_ != JoinRule::crease || has_groups_ || joins_all_ || corners.size() > CalmFan::most) return false;
     if (!gather_calm(corners, mesh, fan)) return false;
-    // Walks from the first face over one side, then over the other; faces that were met move to the front.
+    // Walks from the first face in one direction, then in the other; visited faces move to the front.
     std::size_t met = 1;
     for (const bool forwards : {true, false}) {
         const std::uint32_t* const ahead = forwards ? fan.next : fan.previous;
@@ -94,7 +94,7 @@ bool JoinRules::is_calm(std::span<const std::uint32_t> corners, std::uint32_t& m
         for (std::size_t at = 0; met < fan.size;) {
             std::size_t j = met;
             while (j < fan.size && behind[j] != ahead[at]) ++j;
-            if (j == fan.size || !(dot(*fan.normal[at], *fan.normal[j]) >= least_cos_)) break;
+            if (j == fan.size || !(dot(*fan.normal[at], *fan.normal[j]) >= min_cos_)) break;
             std::swap(fan.next[j], fan.next[met]);
             std::swap(fan.previous[j], fan.previous[met]);
             std::swap(fan.normal[j], fan.normal[met]);
@@ -164,7 +164,7 @@ void JoinRules::gather_places(Fan& fan) const {
     }
 }
 
-// Every face with every other: quicker than sorting edges while there are few.
+// Compares all pairs, which is faster than sorting edges for few faces.
 void JoinRules::join_pairs(const Fan& fan, UnionFind& sets) const {
     const std::uint32_t count = std::uint32_t(fan.size());
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -197,16 +197,16 @@ void JoinRules::join_edges(Fan& fan, UnionFind& sets) const {
     }
 }
 
-// At an edge between two meshes the one that is sharper rules.
-double JoinRules::least_cos(const Fan& fan, std::uint32_t i, std::uint32_t j) const {
-    return own_cos_.empty() ? least_cos_ : std::max(own_cos_[fan.mesh[i]], own_cos_[fan.mesh[j]]);
+// At an edge between two meshes the smaller angle applies.
+double JoinRules::min_cos(const Fan& fan, std::uint32_t i, std::uint32_t j) const {
+    return own_cos_.empty() ? min_cos_ : std::max(own_cos_[fan.mesh[i]], own_cos_[fan.mesh[j]]);
 }
 
-// Of two faces with a common edge; on sides of a shell they run along it in opposite ways.
+// Whether two faces with a common edge join; on sides of a shell they must use it in opposite directions.
 bool JoinRules::joined(const Fan& fan, std::uint32_t i, std::uint32_t j) const {
     const double cosine = dot(fan.normal[i], fan.normal[j]);
     if (rule_ == JoinRule::side) return cosine > turned_back;
-    if (fan.authority[i] == 0 || fan.authority[i] != fan.authority[j]) return cosine >= least_cos(fan, i, j);
+    if (fan.authority[i] == 0 || fan.authority[i] != fan.authority[j]) return cosine >= min_cos(fan, i, j);
     if (fan.kind[i] == GroupKind::masks) return (fan.group[i] & fan.group[j]) != 0;
     return fan.kind[i] == GroupKind::numbers && fan.group[i] != 0 && fan.group[i] == fan.group[j];
 }
@@ -225,7 +225,7 @@ void JoinRules::join_edge(const Fan& fan, std::span<const Spoke> spokes, UnionFi
     if (rule_ == JoinRule::crease && has_groups_) join_many_by_group(fan, spokes, sets);
 }
 
-// Faces that one crease angle joins have all got that angle or a larger one: for each angle, those around the edge.
+// Faces joined by one crease angle have that angle or a larger one: processes the faces around the edge for each angle.
 void JoinRules::join_many_by_angle(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const {
     if (own_cos_.empty() || rule_ != JoinRule::crease) return join_around(fan, spokes, sets);
     std::vector<Spoke> sorted(spokes.begin(), spokes.end());
@@ -237,9 +237,9 @@ void JoinRules::join_many_by_angle(const Fan& fan, std::span<const Spoke> spokes
             join_around(fan, std::span(sorted).first(end), sets);
 }
 
-// All normals at an edge lie in the plane across it. Faces that obey the angle among one another are those of different
-// authority, or of none (of shells: those that run along the edge in opposite ways); linking each to the next one of these on
-// the circle links all that the angle joins.
+// All normals at an edge lie in the plane across it. The angle applies between faces of different authority, or of none
+// (for shells: with opposite directions along the edge). Linking each face to the next such face on the circle joins
+// all faces within the angle.
 void JoinRules::join_around(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const {
     std::vector<dvec3> normals;
     for (const Spoke& s : spokes) normals.push_back(fan.normal[s.index]);
@@ -250,7 +250,8 @@ void JoinRules::join_around(const Fan& fan, std::span<const Spoke> spokes, Union
         if (rule_ == JoinRule::side) return a.outgoing != b.outgoing;
         return fan.authority[a.index] == 0 || fan.authority[a.index] != fan.authority[b.index];
     };
-    // next[i]: the first position after i that i's face compares with; one sweep backwards over two turns of the circle.
+    // next[i]: the first position after i that i's face compares with; one backward sweep over two rounds of the
+    // circle.
     for (const bool backwards : {false, true}) {
         std::vector<std::size_t> next(2 * count + 1, 2 * count);
         const auto turn = [&](std::size_t i) -> const Spoke& { return at(backwards ? 2 * count - 1 - i : i); };
@@ -287,8 +288,8 @@ void JoinRules::join_many_by_group(const Fan& fan, std::span<const Spoke> spokes
     }
 }
 
-// At a crease angle of pi all faces that obey the angle are one group, with or without a common edge: one face of
-// another authority, or of none, joins everything. Faces of meshes with a smaller angle have no part in it.
+// At a crease angle of pi all faces subject to the angle are one group, with or without a common edge: one face of
+// another authority, or of none, joins everything. Faces of meshes with a smaller angle are excluded.
 void JoinRules::join_everything(const Fan& fan, UnionFind& sets) const {
     const auto takes_part = [&](std::size_t i) {
         return fan.votes(i) && (own_cos_.empty() || own_cos_[fan.mesh[i]] == -2);

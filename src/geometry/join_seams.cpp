@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Authored normals joined where meshes meet: places that several meshes share -> their corners -> fans -> the few vertices
-// that turn.
+// Joins authored normals where meshes meet: shared places -> corners -> fans -> changed vertices.
 #include <rakelight/seams.h>
 
 #include <algorithm>
@@ -22,14 +21,14 @@ namespace {
 constexpr double vanished_share = 1e-6;  // of the angles that were summed
 constexpr std::uint32_t nobody = 0xffffffffu;
 
-/// A vertex, numbered through, and what its normal becomes.
+/// A global vertex index and its new normal.
 struct Turn {
     std::uint32_t vertex;
     vec3 normal;
     float degrees;  ///< in the world
 };
 
-/// What one chunk of places gives.
+/// Result of one chunk of places.
 struct Found {
     std::vector<Turn> turns;
     std::uint64_t flat_pairs = 0;
@@ -85,7 +84,7 @@ private:
         });
     }
 
-    /// The least mesh at each place owns it; where another one is, it is shared.
+    /// The smallest mesh at a place owns it; with another mesh the place is shared.
     void mark_shared(const std::vector<std::uint8_t>& used, std::vector<std::uint8_t>& shared) const {
         std::vector<std::uint32_t> owner(used.size(), nobody);
         for_each_vertex([&](std::uint32_t m, std::uint32_t v) {
@@ -149,7 +148,7 @@ private:
         return c;
     }
 
-    /// A normal of zero is none.
+    /// A zero normal means none.
     static bool is_own(dvec3 corner, dvec3 face) {
         return corner != dvec3{} && angle_between(corner, face) <= radians(authored_flat_deg);
     }
@@ -223,7 +222,7 @@ private:
     std::vector<double> cosines_;  ///< [meshes]
 };
 
-/// What the pass holds beside the weld, and its corners if every place were shared.
+/// Upper bound of the pass's memory besides the weld, as if every place were shared.
 void check_memory(std::span<const AttributeMesh> meshes, Context& context) {
     std::uint64_t bytes = 0;
     for (const AttributeMesh& m : meshes) bytes += 14 * m.positions.size() + 6 * m.indices.size();
@@ -264,7 +263,7 @@ namespace {
 dvec3 turned(dvec3 v, dvec3 from, dvec3 to) {
     const dvec3 axis = cross(from, to);
     const double cosine = dot(from, to);
-    if (cosine <= -1 + 1e-12) {  // half a turn about some axis across
+    if (cosine <= -1 + 1e-12) {  // half a turn about an arbitrary perpendicular axis
         const dvec3 across = geometry::perpendicular(from);
         return across * (2 * dot(across, v)) - v;
     }

@@ -7,9 +7,9 @@
 namespace rakelight::geometry {
 namespace {
 
-/// The faces around a vertex between two sharp edges, or all of them: a normal each.
+/// A sector: the faces around a vertex between two sharp edges, or all faces. Each has one normal.
 struct Sector {
-    int first = 0, count = 0;  ///< faces, counted on from the first one modulo their number
+    int first = 0, count = 0;  ///< faces, cyclic from the first one
 };
 
 /// Normals of the limit surface at the vertices of the last level.
@@ -43,7 +43,7 @@ private:
     void for_each_sector(int vertex, const Body& body) const {
         const auto edges = level_.GetVertexEdges(vertex);
         const int faces = level_.GetVertexFaces(vertex).size();
-        if (level_.IsVertexNonManifold(vertex)) {  // not in order: each face by itself
+        if (level_.IsVertexNonManifold(vertex)) {  // non-manifold: each face separately
             for (int i = 0; i < faces; ++i) body(Sector{i, 1});
             return;
         }
@@ -76,7 +76,7 @@ private:
         out_.normals[number] = normalize_or(normal_of(vertex, sector, facets), normalize_or(facets, {0, 0, 1}));
     }
 
-    /// Of any length; 0 where the tangents say nothing.
+    /// Not normalized; 0 if the tangents are degenerate.
     dvec3 normal_of(int vertex, const Sector& sector, dvec3 facets) const {
         if (level_.IsVertexNonManifold(vertex)) return facets;
         const Corner corner = corner_at(level_, vertex, false);
@@ -84,10 +84,10 @@ private:
         const auto edges = level_.GetVertexEdges(vertex);
         const dvec3 first = from(vertex, edges[sector.first]);
         const dvec3 last = from(vertex, edges[(sector.first + sector.count) % edges.size()]);
-        if (corner.rule == Rule::crease && sector.count <= most_with_tangents(scheme_))
+        if (corner.rule == Rule::crease && sector.count <= max_with_tangents(scheme_))
             return towards(cross(first - last, across(vertex, sector, first, last)), facets);
         if (corner.rule == Rule::crease) return facets;
-        // A corner: its edges span the tangent plane, where they are not nearly one line
+        // a corner: its edges span the tangent plane unless nearly collinear
         const dvec3 normal = cross(first, last);
         const bool is_clear = dot(normal, normal) > 0.01 * dot(first, first) * dot(last, last);
         return is_clear && sector.count < 3 ? towards(normal, facets) : facets;
@@ -95,7 +95,7 @@ private:
 
     /// With more faces on one side of a crease the largest eigenvalues (after 1) are both of the inside: the surface
     /// has no tangent plane there that holds the crease (Biermann, Levin & Zorin 2000, section 3).
-    static int most_with_tangents(Scheme scheme) { return scheme == Scheme::loop ? 5 : 3; }
+    static int max_with_tangents(Scheme scheme) { return scheme == Scheme::loop ? 5 : 3; }
 
     static dvec3 towards(dvec3 normal, dvec3 way) { return dot(normal, way) < 0 ? -normal : normal; }
 

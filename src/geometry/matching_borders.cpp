@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way: open edges -> nodes at their ends -> links between borders of different meshes -> votes up the links, normals and
-// tangents down again.
+// Stages: open edges -> nodes at their ends -> links between borders of different meshes -> votes passed up the links,
+// normals and tangents passed down.
 #include <rakelight/matching_borders.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "base/format_text.h"
 #include "geometry/border_links.h"
 #include "geometry/border_sums.h"
 #include "geometry/border_surface.h"
@@ -16,7 +17,7 @@ namespace rakelight {
 
 struct BorderMatch::Impl {
     MatchOptions options;
-    std::vector<std::uint32_t> vertices, triangles;  ///< [meshes] counts that join_borders() insists on
+    std::vector<std::uint32_t> vertices, triangles;  ///< [meshes] counts required by join_borders()
     geometry::BorderNodes nodes;
     geometry::BorderLinks links;
 };
@@ -50,7 +51,7 @@ std::vector<MeshSeams> join_borders(const BorderMatch& match, std::span<const At
     if (match.is_empty()) return std::vector<MeshSeams>(meshes.size());
     geometry::check_normals(meshes);
     const auto refuse = [](std::size_t m) {
-        throw Error(ErrorCode::bad_file, "other counts than were matched", "mesh " + std::to_string(m));
+        throw Error(ErrorCode::bad_file, "other counts than were matched", format_text("mesh {}", m));
     };
     for (std::size_t m = 0; m < std::max(meshes.size(), impl.vertices.size()); ++m)
         if (m >= meshes.size() || m >= impl.vertices.size() || meshes[m].positions.size() != impl.vertices[m] ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far apart normals are along borders that run along each other.
+// Angles between the normals of adjacent borders.
 #include <rakelight/matching_borders.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using geometry::Weighted;
 constexpr int samples_per_edge = 4;
 constexpr std::size_t edges_per_chunk = 512;
 
-/// The nearest one, in place and normal.
+/// The nearest hit by position and normal.
 const BorderHit* best_of(const BorderHits& hits) {
     const std::span<const BorderHit> all = hits.all();
     const auto at = std::min_element(all.begin(), all.end(), [](const BorderHit& a, const BorderHit& b) {
@@ -31,14 +31,14 @@ const BorderHit* best_of(const BorderHits& hits) {
     return at == all.end() ? nullptr : &*at;
 }
 
-/// What is found from the open edges of one chunk.
+/// Result of one chunk of open edges.
 struct Found {
     std::vector<BorderSample> samples;
     std::vector<std::uint32_t> edges;  ///< [samples]
     std::uint64_t given_up = 0;
 };
 
-/// [degrees] By which normals turn along the open edges at each end of an edge, at most.
+/// [degrees] Maximum change of normals along the open edges at each end of an edge.
 class Turns {
 public:
     explicit Turns(std::span<const BorderEdge> edges) {
@@ -90,7 +90,7 @@ void measure_edge(const geometry::BorderSearch& search, const Turns& turns, std:
 /// Samples of neighboring edges that match one mesh are one run; those of short runs are dropped, as match_borders() does.
 class Runs {
 public:
-    /// @param place  [vertices] of PlacedMeshes: also at hard edges neighbors are neighbors
+    /// @param place [vertices] of PlacedMeshes: so that edges are neighbors across hard edges too
     Runs(std::span<const BorderEdge> edges, std::span<const std::uint32_t> place, std::vector<BorderSample>& samples,
          std::span<const std::uint32_t> edge_of)
         : samples_(samples) {
@@ -139,7 +139,7 @@ private:
     geometry::UnionFind sets_;
 };
 
-/// At the sample places of every edge.
+/// Samples every edge.
 void find_samples(const geometry::BorderSearch& search, std::span<const std::uint32_t> place, double radius,
                   BorderMeasure& measure, Context& context) {
     const std::span<const BorderEdge> edges = search.edges();
@@ -157,7 +157,7 @@ void find_samples(const geometry::BorderSearch& search, std::span<const std::uin
         edge_of.insert(edge_of.end(), f.edges.begin(), f.edges.end());
         measure.edges_not_searched += f.given_up;
     }
-    Runs(edges, place, measure.samples, edge_of).drop_shorter_than(geometry::least_run * radius);
+    Runs(edges, place, measure.samples, edge_of).drop_shorter_than(geometry::min_run * radius);
 }
 
 }  // namespace

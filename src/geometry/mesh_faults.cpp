@@ -25,7 +25,7 @@ public:
 
     std::vector<ObjectFaults> run() {
         const auto& meshes = placed_.input.meshes;
-        std::vector<std::uint32_t> order(meshes.size());  // so that the meshes of an object stand together
+        std::vector<std::uint32_t> order(meshes.size());  // groups the meshes of an object
         std::iota(order.begin(), order.end(), 0u);
         std::stable_sort(order.begin(), order.end(),
                          [&](std::uint32_t a, std::uint32_t b) { return meshes[a].object < meshes[b].object; });
@@ -36,7 +36,7 @@ public:
                 mark_faces(order[end], faults_[object]);
                 count_vertices(order[end], faults_[object]);
             }
-            for (; i < end; ++i) clear_places(order[i]);  // the next object may stand at the same ones
+            for (; i < end; ++i) clear_places(order[i]);  // the next object may have the same places
         }
         return std::move(faults_);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults that faces and vertices have by themselves: normals of no use, faces of no area, texture charts that meet
+// Faults of single faces and vertices: unusable normals, faces without area, mirrored texture charts that meet
 // mirrored.
 #pragma once
 #include <cstdint>
@@ -18,7 +18,7 @@ struct ObjectFaults {
     std::uint64_t non_finite_normals = 0;
     std::uint64_t non_unit_normals = 0;  ///< neither of the two, but the length is off 1 by more than unit_length_slack
     std::uint64_t degenerate_faces = 0;  ///< zero area, or a corner that is not finite: no vote in any normal
-    std::uint64_t mirrored_places = 0;   ///< places where faces of both handedness of the texture coordinates meet
+    std::uint64_t mirrored_places = 0;   ///< places with faces of both texture handednesses
     std::uint64_t mirror_split_vertices = 0;  ///< vertices that faces of both use, so that their tangent must be split
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which meshes of a plan have to do with one another.
+// Connected components of a plan's meshes.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace rakelight::geometry {
 
-/// [meshes] The least number of a mesh that each is connected with by places that two meshes have in common, however
-/// many lie between. What moves in one island changes nothing in another. O(vertices).
+/// [meshes] The smallest index of each mesh's connected component, where meshes with common places are connected.
+/// Movement in one island does not affect another. O(vertices).
 std::vector<std::uint32_t> mesh_islands(const AttributePlan& plan);
 
 }  // namespace rakelight::geometry

@@ -21,7 +21,7 @@ std::vector<WeightedTarget> counting(const MeshPose& pose, Block<vec3> PosedTarg
     return result;
 }
 
-/// A block of numbers that somebody will fill.
+/// A block to be filled by the caller.
 template <class T>
 std::vector<T> room_for(const Block<T>& block) {
     return std::vector<T>(block.size());
@@ -58,7 +58,7 @@ void skin(const MeshPose& pose, PosedArrays& arrays, Context& context) {
     arrays = {std::move(positions), std::move(normals), std::move(tangents)};
 }
 
-/// Some positions from `first` on, as they stand.
+/// Posed positions from `first` on.
 std::span<const vec3> posed_positions(const MeshPose& pose, std::span<const WeightedTarget> targets, std::size_t first,
                                       std::span<vec3> morphed, std::span<vec3> skinned) {
     std::span<const vec3> at = pose.positions.span().subspan(first, morphed.size());

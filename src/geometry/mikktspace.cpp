@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Corners are joined where position, normal and texture coordinate are equal. Around each joined corner, faces that
 // share an edge and turn the texture the same way form a group; its faces' tangents, laid into the plane of the normal
-// and made unit, are summed by the angle at the corner. Faces without an area in the texture have no say; they go with
-// the first group that reaches them.
+// and made unit, are summed by the angle at the corner. Faces without texture area are not summed; they join the first
+// group that reaches them.
 //
-// All in float, one operation after the other, as the standard has it: what rounding decides there (weights of narrow
-// corners, sums that nearly vanish, tangents that are opposite) is then decided alike. Only numbers beyond the range of
-// float squares go by way of double.
+// Everything is in float with the operation order of the reference code, so that decisions by rounding (weights of
+// narrow corners, nearly vanishing sums, opposite tangents) agree. Only values whose squares exceed the float range use
+// double.
 #include "geometry/mikktspace.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace rakelight::geometry {
 namespace {
 
 constexpr std::uint32_t no_index = 0xffffffffu;
-constexpr float smallest = std::numeric_limits<float>::min();  // what the standard takes for zero
+constexpr float smallest = std::numeric_limits<float>::min();  // zero threshold of the reference code
 constexpr std::size_t few = 256;
 
 std::uint32_t next(std::uint32_t k) { return k == 2 ? 0 : k + 1; }
@@ -34,7 +34,7 @@ struct Face {
     std::array<std::uint32_t, 3> neighbor;  // face over the edge from corner k to the next
     std::array<bool, 3> done;               // corner k has its group
     bool preserves;                         // texture coordinates run counter-clockwise, as stored
-    bool follows;                           // no area in the texture: takes the side of the first group that reaches it
+    bool follows;                           // no texture area: takes the orientation of the first group that reaches it
     vec3 s, t;                              // unit dP/du and dP/dv
 };
 
@@ -54,7 +54,7 @@ vec3 unit_or_zero(vec3 v) {
     return cast<float>(direction_of(cast<double>(v)).unit);
 }
 
-// a * x - b * y; by way of double, and of unit length, where float overflows.
+// a * x - b * y; in double, and normalized, if float overflows.
 vec3 combine(vec3 a, float x, vec3 b, float y) {
     const vec3 v = a * x - b * y;
     if (is_finite(v)) return v;
@@ -88,7 +88,7 @@ private:
         return std::tuple(p.x, p.y, p.z, n.x, n.y, n.z, q.x + 0.0f, q.y + 0.0f);
     }
 
-    // Equal in all eight numbers: the smallest vertex stands for all. What is not finite is equal to nothing.
+    // Equal in all eight numbers: the smallest vertex represents them. Non-finite values are never equal.
     void join_vertices() {
         joined_.resize(mesh_.positions.size());
         std::vector<std::uint32_t> order;
@@ -108,7 +108,7 @@ private:
             if (key(order[i]) == key(order[i - 1])) joined_[order[i]] = joined_[order[i - 1]];
     }
 
-    // Two corners at one place, or one that is nowhere: no face, as the standard has it.
+    // Two corners at one place, or a non-finite corner: no face, as in the reference code.
     bool is_face(const std::uint32_t* index) const {
         const vec3 a = mesh_.positions[index[0]], b = mesh_.positions[index[1]], c = mesh_.positions[index[2]];
         return is_finite(a) && is_finite(b) && is_finite(c) && !(a == b) && !(a == c) && !(b == c);
@@ -146,7 +146,7 @@ private:
         bool rising;  // from low to high
     };
 
-    // Over an edge between more than two faces the n-th face that runs along it meets the n-th that runs back.
+    // At an edge of more than two faces, the n-th face in one direction is paired with the n-th in the other.
     void link_faces() {
         std::vector<Edge> edges;
         edges.reserve(3 * faces_.size());
@@ -172,7 +172,7 @@ private:
         }
     }
 
-    // The group of a corner: over edges, as far as faces turn the texture the same way.
+    // The group of a corner: faces connected over edges with equal texture orientation.
     void collect(std::uint32_t first, std::uint32_t corner) {
         const std::uint32_t vertex = faces_[first].vertex[corner];
         const bool preserves = faces_[first].preserves;
@@ -208,7 +208,7 @@ private:
         }
     }
 
-    // An angular threshold of 180 degrees: all but those that are exactly opposite.
+    // An angular threshold of 180 degrees: all except exactly opposite ones.
     bool meet(const Member& a, const Member& b) const {
         if (a.face == b.face || faces_[a.face].follows || faces_[b.face].follows) return true;
         return dot(a.s, b.s) > -1.0f && dot(a.t, b.t) > -1.0f;
@@ -234,7 +234,7 @@ private:
         return unit_or_zero(total);
     }
 
-    // A face without area takes what the first face at each of its joined corners has.
+    // A face without area takes the tangents of the first face at each of its joined corners.
     void copy_to_degenerate() {
         if (3 * faces_.size() == mesh_.indices.size()) return;
         std::vector<std::uint32_t> source(joined_.size(), no_index);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tangents that reproduce MikkTSpace, the space in which most normal maps are baked.
-// Source: Mikkelsen 2008, "Simulation of Wrinkled Surfaces Revisited", master's thesis, DIKU, with the behavior of its
-// published standard at an angular threshold of 180 degrees.
+// Reproduces the tangents of MikkTSpace, used for baking most normal maps. Source: Mikkelsen 2008, "Simulation of
+// Wrinkled Surfaces Revisited", master's thesis, DIKU, with the behavior of the published reference code at an angular
+// threshold of 180 degrees.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -11,25 +11,25 @@
 
 namespace rakelight::geometry {
 
-/// One mesh with a normal at each vertex, in its own space. All arrays [V] but `indices` [3T], each < V.
+/// One mesh with a normal per vertex, in object space. All arrays [V] but `indices` [3T], each < V.
 struct MikktspaceMesh {
     std::span<const vec3> positions, normals;
     std::span<const vec2> texcoords;  ///< v down
     std::span<const std::uint32_t> indices;
 };
 
-/// The tangent of each corner: xyz unit and across the normal, or zero where the standard leaves its default (no face
-/// with an area in the texture is near) or the sum vanishes; w = +1 or -1, for a bitangent towards decreasing v. One
-/// thread; O(n log n), but where tangents of one group are exactly opposite O(k^2) in its size, up to 256 (beyond, all
-/// are summed).
+/// The tangent of each corner: xyz unit and perpendicular to the normal; w = +1 or -1, for a bitangent towards
+/// decreasing v. Zero where the reference code keeps its default (no neighboring face with texture area) or the sum
+/// vanishes. Single-threaded, O(n log n). Groups with exactly opposite tangents take O(k^2) in their size up to 256;
+/// larger ones are summed.
 /// @return [3T]
 std::vector<vec4> mikktspace_corners(const MikktspaceMesh& mesh);
 
-/// Bytes that mikktspace_corners() holds for so many vertices and triangles.
+/// [bytes] memory of mikktspace_corners().
 std::uint64_t mikktspace_bytes(std::uint64_t vertices, std::uint64_t triangles);
 
-/// Replaces the tangents of one mesh's result by those of MikkTSpace; vertices whose corners differ are split. Where a
-/// corner has none: perpendicular() of the object-space normal.
+/// Replaces the tangents of one mesh's result by those of MikkTSpace; vertices whose corners differ are split. Corners
+/// without one get perpendicular() of the object-space normal.
 void give_mikktspace(const AttributeMesh& mesh, MeshAttributes& result);
 
 }  // namespace rakelight::geometry

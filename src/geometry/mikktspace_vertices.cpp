@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From tangents of corners to tangents of vertices: a vertex whose corners differ is split.
+// Converts corner tangents to vertex tangents; vertices with different corners are split.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t no_index = 0xffffffffu;
 
-// The arrays of a result, with each vertex's own copy of what the mesh gave its source.
+// The result arrays, with source attributes copied for each vertex.
 struct Expanded {
     std::vector<vec3> positions;
     std::vector<vec2> texcoords;
@@ -39,7 +39,7 @@ Expanded expand(const AttributeMesh& mesh, const MeshAttributes& result) {
 auto bits(vec4 t) { return std::bit_cast<std::array<std::uint32_t, 4>>(t); }
 
 struct Variant {
-    std::uint32_t source, vertex, corner;  // where it comes from; the first corner that has it
+    std::uint32_t source, vertex, corner;  // its source; the first corner that uses it
 };
 
 // Gives each vertex the tangent of its first corner, and lists the other tangents that its corners have.

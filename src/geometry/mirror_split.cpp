@@ -22,13 +22,14 @@ void for_each_hand(const AttributeInput& input, bool keep_normals, const std::ve
             if (mesh.texcoords.empty()) return;
             for (std::uint32_t t = first; t != last; ++t) {
                 const std::uint32_t* index = &mesh.indices[3 * std::size_t(t)];
-                const double hand = -texture_edges(mesh, index).sign * placement.flip;  // as face_tangent() has it
+                const double hand = -texture_edges(mesh, index).sign * placement.flip;  // as in face_tangent()
                 const FaceCorners face = face_corners(mesh, index);
                 if (hand == 0 || cross(face.e1, face.e2) == dvec3{}) continue;
                 const Direction normal = keep_normals ? face_normal(placement, face) : Direction{};
                 for (std::uint32_t k = 0; k < 3; ++k) {
                     const double seen =
-                        keep_normals ? hand_from(given_normal(placement, mesh.normals[index[k]]), normal, hand) : hand;
+                        keep_normals ? handedness_from(given_normal(placement, mesh.normals[index[k]]), normal, hand)
+                                     : hand;
                     body(m, 3 * (input.triangle_base[m] + t) + k, seen);
                 }
             }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t chunk = 1024;  // vertices at a time: their sums stay in the cache from target to target
 
-/// Sums go number by number, a target after the other: loops that the compiler makes vector instructions of.
+/// Sums component by component, target by target, in loops that the compiler vectorizes.
 void add_offsets(std::span<const WeightedTarget> targets, std::size_t first, std::span<vec3> sums) {
     static_assert(sizeof(vec3) == 3 * sizeof(float));
     for (const WeightedTarget& t : targets) {
@@ -23,7 +23,7 @@ void add_offsets(std::span<const WeightedTarget> targets, std::size_t first, std
 }
 
 /// Calls finish(first, sums) for chunks of vertices.
-/// @param start  (first vertex, floats) writes what the sums begin with
+/// @param start (first vertex, floats) writes the initial values of the sums
 template <class Start, class Finish>
 void sum_up(std::size_t count, std::span<const WeightedTarget> targets, Context& context, const Start& start,
             const Finish& finish) {
@@ -36,7 +36,7 @@ void sum_up(std::size_t count, std::span<const WeightedTarget> targets, Context&
     });
 }
 
-/// Sums begin with these.
+/// Initial values of the sums.
 auto copying(std::span<const vec3> base) {
     return [base](std::size_t first, std::span<vec3> sums) {
         std::copy_n(base.begin() + std::ptrdiff_t(first), sums.size(), sums.begin());

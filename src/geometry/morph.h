@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Morph targets: offsets times weights upon vertices and their directions. Spans in, spans out; no scene.
+// Morph targets: weighted offsets of positions, normals and tangents. Spans in, spans out; no scene.
 #pragma once
 #include <span>
 
@@ -8,20 +8,20 @@
 
 namespace rakelight::geometry {
 
-/// Offsets of one target, [V] or empty, and how much of them counts.
+/// Offsets of one target, [V] or empty, and its weight.
 struct WeightedTarget {
     float weight = 0;
     std::span<const vec3> offsets{};
 };
 
-/// out = base + sum of weight * offset, in the order of the targets (glTF 2.0, section 3.7.2.2). The same bits for any
+/// out = base + sum of weight * offset, in the order of the targets (glTF 2.0, section 3.7.2.2). Bit-identical for any
 /// number of threads.
 void morph_positions(std::span<const vec3> base, std::span<const WeightedTarget> targets, std::span<vec3> out,
                      Context& context);
-/// The same bits for `out.size()` vertices from `first` on, by the calling thread.
+/// Bit-identical for `out.size()` vertices from `first` on, on the calling thread.
 void morph_some_positions(std::span<const vec3> base, std::span<const WeightedTarget> targets, std::size_t first,
                           std::span<vec3> out);
-/// As morph_positions(), of length 1 after; where the sum vanishes, as `base`.
+/// As morph_positions(), then normalized; `base` if the sum vanishes.
 void morph_normals(std::span<const vec3> base, std::span<const WeightedTarget> targets, std::span<vec3> out,
                    Context& context);
 /// xyz as morph_normals(), w as `base`.

@@ -9,7 +9,7 @@ namespace {
 constexpr double cell_width = 4;           // in distances
 constexpr double half = 0.5 * (1 + 1e-6);  // of the distance; more than enough for the rounding of the grid
 constexpr std::uint32_t vertices_per_partition = 4096;  // tables of this size stay in the nearest cache
-constexpr std::uint32_t most_partitions = 4096;
+constexpr std::uint32_t max_partitions = 4096;
 
 struct Sent {
     std::uint64_t hash;
@@ -49,7 +49,7 @@ private:
 NearCells::NearCells(const std::vector<std::uint32_t>& representative, const AttributeInput& input, dvec3 origin,
                      double distance, Context& context) {
     const std::uint32_t wanted = std::bit_ceil(input.vertex_count() / vertices_per_partition + 1);
-    partitions_ = std::min(wanted, most_partitions);
+    partitions_ = std::min(wanted, max_partitions);
     shift_ = 64 - std::uint32_t(std::bit_width(partitions_) - 1);
     const Grid grid(origin, distance);
     const std::vector<Chunk> chunks = make_chunks(input.vertex_base, vertices_per_chunk);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which places lie in a common cell of a grid: candidates for being one place within a distance.
+// Grid cells with several places: candidates for welding within a distance.
 //
-// A place within half the distance of a cell's wall enters the neighbor too, so every pair within the distance meets in
-// some cell. Cells are known by 32 bits of a hash: two cells that fall together only give more candidates. Wider cells
-// have fewer entries a place (twice as many as places here) but more candidates, and the small parts of a wide scene
-// crowd in them.
+// A place within half the distance of a cell's wall is also in the neighbor, so every pair within the distance shares a
+// cell. Cells are identified by a 32-bit hash; collisions only add candidates. Larger cells would have fewer entries
+// (here twice as many as places) but more candidates, and small parts of a wide scene would crowd in them.
 #pragma once
 #include <bit>
 #include <vector>
@@ -28,7 +27,7 @@ public:
 
     /// Calls body(vertices) for each cell of a partition with two places or more: std::span<const std::uint32_t>, none
     /// twice.
-    /// @return how many slots of other cells were looked at, the measure of how evenly the table fills
+    /// @return number of visited slots of other cells, which measures how evenly the table fills
     template <class Body>
     std::uint64_t for_each_shared_cell(std::uint32_t partition, const Body& body) const {
         const Entry* entries = entries_.data() + begin_[partition];
@@ -62,14 +61,14 @@ private:
         return partitions_ == 1 ? 0 : std::uint32_t(hash >> shift_);
     }
 
-    // Tags are of no key, so that which cells fall together is the same in every run; where they stand in a table has
-    // one, or a file could be made all of whose cells meet there.
+    // Tags have no random key, so that collisions of cells are equal in every run. Table positions have one, against
+    // hostile files.
     std::uint32_t slot_of(std::uint32_t tag) const { return std::uint32_t(folded_product(tag ^ key_.a, key_.b)); }
 
     HashKey key_ = hash_key_of_this_run();
     std::uint32_t partitions_ = 1, shift_ = 64;
     std::vector<std::uint32_t> begin_;  // [partitions + 1]
-    LargeArray<Entry> entries_;         // a vertex' own entries in one cell are neighbors
+    LargeArray<Entry> entries_;         // entries of one vertex in one cell are adjacent
 };
 
 }  // namespace rakelight::geometry

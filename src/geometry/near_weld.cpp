@@ -10,15 +10,16 @@
 #include <string>
 #include <tuple>
 
+#include "base/format_text.h"
 #include "geometry/near_cells.h"
-#include "geometry/rounding_reach.h"
+#include "geometry/rounding_tolerances.h"
 #include "geometry/union_find.h"
 
 namespace rakelight::geometry {
 namespace {
 
 constexpr std::size_t crowded =
-    1024;  // places in one cell: more is no model but an attack, or a distance far too large
+    1024;  // places in one cell: more means a hostile file, or a far too large distance
 
 struct Entry {
     dvec3 position;
@@ -69,11 +70,11 @@ private:
     }
 
     double widest_reach(const Box& box) {
-        reach_ = rounding_reach(input_, box, context_);
+        reach_ = rounding_tolerances(input_, box, context_);
         return 2 * *std::max_element(reach_.begin(), reach_.end());
     }
 
-    // Of quantized meshes that meet exactly, the next code is another place of the surface.
+    // For quantized meshes that meet exactly, the next code is a different place.
     void find_shared_places() {
         std::vector<std::vector<SharedPlace>> found(chunks_.size());
         context_.parallel_for(chunks_.size(), [&](std::size_t c) {
@@ -88,13 +89,13 @@ private:
         shared_.erase(std::unique(shared_.begin(), shared_.end()), shared_.end());
     }
 
-    // The meshes beside its own that have a vertex at a place, ascending.
+    // The other meshes with a vertex at a place, ascending.
     std::span<const SharedPlace> others_at(std::uint32_t place) const {
         const auto first = std::lower_bound(shared_.begin(), shared_.end(), SharedPlace{place, 0});
         return {first, std::lower_bound(first, shared_.end(), SharedPlace{place + 1, 0})};
     }
 
-    // Linear in the meshes at the two places: thousands may stand at one.
+    // Linear in the meshes at the two places, which may be thousands.
     bool have_a_mesh_in_common(const Entry& a, const Entry& b) const {
         const auto at_a = others_at(a.vertex), at_b = others_at(b.vertex);
         const auto has = [](std::span<const SharedPlace> list, std::uint32_t mesh) {
@@ -108,7 +109,7 @@ private:
         return false;
     }
 
-    // How far apart the two may lie to be one place; < 0: they are two.
+    // Largest distance at which the two are one place; < 0: never.
     double reach(const Entry& a, const Entry& b) const {
         if (a.object != b.object) return -1;
         if (!by_meshes_) return distance_;
@@ -200,7 +201,7 @@ private:
         UnionFind sets;
         if (!pairs.empty()) sets.reset(representative_.size());
         for (const Pair& pair : pairs) sets.join(pair.a, pair.b);
-        // By the place that they become.
+        // Sorted by their common place.
         std::sort(pairs.begin(), pairs.end(),
                   [&](const Pair& a, const Pair& b) { return sets.root(a.a) < sets.root(b.a); });
         std::vector<bool> is_welded(pairs.empty() ? 0 : representative_.size(), false);
@@ -213,10 +214,10 @@ private:
         }
         const std::uint64_t left = std::accumulate(crowded_.begin(), crowded_.end(), std::uint64_t(0));
         if (too_wide + left != 0)
-            context_.report().add(
-                Remark::warning, {}, {},
-                std::to_string(too_wide) + " chains and " + std::to_string(left) +
-                    " crowded vertices lie too close together to be welded within a tolerance; kept exact");
+            context_.report().add(Remark::warning, {}, {},
+                                  format_text("{} chains and {} crowded vertices lie too close together to be welded "
+                                              "within a tolerance; kept exact",
+                                              too_wide, left));
         if (pairs.empty()) return;
         for (std::uint32_t& r : representative_) {
             const std::uint32_t root = sets.root(r);

@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::uint64_t bytes_per_triangle = 64;  ///< of edges, sets and votes
 
-/// Normals of a triangle's corners, made unit in the world.
+/// Normals of a triangle's corners, normalized in world space.
 std::array<dvec3, 3> corner_normals(const Placement& placement, const AttributeMesh& mesh, const std::uint32_t* index) {
     return {given_normal(placement, mesh.normals[index[0]]), given_normal(placement, mesh.normals[index[1]]),
             given_normal(placement, mesh.normals[index[2]])};
 }
 
-/// Sums of weight times cosine, a weight each.
+/// Sums of weight times cosine.
 struct Votes {
     double uniform = 0, area = 0, angle = 0, angle_area = 0;
 
@@ -50,7 +50,7 @@ Votes votes_of(const AttributeInput& input, std::uint32_t mesh, std::uint32_t tr
             sum(corner_weights<CornerWeight::angle_area>(placement, corners, face.length))};
 }
 
-/// [triangles] whether each triangle's own normals stand against it.
+/// [triangles] whether the vertex normals oppose the triangle's winding.
 std::vector<std::uint8_t> own_sides(const AttributeInput& input, Context& context) {
     std::vector<std::uint8_t> against(input.triangle_count());
     const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
@@ -69,7 +69,7 @@ std::vector<std::uint8_t> own_sides(const AttributeInput& input, Context& contex
     return against;
 }
 
-/// The same, asked of whole pieces.
+/// The same for whole pieces.
 void ask_pieces(const AttributeInput& input, std::vector<std::uint8_t>& against, Context& context) {
     const PlacedMeshes placed{input, weld_positions(input, {.normal = true}, context)};
     UnionFind pieces;

@@ -15,9 +15,9 @@ struct Use {
     std::uint32_t low, high, corner;
 };
 
-/// A face goes from each of its places to the next: over all faces around a place inside a surface, every neighbor is
-/// gone to once and come from once, so that sums of their hashes, with these signs, are zero. At the end of an open
-/// edge one neighbor is left over (and a sum is zero by chance once in 2^64).
+/// Each face has directed edges between its places. Around an interior place every neighbor has one incoming and one
+/// outgoing edge, so the signed sum of the neighbors' hashes is zero. At the end of an open edge one neighbor remains
+/// (a sum is zero by chance with probability 2^-64).
 class OpenEdges {
 public:
     OpenEdges(const PlacedMeshes& placed, Context& context)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges of one face in the whole model, in a pass over the faces and a sort of the few that can be open.
+// Open edges (with one face in the whole model), by one pass over the faces and a sort of the few candidates.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,8 +8,9 @@
 
 namespace rakelight::geometry {
 
-/// @return the corner where each open edge begins, as its face's indices go round; ascending. Faces without three places are
-///         left out (face_places()). The edges of EdgeCensus::open_corners. 8 bytes a vertex; expected O(n).
+/// @return the corner where each open edge starts in the winding of its face; ascending. Faces without three different
+///         places are skipped (face_places()). The edges of EdgeCensus::open_corners. 8 bytes per vertex; expected
+///         O(n).
 std::vector<std::uint32_t> find_open_edges(const PlacedMeshes& placed, Context& context);
 
 }  // namespace rakelight::geometry

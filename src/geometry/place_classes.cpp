@@ -10,7 +10,7 @@ namespace rakelight::geometry {
 
 namespace {
 
-/// At their peaks: hashes, records and places; then the cells of near places, each of which stands in two of them.
+/// Peak memory: hashes, records and places; then cells of near places, two entries each.
 void check_memory(const AttributeInput& input, double weld_distance, Context& context) {
     constexpr std::uint64_t exact = 24, near = 84;  // [bytes] a vertex
     const bool has_codes = std::any_of(input.meshes.begin(), input.meshes.end(),

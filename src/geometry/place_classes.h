@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes with their vertices' places in the world: what questions about a model's surface are asked of.
+// Meshes with welded vertices in world space, for queries of a model's surface.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace rakelight::geometry {
 
-/// Vertices are numbered through all meshes, as are triangles (see AttributeInput).
+/// Vertices and triangles have global indices (see AttributeInput).
 struct PlacedMeshes {
     AttributeInput input;
     std::vector<std::uint32_t> place;  ///< [vertices] the smallest vertex at the same place in the world
@@ -24,14 +24,13 @@ struct PlacedMeshes {
     }
 };
 
-/// Welds as the attribute door does (AttributeOptions::weld_distance). The meshes' arrays must outlive the result.
+/// Welds as compute_attributes() does (AttributeOptions::weld_distance). The meshes' arrays must outlive the result.
 /// O(n).
-/// @throws Error bad_file: sizes that do not fit, an index out of range, a matrix that is not finite, more than 2^32
-///         vertices and corners, more memory than the budget has
+/// @throws Error bad_file: inconsistent sizes, an index out of range, a non-finite matrix, more than 2^32 vertices and
+///         corners, over the memory budget
 PlacedMeshes place_vertices(std::span<const AttributeMesh> meshes, double weld_distance, Context& context);
 
-/// The places of a triangle's corners. False where it has none to speak of: a corner is not finite, or two are at one
-/// place.
+/// The places of a triangle's corners. False if a corner is not finite, or two are at one place.
 struct FacePlaces {
     std::uint32_t corner[3];
 };

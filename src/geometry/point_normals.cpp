@@ -12,11 +12,11 @@ namespace rakelight::geometry {
 namespace {
 
 constexpr float reach = 2.5f;  ///< in spacings
-constexpr std::size_t most_neighbors = 48, least_neighbors = 4;
-constexpr std::size_t most_looks = 1024;  ///< at points around one: a file may put any number into a cell
+constexpr std::size_t max_neighbors = 48, min_neighbors = 4;
+constexpr std::size_t max_looks = 1024;  ///< neighbors examined: a file may put any number of points into a cell
 constexpr std::size_t points_per_task = 1 << 12;
-constexpr double flat = 0.2;                  ///< least of the middle eigenvalue
-constexpr std::int64_t most_cells = 1 << 20;  ///< along an axis
+constexpr double flat = 0.2;                 ///< minimum of the middle eigenvalue
+constexpr std::int64_t max_cells = 1 << 20;  ///< along an axis
 
 /// Points by cells of a cubic grid, cell after cell.
 class Grid {
@@ -30,13 +30,13 @@ public:
         std::ranges::sort(entries_);
     }
 
-    /// Calls f(point) for points of the 27 cells around a place, until it says false.
+    /// Calls f(point) for points of the 27 cells around a place, until it returns false.
     template <class F>
     void around(vec3 place, const F& f) const {
         const std::array<std::int64_t, 3> c = cell_of(place);
         for (std::int64_t z = c[2] - 1; z <= c[2] + 1; ++z)
             for (std::int64_t y = c[1] - 1; y <= c[1] + 1; ++y) {
-                // Three cells in a row have keys that follow each other.
+                // Three cells in a row have consecutive keys.
                 const std::uint64_t first = key({std::max<std::int64_t>(c[0] - 1, 0), y, z}),
                                     last = key({c[0] + 1, y, z});
                 if (y < 0 || z < 0) continue;
@@ -56,7 +56,7 @@ private:
         std::array<std::int64_t, 3> c{};
         for (std::size_t k = 0; k < 3; ++k)
             c[k] = std::int64_t(
-                std::min(std::max((double(p[k]) - double(low_[k])) / double(cell_), 0.0), double(most_cells)));
+                std::min(std::max((double(p[k]) - double(low_[k])) / double(cell_), 0.0), double(max_cells)));
         return c;
     }
     static std::uint64_t key(std::array<std::int64_t, 3> c) {
@@ -74,7 +74,7 @@ struct LeastSpread {
     double values[3];
     dvec3 direction;
 };
-LeastSpread least_spread(const double (&s)[6]) {
+LeastSpread min_spread(const double (&s)[6]) {
     double a[3][3] = {{s[0], s[1], s[2]}, {s[1], s[3], s[4]}, {s[2], s[4], s[5]}},
            v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (int sweep = 0; sweep < 8; ++sweep)
@@ -111,20 +111,20 @@ LeastSpread spread_about(std::span<const vec3> points, std::uint32_t point, floa
     const vec3 center = points[point];
     grid.around(center, [&](std::uint32_t other) {
         const vec3 to = points[other] - center;
-        if (++looks > most_looks) return false;
+        if (++looks > max_looks) return false;
         if (!(dot(to, to) <= radius * radius)) return true;
         const dvec3 d = cast<double>(to);
         sum = sum + d;
         const double products[6] = {d.x * d.x, d.x * d.y, d.x * d.z, d.y * d.y, d.y * d.z, d.z * d.z};
         for (std::size_t k = 0; k < 6; ++k) squares[k] += products[k];
-        return ++count < most_neighbors;
+        return ++count < max_neighbors;
     });
-    if (count < least_neighbors) return {};
+    if (count < min_neighbors) return {};
     const double n = double(count);
     const dvec3 m = sum / n;
     const double means[6] = {m.x * m.x, m.x * m.y, m.x * m.z, m.y * m.y, m.y * m.z, m.z * m.z};
     for (std::size_t k = 0; k < 6; ++k) squares[k] = squares[k] / n - means[k];
-    return least_spread(squares);
+    return min_spread(squares);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::size_t most_in_group = 16;
+constexpr std::size_t max_in_group = 16;
 constexpr std::size_t smallest_task = 1 << 15;
 
 struct Box {
@@ -18,7 +18,7 @@ struct Box {
     vec3 high{-low.x, -low.y, -low.z};
 };
 
-/// Points by number, which are put in the order of the tree.
+/// Point indices, sorted to the order of the tree.
 class Groups {
 public:
     Groups(std::span<const vec3> points, std::vector<float>& out) : points_(points), out_(out) {
@@ -57,7 +57,7 @@ private:
     }
     static vec3 sides(const Box& box) { return box.high - box.low; }
 
-    /// Points equal in the coordinate go by their number, so that equal ones do not pile up on one side.
+    /// Ties are ordered by index, so that equal points are distributed to both sides.
     std::size_t split(std::size_t first, std::size_t end) {
         const vec3 s = sides(box_of(first, end));
         const std::size_t axis = s.x >= s.y && s.x >= s.z ? 0 : s.y >= s.z ? 1 : 2;
@@ -71,7 +71,7 @@ private:
     }
 
     void descend(std::size_t first, std::size_t end) {
-        if (end - first > most_in_group) {
+        if (end - first > max_in_group) {
             const std::size_t middle = split(first, end);
             descend(first, middle), descend(middle, end);
             return;

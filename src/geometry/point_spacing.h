@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far apart the points of a cloud lie, place by place.
+// Local spacing of the points of a cloud.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,15 +10,16 @@
 
 namespace rakelight::geometry {
 
-/// For each point the side of a square cell that holds one point, if those around it lie in a surface: the median splits of a k-d
-/// tree (Bentley 1975) leave groups of 8 to 16 neighbors, and a group of m points in a box with the longest sides a and b fills m
-/// squares of side s where (a + s) (b + s) = m s^2. O(n log n) whatever the points; the same for any number of threads.
-/// @param points  [P] those that are not finite get 0
-/// @return        [P] in units of the points, >= 0; 0 for points that all lie in one place
+/// For each point the side of a square cell with one point, assuming that its neighbors lie on a surface. Median splits
+/// of a k-d tree (Bentley 1975) leave groups of 8 to 16 neighbors. A group of m points in a box with longest sides a
+/// and b fills m squares of side s, where (a + s) (b + s) = m s^2. O(n log n) for any points; the result is equal for
+/// any number of threads.
+/// @param points [P] non-finite points get 0
+/// @return [P] in units of the points, >= 0; 0 if all points are at one place
 /// @throws Error bad_file: over the memory limit; failed: cancelled
 std::vector<float> point_spacing(std::span<const vec3> points, Context& context);
 
-/// The middle one of those that are more than 0; 0 where there are none.
+/// The median of positive values; 0 without any.
 float median_spacing(std::span<const float> spacing);
 
 }  // namespace rakelight::geometry

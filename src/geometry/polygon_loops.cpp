@@ -9,7 +9,7 @@ namespace {
 
 using Edge = std::array<std::uint32_t, 2>;
 
-/// The rim of some triangles: their edges without those that are there both ways round. False: not one simple loop.
+/// The boundary of some triangles: their edges without pairs of opposite direction. False: not one simple loop.
 bool find_rim(std::span<const std::uint32_t> triangles, std::vector<Edge>& edges, std::vector<std::uint32_t>& rim) {
     edges.clear();
     for (std::size_t i = 0; i < triangles.size(); ++i)

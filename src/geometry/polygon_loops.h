@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Polygons put back together from the triangles that they were cut into.
+// Reconstructs polygons from their triangles.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -14,9 +14,9 @@ struct PolygonLoops {
     std::vector<std::uint32_t> first_triangle;  ///< [F + 1] the triangles of each face
 };
 
+/// Triangles without a simple boundary loop stay triangles. Loops start at the first corner of the first triangle.
 /// @param indices  [3T]
-/// @param numbers  [T] triangles with equal numbers, one after another, were one polygon; empty: all are triangles
-/// Triangles whose rim is not one loop of different vertices stay triangles. Loops begin where the first triangle does.
+/// @param numbers [T] consecutive triangles with equal numbers were one polygon; empty: all are triangles
 PolygonLoops polygon_loops(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> numbers);
 
 }  // namespace rakelight::geometry

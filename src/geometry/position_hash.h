@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hashes of positions for tables whose content a file decides. Keyed, since for a hash that everybody can compute a
-// file can be made all of whose positions meet in one slot. What is found in a table does not depend on the key.
+// file could put all positions into one slot. Results do not depend on the key.
 #pragma once
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One radix partition by hash, then a hash table per partition that stays in the cache. Records are stable, so the first
-// vertex met at a place is the smallest; positions are computed again and compared only where hashes agree.
+// One radix partition by hash, then a hash table per partition that stays in the cache. Records are stable, so the
+// first vertex of a place is the smallest. Positions are recomputed and compared only if hashes agree.
 #include "geometry/position_weld.h"
 
 #include <atomic>
@@ -27,7 +27,7 @@ struct Place {
 };
 
 constexpr std::uint32_t records_per_partition = 1u << 14;
-constexpr std::uint32_t most_partitions = 1u << 12;
+constexpr std::uint32_t max_partitions = 1u << 12;
 constexpr std::uint32_t empty = 0xffffffffu;
 
 // Canonical zero: -0 + 0 is +0.
@@ -59,7 +59,7 @@ public:
     Weld(const AttributeInput& input, WeldKey key, Context& context)
         : input_(input), key_(key), context_(context), chunks_(make_chunks(input.vertex_base, vertices_per_chunk)) {
         const std::uint32_t wanted = input.vertex_count() / records_per_partition + 1;
-        shift_ = 32 - std::uint32_t(std::bit_width(std::min(std::bit_ceil(wanted), most_partitions)) - 1);
+        shift_ = 32 - std::uint32_t(std::bit_width(std::min(std::bit_ceil(wanted), max_partitions)) - 1);
         partitions_ = 1u << (32 - shift_);
     }
 
@@ -137,7 +137,7 @@ private:
         return place_of(input_, key_, m, vertex - input_.vertex_base[m]);
     }
 
-    // @return full slots that were looked at
+    // @return number of visited full slots
     std::uint64_t match(std::uint32_t p, std::vector<std::uint32_t>& representative) const {
         std::uint64_t met = 0;
         const std::uint32_t begin = begin_[p], end = begin_[p + 1];

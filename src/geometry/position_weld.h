@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Border classes: which vertices stand at exactly the same place in the world.
+// Welding: vertices at exactly the same position in world space.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -16,7 +16,7 @@ struct WeldKey {
 
 /// representative[v] = the smallest vertex at v's place; v itself where nothing else is there or its position is not
 /// finite. World positions are compared in double, -0 equal to +0. Expected O(n); the same for any number of threads.
-/// @param met  not null: how many full slots were looked at, the measure of how evenly the tables fill
+/// @param met not null: number of visited full slots, which measures how evenly the tables fill
 std::vector<std::uint32_t> weld_positions(const AttributeInput& input, WeldKey key, Context& context,
                                           std::uint64_t* met = nullptr);
 

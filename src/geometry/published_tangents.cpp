@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tangents and bitangents as the publication has them: averaged over all faces at a place, mirrored or not; then
-// Gram-Schmidt of the tangent alone, then the handedness test against the bitangent. docs/attributes.md has the method.
+// Tangents and bitangents of the published method: averaged over all faces at a place, mirrored or not, then
+// Gram-Schmidt of the tangent only, then the handedness test against the bitangent. docs/attributes.md has the method.
 #include <numeric>
 
 #include "geometry/face_vote.h"
@@ -17,7 +17,8 @@ struct Pair {
     dvec3 tangent, bitangent;
 };
 
-// Of one face, in the world, both unit; zero without an area in space or in the texture. The bitangent is -dP/dv.
+// Tangent and bitangent of one face in world space, unit; zero without area in space or in the texture. The bitangent
+// is -dP/dv.
 Pair face_pair(const AttributeMesh& mesh, const std::uint32_t* index, const Placement& placement) {
     const FaceCorners face = face_corners(mesh, index);
     if (!(face_normal(placement, face).length > 0)) return {};
@@ -70,10 +71,10 @@ private:
     Topology places_of(const AttributePlan::Impl& plan) const {
         Topology places = plan.topology;
         if (options_.scope == Scope::face) {
-            if (!options_.normals) std::iota(places.group.begin(), places.group.end(), 0u);  // each vertex by itself
+            if (!options_.normals) std::iota(places.group.begin(), places.group.end(), 0u);  // each vertex separately
             return places;
         }
-        if (!options_.normals)  // then the plan's classes are of equal normals too
+        if (!options_.normals)  // the plan's classes then also have equal normals
             places.places = std::make_shared<const std::vector<std::uint32_t>>(
                 weld_positions(input_, {.object = options_.scope != Scope::model, .normal = false}, context_));
         for (std::uint32_t v = 0; v < places.group.size(); ++v)
@@ -90,7 +91,7 @@ private:
         sum.bitangent += face.bitangent;
     }
 
-    // Dividing by the number of faces changes no direction: the sums are normalized as they are.
+    // Division by the number of faces does not change the direction, so sums are only normalized.
     void vertex(std::uint32_t m, const Pair& sum, std::uint32_t v, MeshAttributes& out, OrthogonalityLoss& loss) const {
         const Placement& placement = input_.placements[m];
         const dvec3 object_normal = cast<double>(out.normals[v]);
@@ -113,7 +114,7 @@ private:
         out.bitangents[v] = cast<float>(b_back != dvec3{} ? b_back : direction_of(crossed).unit);
     }
 
-    // In object space, where out's vectors are.
+    // In object space, like the output.
     static void count_inverted(const AttributeMesh& mesh, MeshAttributes& out) {
         const Placement still{.to_world = {}, .linear = upper_left(dmat4{}), .normal_to_world = upper_left(dmat4{})};
         for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -139,7 +140,7 @@ private:
     Context& context_;
     Topology places_;
     std::vector<std::uint32_t> appended_base_;
-    std::vector<Pair> sums_;  // [output vertices] filled at those that stand for a place
+    std::vector<Pair> sums_;  // [output vertices] filled at representatives of places
 };
 
 }  // namespace

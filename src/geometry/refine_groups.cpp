@@ -17,7 +17,7 @@ struct BinScratch {
     std::uint32_t mesh = 0;  // of the place before
 };
 
-// What one chunk of groups has to take apart. Most groups stay whole and leave nothing here.
+// The groups of one chunk that must be split. Most groups are not split and have no entry.
 struct Splits {
     std::vector<std::uint32_t> bins;
     std::vector<std::uint32_t> leads;  // [corners of these bins] first corner of its group
@@ -94,7 +94,7 @@ private:
         for (std::uint32_t i = 0; i < count; ++i) out.leads.push_back(corners[s.root[i]]);
     }
 
-    // Corners without a vote go with the first voting corner of their vertex, else of their mesh, else of the bin.
+    // Corners without a vote join the first voting corner of their vertex, else of their mesh, else of the bin.
     void follow(BinScratch& s, std::uint32_t first_vote) const {
         const auto mesh_of = [&](std::uint32_t at) { return input_.mesh_of_triangle(s.fan.corner[at] / 3); };
         std::sort(s.order.begin(), s.order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -116,7 +116,7 @@ private:
         }
     }
 
-    // Each vertex keeps its number for the group of its first corner; every other group of it gets an appended vertex.
+    // Each vertex keeps its index for the group of its first corner; every other group gets an appended vertex.
     static void assign_vertices(BinScratch& s, std::uint32_t* fresh, std::vector<std::uint32_t>& parents) {
         std::sort(s.order.begin(), s.order.end(), [&](std::uint32_t a, std::uint32_t b) {
             return std::tuple(s.vertex[a], s.root[a], a) < std::tuple(s.vertex[b], s.root[b], b);
@@ -154,8 +154,7 @@ private:
             first_new.push_back(first_new.back() + std::uint32_t(s.parents.size()));
         }
         if (first_new.back() != 0) append(first_new);
-        // The vertex of a group's first corner stands for the group. A vertex without corners goes with the bin's
-        // leader.
+        // The vertex of a group's first corner represents the group. A vertex without corners joins the bin's leader.
         context_.parallel_for(splits_.size(), [&](std::size_t c) {
             const std::size_t first = c * vertices_per_chunk;
             for (std::size_t v = first; v < std::min<std::size_t>(old_count_, first + vertices_per_chunk); ++v)
@@ -170,8 +169,7 @@ private:
         if (needs_sorting_) sort_appended(topology_, input_, context_);
     }
 
-    // Numbers the new vertices by their sources, as all appended ones are; those of earlier rounds among them by
-    // sorting again.
+    // Renumbers the new vertices by source together with those of earlier rounds, by sorting again.
     void append(const std::vector<std::uint32_t>& first_new) {
         materialize_corners(topology_, input_, context_);
         const bool is_first = topology_.source.empty();

@@ -13,7 +13,7 @@
 namespace rakelight::geometry {
 namespace {
 
-// Up to here different normals of one mesh, and faces at one edge, are compared in pairs.
+// Up to this number, different normals of one mesh, and faces at one edge, are compared pairwise.
 constexpr std::size_t few_normals = 64, few_faces = 16;
 
 auto key(dvec3 n) { return std::tuple(n.x, n.y, n.z); }
@@ -46,7 +46,7 @@ void SeamFans::find_fans(std::span<const SeamCorner> corners) {
     }
 }
 
-/// Those with a normal, by it; `leads_` are the first ones of equal normals.
+/// Corners with a normal, sorted by it; `leads_` are the first of equal normals.
 void SeamFans::sort_corners(std::span<const SeamCorner> corners) {
     order_.clear();
     leads_.clear();
@@ -68,7 +68,7 @@ void SeamFans::find_fans_of_mesh(std::span<const SeamCorner> corners, std::uint3
     for (std::uint32_t a = 0; a < count && count <= few_normals; ++a)
         for (std::uint32_t b = a + 1; b < count; ++b)
             if (are_one_normal(normal_of(a), normal_of(b))) alike_.join(a, b);
-    // A fan for each set, in the order of their least normals; where they are not one normal, the mean by angles.
+    // One fan per set, in the order of their smallest normals; different normals are averaged by angle.
     fan_of_lead_.assign(count, no_fan);
     sums_.clear();
     for (std::uint32_t a = 0; a < count; ++a) {
@@ -112,7 +112,7 @@ void SeamFans::find_joints(std::uint32_t place, std::span<const SeamCorner> corn
     }
 }
 
-/// All pairs, or of very many faces each with its neighbors of other meshes around the edge.
+/// All pairs, or for many faces each with its neighbors of other meshes around the edge.
 void SeamFans::look_at_edge(std::uint32_t place, std::span<const SeamCorner> corners, std::span<const Spoke> edge) {
     if (edge.size() <= few_faces) {
         for (std::size_t a = 0; a < edge.size(); ++a)
@@ -146,12 +146,12 @@ void SeamFans::look_at_pair(std::uint32_t place, std::span<const SeamCorner> cor
         {f, g, dot(fans_[f].normal, fans_[g].normal), cosine, length(p.authored - q.authored) > continuous_rad});
 }
 
-/// Where every mesh has one fan nothing can go wrong.
+/// With one fan per mesh there is no conflict.
 void SeamFans::join_all() {
     for (const Joint& j : joints_) sets_.join(j.a, j.b);
 }
 
-/// By the shape alone, so that the order of meshes does not count; the last word is for what is equal in all.
+/// Ordered by geometry only, so that the order of meshes has no effect; ties are decided by index.
 bool SeamFans::comes_before(const Joint& x, const Joint& y) const {
     if (x.nearness != y.nearness) return x.nearness > y.nearness;
     if (x.bend != y.bend) return x.bend > y.bend;
@@ -163,10 +163,10 @@ bool SeamFans::comes_before(const Joint& x, const Joint& y) const {
     return nx != ny ? nx < ny : std::tuple(x.a, x.b) < std::tuple(y.a, y.b);
 }
 
-/// Joints as they come, nearest normals first, but for those that would bring two fans of one mesh together.
+/// Joints in order of closest normals, except those that would connect two fans of one mesh.
 void SeamFans::join_nearest_first() {
     std::sort(joints_.begin(), joints_.end(), [&](const Joint& a, const Joint& b) { return comes_before(a, b); });
-    std::vector<std::set<std::uint32_t>> meshes(fans_.size());  // of the fans that each root stands for
+    std::vector<std::set<std::uint32_t>> meshes(fans_.size());  // of the fans of each root
     for (std::size_t f = 0; f < fans_.size(); ++f) meshes[f] = {fans_[f].mesh};
     std::set<std::pair<std::uint32_t, std::uint32_t>> refused;  // pairs of roots
     for (const Joint& j : joints_) {

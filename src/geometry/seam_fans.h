@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The corners at one place that several meshes share: which of them have one authored normal, and which of these fans are
-// joined across meshes. The rule is told in <rakelight/seams.h>.
+// The corners at one place that several meshes share: which of them have one authored normal, and which of these fans
+// are joined across meshes. The rules are in <rakelight/seams.h>.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -14,11 +14,11 @@ namespace rakelight::geometry {
 
 /// One corner of a face at the place.
 struct SeamCorner {
-    std::uint32_t mesh = 0, vertex = 0;    ///< the vertex numbered through
-    dvec3 authored;                        ///< its normal, unit, in the world; zero: of no use
-    dvec3 face;                            ///< the face's normal, unit, in the world; zero: none
+    std::uint32_t mesh = 0, vertex = 0;    ///< global vertex index
+    dvec3 authored;                        ///< its normal, unit, world space; zero: unusable
+    dvec3 face;                            ///< the face normal, unit, world space; zero: none
     double angle = 0;                      ///< of the face at this corner [rad]
-    bool is_flat = false;                  ///< all corners of the face have the face's own normal
+    bool is_flat = false;                  ///< all corners of the face have the face normal
     std::uint32_t next = 0, previous = 0;  ///< places of the face's other corners
 };
 
@@ -29,7 +29,7 @@ struct AuthoredFan {
     double angle = 0;  ///< sum of its corners'
 };
 
-/// What is found at one place; the same object goes from place to place, so that its memory does.
+/// The fans at one place. The object is reused for all places to keep its memory.
 class SeamFans {
 public:
     /// @param crease_cosines  [meshes] the crease_cosine() of each
@@ -40,14 +40,16 @@ public:
     /// @param corners  at least one, by ascending mesh
     void find(std::uint32_t place, std::span<const SeamCorner> corners);
 
-    /// [corners] which fan each is of; `no_fan` where its normal is of no use.
+    /// [corners] fan of each corner; `no_fan` for unusable normals.
     std::span<const std::uint32_t> fan_of() const { return fan_of_; }
     std::span<const AuthoredFan> fans() const { return fans_; }
-    /// The fan that stands for those that are joined with this one; itself where it is alone.
+    /// The representative of the joined fans; the fan itself if it is not joined.
     std::uint32_t joined(std::uint32_t fan) { return sets_.root(fan); }
-    /// Of a fan that stands for others: somewhere among them there is a seam to be closed.
+    /// For a representative: whether its fans contain a seam to close.
     bool is_open(std::uint32_t fan) const { return is_open_[fan] != 0; }
-    std::uint64_t flat_pairs() const { return flat_pairs_; }  ///< that stay apart at edges from here to larger places
+    std::uint64_t flat_pairs() const {
+        return flat_pairs_;
+    }  ///< pairs that stay flat at edges from here to larger places
 
     static constexpr std::uint32_t no_fan = 0xffffffffu;
 
@@ -56,7 +58,7 @@ private:
         std::uint32_t a, b;  ///< fans, a < b
         double nearness;     ///< cosine between their normals
         double bend;         ///< cosine between the faces
-        bool is_open;        ///< the normals of the two corners are not the same
+        bool is_open;        ///< the normals of the two corners differ
     };
     void find_fans(std::span<const SeamCorner> corners);
     void sort_corners(std::span<const SeamCorner> corners);

@@ -18,20 +18,6 @@ static_assert(sizeof(JointColumns) == joint_floats * sizeof(float));
 static_assert(sizeof(KernelInfluence) == sizeof(JointInfluence) &&
               offsetof(KernelInfluence, weights) == offsetof(JointInfluence, weights));
 
-const SkinKernels* kernels_for(Isa isa) {
-    switch (isa) {
-        case Isa::scalar:
-            break;
-        case Isa::sse2:
-            return sse2::skin_kernels();
-        case Isa::avx2:
-            return avx2::skin_kernels();
-        case Isa::avx512:
-            return avx512::skin_kernels();
-    }
-    return scalar::skin_kernels();
-}
-
 /// The blended matrix of one vertex, in double.
 dmat3 blended(const SkinInput& in, std::size_t v) {
     dmat3 sum{{dvec3{}, dvec3{}, dvec3{}}};
@@ -48,7 +34,7 @@ dmat3 blended(const SkinInput& in, std::size_t v) {
     return sum;
 }
 
-/// Directions whose squares floats do not hold.
+/// Directions whose squares exceed the float range.
 void turn_odd(const SkinInput& in, const SkinOutput& out, std::size_t v) {
     const dmat3 m = blended(in, v);
     const double side = determinant(m) < 0 ? -1 : 1;
@@ -95,12 +81,12 @@ JointColumns columns_of(const dmat4& m) {
 }
 
 void skin_some_vertices(const SkinInput& in, const SkinOutput& out) {
-    const SkinKernels& kernels = *kernels_for(isa_from_environment());
+    const SkinKernels& kernels = *RL_BY_ISA(isa_from_environment(), skin_kernels());
     for (std::size_t first = 0; first < in.positions.size(); first += chunk) skin_chunk(kernels, in, out, first);
 }
 
 void skin_vertices(const SkinInput& in, const SkinOutput& out, Context& context) {
-    const SkinKernels& kernels = *kernels_for(isa_from_environment());
+    const SkinKernels& kernels = *RL_BY_ISA(isa_from_environment(), skin_kernels());
     context.parallel_for((in.positions.size() + chunk - 1) / chunk,
                          [&](std::size_t c) { skin_chunk(kernels, in, out, c * chunk); });
 }

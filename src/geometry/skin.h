@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linear blend skinning: vertices and their directions by blended matrices. Spans in, spans out; no scene.
+// Linear blend skinning of positions, normals and tangents. Spans in, spans out; no scene.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace rakelight::geometry {
 
-/// Joint matrices as kernels read them: the columns of an affine matrix, w unused.
+/// Joint matrices in the kernels' layout: the columns of an affine matrix, w unused.
 struct alignas(16) JointColumns {
     std::array<std::array<float, 4>, 4> columns;
 };
@@ -19,26 +19,27 @@ struct alignas(16) JointColumns {
 /// Of an affine matrix.
 JointColumns columns_of(const dmat4& m);
 
-/// Where vertices come from: arrays of [V], or empty.
+/// Input vertices: arrays of [V], or empty.
 struct SkinInput {
     std::span<const vec3> positions{}, normals{};
     std::span<const vec4> tangents{};
-    std::span<const JointInfluence> influences{}, more_influences{};  ///< the first one is there
-    std::span<const JointColumns> joints{};                           ///< those of all influences of weight > 0
+    std::span<const JointInfluence> influences{}, more_influences{};  ///< `influences` is required
+    std::span<const JointColumns> joints{};                           ///< joints of all influences with weight > 0
 };
 
-/// Where they go: as large as the input's, which they may not overlap.
+/// Output vertices: same sizes as the input, not overlapping it.
 struct SkinOutput {
     std::span<vec3> positions{}, normals{};
     std::span<vec4> tangents{};
 };
 
 /// Each vertex by the sum of its joints' matrices times their weights (Magnenat-Thalmann, Laperriere, Thalmann 1988,
-/// "Joint-Dependent Local Deformations for Hand Animation and Object Grasping"); where all weights are 0
-/// by the first joint alone. Normals by the cofactor of the blended matrix, tangents by the matrix; both unit, w changes its sign where
-/// the blended matrix mirrors. A direction that vanishes stays as it is. The same bits for any number of threads and instruction set.
+/// "Joint-Dependent Local Deformations for Hand Animation and Object Grasping"); vertices with zero weights follow the
+/// first joint. Normals are transformed by the cofactor of the blended matrix, tangents by the matrix; both are
+/// normalized, and w is negated if the blended matrix mirrors. Vanishing directions are not changed. Bit-identical for
+/// any number of threads and instruction set.
 void skin_vertices(const SkinInput& in, const SkinOutput& out, Context& context);
-/// The same bits by the calling thread.
+/// Bit-identical, on the calling thread.
 void skin_some_vertices(const SkinInput& in, const SkinOutput& out);
 
 }  // namespace rakelight::geometry

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the kernel of skinning is given. Plain structs: this header is seen by sources compiled per instruction set.
+// Input of the skinning kernel. Plain structs, because sources compiled per instruction set include this header.
 #pragma once
 #include <stdint.h>
 
 namespace rakelight::geometry {
 
 constexpr uint32_t joint_floats = 16;  ///< of a joint's matrix: four columns of four, the last of each unused
-/// Squared lengths of directions outside of these are left to the caller: they may have under- or overflown.
-constexpr float least_square = 1e-30f, greatest_square = 1e30f;
+/// Directions with squared lengths outside of this range are left to the caller, because of under- or overflow.
+constexpr float min_square = 1e-30f, greatest_square = 1e30f;
 
-/// Of a vertex, as rakelight::JointInfluence.
+/// Influences of a vertex, as rakelight::JointInfluence.
 struct KernelInfluence {
     uint16_t joints[4];
     float weights[4];
 };
 
-/// Some vertices one after another.
+/// A range of vertices.
 struct SkinJob {
     const float* joints = nullptr;                                            ///< [joint_floats * joints]
     const KernelInfluence *influences = nullptr, *more_influences = nullptr;  ///< [count]; the second may be null

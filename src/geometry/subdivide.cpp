@@ -12,9 +12,9 @@ namespace {
 
 namespace Far = OpenSubdiv::Far;
 
-constexpr std::uint64_t most_indices = 0x7FFFFFFF;  // OpenSubdiv numbers with int
+constexpr std::uint64_t max_indices = 0x7FFFFFFF;  // OpenSubdiv uses int indices
 
-/// The points of one level from those of the level before.
+/// Computes the points of one level from the previous one.
 template <class V>
 class NextPoints {
 public:
@@ -98,7 +98,7 @@ private:
     std::vector<V> next_;
 };
 
-/// Where a vertex of the last level ends up; the faces are quads or triangles there.
+/// The limit position of a vertex of the last level, whose faces are quads or triangles.
 template <class V>
 V limit_point(Scheme scheme, ValueRule rule, const Level& level, int vertex, const std::vector<V>& points) {
     const auto at = [&](int v) -> const V& { return points[std::size_t(v)]; };
@@ -156,11 +156,11 @@ std::vector<std::uint32_t> corners_of(const Level& level, std::uint32_t corners_
 void check_size(const ControlSurface& s) {
     const std::uint64_t faces = fine_face_count(s.scheme, s.level, s.faces);
     RL_ASSERT(s.level >= 1 && s.level <= 10, "subdivision goes by 1 to 10 levels");
-    if (faces > most_indices / 4 || s.faces.corners.size() > most_indices || s.positions.size() > most_indices)
+    if (faces > max_indices / 4 || s.faces.corners.size() > max_indices || s.positions.size() > max_indices)
         throw Error(ErrorCode::bad_file, "subdivision makes more faces than can be numbered", {}, "use fewer levels");
 }
 
-/// The surface's creases and pinned vertices, where its values are.
+/// Values of the surface's creases and pinned vertices.
 Sharpness sharpness_of_values(const ControlSurface& surface, const std::vector<std::uint32_t>& values) {
     auto creases = surface.creases;
     for (auto& [a, b] : creases)

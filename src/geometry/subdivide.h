@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Subdivision surfaces: a control surface refined evenly, its vertices put on the limit surface, with the limit's
-// normals.
+// Subdivision surfaces: uniform refinement of a control surface, with limit positions and limit normals.
 //
-// OpenSubdiv finds the topology of the finer levels and how sharp their edges are; the points are made here, in double
-// and without libm, so that they have the same bits on every machine.
+// OpenSubdiv provides topology and sharpness of the refined levels. Points are computed here, in double and without
+// libm, so that they are bit-identical on every machine.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -23,13 +22,14 @@ struct ControlSurface {
     Polygons faces;                                     ///< corners are vertices; Loop: triangles
     std::vector<dvec3> positions;                       ///< [V] finite
     std::vector<std::array<std::uint32_t, 2>> creases;  ///< edges
-    double sharpness = 10;  ///< of creases: 0 none, 10 or more for ever; s: the first s levels (DeRose et al. 1998)
-    std::vector<std::uint32_t> pinned;  ///< vertices that stay where they are
-    /// Boundary vertices of one face stay where they are; else the boundary is smooth there.
+    double sharpness =
+        10;  ///< of creases: 0 none, 10 or more infinitely sharp; s: the first s levels (DeRose et al. 1998)
+    std::vector<std::uint32_t> pinned;  ///< vertices with fixed positions
+    /// Fixes boundary vertices of a single face; else the boundary is smooth there.
     bool sharpens_corners = true;
 };
 
-/// Faces in the order of the control faces that they are of.
+/// Faces in the order of their control faces.
 struct LimitSurface {
     std::uint32_t corners_of_face = 4;     ///< Catmull-Clark 4, Loop 3
     std::vector<dvec3> positions;          ///< [V'] on the limit surface
@@ -38,16 +38,16 @@ struct LimitSurface {
     std::vector<std::uint32_t> normal_of;  ///< [F' * corners_of_face] into normals
 };
 
-/// How values at corners go from control faces to fine ones.
+/// Refinement rule of values at corners.
 enum class ValueRule : std::uint8_t {
-    smooth,      ///< as positions; the ends of charts are smooth curves
-    fixed_ends,  ///< as positions, but the ends of charts stay straight
+    smooth,      ///< as positions; chart borders are smooth curves
+    fixed_ends,  ///< as positions, but chart borders stay straight
     linear       ///< halfway between the corners
 };
 
-/// Values that corners of one vertex may have several of: texture coordinates, colors.
+/// Face-varying values: texture coordinates, colors.
 struct ControlValues {
-    std::vector<std::uint32_t> corners;  ///< [corners of the faces] into values; a chart ends where neighbors differ
+    std::vector<std::uint32_t> corners;  ///< [corners of the faces] into values; charts end where neighbors differ
     std::vector<dvec4> values;
     ValueRule rule = ValueRule::fixed_ends;
 };
@@ -59,12 +59,12 @@ struct LimitValues {
 /// @param faces  of the control surface; 2^64 - 1: too many to count
 std::uint64_t fine_face_count(Scheme scheme, int level, const Polygons& faces);
 
-/// What subdivide() and one call of subdivide_values() need at once for so many fine faces, about. [bytes]
+/// [bytes] approximate peak of subdivide() and one subdivide_values() call for this many fine faces.
 std::uint64_t subdivision_bytes(Scheme scheme, std::uint64_t fine_faces);
 
-/// Masks: Catmull & Clark 1978, Loop 1987, with creases after DeRose, Kass & Truong 1998; an edge that is still sharp
-/// at the last level counts as sharp in the limit. The same bits for any number of threads.
-/// @throws Error bad_file: more vertices, or faces at a vertex, than OpenSubdiv can number; failed: cancelled
+/// Masks: Catmull & Clark 1978, Loop 1987, with creases after DeRose, Kass & Truong 1998; edges still sharp at the last
+/// level are sharp in the limit. Bit-identical for any number of threads.
+/// @throws Error bad_file: more vertices, or faces at a vertex, than OpenSubdiv supports; failed: cancelled
 LimitSurface subdivide(const ControlSurface& surface, Context& context);
 LimitValues subdivide_values(const ControlSurface& surface, const ControlValues& values, Context& context);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The finer levels of a control surface and how sharp it is there. This header and what includes it are all that name
-// OpenSubdiv: Far::TopologyRefiner for the topology, nothing of its evaluation.
+// The refinement levels of a control surface with their sharpness. Only this header and its includers name OpenSubdiv:
+// Far::TopologyRefiner for the topology, nothing of its evaluation.
 #pragma once
 #include <opensubdiv/far/topologyRefiner.h>
 
@@ -18,7 +18,7 @@ using Level = OpenSubdiv::Far::TopologyLevel;
 
 inline constexpr float sharp_forever = 10;  ///< Sdc::Crease::SHARPNESS_INFINITE
 
-/// Calls body(i) for 0..count-1, whatever the threads.
+/// Calls body(i) for 0..count-1 on any number of threads.
 template <class Body>
 void for_all(int count, Context& context, const Body& body) {
     constexpr int run = 4096;

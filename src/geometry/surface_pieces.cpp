@@ -12,7 +12,7 @@ namespace rakelight::geometry {
 namespace {
 
 constexpr std::uint32_t nothing = 0xFFFFFFFF;
-constexpr std::size_t most_at_an_edge = 64;  ///< of more faces none is joined: pairing them costs the square
+constexpr std::size_t max_at_an_edge = 64;  ///< edges with more faces are not joined, because pairing is quadratic
 
 /// A corner and the edge that begins at it.
 struct EdgeUse {
@@ -22,7 +22,7 @@ struct EdgeUse {
     }
 };
 
-/// Two uses of an edge, one each way.
+/// Two uses of an edge in opposite directions.
 struct Match {
     double bend;  ///< -cosine of the angle between the faces' normals
     std::uint32_t a, b;
@@ -51,7 +51,7 @@ private:
     void number_faces() {
         face_of_.reserve(faces_.corners.size());
         for (std::uint32_t f = 0; f < faces_.count(); ++f) {
-            dvec3 area{};  // Newell's, about the first corner
+            dvec3 area{};  // Newell's method, relative to the first corner
             const dvec3 origin = positions_[place(faces_.first[f])];
             for (std::uint32_t c = faces_.first[f]; c < faces_.first[f + 1]; ++c) {
                 face_of_.push_back(f);
@@ -63,7 +63,7 @@ private:
 
     double cosine(std::uint32_t a, std::uint32_t b) const { return dot(normals_[face_of_[a]], normals_[face_of_[b]]); }
 
-    /// The faces of two uses have the same corners, one way round and the other.
+    /// Whether the faces of two uses are each other's reverse.
     bool are_reverse(std::uint32_t a, std::uint32_t b) const {
         if (faces_.size(face_of_[a]) != faces_.size(face_of_[b])) return false;
         for (std::uint32_t i = next(a), k = previous(next(b)); i != a; i = next(i), k = previous(k))
@@ -89,7 +89,7 @@ private:
     void join_edge(std::span<const EdgeUse> uses) {
         std::vector<Match>& matches = matches_;
         matches.clear();
-        for (const EdgeUse& a : uses.size() <= most_at_an_edge ? uses : std::span<const EdgeUse>{})
+        for (const EdgeUse& a : uses.size() <= max_at_an_edge ? uses : std::span<const EdgeUse>{})
             for (const EdgeUse& b : uses)
                 if (place(a.corner) == a.low && place(b.corner) == b.high && !are_reverse(a.corner, b.corner))
                     matches.push_back({-cosine(a.corner, b.corner), a.corner, b.corner});
@@ -108,10 +108,10 @@ private:
         UnionFind fans;
         fans.reset(faces_.corners.size());
         for (std::uint32_t c = 0; c < faces_.corners.size(); ++c)
-            if (twin_[c] != nothing) fans.join(c, next(twin_[c]));  // the reverse comes when its turn does
+            if (twin_[c] != nothing) fans.join(c, next(twin_[c]));  // the reverse edge is handled separately
         out_.vertices.assign(faces_.corners.size(), nothing);
         for (std::uint32_t c = 0; c < faces_.corners.size(); ++c) {
-            const std::uint32_t root = fans.root(c);  // the smallest: seen before
+            const std::uint32_t root = fans.root(c);  // the smallest: already visited
             if (root == c) {
                 out_.vertices[c] = std::uint32_t(out_.place_of.size());
                 out_.place_of.push_back(place(c));
@@ -129,7 +129,7 @@ private:
                 out_.creases.push_back({out_.vertices[c], out_.vertices[next(c)]});
     }
 
-    /// What decides how a vertex moves along the edges where its surface ends.
+    /// The data that determines the motion of a boundary vertex.
     struct End {
         std::vector<std::uint32_t> neighbors;  ///< places along those edges; of a closed surface all around
         bool is_open = false, is_sharp = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Polygons of any objects as one surface that can be subdivided: which meet along an edge, where the surface ends.
+// Builds one subdivision surface from polygons of any objects: connectivity along edges, and boundaries.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -40,13 +40,12 @@ struct SurfacePieces {
     std::uint64_t parted_edges = 0;                     ///< where not all faces at the edge are joined by it
 };
 
-/// Joins faces along edges that two of them go along in opposite directions; where there are more, those two that are
-/// bent least, again and again. A face is not joined to its own reverse (the back of a leaf). Corners at one place that
-/// are connected over joined edges are one vertex. Where several vertices stand at one place, and the surfaces there do
-/// not end along the same edges, all of them are pinned, so that nothing opens.
+/// Joins two faces along an edge that they use in opposite directions. At edges of more faces, the pair with the
+/// smallest dihedral angle is joined, repeatedly. A face is not joined to its own reverse (the back of a leaf). Corners
+/// at one place that are connected over joined edges are one vertex. If several vertices are at one place, and their
+/// surfaces do not end along the same edges, all of them are pinned, so that no crack opens.
 /// @param faces      corners are places
-/// @param positions  [places]
-/// O(n log n); the same result whatever the threads.
+/// @param positions [places] O(n log n); the result is equal for any number of threads.
 SurfacePieces part_surface(const Polygons& faces, const std::vector<dvec3>& positions, const PieceOptions& options);
 
 }  // namespace rakelight::geometry

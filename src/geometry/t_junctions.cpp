@@ -10,7 +10,7 @@ namespace {
 
 constexpr double relative_tolerance = 1e-5;
 constexpr std::size_t leaf_points = 8;
-constexpr std::uint64_t few_edges = 1024;  // the bound of the work is not for these
+constexpr std::uint64_t few_edges = 1024;  // exempt from the work bound
 
 struct Point {
     dvec3 position;
@@ -18,7 +18,7 @@ struct Point {
 };
 
 struct Segment {
-    dvec3 from, along;      ///< along: to its other end
+    dvec3 from, along;      ///< along: vector to its other end
     double tolerance = 0;   ///< [m]
     std::uint32_t face[3];  ///< places that are no T-junction on it
 };
@@ -55,8 +55,8 @@ bool lies_inside(const Segment& s, const Point& p) {
     return t * size > s.tolerance && (1 - t) * size > s.tolerance && dot(off, off) <= s.tolerance * s.tolerance;
 }
 
-/// A balanced tree of boxes, laid out as a heap. Points that were found are taken out: many edges over many points
-/// would find each other a quadratic number of times.
+/// A balanced tree of boxes in heap order. Found points are removed, because many edges over many points would
+/// otherwise take quadratic time.
 class PointTree {
 public:
     explicit PointTree(std::vector<Point> points) : points_(std::move(points)) {
@@ -71,7 +71,7 @@ public:
     const Box& bounds() const { return boxes_[0]; }
     std::uint64_t visits() const { return visits_; }
 
-    /// Takes out the points inside the segment and calls body(place) for each.
+    /// Removes the points inside the segment and calls body(place) for each.
     template <class Body>
     void take(const Segment& segment, const Body& body) {
         stack_.assign(1, 0);
@@ -124,7 +124,7 @@ private:
     std::vector<Point> points_;
     std::size_t levels_ = 0, first_leaf_ = 0;
     std::vector<Box> boxes_;
-    std::vector<std::uint32_t> left_;  ///< points not yet taken out
+    std::vector<std::uint32_t> left_;  ///< remaining points
     std::vector<std::uint8_t> found_;
     std::vector<std::size_t> stack_;
     std::uint64_t visits_ = 0;
@@ -155,7 +155,7 @@ std::vector<Point> ends_of_edges(const PlacedMeshes& placed, std::span<const std
 }  // namespace
 
 TJunctions find_t_junctions(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
-                            std::uint32_t objects, std::size_t most_places, const Context& context,
+                            std::uint32_t objects, std::size_t max_places, const Context& context,
                             std::uint64_t visits_per_edge) {
     TJunctions result;
     result.of_objects.assign(objects, 0);
@@ -167,10 +167,10 @@ TJunctions find_t_junctions(const PlacedMeshes& placed, std::span<const std::uin
         return result;
     }
     const double rounding = 4 * (double(std::nextafter(float(diagonal), INFINITY)) - double(float(diagonal)));
-    const std::uint64_t most_visits = visits_per_edge * (few_edges + open_corners.size());
+    const std::uint64_t max_visits = visits_per_edge * (few_edges + open_corners.size());
     for (std::size_t i = 0; i < open_corners.size(); ++i) {
         if (i % 64 == 0) context.throw_if_cancelled();
-        if (tree.visits() > most_visits) {
+        if (tree.visits() > max_visits) {
             result.edges_not_searched = open_corners.size() - i;
             break;
         }
@@ -186,7 +186,7 @@ TJunctions find_t_junctions(const PlacedMeshes& placed, std::span<const std::uin
     }
     result.count = result.places.size();
     std::sort(result.places.begin(), result.places.end(), [](TJunction a, TJunction b) { return a.place < b.place; });
-    if (result.places.size() > most_places) result.places.resize(most_places);
+    if (result.places.size() > max_places) result.places.resize(max_places);
     return result;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tangents of vertices that share a normal: averaged only where their texture charts lie alike.
+// Averages tangents of vertices that share a normal, if their texture charts agree.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -12,9 +12,9 @@ namespace rakelight::geometry {
 
 class TangentGroups {
 public:
-    /// @param normal   unit, world; zero: nothing is done
+    /// @param normal unit, world; zero: no effect
     /// @param members  rows that share it; sets of one handedness, connected by pairs within 45 degrees, get their common sum.
-    ///                 A sum shorter than a thousandth of its weights (the pole of a sphere) leaves each its own.
+    ///         A sum shorter than a thousandth of its weights (the pole of a sphere) leaves each its own.
     void average(dvec3 normal, std::span<const std::uint32_t> members, TangentRow* rows);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tangents that are made after the normals: MikkTSpace's and the published ones.
+// Tangents computed after the normals: MikkTSpace and the published modes.
 #pragma once
 #include "geometry/attribute_plan.h"
 
@@ -10,8 +10,9 @@ namespace rakelight::geometry {
 void add_tangents(std::vector<MeshAttributes>& meshes, const AttributePlan::Impl& plan, const AttributeInput& input,
                   Context& context);
 
-/// Of these, the published modes: unit tangents and bitangents of the faces at a place (scope face: of a vertex),
-/// each face once, averaged apart. No vertex is split. @param meshes with normals, as finish_vertices() made them
+/// The published modes: averages the unit tangents, and separately the unit bitangents, of the faces at a place (scope
+/// face: of a vertex), each face once. No vertex is split.
+/// @param meshes with normals of finish_vertices()
 void add_published(std::vector<MeshAttributes>& meshes, const AttributePlan::Impl& plan, const AttributeInput& input,
                    Context& context);
 

@@ -12,11 +12,11 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr int most_rounds = 40;  ///< each halves what is too long
+constexpr int max_rounds = 40;  ///< each bisects edges that are too long
 
-double squared_length(dvec3 a, dvec3 b) { return dot(a - b, a - b); }  // the same to the bit for b, a
+double squared_length(dvec3 a, dvec3 b) { return dot(a - b, a - b); }  // bit-identical for (b, a)
 
-/// One mesh on its way.
+/// A mesh during tessellation.
 class Cutter {
 public:
     Cutter(FineMesh mesh, std::vector<std::uint8_t> on_border, const EdgeRule& is_halved)
@@ -91,7 +91,7 @@ private:
         bool is[3];
         for (std::size_t k = 0; k < 3; ++k) is[k] = is_cut(v[k], v[(k + 1) % 3]);
         const int count = int(is[0]) + int(is[1]) + int(is[2]);
-        // turned so that the only cut edge, or the only whole one, is the first
+        // rotated so that the only split edge, or the only unsplit one, is the first
         std::size_t first = 0;
         while (count == 1 ? !is[first] : count == 2 && is[first]) ++first;
         const std::uint32_t a = v[first], b = v[(first + 1) % 3], c = v[(first + 2) % 3];
@@ -121,7 +121,7 @@ private:
     std::vector<std::uint8_t> on_border_;
     const EdgeRule& is_halved_;
     std::uint32_t source_ = 0;
-    /// An edge's number is its two vertices', which a file decides: keyed.
+    /// Hash of an edge's two vertices, which come from a file: keyed.
     struct EdgeHash {
         std::size_t operator()(std::uint64_t edge) const {
             const HashKey key = hash_key_of_this_run();
@@ -174,21 +174,20 @@ FineMesh uncut(CoarseMesh mesh) {
     return fine;
 }
 
-bool halve_edges(std::span<FineMesh> meshes, const EdgeRule& is_halved, std::uint64_t most_triangles,
-                 Context& context) {
+bool halve_edges(std::span<FineMesh> meshes, const EdgeRule& is_halved, std::uint64_t max_triangles, Context& context) {
     std::vector<Cutter> cutters;
     cutters.reserve(meshes.size());
     for (FineMesh& mesh : meshes) cutters.emplace_back(std::move(mesh), std::vector<std::uint8_t>{}, is_halved);
-    const bool fits = count_triangles(cutters, context).after <= most_triangles;
+    const bool fits = count_triangles(cutters, context).after <= max_triangles;
     if (fits) run_round(cutters, context);
     for (std::size_t i = 0; i < meshes.size(); ++i) meshes[i] = std::move(cutters[i].fine);
     return fits;
 }
 
-Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::uint64_t most_triangles, Context& context,
+Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::uint64_t max_triangles, Context& context,
                         std::uint64_t* met) {
-    const double most_squared = edge * edge;
-    const EdgeRule is_long = [=](dvec3 a, dvec3 b) { return squared_length(a, b) > most_squared; };
+    const double max_squared = edge * edge;
+    const EdgeRule is_long = [=](dvec3 a, dvec3 b) { return squared_length(a, b) > max_squared; };
     std::vector<Cutter> cutters;
     cutters.reserve(meshes.size());
     for (const CoarseMesh& mesh : meshes) cutters.emplace_back(uncut(mesh), mesh.on_border, is_long);
@@ -197,7 +196,7 @@ Tessellation tessellate(std::span<const CoarseMesh> meshes, double edge, std::ui
         context.throw_if_cancelled();
         const Counts count = count_triangles(cutters, context);
         if (count.after == count.now) break;
-        out.is_complete = count.after <= most_triangles && round < most_rounds;
+        out.is_complete = count.after <= max_triangles && round < max_rounds;
         if (!out.is_complete) break;
         run_round(cutters, context);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which corner uses which output vertex, and which output vertices share one normal: what the grouping stages refine,
-// one after the other (weld, creases and smoothing groups, mirrored texture coordinates, cancelling shells).
+// The output vertex of each corner, and the groups of output vertices with one normal. The grouping stages refine it in
+// order: weld, creases and smoothing groups, mirrored texture coordinates, cancelling shells.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace rakelight::geometry {
 
-/// Output vertices are numbered through: the input's first (AttributeInput's numbers), then the appended ones.
+/// Output vertices have global indices: first the input's (as in AttributeInput), then the appended ones.
 struct Topology {
     std::shared_ptr<const std::vector<std::uint32_t>>
         places;                         ///< [input vertices] smallest one at the same place; never null
@@ -27,24 +27,25 @@ struct Topology {
     }
 };
 
-/// Fills corner_vertex from the input's indices where it is still empty.
+/// Fills corner_vertex from the input's indices if it is empty.
 void materialize_corners(Topology& topology, const AttributeInput& input, Context& context);
 
-/// [sources] where each comes to stand when all are sorted; equal ones keep their order. @param count  sources are less
+/// [sources] position of each after a stable sort.
+/// @param count upper bound of sources, exclusive
 std::vector<std::uint32_t> rank_by_source(const std::vector<std::uint32_t>& sources, std::uint32_t count);
 
-/// Numbers the appended vertices anew, by source: those of one mesh become contiguous and lie in memory as their sources do.
+/// Renumbers the appended vertices by source: vertices of one mesh become contiguous, in the order of their sources.
 void sort_appended(Topology& topology, const AttributeInput& input, Context& context);
 
 /// The corners at each group of vertices.
 /// @param selected  [output vertices] only groups g with selected[g] != 0 get a bin; empty: all
-/// @param bins, keys  memory to use, of any contents; `keys` keeps it. Null: its own
+/// @param bins, keys reused memory, contents are ignored; `keys` keeps it. Null: allocate
 CornerBins bin_corners(const Topology& topology, const AttributeInput& input, const std::vector<std::uint8_t>& selected,
                        Context& context, CornerBins bins = {}, BlockArray<std::uint16_t>* keys = nullptr);
 
 /// [triangles] Unit normal of each face in the world; zero where it has no vote.
 using FaceNormals = BlockArray<dvec3>;
-/// @param memory  to use, of any contents
+/// @param memory reused, contents are ignored
 FaceNormals face_normals(const AttributeInput& input, Context& context, FaceNormals memory = {});
 
 }  // namespace rakelight::geometry

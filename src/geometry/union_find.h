@@ -6,7 +6,7 @@
 
 namespace rakelight::geometry {
 
-/// Disjoint sets of 0..n-1 whose root is the smallest member, whatever the order of joining. Path halving.
+/// Disjoint sets of 0..n-1. The root is the smallest member, for any order of joining. Path halving.
 class UnionFind {
 public:
     void reset(std::size_t count) {
@@ -17,7 +17,7 @@ public:
         while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;
     }
-    /// False if the two were in one set before.
+    /// False if both were already in one set.
     bool join(std::uint32_t a, std::uint32_t b) {
         a = root(a);
         b = root(b);

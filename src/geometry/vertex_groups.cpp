@@ -3,7 +3,7 @@
 
 namespace rakelight::geometry {
 
-// Counting sort by group; one pass over all vertices, the rest touches only those that share.
+// Counting sort by group; one pass over all vertices, then only over vertices that share.
 VertexGroups make_vertex_groups(const std::vector<std::uint32_t>& group) {
     VertexGroups groups;
     std::vector<std::uint32_t> sharing, size(group.size(), 0);
@@ -17,12 +17,12 @@ VertexGroups make_vertex_groups(const std::vector<std::uint32_t>& group) {
     for (std::uint32_t g = 0; g < group.size() && !sharing.empty(); ++g) {
         if (size[g] == 0) continue;
         const std::uint32_t count = size[g] + 1;
-        size[g] = sum;  // from here on: where the next member goes
+        size[g] = sum;  // from here on: position of the next member
         sum += count;
         groups.begin.push_back(sum);
     }
     groups.members.resize(sum);
-    // The one that stands for the group need not be its smallest member, so both come in order of their numbers.
+    // The representative need not be the smallest member, so both are inserted in index order.
     std::vector<std::uint8_t> stands(sharing.empty() ? 0 : group.size(), 0);
     for (const std::uint32_t v : sharing) stands[group[v]] = 1;
     std::size_t next = 0;

@@ -5,14 +5,14 @@
 
 namespace rakelight::geometry {
 
-/// The groups of two and more vertices, as lists; members ascend. A vertex in no list is alone.
+/// The groups of two or more vertices as lists with ascending members. Vertices in no list are single.
 struct VertexGroups {
     std::vector<std::uint32_t> begin;  ///< [groups + 1]
     std::vector<std::uint32_t> members;
     std::size_t size() const { return begin.size() - 1; }
 };
 
-/// @param group  [vertices] the vertex that stands for each one's group; group[g] == g
+/// @param group [vertices] representative of each vertex' group; group[g] == g
 VertexGroups make_vertex_groups(const std::vector<std::uint32_t>& group);
 
 }  // namespace rakelight::geometry

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the kernel of the faces' votes is given. Plain structs: this header is seen by sources compiled per instruction set.
+// Input of the kernel of face votes. Plain structs, because sources compiled per instruction set include this header.
 #pragma once
 #include <stdint.h>
 
@@ -7,14 +7,14 @@ namespace rakelight::geometry {
 
 constexpr uint32_t vote_block = 64;  ///< faces at a time
 
-/// What each face of a block says to each of its corners: numbers of one kind stand side by side.
+/// The votes of the faces of a block for their corners, in structure-of-arrays layout.
 struct VoteBlock {
     enum Number { normal_x, normal_y, normal_z, weight, tangent_x, tangent_y, tangent_z, hand, numbers };
     alignas(64) double votes[3][numbers][vote_block];  ///< [corner][number][face] unit normal and tangent times weight
-    uint8_t is_odd[vote_block];  ///< left to the caller: no area, or numbers whose squares may under- or overflow
+    uint8_t is_odd[vote_block];  ///< left to the caller: no area, or squares that may under- or overflow
 };
 
-/// How the corners are weighed, as rakelight::CornerWeight.
+/// Corner weights, as rakelight::CornerWeight.
 enum class VoteWeight : uint32_t { uniform, area, angle, angle_area };
 
 /// Some faces of one mesh, at most a block. All arithmetic in double, in the order of face_vote.h: the same bits.

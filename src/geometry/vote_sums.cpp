@@ -9,9 +9,8 @@
 namespace rakelight::geometry {
 namespace {
 
-// Votes for vertices that another piece of the mesh owns, in the order of sending. Blocks: nothing moves as they grow.
-// What the outboxes hold is charged as they grow: nothing for most models, all votes where the triangles lie in
-// disorder.
+// Votes for vertices that another piece of the mesh owns, in the order of sending. Stored in blocks, so that growing
+// moves nothing. Memory is charged as outboxes grow: nothing for most models, all votes for unordered triangles.
 template <class Item>
 class Outbox {
 public:
@@ -57,20 +56,6 @@ void add(TangentRow& to, dvec3 tangent, double hand) {
 
 static_assert(int(VoteWeight::uniform) == int(CornerWeight::uniform) &&
               int(VoteWeight::angle_area) == int(CornerWeight::angle_area));
-
-const VoteKernels* vote_kernels_for(Isa isa) {
-    switch (isa) {
-        case Isa::scalar:
-            break;
-        case Isa::sse2:
-            return sse2::vote_kernels();
-        case Isa::avx2:
-            return avx2::vote_kernels();
-        case Isa::avx512:
-            return avx512::vote_kernels();
-    }
-    return scalar::vote_kernels();
-}
 
 class Scatter {
 public:
@@ -150,8 +135,8 @@ private:
             scatter_range<weight, false>(c, m, first, last, own);
     }
 
-    /// Where the votes of one chunk's faces of one mesh go. Everything that the loop reads is copied to its own stack
-    /// frame first: no thread shares a cache line with it.
+    /// Destination of the votes of one chunk's faces of one mesh. Everything that the loop reads is copied to its own
+    /// stack frame first: no thread shares a cache line with it.
     struct Receiver {
         Scatter& scatter;
         std::size_t c;
@@ -235,7 +220,7 @@ private:
         return job;
     }
 
-    /// A face for which the kernel is not made: without area, of extreme size, or that has to ask given normals.
+    /// A face outside of the kernel's domain: without area, of extreme size, or with given normals.
     /// @return whether it has a vote
     template <CornerWeight weight, bool tangents>
     bool vote_alone(const AttributeMesh& mesh, const Placement& placement, const std::uint32_t* index, std::uint32_t t,
@@ -250,7 +235,7 @@ private:
             const double w = weights[k];
             double hand = tangent.hand * w;
             if (tangents && !options_.normals)
-                hand = hand_from(given_normal(placement, mesh.normals[index[k]]), normal, hand);
+                hand = handedness_from(given_normal(placement, mesh.normals[index[k]]), normal, hand);
             to.add_vote<tangents>(rows.of(index, t, k), {normal.unit * w, w}, {tangent.unit * w, hand});
         }
         return true;
@@ -273,7 +258,7 @@ private:
         }
     }
 
-    const VoteKernels& kernels_ = *vote_kernels_for(isa_from_environment());
+    const VoteKernels& kernels_ = *RL_BY_ISA(isa_from_environment(), vote_kernels());
     VoteSums& sums_;
     const Topology& topology_;
     const AttributeInput& input_;

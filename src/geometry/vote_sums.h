@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sums: every face adds its votes to its three vertices, vertices of one group add theirs together.
+// Summation of votes: faces add their votes to their three vertices, and vertices of a group are summed.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace rakelight::geometry {
 
-/// What the faces of one vertex (later: of its group) say together, in the world.
+/// Sum over the faces of one vertex (later: of its group), in world space.
 struct NormalRow {
     dvec3 normal;   ///< sum of weight * unit face normal
-    double weight;  ///< sum of weights; 0: no face votes here
+    double weight;  ///< sum of weights; 0: no votes
 };
 struct TangentRow {
     dvec3 tangent;  ///< sum of weight * unit face tangent
@@ -27,7 +27,7 @@ inline bool has_cancelled(const NormalRow& row) {
 
 struct VoteSums {
     BlockArray<NormalRow> normals;    ///< [output vertices]
-    BlockArray<TangentRow> tangents;  ///< [output vertices], or unused: none are asked for
+    BlockArray<TangentRow> tangents;  ///< [output vertices], or unused without tangents
     std::vector<std::uint32_t> degenerate_faces, isolated_vertices;  ///< [meshes]
     std::vector<std::uint32_t> cancelled_groups;  ///< indices of VertexGroups whose normals cancelled
     bool makes_tangents = false;
@@ -37,9 +37,9 @@ struct VoteSums {
 /// Where the appended vertices of each mesh begin, counted from the first appended one. [meshes + 1]
 std::vector<std::uint32_t> appended_base(const Topology& topology, const AttributeInput& input);
 
-/// Adds up the votes of all faces, per output vertex. Fixed chunks own vertex ranges; votes for another chunk's vertex are
-/// handed over and added in the order of the chunks, so the bits do not depend on the threads.
-/// @param normals, tangents  memory for the rows, of any contents
+/// Sums the votes of all faces per output vertex. Fixed chunks own vertex ranges. Votes for another chunk's vertex are
+/// transferred and added in the order of the chunks, so the result is bit-identical for any number of threads.
+/// @param normals, tangents reused memory for the rows
 VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const AttributeOptions& options,
                    Context& context, BlockArray<NormalRow>&& normals = {}, BlockArray<TangentRow>&& tangents = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of a build without OpenSubdiv (RAKELIGHT_SUBDIVISION=OFF).
+// Replacements for builds without OpenSubdiv (RAKELIGHT_SUBDIVISION=OFF).
 #include "base/left_out.h"
 #include "geometry/subdivide.h"
 

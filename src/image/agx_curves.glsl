@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// AgX's curves for GLSL, as AgxTables of tone_curves.cpp makes them: Sobotka's sigmoid over the logarithm of light from 10 EV under to
-// 6.5 EV over 0.18, through the pivot where its slope is 2; and the display's power.
+// The AgX curves in GLSL, equal to AgxTables of tone_curves.cpp: Sobotka's sigmoid over the logarithm of light from 10
+// EV below to 6.5 EV above 0.18, with slope 2 at the pivot; and the display's power.
 
 float agx_contrast(Maps maps, float light)
 {

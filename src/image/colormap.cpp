@@ -9,8 +9,8 @@
 namespace rakelight {
 namespace {
 
-// Colors 0xrrggbb as seen on a display, at equal steps; between them linear in display values, within 5 of 255 of the 256 colors that
-// they are taken from (turbo 12).
+// Display colors 0xrrggbb at equal steps, interpolated linearly in display values. The error against the original 256
+// colors is at most 5 of 255 (turbo 12).
 
 // Nathaniel J. Smith and Stefan van der Walt 2015 (CC0).
 constexpr std::uint32_t viridis[] = {0x440154, 0x481769, 0x472a7a, 0x433d84, 0x3d4e8a, 0x355e8d,

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "base/format_text.h"
 #include "math/functions.h"
 
 namespace rakelight {
@@ -26,16 +27,14 @@ double difference(double a, double b) {
     return d == d ? d : std::numeric_limits<double>::infinity();
 }
 
-/// Of codes exactly: 102 / 255 - 100 / 255 would be more than 2 / 255.
+/// Exact for codes: 102 / 255 - 100 / 255 in floating point exceeds 2 / 255.
 double difference_at(const Pixels& a, const Pixels& b, std::size_t i) {
     if (a.component != b.component || a.component == Component::f32)
         return difference(component_at(a, i), component_at(b, i));
     return std::abs(code_at(a, i) - code_at(b, i)) / (a.component == Component::u8 ? 255.0 : 65535.0);
 }
 
-std::string size_text(const Pixels& p) {
-    return std::to_string(p.width) + " x " + std::to_string(p.height) + " x " + std::to_string(p.channels);
-}
+std::string size_text(const Pixels& p) { return format_text("{} x {} x {}", p.width, p.height, p.channels); }
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much two pictures differ, in numbers.
+// Difference metrics of two pictures.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -8,17 +8,17 @@
 
 namespace rakelight {
 
-/// Component i of all of a picture's, in the order of its bytes: integers as 0..1 of the largest code, floats as they are.
+/// Component i of a picture, in the order of its bytes: integers scaled to 0..1, floats unchanged.
 double component_at(const Pixels& pixels, std::size_t i);
 
-/// Over all components of all pixels. Integer components count as 0..1, floats as they are.
+/// Over all components of all pixels. Integers are scaled to 0..1, floats are unchanged.
 struct PictureDifference {
-    double max_absolute = 0;             ///< infinity where a NaN or an infinity meets anything but itself
+    double max_absolute = 0;             ///< infinity if a NaN or an infinity meets a different value
     double rmse = 0;                     ///< root of the mean squared difference
     double psnr_db = 0;                  ///< -20 log10(rmse), peak 1; +infinity for equal pictures
     std::uint64_t differing = 0;         ///< components that differ by more than the threshold
     double differing_share = 0;          ///< of all components, 0..1
-    std::uint64_t differing_pixels = 0;  ///< pixels any component of which does
+    std::uint64_t differing_pixels = 0;  ///< pixels with such a component
 };
 
 /// @param threshold  >= 0; in the same unit (one 8-bit step is 1.0 / 255)

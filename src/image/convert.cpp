@@ -40,7 +40,7 @@ void expand_rgba8(const std::byte* from, int channels, int width, std::uint32_t*
     }
 }
 
-/// sRGB codes of 16 bits as linear light; made on the first use.
+/// Linear light of 16-bit sRGB codes; computed at the first use.
 const std::vector<float>& linear_of_code16() {
     static const std::vector<float> table = [] {
         std::vector<float> values(65536);

@@ -2,6 +2,7 @@
 #include "image/decode.h"
 
 #include "base/enumerators.h"
+#include "base/format_text.h"
 
 namespace rakelight {
 namespace {
@@ -25,13 +26,12 @@ Pixels decode_measured(const EncodedImage& image, Context& context) {
     if (pixels.width == 0 || pixels.height == 0) throw Error(ErrorCode::bad_file, "the picture has no pixels");
     if (pixels.width < 0 || pixels.height < 0 || pixels.channels < 1 || pixels.channels > 4 ||
         !exists(pixels.component, Component::f32))
-        throw Error(ErrorCode::bad_file, "the decoder gave a picture of " + std::to_string(pixels.width) + " x " +
-                                             std::to_string(pixels.height) + " pixels with " +
-                                             std::to_string(pixels.channels) + " channels");
+        throw Error(ErrorCode::bad_file, format_text("the decoder gave a picture of {} x {} pixels with {} channels",
+                                                     pixels.width, pixels.height, pixels.channels));
     if (!is_whole(pixels))
-        throw Error(ErrorCode::bad_file, "the decoder gave " + std::to_string(pixels.bytes.size()) + " bytes for " +
-                                             std::to_string(pixels.width) + " x " + std::to_string(pixels.height) +
-                                             " pixels of " + std::to_string(pixels.channels) + " channels");
+        throw Error(ErrorCode::bad_file,
+                    format_text("the decoder gave {} bytes for {} x {} pixels of {} channels", pixels.bytes.size(),
+                                pixels.width, pixels.height, pixels.channels));
     return pixels;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/format_text.h"
 #include "image/denoise_tile.h"
 #include "image/picture_windows.h"
 #include "math/flush_denormals.h"
@@ -20,21 +21,6 @@ using namespace denoise;
 
 static_assert(denoise_radius == margin);
 
-using SumNeighbors = void (*)(Tile&);
-SumNeighbors kernel_for(Isa isa) {
-    switch (isa) {
-        case Isa::scalar:
-            break;
-        case Isa::sse2:
-            return sse2::sum_neighbors;
-        case Isa::avx2:
-            return avx2::sum_neighbors;
-        case Isa::avx512:
-            return avx512::sum_neighbors;
-    }
-    return scalar::sum_neighbors;
-}
-
 int place(int x, int y) { return (y + margin) * stride + x + margin; }
 
 /// Whether all are in 0..most.
@@ -43,13 +29,14 @@ bool is_within(const vec3& v, float most) {
     return is_good(v.x) && is_good(v.y) && is_good(v.z);
 }
 
-/// A feature, 0 where it is not finite or its square could be too large.
+/// A feature, or 0 if it is not finite or its square could overflow.
 vec3 usable(const vec3& v) {
     const auto is_good = [](float x) { return std::fabs(x) < 1e15f; };
     return is_good(v.x) && is_good(v.y) && is_good(v.z) ? v : vec3{};
 }
 
-/// What colors are divided by; 1 where nothing is known. Dark albedos count as 0.02: less would make noise of what they mirror.
+/// The divisor of colors; 1 if unknown. Albedos below 0.02 are clamped, because dividing by less amplifies noise of
+/// specular reflection.
 vec3 divisor_of(const vec3& albedo) {
     const vec3 a = usable(albedo);
     if (!(a.x > 0 || a.y > 0 || a.z > 0)) return {1, 1, 1};
@@ -76,7 +63,7 @@ void fill_pixel(const NoisyPicture& in, std::size_t from, Tile& t, int i) {
     t.valid[i] = 1;
 }
 
-/// The planes of a window and of as much of its margin as the picture has.
+/// The planes of a window with its margin, clipped to the picture.
 void fill(const NoisyPicture& in, const PictureWindow& w, Tile& t) {
     t.width = w.width, t.height = w.height;
     const int left = std::max(-margin, -w.x), right = std::min(w.width + margin, in.width - w.x);
@@ -88,9 +75,9 @@ void fill(const NoisyPicture& in, const PictureWindow& w, Tile& t) {
 
 float brightness(const Tile& t, int i) { return t.light[0][i] + t.light[1][i] + t.light[2][i]; }
 
-/// Bright beyond what its neighbors say, and unsure of it: a sample of rare light, not a small bright thing.
+/// Much brighter than its neighbors, with high variance: a firefly, not a small bright object.
 bool is_firefly(const Tile& t, int i) {
-    constexpr int side = 2 * firefly_radius + 1, brighter = 3;  // neighbors that may be as bright: fireflies meet
+    constexpr int side = 2 * firefly_radius + 1, brighter = 3;  // neighbors that may be as bright, because fireflies cluster
     std::array<float, side * side> around;
     int count = 0, bright = 0;
     const float own = brightness(t, i);
@@ -114,7 +101,7 @@ bool is_firefly(const Tile& t, int i) {
     return own > 2 * around[std::size_t(rest - 1)] + 4 * spread && 2 * error > own - mean;
 }
 
-/// Takes fireflies out of all averages.
+/// Excludes fireflies from all averages.
 void drop_fireflies(Tile& t) {
     constexpr int reach = margin - firefly_radius;
     std::vector<int> found;
@@ -124,9 +111,9 @@ void drop_fireflies(Tile& t) {
     for (const int i : found) t.valid[i] = 0;
 }
 
-/// The means, times the albedo again. Where nothing is similar, the pixel stays as it is.
+/// Multiplies the means by the albedo. Pixels without similar ones are unchanged.
 void write(const Tile& t, const NoisyPicture& in, const PictureWindow& w, std::span<vec3> out) {
-    constexpr float least = 1e-20f;  // below, products of weights and colors may be denormal
+    constexpr float least = 1e-20f;  // below this, products of weights and colors may be denormal
     for (int y = 0; y < w.height; ++y)
         for (int x = 0; x < w.width; ++x) {
             const std::size_t to = std::size_t(w.y + y) * std::size_t(in.width) + std::size_t(w.x + x);
@@ -145,8 +132,8 @@ void check(const NoisyPicture& in, std::span<const vec3> out) {
     const std::size_t pixels = std::size_t(in.width) * std::size_t(in.height);
     const auto require = [pixels](std::size_t size, const char* what) {
         if (size == pixels) return;
-        throw Error(ErrorCode::usage, std::string("denoising: the ") + what + " has " + std::to_string(size) +
-                                          " pixels, the picture " + std::to_string(pixels));
+        throw Error(ErrorCode::usage,
+                    format_text("denoising: the {} has {} pixels, the picture {}", what, size, pixels));
     };
     require(in.color.size(), "color");
     require(in.variance.size(), "variance");
@@ -160,7 +147,7 @@ void check(const NoisyPicture& in, std::span<const vec3> out) {
 
 void denoise_into(const NoisyPicture& picture, std::span<vec3> out, Context& context, Isa isa) {
     check(picture, out);
-    const SumNeighbors sum_neighbors = kernel_for(isa);
+    void (*const sum_neighbors)(Tile&) = RL_BY_ISA(isa, sum_neighbors);
     const MemoryCharge charge(context.memory(), std::uint64_t(context.threads()) * sizeof(Tile), "denoising");
     const std::size_t across = std::size_t((picture.width + tile_width - 1) / tile_width);
     const std::size_t down = std::size_t((picture.height + tile_height - 1) / tile_height);

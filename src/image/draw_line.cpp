@@ -17,7 +17,7 @@ double distance_to(dvec2 p, dvec2 a, dvec2 b) {
     return std::sqrt(dx * dx + dy * dy);
 }
 
-/// Straight alpha, in codes: what is drawn are marks, not light.
+/// Blends in display codes with straight alpha, because overlays are not light.
 void lay(std::byte* to, Code color, double cover) {
     const double under = double(std::to_integer<int>(to[3])) / 255 * (1 - cover), alpha = cover + under;
     const std::uint8_t codes[3] = {color.r, color.g, color.b};

@@ -8,9 +8,9 @@
 
 namespace rakelight {
 
-/// A straight line with round ends into an 8-bit RGBA picture, laid over what is there; what lies outside is left out. Coverage is that of
-/// a rim one pixel wide about the pixel's center.
-/// @param a, b  [px] (0, 0) is the outer corner of the first pixel; not finite: nothing is drawn
+/// Composites a straight line with round caps over an 8-bit RGBA picture, clipped to it. Coverage falls off linearly
+/// over one pixel at the edge.
+/// @param a, b [px] (0, 0) is the outer corner of the first pixel; non-finite: nothing is drawn
 void draw_line(Pixels& picture, dvec2 a, dvec2 b, double width_px, Code color);
 
 }  // namespace rakelight

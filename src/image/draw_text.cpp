@@ -64,14 +64,15 @@ constexpr const char* font[] = {
 
 constexpr int line_gap = 2;  ///< [dots]
 
-/// Where a UTF-8 character that begins at `at` ends.
+/// The end of the UTF-8 character at `at`.
 std::size_t after_character(std::string_view text, std::size_t at) {
     ++at;
     while (at < text.size() && (std::uint8_t(text[at]) & 0xc0) == 0x80) ++at;
     return at;
 }
 
-/// Calls with (character, column, line) of each that is not a line break. @return [characters] of the longest line
+/// Calls f(character, column, line) for each character except line breaks.
+/// @return [characters] of the longest line
 template <class Call>
 int for_characters(std::string_view text, const Call& call) {
     int column = 0, line = 0, longest = 0;
@@ -156,7 +157,7 @@ void fill_rectangle(Pixels& picture, int x, int y, int width, int height, Code c
 
 namespace {
 
-/// @param rim  [px] each dot is larger on every side
+/// @param rim [px] enlargement of each dot on every side
 void draw_dots(Pixels& picture, int x, int y, std::string_view text, int scale, int rim, Code color) {
     for_characters(text, [&](char character, int column, int line) {
         const int left = x + column * text_dots_across * scale, top = y + line * (text_dots_down + line_gap) * scale;

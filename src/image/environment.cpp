@@ -74,7 +74,7 @@ std::array<vec3, 9> irradiance_of(const MipChain& chain, Context& context) {
 
 vec3 blend(const vec3& a, const vec3& b, float t) { return a + (b - a) * t; }
 
-/// Bilinear, across the edges as the sphere goes on.
+/// Bilinear, continuous across the edges of the map.
 vec3 filtered(const OctahedralMap& map, dvec2 uv) {
     const float x = float(uv.x) * float(map.size) - 0.5f, y = float(uv.y) * float(map.size) - 0.5f;
     const int x0 = std::clamp(int(std::floor(x)), -1, map.size - 1),
@@ -114,7 +114,7 @@ void fill(OctahedralMap& map, Context& context, const Value& value) {
 
 OctahedralMap sharp_map(const MipChain& chain, Context& context) {
     const MipLevel& full = chain.levels[0];
-    int size = 16;  // about as many texels a radian as the picture has
+    int size = 16;  // similar angular resolution as the picture
     while (size < largest_map && 2 * size <= full.width) size *= 2;
     const MipLevel& level = level_for(chain, 2 * size);
     OctahedralMap map = empty_map(size);
@@ -135,21 +135,21 @@ OctahedralMap half_of(const OctahedralMap& map) {
     return out;
 }
 
-/// A direction that light is looked up at, about +Z as the normal.
+/// A sample direction about the normal +Z.
 struct LobeSample {
     vec3 to_light;
     float weight;  ///< n.l
-    float level;   ///< of the halved maps: as wide as the part of the lobe that the sample stands for
+    float level;   ///< mip level that matches the solid angle of the sample
 };
 
-/// [0, 1) the bits of i behind the point, mirrored (van der Corput 1935).
+/// Radical inverse in base 2, [0, 1) (van der Corput 1935).
 double radical_inverse(std::uint32_t i) {
     double out = 0, digit = 0.5;
     for (; i != 0; i >>= 1, digit /= 2) out += double(i & 1u) * digit;
     return out;
 }
 
-/// Half vectors by the GGX distribution (Walter et al. 2007, eq. 35 and 36), the viewer at the normal; levels as
+/// Half vectors by the GGX distribution (Walter et al. 2007, eq. 35 and 36) with view = normal; mip levels as in
 /// Krivanek & Colbert 2008, "Real-time Shading with Filtered Importance Sampling", eq. 13.
 std::vector<LobeSample> lobe_samples(double roughness, int count, int map_size) {
     const double alpha2 = roughness * roughness * roughness * roughness;

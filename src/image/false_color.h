@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colors that stand for numbers, for pictures of data. 8-bit sRGB codes.
+// False colors for pictures of data. 8-bit sRGB codes.
 #pragma once
 #include <cstdint>
 
@@ -12,13 +12,13 @@ struct Code {
     bool operator==(const Code&) const = default;
 };
 
-/// Colors by number that differ from their neighbors' (golden ratio steps of the hue); always the same, never black.
+/// Distinct colors for indices (golden ratio steps of the hue); deterministic, never black.
 Code color_of_number(std::uint32_t number);
 /// 0 dark blue over green and yellow to 1 white; clamped, NaN is 0.
 Code heat(double value);
 /// 0 is code 0, 1 is code 255; clamped, NaN is 0.
 std::uint8_t code_of(double value);
-/// As a display shows linear light.
+/// The display value of linear light.
 Code code_of_light(vec3 linear);
 
 }  // namespace rakelight

@@ -16,9 +16,9 @@ namespace {
 using flip::ContrastKernels;
 using flip::FeatureKernels;
 using Values =
-    Plane<double>;  ///< float is too coarse: the square root of a difference of features makes 1e-7 of noise 3e-4
+    Plane<double>;  ///< double, because the square root of a feature difference amplifies noise of 1e-7 to 3e-4
 
-/// A window of a picture with a margin, in the space that is filtered.
+/// A window of a picture with a margin, in the opponent color space of the filters.
 struct Opponent {
     Values y, cx, cz;
 };
@@ -49,7 +49,7 @@ Values filtered(const Values& in, std::span<const double> along_row, std::span<c
     return filter_columns<double>(filter_rows<double>(in, along_row), along_column);
 }
 
-/// What the eye resolves of the colors, as CIELab.
+/// The colors filtered by the contrast sensitivity of the eye, in CIELab.
 struct SeenColors {
     Values y, cx, cz;
     dvec3 lab(std::size_t i) const { return flip::lab_of_opponent({y.values[i], cx.values[i], cz.values[i]}); }
@@ -67,7 +67,7 @@ SeenColors seen_colors(const Opponent& o, int margin, const ContrastKernels& k) 
     return out;
 }
 
-/// How much of an edge and of a point every pixel is.
+/// Edge and point features of every pixel.
 struct Features {
     Values edge, point;
 };
@@ -96,7 +96,7 @@ double feature_error(const Features& a, const Features& b, std::size_t i) {
     return std::min(1.0, std::sqrt(root_half * std::max(edge, point)));
 }
 
-/// Features make differences of color stand out.
+/// Feature differences amplify color differences.
 double pixel_error(double color, double feature) {
     if (color == 0 || feature == 0) return color;
     return math::pow(color, 1 - feature);
@@ -107,7 +107,7 @@ Values errors(const DisplayPicture& a, const DisplayPicture& b, const PictureWin
               const FeatureKernels& feature) {
     const int margin = std::max(contrast.radius, feature.radius);
     if (equal_within(a, b, w.x - margin, w.y - margin, w.x + w.width + margin, w.y + w.height + margin))
-        return {w.width, w.height};  // what all that follows would give, too
+        return {w.width, w.height};  // the result of the following for equal pictures
     const Opponent in_a = opponent_of(a, w, margin), in_b = opponent_of(b, w, margin);
     const SeenColors seen_a = seen_colors(in_a, margin, contrast), seen_b = seen_colors(in_b, margin, contrast);
     const Features features_a = features_of(in_a.y, margin, feature), features_b = features_of(in_b.y, margin, feature);

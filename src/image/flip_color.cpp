@@ -11,7 +11,8 @@
 namespace rakelight::flip {
 namespace {
 
-// Linear sRGB to XYZ, each over the white's, and back: from the primaries of BT.709 and D65 = (0.3127, 0.3290). Rows sum to 1.
+// Linear sRGB to XYZ relative to white, and back: from the primaries of BT.709 and D65 = (0.3127, 0.3290). Rows sum to
+// 1.
 constexpr double to_xyz[3][3] = {{0.43388734556603986, 0.3762240091374987, 0.1898886452964614},
                                  {0.21263900587151036, 0.7151686787677559, 0.07219231536073371},
                                  {0.01775004007097326, 0.10944762085523849, 0.8728023390737882}};

@@ -16,7 +16,7 @@ std::size_t smallest_factor(std::size_t n) {
 
 }  // namespace
 
-std::size_t friendly_length(std::size_t n) {
+std::size_t good_fft_size(std::size_t n) {
     for (;; ++n) {
         std::size_t rest = n;
         for (const std::size_t factor : {2u, 3u, 5u})
@@ -42,7 +42,7 @@ void Fourier::run(const Complex* in, std::size_t stride, Complex* out, std::size
     join(out, parts, size, step);
 }
 
-/// `parts` transforms of `size` values each, of every parts-th value, to one.
+/// Combines `parts` transforms of `size` interleaved values to one.
 void Fourier::join(Complex* out, std::size_t parts, std::size_t size, std::size_t step) const {
     if (parts == 2) {
         for (std::size_t k = 0; k < size; ++k) {

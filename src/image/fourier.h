@@ -17,7 +17,7 @@ inline Complex operator*(Complex a, Complex b) { return {a.re * b.re - a.im * b.
 class Fourier {
 public:
     explicit Fourier(std::size_t n);  ///< >= 1
-    /// @param in  n values, `stride` apart
+    /// @param in n values with a stride
     /// @param out  [n], not `in`
     void transform(const Complex* in, std::size_t stride, Complex* out) const { run(in, stride, out, n_, 1); }
 
@@ -29,6 +29,6 @@ private:
 };
 
 /// The least length >= n (>= 1) that has no factor but 2, 3 and 5.
-std::size_t friendly_length(std::size_t n);
+std::size_t good_fft_size(std::size_t n);
 
 }  // namespace rakelight

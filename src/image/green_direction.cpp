@@ -7,9 +7,9 @@
 namespace rakelight {
 namespace {
 
-constexpr int parts_a_side = 8, least_side = 32, most_window = 36;
-constexpr double least_relief = 4e-4;  ///< a texel; differences of a code or so are rounding
-constexpr double least_agreement = 0.25;
+constexpr int parts_a_side = 8, min_side = 32, max_window = 36;
+constexpr double min_relief = 4e-4;  ///< per texel; smaller differences are rounding
+constexpr double min_agreement = 0.25;
 
 /// Slopes of the height along u and upwards, [height][width].
 struct Slopes {
@@ -47,7 +47,7 @@ struct Sums {
         squares += s.squares;
         texels += s.texels;
     }
-    bool has_relief() const { return squares > least_relief * double(texels); }
+    bool has_relief() const { return squares > min_relief * double(texels); }
     double agreement() const { return has_relief() ? 2 * products / squares : 0; }
 };
 
@@ -64,14 +64,14 @@ Sums sums_of(const Slopes& s) {
     return sums;
 }
 
-/// The middle of a part, up to `most_window` texels wide.
+/// The middle of a part, up to `max_window` texels wide.
 struct Range {
     int first, count;
 };
 Range middle_of(int part, int size) {
     const int begin = part * size / parts_a_side, end = (part + 1) * size / parts_a_side;
     // A texel of the neighbors on each side, so that parts of few texels have some to compare.
-    const int from = std::max(begin - 1, 0), to = std::min(end + 1, size), count = std::min(to - from, most_window);
+    const int from = std::max(begin - 1, 0), to = std::min(end + 1, size), count = std::min(to - from, max_window);
     return {from + (to - from - count) / 2, count};
 }
 
@@ -79,7 +79,7 @@ Range middle_of(int part, int size) {
 
 GreenDirection find_green_direction(std::span<const std::uint32_t> texels, int width, int height, int stride) {
     GreenDirection out;
-    if (width < least_side || height < least_side) return out;
+    if (width < min_side || height < min_side) return out;
     Sums fine, coarse;
     for (int i = 0; i < parts_a_side * parts_a_side; ++i) {
         const Range columns = middle_of(i % parts_a_side, width), rows = middle_of(i / parts_a_side, height);
@@ -92,8 +92,8 @@ GreenDirection find_green_direction(std::span<const std::uint32_t> texels, int w
         coarse += sums_of(halved(slopes));
         if (!part.has_relief()) continue;
         ++out.parts;
-        out.up += part.agreement() > least_agreement;
-        out.down += part.agreement() < -least_agreement;
+        out.up += part.agreement() > min_agreement;
+        out.down += part.agreement() < -min_agreement;
     }
     out.fine = fine.agreement();
     out.coarse = coarse.agreement();

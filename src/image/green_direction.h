@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which way the green of a tangent-space normal map points, told from its numbers alone.
+// Detects the green direction of a tangent-space normal map from its texels.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -8,15 +8,15 @@ namespace rakelight {
 
 /// With p and q the slopes of the height along u and upwards, dp/dy and dq/dx are both the mixed derivative of one
 /// height field where green points up; with green down one has the other's sign. Agreement is 2 sum(dp/dy dq/dx) over
-/// sum((dp/dy)^2 + (dq/dx)^2): 1 where they are equal, -1 where one is the other's negative. A correlation would say
-/// as much of two small numbers that are nothing but rounding beside large slopes, as in painted bricks.
+/// sum((dp/dy)^2 + (dq/dx)^2): 1 where they are equal, -1 where one is the other's negative. A correlation would be
+/// fooled by rounding next to large slopes, as in painted bricks.
 struct GreenDirection {
     double fine = 0, coarse = 0;  ///< -1..1: agreement of neighboring texels, and of the means of 2 x 2; 0: no relief
-    int parts = 0;                ///< of the 8 x 8 that the map is cut into: those with relief
+    int parts = 0;                ///< number of the map's 8 x 8 parts with relief
     int up = 0, down = 0;         ///< of these: agreement above 0.25, below -0.25
 
-    /// A wrong guess is worse than none: both scales must say it, and eight of ten parts of the map by themselves.
-    /// What is no height field (combed, painted, of bent charts) stays below; so do maps of little detail.
+    /// A wrong guess is worse than none: both scales must agree, and eight of ten parts of the map separately. Maps
+    /// that are not height fields (combed, painted, of bent charts), or have little detail, stay below.
     bool is_up() const { return is_sure(fine, coarse, up); }
     bool is_down() const { return is_sure(-fine, -coarse, down); }
 
@@ -26,8 +26,8 @@ private:
     }
 };
 
-/// Of windows in the middle of each part, 83 000 texels at most; nothing of maps smaller than 32 x 32.
-/// @param texels  [height][stride], R in the low byte; a row's first `width` are looked at
+/// Evaluates windows in the middle of each part, at most 83 000 texels; nothing for maps smaller than 32 x 32.
+/// @param texels [height][stride], R in the low byte; the first `width` of a row are read
 GreenDirection find_green_direction(std::span<const std::uint32_t> texels, int width, int height, int stride);
 
 }  // namespace rakelight

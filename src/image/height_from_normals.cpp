@@ -26,9 +26,9 @@ struct Slopes {
 
 Slopes slopes_of(const Pixels& normals, bool green_down, Context& context) {
     Slopes s{std::size_t(normals.width), std::size_t(normals.height), {}};
-    const std::size_t largest = std::max(s.width * s.height, friendly_length(s.width) * friendly_length(s.height));
+    const std::size_t largest = std::max(s.width * s.height, good_fft_size(s.width) * good_fft_size(s.height));
     s.charge = MemoryCharge(context.memory(), largest * sizeof(Complex) * 2,
-                            "height map");  // of every step: what it reads, what it makes
+                            "height map");  // input and output of every step
     const MemoryCharge texels_charge(context.memory(), s.width * s.height * sizeof(vec4), "height map");
     s.values.resize(s.width * s.height);
     const std::vector<vec4> texels = to_rgba32f(normals, ColorSpace::linear, context);
@@ -43,7 +43,7 @@ Slopes slopes_of(const Pixels& normals, bool green_down, Context& context) {
     return s;
 }
 
-/// At half the size: a texel is twice as wide, so heights change twice as much across it.
+/// Half the size: a texel is twice as wide, so height differences per texel double.
 Slopes halved(const Slopes& s, const Context& context) {
     Slopes to{std::max<std::size_t>(s.width / 2, 1), std::max<std::size_t>(s.height / 2, 1), {}};
     to.values.resize(to.width * to.height);
@@ -60,7 +60,7 @@ Slopes halved(const Slopes& s, const Context& context) {
     return to;
 }
 
-/// Place between two texels of a row or column that goes on from its end to its start.
+/// Interpolation between two texels of a periodic row or column.
 struct Between {
     std::size_t low, high;
     double share;
@@ -70,10 +70,9 @@ Between between(std::size_t i, std::size_t from, std::size_t to) {
     return {std::size_t(whole) % from, (std::size_t(whole) + 1) % from, at - whole};
 }
 
-/// At sides that the transform is fast for, linearly between texels. A texel is narrower, so heights change less
-/// across.
+/// Resampled linearly to sizes with a fast transform. Texels are narrower, so height differences per texel decrease.
 Slopes with_friendly_sides(Slopes s, const Context& context) {
-    Slopes to{friendly_length(s.width), friendly_length(s.height), {}};
+    Slopes to{good_fft_size(s.width), good_fft_size(s.height), {}};
     if (to.width == s.width && to.height == s.height) return s;
     to.values.resize(to.width * to.height);
     const double x_scale = double(s.width) / double(to.width), y_scale = double(s.height) / double(to.height);
@@ -110,7 +109,7 @@ void transform(Slopes& s, Context& context) {
     });
 }
 
-/// [rad per texel] of the k-th of n frequencies; 0 for the highest one of an even number, which has no direction.
+/// [rad per texel] of the k-th of n frequencies; 0 for the Nyquist frequency, which has no direction.
 double frequency(std::size_t k, std::size_t n) {
     if (2 * k == n) return 0;
     return 2 * pi * (2 * k < n ? double(k) : double(k) - double(n)) / double(n);

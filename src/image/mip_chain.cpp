@@ -11,11 +11,19 @@
 #include "math/linear.h"
 
 namespace rakelight {
+
+namespace mip {
+namespace {
+using HalveRow = void (*)(const Row&, const Tables&);
+HalveRow halve_row_for(Isa isa) { return RL_BY_ISA(isa, halve_row); }
+}  // namespace
+}  // namespace mip
+
 namespace {
 
 constexpr int rows_per_task = 16;
 
-/// Which texels of the larger level one texel of the smaller one covers along one axis, and how much of each.
+/// The texels of the larger level covered by one texel of the smaller one along one axis, with their weights.
 struct Taps {
     int first = 0, count = 1;
     float weight[3] = {1, 0, 0};
@@ -70,22 +78,6 @@ std::vector<vec4> halve(std::span<const vec4> larger, int width, int height, Con
     return smaller;
 }
 
-using HalveRow = void (*)(const mip::Row&, const mip::Tables&);
-
-HalveRow kernel_for(Isa isa) {
-    switch (isa) {
-        case Isa::scalar:
-            break;
-        case Isa::sse2:
-            return mip::sse2::halve_row;
-        case Isa::avx2:
-            return mip::avx2::halve_row;
-        case Isa::avx512:
-            return mip::avx512::halve_row;
-    }
-    return mip::scalar::halve_row;
-}
-
 mip::Tables make_tables() {
     mip::Tables tables{};
     for (std::size_t i = 0; i < 256; ++i) tables.linear[i] = linear_from_srgb8(std::uint8_t(i));
@@ -93,7 +85,7 @@ mip::Tables make_tables() {
     return tables;
 }
 
-/// How much the texels of an odd row count.
+/// Weights of the texels of an odd row.
 struct ColumnWeights {
     std::vector<float> first, last;
     float middle = 0;
@@ -112,7 +104,7 @@ struct ColumnWeights {
 class CodeLevels {
 public:
     CodeLevels(MipChain& chain, Context& context)
-        : chain_(chain), context_(context), halve_row_(kernel_for(isa_from_environment())) {}
+        : chain_(chain), context_(context), halve_row_(mip::halve_row_for(isa_from_environment())) {}
 
     void add_all() {
         while (chain_.levels.back().width > 1 || chain_.levels.back().height > 1) add();
@@ -163,8 +155,8 @@ private:
 
     MipChain& chain_;
     Context& context_;
-    HalveRow halve_row_;
-    std::vector<float> averages_;  ///< of the last level; none of the first one
+    mip::HalveRow halve_row_;
+    std::vector<float> averages_;  ///< of the last level; empty for the first one
 };
 
 void add_rgba32f_levels(MipChain& chain, Context& context) {
@@ -192,7 +184,7 @@ std::uint64_t level_bytes(const Pixels& pixels) {
            (pixels.component == Component::u8 ? sizeof(std::uint32_t) : sizeof(vec4));
 }
 
-/// Unrounded averages live beside the 8-bit levels until all are made.
+/// Unrounded averages are kept besides the 8-bit levels until all are computed.
 std::uint64_t averages_bytes(const Pixels& pixels) {
     return pixels.component == Component::u8 ? texels_of(pixels.width, pixels.height, false) * sizeof(vec4) : 0;
 }

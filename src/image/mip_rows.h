@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the kernel of mip chains works on: one row of a smaller level of an 8-bit picture. Plain types: it is compiled per
+// Data of the mip kernel: one row of a smaller level of an 8-bit picture. Plain types, because it is compiled per
 // instruction set.
 #pragma once
 #include <stdint.h>
 
 namespace rakelight::mip {
 
-/// Numbers for code values: linear light for sRGB colors, the code itself for data.
+/// Values of codes: linear light for sRGB colors, the code itself for data.
 struct Tables {
     float linear[256];            ///< of sRGB codes
     const uint32_t* encode_srgb;  ///< SrgbEncoder::table()
@@ -14,8 +14,8 @@ struct Tables {
 
 /// A row of unrounded averages holds four planes of `width` floats: R, G, B, A.
 struct Row {
-    const uint32_t* codes[3];  ///< the rows above that it averages, where they are codes: of the full size
-    const float* averages[3];  ///< else
+    const uint32_t* codes[3];  ///< input rows if they are codes (full size)
+    const float* averages[3];  ///< input rows else
     float row_weight[3];
     int32_t rows;             ///< 1..3 of them
     int32_t larger, smaller;  ///< widths: smaller = max(1, larger / 2)

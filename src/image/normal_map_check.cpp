@@ -23,7 +23,7 @@ Normal decode(std::uint32_t t) {
 
 double length_error(Normal n) { return std::fabs(std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) - 1); }
 
-/// The vector with its codes made linear first.
+/// The vector after decoding its codes as sRGB.
 Normal decode_srgb(std::uint32_t t) {
     const auto at = [t](int shift) { return 2.0 * double(linear_from_srgb8(std::uint8_t(t >> shift & 255u))) - 1; };
     return {at(0), at(8), at(16)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Means over a picture that is looked at in windows, with separable filters in each: memory for one window a thread, and sums in
-// an order that no number of threads changes.
+// Means over a picture processed in windows, with separable filters in each: memory for one window per thread, and sums
+// in an order that no number of threads changes.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -33,7 +33,7 @@ double sum_over_windows(int width, int height, Context& context, const SumOf& su
     return sum;
 }
 
-/// One value a pixel, row by row.
+/// One value per pixel, row by row.
 template <class Number>
 struct Plane {
     Plane() = default;

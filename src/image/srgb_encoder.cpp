@@ -7,8 +7,8 @@
 namespace rakelight {
 namespace {
 
-/// The bits of the smallest float whose code is at least `code`, 1..255. Bisection over the bits of positive floats, which
-/// are in the order of their values.
+/// The bits of the smallest float whose code is at least `code`, 1..255. Bisection over the bit patterns of positive
+/// floats, which are ordered like their values.
 std::uint32_t first_bits_of(std::uint32_t code, std::uint32_t above) {
     std::uint32_t below = std::bit_cast<std::uint32_t>(linear_from_srgb((float(code) - 0.75f) / 255.0f));
     while (below + 1 < above) {

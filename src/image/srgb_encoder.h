@@ -9,12 +9,12 @@
 
 namespace rakelight {
 
-/// A table keyed by the upper bits of the float. Each octave is cut into 128 buckets, so fine that at most one of the 255
-/// places where the code steps up falls into a bucket: one look-up and one sum give the correctly rounded code.
-/// (Giesen 2012, "Exact float to sRGB8 conversions", has the idea with interpolated slopes.)
+/// A table keyed by the upper bits of the float. Each octave has 128 buckets, so that at most one of the 255 code
+/// transitions lies in a bucket: one table look-up and one addition give the correctly rounded code. (Idea: Giesen
+/// 2012, "Exact float to sRGB8 conversions", with interpolated slopes.)
 class SrgbEncoder {
 public:
-    static const SrgbEncoder& instance();  ///< made on the first call; thread-safe
+    static const SrgbEncoder& instance();  ///< created at the first call; thread-safe
 
     /// NaN and negative give 0, over 1 gives 255.
     std::uint32_t operator()(float linear) const {
@@ -23,8 +23,8 @@ public:
         return (table_[bits >> srgb_bucket_bits] + (bits & 0xFFFFu)) >> srgb_bucket_bits;
     }
 
-    /// [srgb_buckets] 2^16 times the code at the bucket's lower end, and what is missing to the next code where it goes up
-    /// in the bucket: with the place in the bucket added, bits 16 to 23 are the code.
+    /// [srgb_buckets] 2^16 times the code at the bucket's lower end, plus an offset to the transition in the bucket.
+    /// After adding the position in the bucket, bits 16 to 23 are the code.
     const std::uint32_t* table() const { return table_.data(); }
 
 private:

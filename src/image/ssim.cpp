@@ -46,7 +46,7 @@ Plane<double> product(const Plane<double>& a, const Plane<double>& b) {
 /// The sum of SSIM over the windows whose upper left pixels are those of `w`.
 double ssim_sum(const DisplayPicture& a, const DisplayPicture& b, const PictureWindow& w, const Kernel& kernel) {
     if (equal_within(a, b, w.x, w.y, w.x + w.width + side - 1, w.y + w.height + side - 1))
-        return double(w.width) * double(w.height);        // of ones, as all that follows would give
+        return double(w.width) * double(w.height);        // ones, the result of the following for equal pictures
     constexpr double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03;  // (K1 L)^2, (K2 L)^2 with L = 1
     const auto mean = [&](const Plane<double>& plane) {
         return filter_columns<double>(filter_rows<double>(plane, kernel), kernel);

@@ -10,7 +10,7 @@
 namespace rakelight {
 namespace {
 
-/// A rectangle of light on a plane at distance 1, turned to the middle of the room.
+/// A rectangular area light on a plane at distance 1, facing the middle of the room.
 struct SoftBox {
     SoftBox(dvec3 toward, dvec2 half, double softness_of_edges, double light)
         : n(normalize_or(toward, {0, 1, 0})),
@@ -20,13 +20,13 @@ struct SoftBox {
           half_height(half.y),
           softness(softness_of_edges),
           radiance(light) {}
-    dvec3 n, right, up;              ///< unit, from the middle of the room to that of the box, and across
+    dvec3 n, right, up;              ///< unit: from the middle of the room to the box's center, and its horizontal axis
     double half_width, half_height;  ///< [1] on that plane
-    double softness;                 ///< [1] half of what its edges fade over
+    double softness;                 ///< [1] half width of the soft edge
     double radiance;
 };
 
-/// 0 below -1, 1 above 1, with a flat tangent at both.
+/// Smoothstep from -1 to 1.
 double smooth_step(double x) {
     const double t = std::clamp(0.5 + 0.5 * x, 0.0, 1.0);
     return t * t * (3 - 2 * t);
@@ -43,14 +43,14 @@ double radiance_of(const SoftBox& box, dvec3 d) {
 }  // namespace
 
 double studio_radiance(dvec3 d) {
-    // A white surface that faces the key light receives about 1.
+    // A white surface facing the key light receives about 1.
     static const SoftBox boxes[] = {
         {{-0.8, 0.75, 0.9}, {0.5, 0.4}, 0.1, 3.2},     // key
         {{1.0, 0.25, 0.6}, {0.35, 0.55}, 0.15, 1.0},   // fill
         {{0.35, 0.55, -1.0}, {0.9, 0.10}, 0.06, 3.6},  // strip behind
         {{0.0, 1.0, -0.05}, {0.6, 0.3}, 0.2, 1.1},     // ceiling
     };
-    const double ceiling = 0.27, horizon = 0.32, floor = 0.11;  // a wall a little lighter than what is above it
+    const double ceiling = 0.27, horizon = 0.32, floor = 0.11;  // walls slightly brighter than the ceiling
     double sum =
         d.y > 0 ? horizon + (ceiling - horizon) * d.y : horizon + (floor - horizon) * smooth_step(-6 * d.y - 1);
     for (const SoftBox& box : boxes) sum += radiance_of(box, d);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tone curves: linear light of any brightness -> linear light that a display can show (tone_curves.h has the sources). GLSL and C++ at
-// once, as the lighting text. agx_contrast(maps, light) and agx_power(maps, display) are the includer's: tables in C++, agx_curves.glsl.
+// Tone curves: unbounded linear light -> displayable linear light (sources: tone_curves.h). Shared by GLSL and C++,
+// like src/lighting. The includer defines agx_contrast(maps, light) and agx_power(maps, display): by tables in C++, by
+// agx_curves.glsl in GLSL.
 #define RL_TONE_NONE 0
 #define RL_TONE_REINHARD 1
 #define RL_TONE_NEUTRAL 2

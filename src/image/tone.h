@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From linear light to the code values of a picture file, clamped to 0..1. Tone mapping comes before: tone_curves.h.
+// Encoding of linear light to code values of picture files, clamped to 0..1, after tone mapping (tone_curves.h).
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,13 +9,13 @@
 namespace rakelight {
 
 /// Encodes a row (or any run) of linear colors as 8-bit sRGB. NaN and negative give 0, over 1 gives 255, else correctly
-/// rounded. Alpha is not a color: it is clamped and rounded to 0..255 as it is.
+/// rounded. Alpha is not a color: it is only clamped and rounded to 0..255.
 /// @param linear    [n] linear RGB, alpha
 /// @param channels  3 (alpha dropped) or 4
 /// @param out       [n * channels]
 void to_srgb8(std::span<const vec4> linear, int channels, std::span<std::uint8_t> out);
 
-/// The same with 16 bits a component, code value 65535 for 1. Native byte order.
+/// The same with 16 bits per component, code value 65535 for 1. Native byte order.
 void to_srgb16(std::span<const vec4> linear, int channels, std::span<std::uint16_t> out);
 
 }  // namespace rakelight

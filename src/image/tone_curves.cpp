@@ -15,7 +15,7 @@
 namespace rakelight {
 namespace {
 
-/// Sobotka's sigmoid through (0, 0), (1, 1) and the pivot, where its slope is 2: powers 3 below and 3.25 above.
+/// Sobotka's sigmoid through (0, 0), (1, 1) and the pivot with slope 2: powers 3 below and 3.25 above.
 double agx_sigmoid(double x) {
     constexpr double pivot = 10 / 16.5, middle = 0.5, slope = 2;
     const bool is_above = x > pivot;
@@ -64,7 +64,7 @@ ToneNumber number_of(ToneMapping mapping) {
 }
 
 float gain_of(double exposure_ev) {
-    if (!(std::abs(exposure_ev) <= most_exposure_ev))
+    if (!(std::abs(exposure_ev) <= max_exposure_ev))
         throw Error(ErrorCode::usage, "the exposure must be from -32 to 32 EV");
     return float(math::exp2(exposure_ev));
 }
@@ -84,7 +84,8 @@ vec3 ToneCurve::operator()(vec3 light) const {
     return {mapped[0], mapped[1], mapped[2]};
 }
 
-/// Each component grows by the root of what it lacks, again and again: curves rise in every component, at most with its square.
+/// Fixed-point iteration: each component is scaled by the square root of its relative error. Curves increase in every
+/// component at most quadratically.
 vec3 ToneCurve::light_for(vec3 displayed) const {
     constexpr int steps = 64;
     constexpr float most = 1e4f, largest_step = 16;
@@ -100,7 +101,7 @@ vec3 ToneCurve::light_for(vec3 displayed) const {
     return light;
 }
 
-/// Porter & Duff 1984. Where nothing covers the pixel it is what lies behind, to the bit.
+/// Porter & Duff 1984. Uncovered pixels are bit-identical to the background.
 vec4 ToneCurve::laid(vec4 pixel) const {
     if (!(behind_.w > 0) || pixel.w >= 1) return pixel;
     const float cover = pixel.w > 0 ? pixel.w : 0.0f, under = behind_.w * (1 - cover);

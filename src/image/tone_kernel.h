@@ -21,7 +21,7 @@ enum ToneNumber : int32_t { tone_none, tone_reinhard, tone_neutral, tone_aces, t
 
 namespace tone::scalar {
 /// @param mapping  ToneNumber
-/// @param curves   looked at by RL_TONE_AGX alone
+/// @param curves used by RL_TONE_AGX only
 void map_tone(const AgxCurves* curves, int32_t mapping, float gain, const float (&light)[3], float (&mapped)[3]);
 }  // namespace tone::scalar
 

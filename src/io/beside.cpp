@@ -40,12 +40,12 @@ void copy_beside(const std::vector<NamedFile>& files, const std::string& output,
             missing.push_back(&file);
         else if (*read_file(to, context) != *read_file(file.path, context))
             throw Error(ErrorCode::failed,
-                        "'" + one_line(file.name, 80) + "' is there already and differs from the model's file", {},
+                        "'" + one_line(file.name, 80) + "' already exists and differs from the model's file", {},
                         "write to the model's own folder, to an empty one, or as .glb");
     }
     for (const NamedFile* file : missing) {
         const std::string to = (folder_of(output) / file->name).string();
-        std::error_code error;  // that a folder is missing is said by the writing
+        std::error_code error;  // a missing folder is reported on writing
         fs::create_directories(fs::path(to).parent_path(), error);
         write_file(to, *read_file(file->path, context));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files that a model names, copied to the same places beside a model that is written to another folder.
+// Copies the files that a model names to the same relative paths beside a model that is written to another folder.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -26,7 +26,7 @@ struct NamedFile {
     std::string path;  ///< where it was found
 };
 
-/// Copies files to the folder of `output`, each under its name; those that are there with these bytes stay.
+/// Copies files to the folder of `output`, each under its name; those that exist with these bytes stay.
 /// @throws Error failed, before anything is copied: one is there with other bytes; not_found, bad_file: cannot be read
 void copy_beside(const std::vector<NamedFile>& files, const std::string& output, Context& context);
 

@@ -3,6 +3,8 @@
 
 #include <rakelight/tools/words.h>
 
+#include "base/format_text.h"
+
 namespace rakelight::io {
 namespace {
 
@@ -44,7 +46,7 @@ void ColorColumns::settle(const char* of_what, const std::string& path, Report& 
     scale_ = range_of(most_[0]);
     if (scale_ != ColorScale::unit)
         report.add(Remark::guessed, path, "",
-                   std::string(of_what) + " colors over 1 were read as 0.." + std::to_string(int(largest_of(scale_))));
+                   format_text("{} colors over 1 were read as 0..{}", of_what, int(largest_of(scale_))));
 }
 
 }  // namespace rakelight::io

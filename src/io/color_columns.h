@@ -33,13 +33,13 @@ public:
     /// Colors that come from elsewhere, all of one range.
     void take_all(ColorScale scale);
     bool any() const { return has_[0] || has_[1] || has_[2] || has_[3]; }
-    /// Looks at colors of which nothing but the values says a range: over 1 they are 0..255, over 255 0..65535.
+    /// Reads colors whose range only their values tell: over 1 they are 0..255, over 255 0..65535.
     void look_at(const vec4& color) {
         for (std::size_t k = 0; k < 4; ++k)
             if (std::isfinite(color[k])) most_[k == 3] = std::max(most_[k == 3], color[k]);
     }
     bool is_by_value() const { return scale_ == ColorScale::by_value || alpha_scale_ == ColorScale::by_value; }
-    /// Decides by what look_at() has seen, and says so. @param of_what  "vertex"
+    /// Decides by what look_at() has seen, and reports it. @param of_what "vertex"
     void settle(const char* of_what, const std::string& path, Report& report);
     /// Linear, after settle(). What is not finite or out of range is clamped; without a column of a color it is white, and alpha 1.
     vec4 linear(const vec4& c) const {

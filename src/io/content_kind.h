@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file holds, by its first bytes.
+// The kind of a file's content, by its first bytes.
 #pragma once
 #include <cstddef>
 #include <span>

@@ -34,8 +34,8 @@ bool begins_with_drive(const std::string& path) {
 [[noreturn]] void refuse_missing(const std::string& path, int error) {
     if (error != ENOENT || !begins_with_drive(path)) refuse_input(path, "cannot be opened: " + system_message(error));
     const std::size_t slash = path.find_last_of("/\\:");
-    throw Error(ErrorCode::not_found, "is a path of another machine", {},
-                "say where '" + one_line(path.substr(slash + 1), 80) + "' lies on this one")
+    throw Error(ErrorCode::not_found, "is a path on another machine", {},
+                "give the path of '" + one_line(path.substr(slash + 1), 80) + "' on this one")
         .with_file(path);
 }
 
@@ -69,7 +69,7 @@ void read_all(const std::string& path, int fd, std::vector<std::byte>& bytes) {
     bytes.resize(done);
 }
 
-/// "http://x", "file:x" and "data:x"; a colon elsewhere may stand in a file name.
+/// "http://x", "file:x" and "data:x"; a colon elsewhere may be part of a file name.
 bool has_scheme(const std::string& reference) {
     const std::size_t colon = reference.find(':');
     if (colon == std::string::npos || colon == 0 || !is_ascii_letter(reference[0])) return false;
@@ -94,8 +94,8 @@ bool has_scheme(const std::string& reference) {
 void refuse_drive(const std::string& reference) {
     if (!begins_with_drive(reference)) return;
     const std::size_t slash = reference.find_last_of("/\\:");
-    throw Error(ErrorCode::bad_file, "the reference to '" + one_line(reference, 160) + "' is a path of another machine",
-                {}, "put '" + one_line(reference.substr(slash + 1), 80) + "' beside the model and let it name that");
+    throw Error(ErrorCode::bad_file, "the reference to '" + one_line(reference, 160) + "' is a path on another machine",
+                {}, "put '" + one_line(reference.substr(slash + 1), 80) + "' beside the model, and refer to it there");
 }
 
 bool lies_inside(const fs::path& path, const fs::path& folder) {
@@ -205,7 +205,7 @@ std::string resolve_reference(const std::string& model_path, const std::string& 
 std::string why_not_found(const std::string& model_path, const std::string& reference, const std::string& done) {
     try {
         if (is_regular_file(resolve_reference(model_path, reference, true)))
-            return " lies outside the model's folder; " + done + " ('allow-outside' takes it)";
+            return " lies outside the model's folder; " + done + " ('allow-outside' permits it)";
     } catch (const Error&) {  // not even a name
     }
     return " is not in the model's folder; " + done;

@@ -61,8 +61,8 @@ bool is_regular_file(const std::string& path);
 ///         scheme such as http:) unless `allow_outside`, or names a drive ("C:\\x"); the message has it as written.
 std::string resolve_reference(const std::string& model_path, const std::string& reference, bool allow_outside);
 
-/// Why a file that a model names is not taken: " is not in the model's folder; " with what was done, or that it lies outside of it
-/// and that 'allow-outside' takes it.
+/// Why a file that a model names is not used: " is not in the model's folder; " and what was done instead, or that it
+/// lies outside of it and that 'allow-outside' permits it.
 std::string why_not_found(const std::string& model_path, const std::string& reference, const std::string& done);
 
 /// Bytes of a percent-encoded URI; nullopt when an escape is broken.
@@ -107,9 +107,9 @@ private:
     std::deque<UnfinishedOutput> unfinished_;  ///< [folders]
 };
 
-/// A file written under a temporary name beside its place, and renamed when whole and on the disk; removed when never
-/// committed. Folders above it that are missing are made. In memory the bytes appear when whole. Symbolic links are followed, also to a file that is not there yet. Devices and pipes are written to as
-/// they are.
+/// A file written under a temporary name beside its destination, and renamed when it is complete and on the disk;
+/// removed if never committed. Folders above it that are missing are made. In memory the bytes appear when whole.
+/// Symbolic links are followed, also to a file that does not exist yet. Devices and pipes are written to as they are.
 class OutputFile {
 public:
     /// @throws Error failed: the folder cannot be made or is not writable, the path is a folder, links that lead in a circle.

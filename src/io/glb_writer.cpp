@@ -6,6 +6,8 @@
 #include <map>
 #include <system_error>
 
+#include <nlohmann/json.hpp>
+
 #include "io/file.h"
 #include "io/glb_writer_materials.h"
 #include "io/glb_writer_motion.h"
@@ -77,11 +79,10 @@ private:
     void say_what_is_lost() {
         const auto has_groups = [](const Mesh& m) { return !m.smoothing.empty() || !m.smoothing_hint.empty(); };
         if (std::any_of(scene_.meshes.begin(), scene_.meshes.end(), has_groups))
-            context_.report().add(
-                Remark::note, scene_.source, {},
-                "smoothing groups have no place in glTF: they are in the normals, and gone for a later run");
+            context_.report().add(Remark::note, scene_.source, {},
+                                  "glTF cannot store smoothing groups: only the normals keep them");
         if (std::any_of(scene_.meshes.begin(), scene_.meshes.end(), [](const Mesh& m) { return !m.arrays.empty(); }))
-            lost("other numbers of the vertices are not written");
+            lost("other vertex attributes are not written");
     }
 
     /// @param targets  how many morph targets the glTF mesh has
@@ -227,7 +228,7 @@ private:
         bool is_converted = false;
         for (const Light& light : scene_.lights) {
             if (light.type == LightType::ambient) {
-                lost("ambient lights have no place in glTF");
+                lost("glTF cannot store ambient lights");
                 numbers.push_back(no_index);
                 continue;
             }
@@ -243,19 +244,20 @@ private:
         extensions_.push_back("KHR_lights_punctual");
         if (is_converted)
             context_.report().add(Remark::changed, scene_.source, {},
-                                  "classical lights became photometric ones; of their attenuation the part that falls "
-                                  "with the square was kept");
+                                  "classical lights were converted to photometric ones; of their attenuation only the "
+                                  "quadratic term was kept");
         return numbers;
     }
 
-    /// JSON with its data in NAME.bin beside it. Both are whole before one takes the place of an older file.
+    /// JSON with its data in NAME.bin beside it. Both are whole before one replaces an older file.
     void write_text(const std::string& path, const std::vector<std::byte>& binary) {
         const std::filesystem::path place(path);
         const std::string name = place.stem().string() + ".bin";
         const std::filesystem::path beside = place.parent_path() / name;
         std::error_code fault;
         if (std::filesystem::exists(beside, fault) && !std::filesystem::exists(place, fault))
-            throw Error(ErrorCode::failed, "'" + one_line(name, 80) + "' is there already, and not of this model", {},
+            throw Error(ErrorCode::failed,
+                        "'" + one_line(name, 80) + "' already exists and does not belong to this model", {},
                         "choose another name, or write .glb");
         root_["buffers"][0]["uri"] = percent_encoded(name);
         OutputFile data(beside.string()), file(path);

@@ -10,8 +10,8 @@
 namespace rakelight::io {
 
 /// Vertex data is written as float, indices as 16 or 32 bits, textures byte by byte (PNG, JPEG, WebP; others are
-/// dropped and said, since nothing is decoded here). Classical materials become metallic-roughness and classical lights
-/// photometric, said in the report; so are height and opacity maps and ambient lights, which are left out. A path that
+/// dropped and reported, since nothing is decoded here). Classical materials become metallic-roughness and classical lights
+/// photometric, reported; so are height and opacity maps and ambient lights, which are left out. A path that
 /// ends in .gltf: JSON, with the data in NAME.bin beside it.
 /// @throws Error failed: over 4 GiB, cannot write; bad_file: nothing to write
 void write_glb(const Scene& scene, const std::string& path, Context& context);

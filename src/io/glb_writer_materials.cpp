@@ -6,6 +6,9 @@
 #include <cstring>
 #include <string_view>
 
+#include <nlohmann/json.hpp>
+
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_io.h"
 #include "math/functions.h"
@@ -27,11 +30,12 @@ int minify_code(const Sampler& s) {
     return s.mip == MipFilter::none ? 9728 + linear : (s.mip == MipFilter::nearest ? 9984 : 9986) + linear;
 }
 
-/// A picture that is there as pixels alone. @throws Error bad_file: PNG cannot hold it
+/// A picture that exists only as pixels. @throws Error bad_file: PNG cannot hold it
 Bytes png_of(const EncodedImage& image, Context& context) {
-    if (!image.decode) throw Error(ErrorCode::bad_file, "there is no picture in it");
+    if (!image.decode) throw Error(ErrorCode::bad_file, "it contains no picture");
     const Pixels pixels = image.decode(image, context);
-    if (pixels.component == Component::f32) throw Error(ErrorCode::bad_file, "glTF holds no picture of 32-bit floats");
+    if (pixels.component == Component::f32)
+        throw Error(ErrorCode::bad_file, "glTF cannot store pictures of 32-bit floats");
     std::vector<std::byte> bytes;
     write_image({"texture.png", bytes}, pixels);
     return std::make_shared<const std::vector<std::byte>>(std::move(bytes));
@@ -99,7 +103,7 @@ std::uint32_t MaterialWriter::image(const EncodedImage& image, bool& is_webp) {
     const std::string type = mime_type_of(*bytes);
     if (type.empty()) {
         lost("image '" + one_line(image.name, 80) + "'",
-             "a texture is left out: glTF holds PNG, JPEG and WebP only, and nothing is decoded here");
+             "a texture is left out: glTF can store PNG, JPEG and WebP only, and pictures are not converted here");
         return no_index;
     }
     while (binary_->size() % 4 != 0) binary_->push_back(std::byte{0});
@@ -142,7 +146,7 @@ bool MaterialWriter::set_use(OrderedJson& owner, const char* name, const Texture
     return true;
 }
 
-/// Numbers that are not the default, and textures; nothing of a layer that is not there and that no clip brings.
+/// Numbers that are not the default, and textures; nothing of a layer that does not exist and that no clip brings.
 OrderedJson MaterialWriter::extension_of(const char* name, const Material& m, bool is_moved) {
     static const MetallicRoughnessParameters defaults;
     const MetallicRoughnessParameters& p = m.metallic_roughness;
@@ -178,14 +182,14 @@ void MaterialWriter::extensions(OrderedJson& json, const Material& m, bool is_mo
 }
 
 OrderedJson MaterialWriter::material(const Material& source, std::size_t number) {
-    const std::string place = "material " + std::to_string(number) + " '" + one_line(source.name, 60) + "'";
+    const std::string place = format_text("material {} '{}'", number, one_line(source.name, 60));
     const bool is_classical = source.model == MaterialModel::classical;
     Material m = is_classical ? metallic_roughness_from_classical(source) : source;
     if (is_classical)
         context_.report().add(Remark::changed, scene_.source, place,
-                              "a classical material became metallic-roughness, with the same highlight");
-    if (m.height_texture) lost(place, "glTF has no place for a height map");
-    if (m.opacity_texture) lost(place, "glTF has no place for an opacity map of its own");
+                              "a classical material was converted to metallic-roughness, with the same highlight");
+    if (m.height_texture) lost(place, "glTF cannot store a height map");
+    if (m.opacity_texture) lost(place, "glTF cannot store a separate opacity map");
     const MetallicRoughnessParameters& p = m.metallic_roughness;
     OrderedJson json = OrderedJson::object();
     if (!m.name.empty()) json["name"] = one_line(m.name);
@@ -233,7 +237,7 @@ OrderedJson camera_json(const Camera& camera) {
     if (!camera.name.empty()) json["name"] = one_line(camera.name);
     if (camera.projection == Projection::perspective) {
         json["type"] = "perspective";
-        // glTF cannot say a width alone: that of a square picture then
+        // glTF cannot store only a width: that of a square picture then
         const double up_rad =
             camera.vertical_fov_rad > 0 ? camera.vertical_fov_rad : camera.horizontal_fov_rad.value_or(0);
         OrderedJson& p = json["perspective"] = {{"yfov", up_rad}, {"znear", camera.z_near}};

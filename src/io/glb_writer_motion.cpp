@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "math/linear.h"
 
 namespace rakelight::io::gltf {
@@ -194,10 +197,9 @@ bool MotionWriter::animations(const std::vector<std::size_t>& mesh_node, Pointer
     }
     if (left_out > 0)
         context_.report().add(Remark::dropped, scene_.source, {},
-                              std::to_string(left_out) +
-                                  (left_out == 1 ? " channel of animations was left out: it moves"
-                                                 : " channels of animations were left out: they move") +
-                                  " nothing that glTF has a place for");
+                              format_text("{}{} nothing that glTF can store", left_out,
+                                          left_out == 1 ? " animation channel was left out: it animates"
+                                                        : " animation channels were left out: they animate"));
     return uses_pointers;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves in a scene as glTF JSON: skins, morph targets, animations.
+// Skins, morph targets and animations of a scene as glTF JSON.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -24,7 +24,7 @@ public:
     void add_targets(OrderedJson& primitive, const Mesh& mesh, std::size_t count, NewData& data) const;
     /// The number of the file's skin for a node's meshes, whose positions count from `origin`; it is made when it is new.
     std::uint32_t skin_of(std::uint32_t skin, dvec3 origin, NewData& data);
-    /// All clips; channels that glTF has no place for, or that move nothing that was written, are left out, and said.
+    /// All clips; channels that glTF cannot store, or that move nothing that was written, are left out, and reported.
     /// @param mesh_node  [nodes] the node of the file that shows its meshes, or `no_index`
     /// @return whether KHR_animation_pointer is used
     bool animations(const std::vector<std::size_t>& mesh_node, PointerWriter& pointers, NewData& data);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::gltf {
 namespace {
 
@@ -77,7 +79,7 @@ std::vector<WrittenPointer> PointerWriter::of_material(const AnimationChannel& c
     }();
     if (!has_texture || !make_parent(json, row->place)) return {};
     const float divisor = row->property == "emission" ? moved_.emission_strength(channel.element) : 1.0f;
-    return {{pointer_prefix(channel.path) + std::to_string(channel.element) + "/" + row->place, row->width, divisor}};
+    return {{format_text("{}{}/{}", pointer_prefix(channel.path), channel.element, row->place), row->width, divisor}};
 }
 
 std::vector<WrittenPointer> PointerWriter::of_light(const AnimationChannel& channel) {
@@ -87,7 +89,7 @@ std::vector<WrittenPointer> PointerWriter::of_light(const AnimationChannel& chan
     if (!row || number == no_index || light.units != LightUnits::photometric) return {};
     if (row->property == "range" && light.type == LightType::directional) return {};
     if (!make_parent(root_["extensions"]["KHR_lights_punctual"]["lights"][number], row->place)) return {};
-    return {{pointer_prefix(channel.path) + std::to_string(number) + "/" + row->place, row->width, 1}};
+    return {{format_text("{}{}/{}", pointer_prefix(channel.path), number, row->place), row->width, 1}};
 }
 
 std::vector<WrittenPointer> PointerWriter::of_camera(const AnimationChannel& channel) {
@@ -96,7 +98,7 @@ std::vector<WrittenPointer> PointerWriter::of_camera(const AnimationChannel& cha
     const auto add = [&](std::string_view property) {
         const PointerRow* const row = row_of(channel.path, property, camera.projection);
         if (row)
-            all.push_back({pointer_prefix(channel.path) + std::to_string(channel.element) + "/" + row->place, 1, 1});
+            all.push_back({format_text("{}{}/{}", pointer_prefix(channel.path), channel.element, row->place), 1, 1});
     };
     add(channel.property);
     // glTF's width does not follow the height by itself.

@@ -38,7 +38,7 @@ public:
     PointerWriter(OrderedJson& root, const Scene& scene, const MovedMaterials& moved, std::vector<std::size_t> lights)
         : root_(root), scene_(scene), moved_(moved), lights_(std::move(lights)) {}
 
-    /// Empty: glTF has no place for it, or what it would move was not written. Extensions of materials that it takes are made.
+    /// Empty: glTF cannot store it, or what it would move was not written. Extensions of materials that it takes are made.
     std::vector<WrittenPointer> pointers_of(const AnimationChannel& channel);
     const std::vector<std::string>& extensions() const { return extensions_; }  ///< used, each once
 

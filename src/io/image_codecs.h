@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of io: one reader and one writer a picture format, and what they share.
+// Internal to io: one reader and one writer per picture format, and what they share.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -13,11 +13,11 @@ namespace rakelight::io::codec {
 
 inline constexpr std::uint32_t max_side = 32768;  ///< [px] the largest picture side that is read
 
-/// What a reader is to give: the pixels, or what is known of them before they are decoded (Pixels without bytes).
+/// What a reader returns: the pixels, or only what the header tells of them (Pixels without bytes).
 enum class Want : std::uint8_t { pixels, header };
 
-/// Room for a picture, after its size was held against `max_side` and the memory budget; none where only the header is
-/// wanted.
+/// Memory for a picture, after its size was checked against `max_side` and the memory budget; none if only the header
+/// is wanted.
 /// @throws Error bad_file: no pixels, too large
 Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Component component, Want want,
                    Context& context);

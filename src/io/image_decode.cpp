@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_codecs.h"
 
@@ -19,8 +20,7 @@ Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Comp
                    Context& context) {
     if (width == 0 || height == 0) bad_picture("the picture has no pixels");
     if (width > max_side || height > max_side)
-        bad_picture("the picture is " + std::to_string(width) + " x " + std::to_string(height) + " pixels, more than " +
-                    std::to_string(max_side) + " a side");
+        bad_picture(format_text("the picture is {} x {} pixels, more than {} per side", width, height, max_side));
     Pixels pixels{int(width), int(height), channels, component, false, {}};
     if (want == Want::header) return pixels;
     const std::uint64_t size = std::uint64_t(pixels.row_bytes()) * height;
@@ -40,7 +40,7 @@ bool begins_with(std::span<const std::byte> bytes, std::string_view magic) {
     return bytes.size() >= magic.size() && std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
 }
 
-/// Formats that models are seen to carry but that are not read here get their name said.
+/// Formats that occur in models but are not read here are named in the message.
 void refuse_known_formats(std::span<const std::byte> bytes) {
     using namespace std::string_view_literals;
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> known{

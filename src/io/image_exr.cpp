@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // OpenEXR: gray or RGB, with or without alpha, as floats in linear light. EXR holds colors multiplied by alpha
 // ("Technical Introduction to OpenEXR", section "Alpha"); Pixels hold them apart, so they are divided here and
-// multiplied on writing. Colors are written as floats unless halves are asked for: what the engine computed, and data
+// multiplied on writing. Colors are written as floats unless halves are requested: what the engine computed, and data
 // needs them.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

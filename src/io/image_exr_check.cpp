@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looks through the headers of an OpenEXR file before the library does: it makes its tables and buffers from sizes that it
-// has not held against the file yet, and it reads values of the types that it knows without looking at the size written
-// beside them, so that a wrong one leads it into the middle of other data. (Layout: "OpenEXR File Layout", openexr.com.)
+// Checks the headers of an OpenEXR file before the library reads them. The library allocates tables and buffers from
+// sizes that it has not compared with the file. It also reads values of known types without checking the size stored
+// with them, so a wrong size would lead it into other data. Layout: "OpenEXR File Layout", openexr.com.
 #include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
 
+#include "base/format_text.h"
 #include "io/image_codecs.h"
 
 namespace rakelight::io::codec {
@@ -56,8 +57,8 @@ void read_window(std::span<const std::byte> value, Part& part, std::uint64_t mos
     part.width = std::uint64_t(at(2) - at(0) + 1);
     part.height = std::uint64_t(at(3) - at(1) + 1);
     if (part.width > most_a_side || part.height > most_a_side)
-        bad_picture("the picture is " + std::to_string(part.width) + " x " + std::to_string(part.height) +
-                    " pixels, more than " + std::to_string(most_a_side) + " a side");
+        bad_picture(
+            format_text("the picture is {} x {} pixels, more than {} per side", part.width, part.height, most_a_side));
 }
 
 /// Bytes of one pixel in all channels.
@@ -65,8 +66,7 @@ std::uint64_t read_channels(std::span<const std::byte> value) {
     Source source(value);
     std::uint64_t bytes_a_pixel = 0;
     for (std::uint64_t count = 0; !source.name().empty(); ++count) {
-        if (count == max_channels)
-            bad_picture("an EXR picture with more than " + std::to_string(max_channels) + " channels");
+        if (count == max_channels) bad_picture(format_text("an EXR picture with more than {} channels", max_channels));
         const auto rest = source.take(16);  // type, linearity, sampling in x and y
         bytes_a_pixel += Source::u32_at(rest, 0) == 1 ? 2 : 4;
         for (const std::size_t at : {8, 12})

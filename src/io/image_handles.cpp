@@ -5,6 +5,7 @@
 #include <rakelight/image_sources.h>
 
 #include "base/enumerators.h"
+#include "base/format_text.h"
 #include "io/image_codecs.h"
 
 namespace rakelight {
@@ -15,9 +16,8 @@ void check(const Pixels& p, const std::string& name) {
                       p.height <= int(io::codec::max_side) && p.channels >= 1 && p.channels <= 4 &&
                       exists(p.component, Component::f32) && p.bytes.size() == p.row_bytes() * std::size_t(p.height);
     if (!fits)
-        throw Error(ErrorCode::usage, "a picture of " + std::to_string(p.width) + " x " + std::to_string(p.height) +
-                                          " pixels of " + std::to_string(p.channels) + " components with " +
-                                          std::to_string(p.bytes.size()) + " bytes")
+        throw Error(ErrorCode::usage, format_text("a picture of {} x {} pixels of {} components with {} bytes", p.width,
+                                                  p.height, p.channels, p.bytes.size()))
             .with_file(name);
 }
 

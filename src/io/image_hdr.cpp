@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_codecs.h"
 #include "io/image_hdr_lines.h"
@@ -42,9 +43,9 @@ public:
           file_(target),
           rgbe_(width_ * 4) {
         const std::string window = window_text(target.place, width, height);
-        put("#?RADIANCE\n" + (target.comment.empty() ? "" : "# " + target.comment + "\n") +
-            (window.empty() ? "" : hdr::window_key + window + "\n") + "FORMAT=32-bit_rle_rgbe\n\n-Y " +
-            std::to_string(height) + " +X " + std::to_string(width) + "\n");
+        put(format_text("#?RADIANCE\n{}{}FORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n",
+                        target.comment.empty() ? "" : "# " + target.comment + "\n",
+                        window.empty() ? "" : hdr::window_key + window + "\n", height, width));
     }
 
     void write_row(const void* row) override {

@@ -48,7 +48,7 @@ Header read_header(Source& source) {
     }
     std::string_view line = source.line();
     size.bottom_up = line.starts_with("+Y ");
-    if (!size.bottom_up && !line.starts_with("-Y ")) bad_picture("turned HDR pictures are not supported");
+    if (!size.bottom_up && !line.starts_with("-Y ")) bad_picture("rotated HDR pictures are not supported");
     line.remove_prefix(3);
     size.height = number(line);
     if (!line.starts_with(" +X ")) bad_picture("mirrored HDR pictures are not supported");

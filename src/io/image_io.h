@@ -20,7 +20,7 @@ ImageHandle image_from_bytes(std::string name, std::string model_file,
                              std::shared_ptr<const std::vector<std::byte>> bytes, std::string mime_type);
 
 /// Decodes by content (not by name). The size in the header is held against the memory budget before pixels are asked
-/// for; at most 32768 pixels a side. Colors that EXR holds multiplied by alpha are divided by it (and multiplied on
+/// for; at most 32768 pixels per side. Colors that EXR holds multiplied by alpha are divided by it (and multiplied on
 /// writing).
 /// @throws Error bad_file: not a picture, broken, cut short, too large. The error carries no file name; the caller adds
 /// it.

@@ -31,7 +31,7 @@ struct JpegReader {
     JpegReader() = default;
     JpegReader(const JpegReader&) = delete;
     JpegReader& operator=(const JpegReader&) = delete;
-    ~JpegReader() { jpeg_destroy_decompress(&info); }  // safe whatever was made of it
+    ~JpegReader() { jpeg_destroy_decompress(&info); }  // safe in any state
 };
 
 [[noreturn]] void leave(j_common_ptr info) {
@@ -105,7 +105,7 @@ bool read_rows(JpegReader& reader, unsigned char* pixels, std::size_t row_bytes,
     return true;
 }
 
-/// What the library will ask for itself: all coefficients when the file has several scans.
+/// The memory that the library itself allocates: all coefficients if the file has several scans.
 std::uint64_t coefficient_bytes(jpeg_decompress_struct& info) {
     std::uint64_t blocks = 0;
     if (jpeg_has_multiple_scans(&info))

@@ -75,7 +75,7 @@ public:
           file_(target),
           row_(std::size_t(width) * (channels < 3 ? 1 : 3)) {
         if (width > JPEG_MAX_DIMENSION || height > JPEG_MAX_DIMENSION)
-            throw Error(ErrorCode::usage, "a JPEG picture has at most 65500 pixels a side").with_file(path_);
+            throw Error(ErrorCode::usage, "a JPEG picture has at most 65500 pixels per side").with_file(path_);
         require(start(encoder_, file_.handle(), unsigned(width), unsigned(height), channels < 3, target.comment));
     }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 
+#include "base/format_text.h"
+
 namespace rakelight::io {
 namespace {
 
@@ -26,7 +28,7 @@ bool read_numbers(std::string_view text, std::array<int, count>& numbers) {
 
 std::string window_text(const ImagePlace& place, int width, int height) {
     if (place.width == 0 || place == ImagePlace{0, 0, width, height}) return {};
-    const auto list = [](int a, int b) { return std::to_string(a) + "," + std::to_string(b); };
+    const auto list = [](int a, int b) { return format_text("{},{}", a, b); };
     return list(place.x, place.y) + "," + list(width, height) + std::string(between) + list(place.width, place.height);
 }
 
@@ -37,11 +39,10 @@ ImagePlace place_of(std::string_view text, int width, int height) {
     if (middle == std::string_view::npos || !read_numbers(text.substr(0, middle), window) ||
         !read_numbers(text.substr(middle + between.size()), whole))
         throw Error(ErrorCode::bad_file,
-                    "its metadata name the window '" + one_line(std::string(text), 60) + "', which is none");
+                    "its metadata name the window '" + one_line(std::string(text), 60) + "', which is not valid");
     if (window[2] != width || window[3] != height)
-        throw Error(ErrorCode::bad_file, "its metadata name a window of " + std::to_string(window[2]) + " x " +
-                                             std::to_string(window[3]) + " pixels, and it has " +
-                                             std::to_string(width) + " x " + std::to_string(height));
+        throw Error(ErrorCode::bad_file, format_text("its metadata name a window of {} x {} pixels, but it has {} x {}",
+                                                     window[2], window[3], width, height));
     return {window[0], window[1], whole[0], whole[1]};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG by libspng: gray, gray + alpha, RGB or RGBA with 8 or 16 bits a component. Palettes and tRNS are resolved; gAMA,
+// PNG by libspng: gray, gray + alpha, RGB or RGBA with 8 or 16 bits per component. Palettes and tRNS are resolved; gAMA,
 // iCCP and sRGB are not applied: what the numbers mean is decided by the texture's role (glTF 2.0, section 3.9.2).
 #include <spng.h>
 
@@ -76,7 +76,7 @@ Pixels read_png(std::span<const std::byte> bytes, Want want, Context& context) {
     if (has_transparency != SPNG_ECHUNKAVAIL) require(has_transparency);
     const Target target = target_of(header, has_transparency == 0);
 
-    // Compressed data cannot hold more than this: a small file that claims to be huge is refused before memory is asked for.
+    // Compressed data cannot hold more than this: a small file that claims to be huge is refused before memory is requested.
     std::size_t raw_bytes = 0;
     require(spng_decoded_image_size(png.get(), SPNG_FMT_RAW, &raw_bytes));
     if (raw_bytes / max_deflate_ratio > bytes.size()) bad_picture("broken PNG: it is too short for its size in pixels");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG row by row, by libspng: gray or RGB, with or without alpha, 8 or 16 bits a component.
+// PNG row by row, by libspng: gray or RGB, with or without alpha, 8 or 16 bits per component.
 #include <spng.h>
 
 #include <cstring>

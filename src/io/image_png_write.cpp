@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG by libspng, row by row, 8 or 16 bits a component.
+// PNG by libspng, row by row, 8 or 16 bits per component.
 #include <spng.h>
 
 #include <cerrno>

@@ -2,6 +2,7 @@
 // PPM and PGM (Netpbm's P6 and P5): a header in text, then the bytes of the rows. For pipes.
 #include <cstring>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_codecs.h"
 
@@ -17,8 +18,8 @@ public:
           rows_left_(height),
           file_(target) {
         const std::string comment = target.comment.empty() ? "" : "# " + target.comment + "\n";
-        const std::string header = (channels < 3 ? "P5\n" : "P6\n") + comment + std::to_string(width) + " " +
-                                   std::to_string(height) + "\n255\n";
+        const std::string header =
+            format_text("{}{}{} {}\n255\n", channels < 3 ? "P5\n" : "P6\n", comment, width, height);
         file_.write(std::as_bytes(std::span(header.data(), header.size())));
         row_.resize(width_ * colors());
     }

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "base/format_text.h"
 #include "io/image_codecs.h"
 
 namespace rakelight::io {
@@ -13,8 +14,7 @@ namespace codec {
 void check_row_size(std::uint64_t width, std::uint64_t height) {
     if (width == 0 || height == 0) bad_picture("the picture has no pixels");
     if (width > max_row_side || height > max_row_side)
-        bad_picture("the picture is " + std::to_string(width) + " x " + std::to_string(height) + " pixels, more than " +
-                    std::to_string(max_row_side) + " a side");
+        bad_picture(format_text("the picture is {} x {} pixels, more than {} per side", width, height, max_row_side));
 }
 
 namespace {
@@ -34,7 +34,7 @@ Reader reader_for(InputFile& file) {
     for (const Format& format : formats)
         if (got >= format.magic.size() && std::memcmp(first.data(), format.magic.data(), format.magic.size()) == 0)
             return format.read;
-    bad_picture("is no PNG, EXR or HDR picture");
+    bad_picture("is not a PNG, EXR or HDR picture");
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ std::unique_ptr<ImageWriter> write_rows(const std::string& path, int width, int 
     std::string ending = path.substr(path.size() - std::min(path.size(), wanted.size()));
     for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
     if (ending != wanted)
-        throw Error(ErrorCode::usage, "the rows are those of " + std::string(wanted) + " pictures", {},
+        throw Error(ErrorCode::usage, "the input pictures are " + std::string(wanted) + " pictures", {},
                     "let the output end in " + std::string(wanted))
             .with_file(path);
     OutputTarget target(path);

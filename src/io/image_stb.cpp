@@ -20,6 +20,7 @@
 #pragma GCC diagnostic pop
 #endif
 
+#include "base/format_text.h"
 #include "io/image_codecs.h"
 
 namespace rakelight::io::codec {
@@ -129,7 +130,7 @@ Pixels read_bmp(std::span<const std::byte> bytes, Want want, Context& context) {
     const std::uint64_t rows = std::uint64_t(height < 0 ? -height : height);
     if (width < 1 || rows < 1 || width > max_side || rows > max_side)
         bad_picture("broken BMP: a size of no or too many pixels");
-    if (bits == 0 || bits > 32) bad_picture("broken BMP: " + std::to_string(bits) + " bits a pixel");
+    if (bits == 0 || bits > 32) bad_picture(format_text("broken BMP: {} bits per pixel", bits));
     const std::uint64_t row_bytes = (std::uint64_t(width) * bits + 31) / 32 * 4;
     if (offset > bytes.size() || (bytes.size() - offset) / row_bytes < rows)
         bad_picture("broken BMP: it ends too early");

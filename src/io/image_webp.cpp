@@ -39,7 +39,7 @@ public:
     WebpWriter(const OutputTarget& target, int width, int height, int channels)
         : path_(target.path), width_(width), height_(height), channels_(channels), file_(target) {
         if (width > WEBP_MAX_DIMENSION || height > WEBP_MAX_DIMENSION)
-            throw Error(ErrorCode::usage, "a WebP picture has at most 16383 pixels a side").with_file(target.path);
+            throw Error(ErrorCode::usage, "a WebP picture has at most 16383 pixels per side").with_file(target.path);
         rgba_.reserve(std::size_t(width) * std::size_t(height) * 4);
     }
 
@@ -94,7 +94,7 @@ private:
 
 Pixels read_webp(std::span<const std::byte> bytes, Want want, Context& context) {
     WebPDecoderConfig config;
-    if (!WebPInitDecoderConfig(&config)) throw Error(ErrorCode::failed, "libwebp does not fit its headers");
+    if (!WebPInitDecoderConfig(&config)) throw Error(ErrorCode::failed, "libwebp does not match its headers");
     require(WebPGetFeatures(data_of(bytes), bytes.size(), &config.input));
     if (config.input.has_animation) bad_picture("animated WebP is not supported");
     const bool alpha = config.input.has_alpha != 0;

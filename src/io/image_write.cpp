@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "base/format_text.h"
 #include "io/image_codecs.h"
 
 namespace rakelight::io {
@@ -54,8 +55,8 @@ namespace {
 void check_written_size(const std::string& path, int width, int height, std::size_t channels, std::size_t most) {
     if (width < 1 || height < 1 || width > max_written_side || height > max_written_side || channels < 1 ||
         channels > most)
-        throw Error(ErrorCode::usage, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                                          " pixels with " + std::to_string(channels) + " channels cannot be written")
+        throw Error(ErrorCode::usage, format_text("a picture of {} x {} pixels with {} channels cannot be written",
+                                                  width, height, channels))
             .with_file(path);
 }
 

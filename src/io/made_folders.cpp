@@ -42,7 +42,7 @@ void check_output_place(const std::string& output) {
     while (!folder.empty() && !fs::exists(fs::symlink_status(folder, ignored)))
         folder = folder.has_filename() ? folder.parent_path() : folder.parent_path().parent_path();
     if (!folder.empty() && !fs::is_directory(folder, ignored))
-        throw Error(ErrorCode::failed, "'" + one_line(folder.string(), 160) + "' is no folder");
+        throw Error(ErrorCode::failed, "'" + one_line(folder.string(), 160) + "' is not a folder");
     if (fs::is_directory(path, ignored)) throw Error(ErrorCode::failed, "a folder has this name");
 }
 

@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/format_text.h"
 #include "io/descriptor.h"
 #include "io/file.h"
 
@@ -39,14 +40,13 @@ bool read_link(std::string& path) {
     return true;
 }
 
-/// Creates a file in the folder of `path` under a name that nobody has; a short one, so that it fits wherever `path`
-/// fits.
+/// Creates a file in the folder of `path` under an unused name; a short one, so that it fits wherever `path` fits.
 /// @return the descriptor, or -1 with errno
 int create_beside(const std::string& path, std::string& temporary, UnfinishedOutput& unfinished) {
     static std::atomic<unsigned> counter{0};
     int fd = -1;
-    do {  // a taken name is the rest of a process of the same number that died; the counter goes on
-        temporary = folder_part(path) + ".rl-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+    do {  // a taken name was left by a dead process with the same id; the counter continues
+        temporary = format_text("{}.rl-{}-{}.tmp", folder_part(path), ::getpid(), counter++);
         unfinished.watch(temporary);
         fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (fd < 0 && errno == EEXIST);

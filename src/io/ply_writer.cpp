@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "math/color.h"
 #include "math/linear.h"
@@ -56,15 +57,14 @@ Layout layout_of(const Scene& scene, const std::vector<dmat4>& world) {
 }
 
 std::string header_of(const Layout& layout) {
-    std::string text = "ply\nformat binary_little_endian 1.0\ncomment one mesh, in world space\nelement vertex " +
-                       std::to_string(layout.vertices) + "\n";
+    std::string text = format_text(
+        "ply\nformat binary_little_endian 1.0\ncomment one mesh, in world space\nelement vertex {}\n", layout.vertices);
     if (layout.pad) text += "property uchar pad\n";
     text += "property float x\nproperty float y\nproperty float z\n";
     if (layout.normals) text += "property float nx\nproperty float ny\nproperty float nz\n";
     if (layout.texcoords) text += "property float s\nproperty float t\n";
     if (layout.colors) text += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n";
-    return text + "element face " + std::to_string(layout.faces) +
-           "\nproperty list uchar int vertex_indices\nend_header\n";
+    return format_text("{}element face {}\nproperty list uchar int vertex_indices\nend_header\n", text, layout.faces);
 }
 
 template <class T>
@@ -98,7 +98,7 @@ void put_faces(std::vector<std::byte>& out, const Mesh& mesh, const dmat4& place
 
 void say_what_is_lost(const Scene& scene, const Layout& layout, Report& report) {
     const auto lost = [&](const char* what) {
-        report.add(Remark::dropped, scene.source, {}, std::string("PLY has no place for ") + what);
+        report.add(Remark::dropped, scene.source, {}, std::string("PLY cannot store ") + what);
     };
     std::size_t objects = 0;
     bool texcoords = false, tangents = false, others = false, has_groups = false, arrays = false;
@@ -113,17 +113,16 @@ void say_what_is_lost(const Scene& scene, const Layout& layout, Report& report) 
             others = others || mesh.topology != Topology::triangles;
         }
     }
-    if (objects > 1) lost("separate objects: they became one mesh");
+    if (objects > 1) lost("separate objects: they were merged into one mesh");
     if (!scene.materials.empty()) lost("materials and textures");
     if (texcoords)
         lost(layout.texcoords ? "more than one set of texture coordinates"
                               : "texture coordinates that only some meshes have");
     if (tangents) lost("tangents");
-    if (arrays) report.add(Remark::dropped, scene.source, {}, "other numbers of the vertices are not written");
+    if (arrays) report.add(Remark::dropped, scene.source, {}, "other vertex attributes are not written");
     if (others) lost("lines and points here");
     if (has_groups)
-        report.add(Remark::note, scene.source, {},
-                   "smoothing groups have no place in PLY: they are in the normals, and gone for a later run");
+        report.add(Remark::note, scene.source, {}, "PLY cannot store smoothing groups: only the normals keep them");
     if (!scene.cameras.empty() || !scene.lights.empty()) lost("cameras and lights");
     if (!scene.skins.empty() || !scene.animations.empty()) lost("skins and animations: the bind pose was written");
 }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "base/format_text.h"
 #include "io/cloud_material.h"
 #include "io/plain_text.h"
 #include "io/vertex_table.h"
@@ -42,7 +43,7 @@ private:
     std::uint64_t number_ = 0;
 };
 
-/// @return how many numbers a line holds; of more than most_columns that many; most_columns + 1: a word is none
+/// @return how many numbers a line contains; of more than most_columns that many; most_columns + 1: a word is none
 std::size_t read_line(std::string_view line, double (&values)[most_columns], bool* has_more = nullptr) {
     const auto separates = [](char c) { return c == ' ' || c == '\t' || c == ',' || c == ';' || c == '\0'; };
     std::size_t count = 0;
@@ -58,7 +59,7 @@ std::size_t read_line(std::string_view line, double (&values)[most_columns], boo
     }
 }
 
-/// What is known of the columns before memory is asked for.
+/// What is known of the columns before memory is requested.
 struct Survey {
     std::uint64_t points = 0;
     std::uint64_t longer = 0;  ///< lines that hold more numbers than `columns`
@@ -88,8 +89,8 @@ Survey survey(std::string_view text, Context& context) {
         if (count > most_columns || count < 3 || count < s.columns)
             throw Error(ErrorCode::bad_file,
                         count > most_columns ? "'" + one_line(std::string(line), 40) + "' is not a line of numbers"
-                                             : "a point has " + std::to_string(count) + " numbers instead of " +
-                                                   std::to_string(std::max<std::size_t>(s.columns, 3)),
+                                             : format_text("a point has {} numbers instead of {}", count,
+                                                           std::max<std::size_t>(s.columns, 3)),
                         lines.place());
         ++s.points;
         s.longer += has_more || count > s.columns;
@@ -158,8 +159,8 @@ Scene read_xyz_text(std::string_view bytes, const std::string& path, Context& co
     if (s.points >= no_index) throw Error(ErrorCode::bad_file, "more than 4294967294 points are not supported");
     if (s.longer > 0)
         context.report().add(Remark::dropped, path, "",
-                             std::to_string(s.longer) + (s.longer == 1 ? " line holds" : " lines hold") +
-                                 " more than " + std::to_string(s.columns) + " numbers; those behind are left out");
+                             format_text("{}{} more than {} numbers; further ones are left out", s.longer,
+                                         s.longer == 1 ? " line holds" : " lines hold", s.columns));
     VertexTable table(s.points, context);
     fill(text, s, table, context);
     Scene scene;

@@ -123,7 +123,7 @@ const Format& choose_format(const std::string& path, std::span<const std::byte> 
                     "world files end in .scene.toml");
     if (!format)
         throw Error(ErrorCode::bad_file,
-                    ending.empty() ? "the file has no ending that says its format"
+                    ending.empty() ? "the file name has no ending that gives its format"
                                    : "files with the ending ." + ending + " are not supported",
                     {}, (ending.empty() ? "--format names one; supported: " : "supported: ") + supported_formats());
     context.report().add(Remark::guessed, path, {}, "read as " + std::string(format->name) + " by its content");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loading behind one interface: a file name in, a validated scene out, remarks into the context's report.
+// Loading of all formats: a file name in, a validated scene out, remarks into the context's report.
 #pragma once
 #include <memory>
 #include <string>
@@ -19,7 +19,7 @@ struct ReadOptions {
     std::shared_ptr<const KeptObj>* keep_obj = nullptr;  ///< of an OBJ file: gets what rewrite_obj_normals() needs
 };
 
-/// Reads a model file of any supported format; the content is held against the ending's format.
+/// Reads a model file of any supported format; the content must match the format of the file name's ending.
 /// @throws Error not_found, bad_file (with file and place; "nothing to draw" when it holds no drawable primitive).
 Scene read_scene(const std::string& path, const ReadOptions& options, Context& context);
 /// The same of a file that is in memory. @param path  where it would be: its ending, its folder, its name in messages

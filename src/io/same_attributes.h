@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When normals and tangents that were computed again are the ones that a file has already.
+// Whether recomputed normals and tangents equal those that a file already has.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 namespace rakelight::io {
 
-/// When a file that was written reaches the disk: before it is renamed; or later, by a caller that has many files in a
-/// folder which has not got its name yet (sync_file(), sync_folder()): a sync of the folder for each of them costs 10
+/// When a written file reaches the disk: before it is renamed, or later by the caller (sync_file(), sync_folder()).
+/// The latter is for many files in a folder that is not renamed yet: a sync of the folder for each of them costs 10
 /// times as much.
 enum class Sync { now, later };
 

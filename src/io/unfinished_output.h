@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which temporary files there are at this moment, in a form that a signal handler may read.
+// The list of current temporary files, in a form that a signal handler may read.
 #pragma once
 #include <string>
 
@@ -13,7 +13,7 @@ public:
     ~UnfinishedOutput() { forget(); }
     UnfinishedOutput(const UnfinishedOutput&) = delete;
     UnfinishedOutput& operator=(const UnfinishedOutput&) = delete;
-    /// In place of the one before. Of more than 256 at once, the rest is not watched.
+    /// Instead of the one before. Of more than 256 at once, the rest is not watched.
     void watch(const std::string& path);
     void forget() noexcept;
 

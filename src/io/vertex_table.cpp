@@ -90,7 +90,7 @@ ColumnTarget VertexTable::column(std::string_view name, ColumnKind kind) {
         }
     for (const auto& [taken, values] : arrays_)
         if (taken == name) return {};
-    charge_.grow(count_ * sizeof(float) + name.size() + sizeof arrays_[0], "the numbers of the vertices");
+    charge_.grow(count_ * sizeof(float) + name.size() + sizeof arrays_[0], "the vertex attributes");
     arrays_.emplace_back(std::string(name), std::vector<float>(std::size_t(count_)));
     return {arrays_.back().second.data(), nullptr, 1};
 }
@@ -140,7 +140,7 @@ void VertexTable::finish_normals(Mesh& mesh, const std::string& path) {
         zero += !(squared > 0);
     }
     if (zero == count_) {
-        context_.report().add(Remark::dropped, path, "", "all normals of the vertices are zero; they count as missing");
+        context_.report().add(Remark::dropped, path, "", "all vertex normals are zero; they are treated as missing");
         charge_.shrink(count_ * sizeof(vec3));
         normals_ = {};
         return;
@@ -151,7 +151,7 @@ void VertexTable::finish_normals(Mesh& mesh, const std::string& path) {
 /// PCL writes the three bytes as one number, its bits as a float's where the column is real.
 void VertexTable::unpack_colors() {
     if (packed_.empty() || !colors_.empty()) return;
-    charge_.grow(count_ * sizeof(vec4), "the colors of the vertices");
+    charge_.grow(count_ * sizeof(vec4), "the vertex colors");
     colors_.resize(std::size_t(count_));
     for (std::size_t i = 0; i < packed_.size(); ++i) {
         const double value = packed_[i];
@@ -169,7 +169,7 @@ void VertexTable::finish_colors(Mesh& mesh, const std::string& path) {
     unpack_colors();
     if (colors_.empty() && !harmonics_.empty()) {
         // The constant part of spherical harmonics: Kerbl et al. 2023, "3D Gaussian Splatting for Real-Time Radiance Field Rendering".
-        charge_.grow(count_ * sizeof(vec4), "the colors of the vertices");
+        charge_.grow(count_ * sizeof(vec4), "the vertex colors");
         for (const vec3& h : harmonics_)
             colors_.push_back({0.5f + 0.28209479f * h.x, 0.5f + 0.28209479f * h.y, 0.5f + 0.28209479f * h.z, 1});
         color_columns_.take_all(ColorScale::unit);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What point clouds and PLY files say of their vertices: columns of numbers by name, put together as the arrays of a mesh.
+// The vertex data of point clouds and PLY files: columns of numbers by name, assembled into the arrays of a mesh.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -16,7 +16,7 @@ namespace rakelight::io {
 /// Where the numbers of one column go: value -> *(base + row * stride).
 struct ColumnTarget {
     float* floats = nullptr;
-    double* doubles = nullptr;  ///< in place of `floats`
+    double* doubles = nullptr;  ///< instead of `floats`
     std::size_t stride = 1;
     bool is_dropped() const { return !floats && !doubles; }
     void set(std::uint64_t row, double value) const {
@@ -69,7 +69,7 @@ private:
     MemoryCharge charge_;
     bool has_axis_[3] = {false, false, false};
     std::vector<vec3> positions_;
-    std::vector<dvec3> exact_;  ///< in place of `positions_`
+    std::vector<dvec3> exact_;  ///< instead of `positions_`
     std::vector<vec3> normals_, harmonics_;
     std::vector<vec4> colors_;
     ColorColumns color_columns_;

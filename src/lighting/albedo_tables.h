@@ -11,7 +11,7 @@ inline constexpr int albedo_columns = 32;  ///< lobe: n.v (1 + alpha) / (n.v + a
 inline constexpr int albedo_rows = 32;     ///< row r: roughness r / 31, alpha = max(roughness^2, 1e-3)
 inline constexpr int sheen_rows = 16;      ///< row r: sheen roughness r / 15, alpha = max(roughness^2, 5e-3)
 
-/// Row after row. GGX with Schlick's Fresnel reflects lobe (f0 (1 - grazing) + f90 grazing) of light from all around.
+/// Row after row. GGX with Schlick's Fresnel reflects lobe (f0 (1 - grazing) + f90 grazing) of light from the environment.
 struct AlbedoTables {
     /// [albedo_rows][albedo_columns] (1 - lobe) / w^2, w = alpha / (n.v + alpha), lobe the albedo of D V with F = 1
     const float* lobe_loss;

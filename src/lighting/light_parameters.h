@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One light as plain floats, made once a frame by ordinary code and read by kernels of every instruction set
+// One light as plain floats, made once per frame by ordinary code and read by kernels of every instruction set
 // (lighting.h: sample_light). All positions in one space of the caller's choice (the engines': relative to the camera).
 #pragma once
 #include <stdint.h>
@@ -16,7 +16,7 @@ enum class LightKind : int32_t {
 struct LightParameters {
     LightKind kind = LightKind::point;
     bool is_photometric = false;
-    bool casts_shadow = true;  ///< reliefs throw shadows upon themselves in it
+    bool casts_shadow = true;  ///< reliefs cast shadows on themselves in it
     float position[3] = {0, 0, 0};
     float direction[3] = {0, 0, -1};  ///< unit, the way the light travels
     // classical

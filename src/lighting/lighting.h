@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The door to the lighting equations for kernels that are compiled per instruction set (rl_add_isa_sources); includes
-// math/wide.h. The text itself is GLSL and C++ at once (*.glsl), here inside `rakelight::lighting::RL_ISA`.
+// The lighting equations for kernels that are compiled per instruction set (rl_add_isa_sources). Includes
+// math/wide.h. The equations are text that is both GLSL and C++ (*.glsl), here inside `rakelight::lighting::RL_ISA`.
 //
-// The rooms (real, mask, vec3 are wide; everything pure, noexcept, no memory), in the order in which a pixel needs them:
+// The folders, in the order in which a pixel needs them (real, mask, vec3 are wide; all functions are pure, noexcept
+// and allocate nothing):
 //   models/       the BRDFs and lobes, one file each: lambert_brdf, blinn_phong_brdf, ggx_brdf, sheen_brdf, ...
 //   light/        sample_light(parameters, position) -> LightSample; to_viewer; fog_factor, behind_fog
 //   relief/       bump_frame -> Frame; decode_mapped, mapped_normal; relief_point, filtered_slope, relief_shadow
@@ -17,10 +18,10 @@
 //
 // A pixel: Surface s {n, v, k_a, k_d, k_s, exponent, lobe_scale}; Reflection r {RL_BLINN_PHONG, RL_TEXTBOOK, 1};
 //          vec3 sum = emission; for each light in the scene's order: sum = add_light(sum, s, sample_light(light, p),
-//          r);
-// n, v unit and away from the surface, n on the viewer's side (the caller flips it for back faces of double-sided
-// materials); position in the space of the lights. Degenerate vectors give black or a fallback, never NaN, as long as
-// colors are finite. Model, form and light kind are uniform: one run of pixels of one material.
+// r); n and v are unit vectors and point away from the surface. n is on the viewer's side: the caller flips it for
+// back faces of double-sided materials. position is in the space of the lights. Degenerate vectors give black or a
+// fallback, never NaN, as long as colors are finite. Model, form and light kind are uniform: one run of pixels of one
+// material.
 #pragma once
 #include "lighting/light_parameters.h"
 #include "math/wide.h"
@@ -66,7 +67,7 @@ namespace rakelight::lighting::RL_ISA {
 #include "lighting/material/transport.glsl"
 #include "lighting/material/transmission.glsl"
 #include "lighting/environment/irradiance.glsl"
-#include "lighting/environment/facet_fan.glsl"
+#include "lighting/environment/anisotropic_fan.glsl"
 #include "lighting/environment/mirrored.glsl"
 #include "lighting/environment/environment_terms.glsl"
 #include "lighting/environment/sky.glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arc tangent: by the addition theorem with the nearest of 17 tabulated angles, then Taylor's series; what the table's angles lack
-// as doubles is added at the end. Cosine: Taylor's series about the nearest multiple of pi / 2.
+// Arc tangent: by the addition theorem with the nearest of 17 tabulated angles, then Taylor's series; the rounding
+// errors of the table are added at the end. Cosine: Taylor's series about the nearest multiple of pi / 2.
 #include "math/angles.h"
 
 #include <cmath>
@@ -37,7 +37,7 @@ constexpr Sum angles[steps + 1] = {
 };
 constexpr Sum half_pi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
 
-/// Of y / x, 0 <= y <= x, x > 0.
+/// Arc tangent of y / x, 0 <= y <= x, x > 0.
 Sum arc_tangent_of_ratio(double y, double x) {
     const int k = int(y / x * steps + 0.5);
     const double c = double(k) / steps;
@@ -62,7 +62,7 @@ double arc_tangent(double y, double x) {
     if (!(a <= std::numeric_limits<double>::max() && b <= std::numeric_limits<double>::max()))
         return std::numeric_limits<double>::quiet_NaN();
     if (a == 0 && b == 0) return 0;
-    // Numbers whose product with 1 / 16 would not be exact are scaled up first.
+    // Scales up numbers whose product with 1 / 16 would be inexact.
     const double scale = a < 1e-290 && b < 1e-290 ? 0x1p200 : b > 1e300 || a > 1e300 ? 0x1p-10 : 1;
     Sum angle = a <= b ? arc_tangent_of_ratio(a * scale, b * scale) : arc_tangent_of_ratio(b * scale, a * scale);
     if (a > b) angle = {half_pi.high - angle.high, half_pi.low - angle.low};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Angles between vectors, by arithmetic alone: what the attributes need of elementary functions, so that they can be linked without
-// the library behind functions.h. The same bits everywhere; right to 2 ulps.
+// Elementary functions for angles by arithmetic only, so that the attributes can be linked without SLEEF (functions.h).
+// Bit-identical on all machines; error at most 2 ulps.
 #pragma once
 
 namespace rakelight::math {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// IEC 61966-2-1: the curve's two pieces meet at 0.04045 (encoded) and 0.0031308 (linear).
+// IEC 61966-2-1: the two pieces of the curve join at 0.04045 (encoded) and 0.0031308 (linear).
 #include "math/color.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ double srgb_from_linear_exact(double l) { return l <= 0.0031308 ? l * 12.92 : 1.
 /// Clamped to 0..1; NaN gives 0.
 float unit_range(float x) { return x > 0.0f ? std::min(x, 1.0f) : 0.0f; }
 
-/// Byte i is the answer from threshold[i] on: the smallest float whose encoding is at least (i - 1/2) / 255.
+/// threshold[i] is the smallest float that encodes to byte i: its encoding is at least (i - 1/2) / 255.
 struct EncodingTables {
     std::array<float, 256> decoded;
     std::array<float, 256> threshold;
@@ -52,7 +52,7 @@ RL_API vec3 linear_from_srgb(vec3 s) { return {linear_from_srgb(s.x), linear_fro
 std::uint8_t srgb8_from_linear(float l) {
     if (!(l > 0.0f)) return 0;
     const auto& threshold = tables().threshold;
-    // The last byte whose threshold is not above l, by bisection: 8 steps, no table of the machine's size.
+    // The last byte whose threshold is not above l, by bisection in 8 steps.
     std::size_t at_least = 0;
     for (std::size_t step = 128; step > 0; step /= 2)
         if (l >= threshold[at_least + step]) at_least += step;

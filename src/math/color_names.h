@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colors as texts: the names of CSS, and codes.
+// Colors as text: CSS names and codes.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace rakelight {
 
-/// sRGB codes of "white" and the like (CSS Color Module Level 4, section 6.1, in any case), "#rgb" or "#rrggbb".
+/// sRGB codes of names such as "white" (CSS Color Module Level 4, section 6.1, in any case), "#rgb" or "#rrggbb".
 std::optional<std::array<std::uint8_t, 3>> color_by_text(std::string_view text);
 
 /// All names, in lower case.

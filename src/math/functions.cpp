@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// SLEEF's "cinz_..._purec" forms: plain C without fused multiply-add and without dispatch by processor, so the same
-// bits everywhere. Sleef_sin_u10 and the like choose by CPUID and differ.
+// SLEEF's "cinz_..._purec" forms: plain C without fused multiply-add and without CPU dispatch, so results are
+// bit-identical everywhere. Sleef_sin_u10 and similar functions dispatch by CPUID and differ.
 #include "math/functions.h"
 
 #include <sleef.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elementary functions that give the same bits on every processor, in double, for set-up work (cameras, lights, angles).
-// libm picks its variant by processor; these are SLEEF's deterministic forms (Shibata & Petrogalli 2020), 1.0 ulp.
+// Elementary functions in double with bit-identical results on every processor, for setup code (cameras, lights,
+// angles). libm dispatches by processor; these are SLEEF's deterministic forms (Shibata & Petrogalli 2020), 1.0 ulp.
 // The wide float forms that shading uses are in the lighting preludes.
 #pragma once
 

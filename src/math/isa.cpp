@@ -18,10 +18,11 @@ const char* name(Isa isa) {
 }
 
 bool is_available(Isa isa) {
-    // The builtins ask CPUID and, for the wide registers, XGETBV: whether the operating system saves them.
+    // The builtins use CPUID and XGETBV, so they also check that the operating system saves the wide registers.
     switch (isa) {
         case Isa::scalar:
             return true;
+#if defined(__x86_64__)
         case Isa::sse2:
             return __builtin_cpu_supports("sse2");
         case Isa::avx2:
@@ -30,6 +31,10 @@ bool is_available(Isa isa) {
             return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                    __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
                    __builtin_cpu_supports("avx512cd");
+#else
+        default:
+            break;
+#endif
     }
     return false;
 }

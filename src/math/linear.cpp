@@ -7,7 +7,7 @@ namespace rakelight {
 
 namespace {
 
-/// Of quaternion q, scaled to unit length; zero and non-finite ones are no rotation.
+/// Rotation matrix of the normalized quaternion; zero and non-finite ones give the identity.
 dmat3 rotation_matrix(dquat q) {
     const double largest =
         std::fmax(std::fmax(std::fabs(q.x), std::fabs(q.y)), std::fmax(std::fabs(q.z), std::fabs(q.w)));
@@ -31,7 +31,7 @@ dmat4 compose(dvec3 t, dquat rotation, dvec3 scale) {
 
 bool inverse_affine(const dmat4& m, dmat4& out) {
     dmat3 a = upper_left(m);
-    // Scaled to entries of at most 1, so that a model in micrometers is not taken for singular.
+    // Scaled to entries of at most 1, so that a model in micrometers is not singular.
     double largest = 0;
     for (std::size_t c = 0; c < 3; ++c) {
         if (!is_finite(a[c])) return false;
@@ -56,7 +56,7 @@ dmat4 look_at(dvec3 eye, dvec3 target, dvec3 up) {
     const dvec3 back = normalize_or(eye - target, dvec3{0, 0, 1});
     const dvec3 wanted_up = normalize_or(up, dvec3{0, 1, 0});
     dvec3 right = cross(wanted_up, back);
-    // Closer than about 1e-6 rad to the view, `up` gives no side: take the axis that lies most across the view.
+    // If `up` is within 1e-6 rad of the view, use the axis most perpendicular to the view.
     if (!(dot(right, right) > 1e-12)) {
         const double x = std::fabs(back.x), y = std::fabs(back.y), z = std::fabs(back.z);
         const dvec3 across = z <= x && z <= y ? dvec3{0, 0, 1} : x <= y ? dvec3{1, 0, 0} : dvec3{0, 1, 0};

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// The public arithmetic, under the name that the modules know.
+// Forwards to the public arithmetic.
 #pragma once
 #include <rakelight/linear.h>

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The GLSL prelude (3.30 core and ES 3.00): the words of the lighting text that GLSL does not have, with the edge cases of
-// math/wide.h, which is the scalar and the wide C++ prelude. Exceptions: what min, max and clamp make of NaN is the GPU's choice. The loader puts #version (and for ES the precision) before it.
+// The GLSL prelude (3.30 core and ES 3.00): the vocabulary of the shared code that GLSL lacks, with the edge cases of
+// math/wide.h, the scalar and wide C++ prelude. Exception: min, max and clamp of NaN depend on the GPU. The loader puts
+// #version (and for ES the precision) before it.
 #define RL_FN
 #define RL_IN(type) type
 #define RL_INOUT(type) inout type
 #define real float
 #define mask bool
 #define RL_MAP_FN
-#define RL_CAN_SKIP(lanes_that_need_it) false  // a branch for each pixel costs more than what it leaves out
-#ifdef RL_TANGENTS_ARE_SOUND  // the mesh has tangents that were looked at: one that degenerates between them is caught later
+#define RL_CAN_SKIP(lanes_that_need_it) false  // a branch per pixel costs more than it saves
+#ifdef RL_TANGENTS_ARE_SOUND  // the mesh has checked tangents: degenerate interpolated ones are handled later
 #define RL_NEEDS_NO_FALLBACK(mask_of_sound_lanes) true
 #else
 #define RL_NEEDS_NO_FALLBACK(mask_of_sound_lanes) all_lanes(mask_of_sound_lanes)
@@ -27,7 +28,7 @@ float copy_sign(float x, float s) { return uintBitsToFloat((floatBitsToUint(x) &
 float log2_coarse(float x) { return log2(clamp(x, 1.17549435e-38f, 3.40282347e38f)); }
 float safe_sqrt(float x) { return x > 0.0f ? sqrt(x) : 0.0f; }  // 0 for negative x and NaN
 
-// x^y for x > 0; 0 for x <= 0 and NaN, whatever y.
+// x^y for x > 0; 0 for x <= 0 and NaN, for any y.
 float pow_positive(float x, float y) { return x >= 1.17549435e-38f ? pow(x, y) : 0.0f; }
 
 // Unit vector of a, or fallback where the squared length is NaN, below 2^-126 or not finite.

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wide types: `lanes` floats, integers and truths at once, the same vocabulary in every flavour (scalar: plain float).
-// Only sources that are compiled per instruction set (rl_add_isa_sources) include this; these files alone name xsimd.
+// SIMD types of `lanes` floats, integers and masks, with the same vocabulary in every flavor (scalar: plain float).
+// Only sources compiled per instruction set (rl_add_isa_sources) include this; only these files name xsimd.
 //
-// A kernel lives in `namespace rakelight::<module>::RL_ISA` and takes the words with `RL_USE_WIDE` (no using-directive:
-// it would meet rakelight::vec3 and rakelight::min of other headers). Reading order: wide_scalar.h or wide_xsimd.h
-// (types and native operations), wide_functions.h (exp2, log2, pow_positive, rounding), wide_vector.h (vec2, vec3,
-// vec4).
+// A kernel is in `namespace rakelight::<module>::RL_ISA` and imports the names with `RL_USE_WIDE` (a using-directive
+// would conflict with rakelight::vec3 and rakelight::min of other headers). Reading order: wide_scalar.h or
+// wide_xsimd.h (types and native operations), wide_functions.h (exp2, log2, pow_positive, rounding), wide_vector.h
+// (vec2, vec3, vec4).
 //
-// The promise: each word gives the same bits in every flavour, lane by lane (tests/unit/math/wide_test.cpp). So
-//   min(a, b) is a < b ? a : b and max(a, b) is a > b ? a : b: where a or b is NaN, or both are zero, the answer is b;
-//   clamp(x, lo, hi) is min(max(x, lo), hi): NaN gives lo;
-//   to_int truncates; out of range and NaN give INT32_MIN;
-//   floor, ceil, trunc keep the sign of zero; / and sqrt round correctly, nothing is approximate, nothing is fused;
-//   integer + - * must not overflow (the scalar flavour is plain int32_t);
-//   gathers read every lane: make the index of dead lanes 0 with select() first.
+// Guarantee: every function is bit-identical in every flavor, lane by lane (tests/unit/math/wide_test.cpp). So min(a,
+// b) is a < b ? a : b and max(a, b) is a > b ? a : b: if a or b is NaN, or both are zero, the result is b; clamp(x, lo,
+// hi) is min(max(x, lo), hi): NaN gives lo; to_int truncates; out of range and NaN give INT32_MIN; floor, ceil, trunc
+// keep the sign of zero; / and sqrt round correctly, nothing is approximate, nothing is fused; integer + - * must not
+// overflow (the scalar flavour is plain int32_t); gathers read every lane: make the index of dead lanes 0 with select()
+// first.
 #pragma once
 #include <stddef.h>
 #include <stdint.h>
@@ -22,7 +21,7 @@
 #error "math/wide.h belongs in sources that are compiled per instruction set: rl_add_isa_sources()"
 #endif
 
-// The namespace of what the processor takes at once: all of it, or with RL_WIDE_PAIRS half.
+// The namespace of one native vector: all lanes, or half of them with RL_WIDE_PAIRS.
 #if defined(RL_WIDE_PAIRS)
 #define RL_WIDE_PART RL_ISA::half
 #else
@@ -39,7 +38,7 @@
 #include "math/wide_functions.h"
 #include "math/wide_vector.h"
 
-/// Brings the vocabulary into the kernel's own namespace.
+/// Imports the vocabulary into the kernel's namespace.
 #define RL_USE_WIDE                                                                                                 \
     using rakelight::wide::RL_ISA::real, rakelight::wide::RL_ISA::integer, rakelight::wide::RL_ISA::mask;           \
     using rakelight::wide::RL_ISA::vec2, rakelight::wide::RL_ISA::vec3, rakelight::wide::RL_ISA::vec4;              \

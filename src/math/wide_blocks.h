@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lanes as a block of pixels of a picture that lies row by row in memory: 4 x 4, 4 x 2, 4 x 1 or one pixel. Only for
-// sources compiled per instruction set.
+// Lanes as a block of pixels of a row-major picture: 4 x 4, 4 x 2, 4 x 1 or one pixel. Only for sources compiled per
+// instruction set.
 #pragma once
 #include "math/wide.h"
 
@@ -32,7 +32,7 @@ inline real load_block(const float* p, int stride) {
         _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p + 2 * stride)), _mm_loadu_ps(p + 3 * stride), 1);
     return real(RealBatch(_mm512_insertf32x8(_mm512_castps256_ps512(low), high, 1)));
 }
-/// Lanes outside of m keep what stands there (which other threads must not write meanwhile).
+/// Lanes outside of m keep their values in memory (which other threads must not write concurrently).
 inline void store_block(float* p, int stride, real x, mask m) {
     const uint32_t bits = lane_bits(m);
     _mm_mask_storeu_ps(p, __mmask8(bits), _mm512_castps512_ps128(x.v));
@@ -47,7 +47,7 @@ inline real load_block(const float* p, int stride) {
     return real(RealBatch(_mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p)), _mm_loadu_ps(p + stride), 1)));
 }
 inline void store_block(float* p, int stride, real x, mask m) {
-    const __m256 mixed = _mm256_blendv_ps(load_block(p, stride).v, x.v, m.v.data);  // masked stores are slow on some
+    const __m256 mixed = _mm256_blendv_ps(load_block(p, stride).v, x.v, m.v.data);  // masked stores are slow on some processors
     _mm_storeu_ps(p, _mm256_castps256_ps128(mixed));
     _mm_storeu_ps(p + stride, _mm256_extractf128_ps(mixed, 1));
 }

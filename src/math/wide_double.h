@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `lanes` doubles at once: two halves. Few words, for set-up work in which float is too coarse; each gives the same
-// bits in every flavour. Only for sources compiled per instruction set.
+// SIMD type of `lanes` doubles in two halves. Few functions, for setup code that needs double; bit-identical in every
+// flavor. Only for sources compiled per instruction set.
 #pragma once
 #include "math/wide.h"
 
@@ -21,7 +21,7 @@ inline real_double max(real_double a, real_double b) { return a > b ? a : b; }
 using DoubleBatch = xsimd::batch<double, arch>;
 
 struct real_double {
-    DoubleBatch low, high;  ///< lanes 0..lanes / 2 - 1, and the others
+    DoubleBatch low, high;  ///< lanes 0..lanes / 2 - 1, and the rest
     real_double() = default;
     real_double(double s) : low(s), high(s) {}
     real_double(DoubleBatch l, DoubleBatch h) : low(l), high(h) {}

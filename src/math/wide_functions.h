@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of the wide types, one text for all flavours, so that scalar == wide to the bit. No libm: it picks its
-// variant by processor. exp2, log2 and pow_positive take arguments below 2^-126 as 0 and return 0 in place of denormal
-// results, so their answers do not depend on whether the processor flushes denormals.
+// Functions of the wide types, one source for all flavors, so scalar and wide are bit-identical. No libm, which
+// dispatches by processor. exp2, log2 and pow_positive treat arguments below 2^-126 as 0 and return 0 instead of
+// denormals, so results do not depend on flushing of denormals.
 #pragma once
 
 namespace rakelight::wide::RL_ISA {
@@ -18,7 +18,7 @@ inline real reciprocal(real x) { return real(1.0f) / x; }           ///< by true
 inline real safe_sqrt(real x) { return sqrt(max(x, real(0.0f))); }  ///< 0 for negative x and NaN
 
 #if !defined(RL_WIDE_NATIVE_ROUNDING)
-// From 2^23 on every float is whole. xsimd 8.1's own SSE2 floor and ceil lose the sign of zero.
+// From 2^23 on every float is an integer. floor and ceil of xsimd 8.1 for SSE2 lose the sign of zero.
 inline real trunc(real x) {
     const mask has_fraction = abs(x) < real(8388608.0f);
     const real whole = copy_sign(to_real(to_int(select(has_fraction, x, real(0.0f)))), x);
@@ -62,7 +62,7 @@ inline real log2(real x) {
     const integer above_root_half = bits - integer(0x3f3504f3);  // the bits of sqrt(1/2)
     const integer e = above_root_half >> 23;
     const real f = real_from_bits(bits - (e << 23)) - real(1.0f);
-    // Pairs first (Estrin 1960): a sum that waits for itself eight times would take twice as long.
+    // Estrin's scheme (1960): Horner's dependency chain would take twice as long.
     const real f2 = f * f, f4 = f2 * f2;
     const real q01 = real(1.442695f) - real(0.721347468f) * f, q23 = real(0.480910753f) - real(0.360693268f) * f;
     const real q45 = real(0.287903261f) - real(0.239169881f) * f, q67 = real(0.216078225f) - real(0.205861881f) * f;
@@ -81,8 +81,8 @@ inline real log2_coarse(real x) {
     return e + (f + f * (real(1.0f) - f) * q);
 }
 
-/// x^y for x > 0; 0 for x <= 0 and NaN, whatever y (so pow_positive(0, 0) is 0); 1 for x = 1 and finite y.
-/// For y log2 x in -20..0 the relative error is under 6e-6: the product's rounding times ln 2.
+/// x^y for x > 0; 0 for x <= 0 and NaN, for any y (so pow_positive(0, 0) is 0); 1 for x = 1 and finite y. For y log2 x
+/// in -20..0 the relative error is under 6e-6: the product's rounding times ln 2.
 inline real pow_positive(real x, real y) {
     const mask is_positive = x >= real(1.17549435e-38f);
     return select(is_positive, exp2(y * log2(x)), real(0.0f));

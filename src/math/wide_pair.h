@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two vectors as one: `lanes` is twice that of the processor. A kernel whose operations mostly wait for one another
-// keeps two such chains going in the same instructions. Included by wide.h where RL_WIDE_PAIRS is defined; no rows
-// (wide_rows.h).
+// Two native vectors as one: `lanes` is doubled. Latency-bound kernels can overlap two dependency chains. Included by
+// wide.h where RL_WIDE_PAIRS is defined; no rows (wide_rows.h).
 #pragma once
 
 namespace rakelight::wide::RL_ISA {
@@ -12,7 +11,7 @@ struct mask {
     half::mask a, b;
     mask() = default;
     template <class T>
-    requires(__is_same(T, bool))  // no silent float -> mask
+    requires(__is_same(T, bool))  // no implicit float -> mask
         mask(T s)
         : a(s), b(s) {}
     mask(half::mask x, half::mask y) : a(x), b(y) {}
@@ -27,7 +26,7 @@ struct integer {
     half::integer a, b;
     integer() = default;
     template <class T>
-    requires(__is_same(T, int32_t))  // no silent float -> integer
+    requires(__is_same(T, int32_t))  // no implicit float -> integer
         integer(T s)
         : a(s), b(s) {}
     integer(half::integer x, half::integer y) : a(x), b(y) {}
@@ -130,7 +129,7 @@ inline void store(int32_t* p, integer x) {
     half::store(p, x.a);
     half::store(p + half::lanes, x.b);
 }
-/// Dead lanes are 0 and their memory is not touched.
+/// Inactive lanes are 0 and their memory is not accessed.
 inline real load_masked(const float* p, mask m) {
     return real(half::load_masked(p, m.a), half::load_masked(p + half::lanes, m.b));
 }
@@ -145,7 +144,7 @@ inline void store_masked(int32_t* p, integer x, mask m) {
     half::store_masked(p, x.a, m.a);
     half::store_masked(p + half::lanes, x.b, m.b);
 }
-/// The lanes of m, one after another; returns their number. Writes up to `lanes` values.
+/// Stores the lanes of m contiguously and returns their number. Writes up to `lanes` values.
 inline int32_t store_compressed(int32_t* p, integer x, mask m) {
     const int32_t first = half::store_compressed(p, x.a, m.a);
     return first + half::store_compressed(p + first, x.b, m.b);

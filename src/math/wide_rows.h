@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between lanes and rows: eight (or four) values a lane, written to or read from memory as one row of eight (four) floats for
-// each lane. The same values in every flavour: nothing is computed. Only for sources compiled per instruction set.
+// Transposed loads and stores: eight (or four) values per lane, in memory one row of eight (four) floats per lane.
+// Bit-identical in every flavor. Only for sources compiled per instruction set.
 #pragma once
 #include "math/wide.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scalar flavour of the wide types: one lane, plain float, int32_t and bool. The reference for the others.
+// The scalar flavor of the wide types: one lane of plain float, int32_t and bool. The reference for the other flavors.
 #pragma once
 #include <stdint.h>
 
@@ -23,7 +23,7 @@ inline real load(const float* p) { return *p; }
 inline integer load_i(const int32_t* p) { return *p; }
 inline void store(float* p, real x) { *p = x; }
 inline void store(int32_t* p, integer x) { *p = x; }
-/// Dead lanes are 0 and their memory is not touched.
+/// Inactive lanes are 0 and their memory is not accessed.
 inline real load_masked(const float* p, mask m) { return m ? *p : 0.0f; }
 inline integer load_i_masked(const int32_t* p, mask m) { return m ? *p : 0; }
 inline void store_masked(float* p, real x, mask m) {
@@ -32,7 +32,7 @@ inline void store_masked(float* p, real x, mask m) {
 inline void store_masked(int32_t* p, integer x, mask m) {
     if (m) *p = x;
 }
-/// The lanes of m, one after another; returns their number. Writes up to `lanes` values.
+/// Stores the lanes of m contiguously and returns their number. Writes up to `lanes` values.
 inline int32_t store_compressed(int32_t* p, integer x, mask m) {
     *p = x;
     return m ? 1 : 0;
@@ -53,7 +53,7 @@ inline void gather_quads(const uint32_t* base, integer index, integer (&out)[4])
 /// One of 16 numbers; index in 0..15.
 inline integer look_up(const int32_t* table, integer index) { return table[index]; }
 
-// Two 16-bit numbers a lane. Sums wrap round.
+// Two 16-bit numbers per lane. Sums wrap round.
 inline integer join16(int32_t low, int32_t high) { return int32_t((uint32_t(low) & 0xffffu) | (uint32_t(high) << 16)); }
 inline integer low_in_both_halves(integer x) { return join16(x, x); }
 inline integer add16(integer a, integer b) { return join16(int32_t(uint32_t(a) + uint32_t(b)), (a >> 16) + (b >> 16)); }
@@ -66,7 +66,7 @@ inline integer scale16(integer a, integer b) {
 inline integer bits_of(real x) { return __builtin_bit_cast(int32_t, x); }
 inline real real_from_bits(integer i) { return __builtin_bit_cast(float, i); }
 inline integer shift_right_logical(integer i, int count) { return int32_t(uint32_t(i) >> count); }
-/// Out of range and NaN give INT32_MIN, as the processor's own conversion does.
+/// Out of range and NaN give INT32_MIN, like the processor's conversion.
 inline integer to_int(real x) { return x >= -2147483648.0f && x < 2147483648.0f ? int32_t(x) : INT32_MIN; }
 inline real to_real(integer i) { return float(i); }
 

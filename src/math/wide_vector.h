@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// vec2, vec3, vec4 of `real`, one text for all flavours: what the shared lighting text means by them. Sums run x, y, z,
-// w.
+// vec2, vec3, vec4 of `real`, one source for all flavors: the vector types of the shared lighting code. Sums run x, y,
+// z, w.
 #pragma once
 
 namespace rakelight::wide::RL_ISA {
@@ -75,9 +75,8 @@ inline real length(vec2 a) { return sqrt(dot(a, a)); }
 inline real length(vec3 a) { return sqrt(dot(a, a)); }
 inline vec3 normalize(vec3 a) { return a * reciprocal(length(a)); }  ///< not for zero vectors: see safe_normalize
 
-/// Unit vector of a, or `fallback` where a has no direction that float can hold: the squared length is NaN, below
-/// 2^-126
-/// (|a| under 1.1e-19) or over FLT_MAX (|a| over 1.8e19).
+/// Unit vector of a, or `fallback` if the direction cannot be computed in float: the squared length is NaN, below
+/// 2^-126 (|a| under 1.1e-19) or over FLT_MAX (|a| over 1.8e19).
 inline vec3 safe_normalize_or(vec3 a, vec3 fallback) {
     const real squared = dot(a, a);
     const mask has_direction = (squared >= real(1.17549435e-38f)) && (squared <= real(3.40282347e38f));

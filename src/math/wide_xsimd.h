@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sse2, avx2 and avx512 flavours of the wide types over xsimd 8.1. Own structs around its batches keep the
-// vocabulary closed: a word that is not defined here does not compile, so nothing comes in whose edge cases were not
-// looked at.
+// The sse2, avx2 and avx512 flavors of the wide types on xsimd 8.1. Wrapper structs around its batches restrict the
+// vocabulary: operations not defined here do not compile, so all edge cases are verified.
 #pragma once
 #include <stdint.h>
 #pragma GCC diagnostic push
@@ -34,11 +33,11 @@ struct mask {
     MaskBatch v;
     mask() = default;
     template <class T>
-    requires(__is_same(T, bool))  // no silent float -> mask
+    requires(__is_same(T, bool))  // no implicit float -> mask
         mask(T b)
         : v(b) {}
     explicit mask(MaskBatch b) : v(b) {}
-#if defined(RL_ISA_avx512)  // one bit a lane for both types
+#if defined(RL_ISA_avx512)  // one bit per lane for both types
     explicit mask(IntegerMaskBatch b) : v(MaskBatch(b.data)) {}
 #elif defined(RL_ISA_avx2)
     explicit mask(IntegerMaskBatch b) : v(MaskBatch(_mm256_castsi256_ps(b.data))) {}
@@ -58,7 +57,7 @@ struct integer {
     IntegerBatch v;
     integer() = default;
     template <class T>
-    requires(__is_same(T, int32_t))  // no silent float -> integer
+    requires(__is_same(T, int32_t))  // no implicit float -> integer
         integer(T s)
         : v(s) {}
     explicit integer(IntegerBatch b) : v(b) {}
@@ -146,7 +145,7 @@ inline real select(mask m, real a, real b) { return real(xsimd::select(m.v, a.v,
 inline integer select(mask m, integer a, integer b) { return bits_of(select(m, real_from_bits(a), real_from_bits(b))); }
 inline mask select(mask m, mask a, mask b) { return (m && a) || (!m && b); }
 
-// --- two 16-bit numbers a lane. Sums wrap round.
+// --- two 16-bit numbers per lane. Sums wrap round.
 
 #if defined(RL_ISA_avx512)
 inline integer low_in_both_halves(integer x) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lanes and memory in the sse2, avx2 and avx512 flavours of the wide types: loads, stores, gathers. The end of
-// wide_xsimd.h.
+// Loads, stores and gathers of the sse2, avx2 and avx512 flavors. Second part of wide_xsimd.h.
 #pragma once
 
 namespace rakelight::wide::RL_WIDE_PART {
@@ -31,7 +30,7 @@ inline int32_t lane(integer x, int i) {
 }
 inline bool lane(mask m, int i) { return ((lane_bits(m) >> i) & 1u) != 0; }
 
-/// Dead lanes are 0 and their memory is not touched.
+/// Inactive lanes are 0 and their memory is not accessed.
 inline real load_masked(const float* p, mask m) {
 #if defined(RL_ISA_avx512)
     return real(RealBatch(_mm512_maskz_loadu_ps(m.v.data, p)));
@@ -60,7 +59,7 @@ inline void store_masked(int32_t* p, integer x, mask m) {
     store_masked(reinterpret_cast<float*>(p), real_from_bits(x), m);
 }
 
-/// The lanes of m, one after another; returns their number. Writes up to `lanes` values.
+/// Stores the lanes of m contiguously and returns their number. Writes up to `lanes` values.
 inline int32_t store_compressed(int32_t* p, integer x, mask m) {
 #if defined(RL_ISA_avx512)
     _mm512_storeu_si512(p, _mm512_maskz_compress_epi32(m.v.data, x.v));
@@ -130,8 +129,8 @@ inline void gather_pairs(const uint32_t* base, integer index, integer& first, in
 
 /// Numbers 2 index to 2 index + 3.
 [[gnu::always_inline]] inline void gather_quads(const uint32_t* base, integer index, integer (&out)[4]) {
-    // One load a lane, then lanes and numbers change places: gathers take longer, on processors that have them, too. Row k
-    // holds the numbers of lanes k, 4 + k, ...
+    // One load per lane followed by a transpose: gathers are slower, even with hardware support. Row k holds the
+    // numbers of lanes k, 4 + k, ...
     int32_t i[lanes];
     store(i, index);
     const auto quad = [&](int k) {

@@ -12,19 +12,20 @@
 #include <rakelight/error.h>
 
 #include "base/cancel_check.h"
+#include "base/format_text.h"
 #include "math/linear.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
 namespace {
 
-constexpr float weight_slack = 0.01f;  // weights of 8 bits are this near to what was meant
+constexpr float weight_slack = 0.01f;  // error of 8-bit weights
 
-/// [skins] for each joint, whether a drawn vertex follows it.
+/// [skins] for each joint, whether it influences a drawn vertex.
 std::vector<std::vector<bool>> used_joints(const Scene& scene) {
     std::vector<std::vector<bool>> used(scene.skins.size());
     for (std::size_t s = 0; s < used.size(); ++s) used[s].assign(scene.skins[s].joints.size(), false);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> seen;  // skin, mesh: instances look at a mesh once
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> seen;  // skin, mesh: each mesh is checked once
     for (const Instance& instance : drawn_instances(scene))
         if (const std::uint32_t skin = scene.nodes[instance.node].skin; skin != no_index)
             seen.emplace_back(skin, instance.mesh);
@@ -38,7 +39,7 @@ std::vector<std::vector<bool>> used_joints(const Scene& scene) {
     return used;
 }
 
-/// The bottom row is put right where rounding left it beside 0, 0, 0, 1.
+/// Restores the bottom row 0, 0, 0, 1 after rounding.
 bool is_placement(dmat4& m) {
     for (std::size_t c = 0; c < 4; ++c) {
         const double wanted = c == 3 ? 1 : 0;
@@ -88,8 +89,7 @@ private:
         return placed;
     }
 
-    /// As the joint that both skins have holds them: not by way of its matrix, so that equal ones give equal places to
-    /// the bit.
+    /// Relative placement by the common joint, without its matrix, so that equal ones give bit-equal places.
     bool beside(const Joint& other, std::uint32_t s, std::uint32_t j) {
         const dmat4 &theirs = scene_.skins[other.skin].inverse_bind[other.index],
                     &ours = scene_.skins[s].inverse_bind[j];
@@ -108,10 +108,10 @@ private:
     std::vector<std::vector<bool>> used_;
     std::vector<dmat4> place_;  // [skins]
     std::vector<bool> is_placed_;
-    std::map<std::uint32_t, Joint> first_;  // by joint node: the first placed skin that uses it
+    std::map<std::uint32_t, Joint> first_;  // by joint node: the first placed skin with this joint
 };
 
-/// A vertex as the skeleton moves it: joints as nodes, ascending; weights that are not 0.
+/// Nonzero influences of a vertex: joints as node indices, ascending.
 struct Follower {
     std::array<std::uint32_t, 8> joint;
     std::array<float, 8> weight{};
@@ -150,14 +150,14 @@ struct SkinnedVertex {
     bool operator<(const SkinnedVertex& other) const { return key() < other.key(); }
 };
 
-/// Looks for places where vertices of skinned instances will part.
+/// Finds places where vertices of skinned instances will separate.
 class PartingSearch {
 public:
     PartingSearch(const Scene& scene, const std::vector<Instance>& instances, const std::vector<dmat4>& place,
                   Context& context)
         : scene_(scene), instances_(instances), place_(place), context_(context), check_(context) {}
 
-    /// @return places
+    /// @return number of places
     /// @throws Error bad_file: over the memory budget; failed: cancelled
     std::uint64_t run() {
         select();
@@ -178,7 +178,7 @@ private:
         return std::bit_cast<std::array<std::uint64_t, 16>>(place_[instances_[instance].node]);
     }
 
-    /// One placement for each mesh, skin and matrix: another one of the same three has the same joints at every vertex.
+    /// One instance for each combination of mesh, skin and matrix; others have the same joints at every vertex.
     void select() {
         for (std::uint32_t i = 0; i < instances_.size(); ++i)
             if (skin_of(i) != no_index && !mesh_of(i).influences.empty()) selected_.push_back(i);
@@ -187,7 +187,7 @@ private:
             const auto key = [&](std::uint32_t i) { return std::pair(instances_[i].mesh, skin_of(i)); };
             return key(a) != key(b) ? key(a) < key(b) : bits(a) < bits(b);
         };
-        std::stable_sort(selected_.begin(), selected_.end(), order);  // the first of equals stays
+        std::stable_sort(selected_.begin(), selected_.end(), order);  // keeps the first of equal ones
         const auto same = [&](std::uint32_t a, std::uint32_t b) { return !order(a, b) && !order(b, a); };
         selected_.erase(std::unique(selected_.begin(), selected_.end(), same), selected_.end());
     }
@@ -256,9 +256,9 @@ void warn_of_parting_vertices(const Scene& scene, const std::vector<Instance>& i
     try {
         const std::uint64_t parting = PartingSearch(scene, instances, place, context).run();
         if (parting == 0) return;
-        add(Remark::warning,
-            std::to_string(parting) +
-                " places where vertices of skinned meshes meet have different joint weights: they will part in motion");
+        add(Remark::warning, format_text("{} places where vertices of skinned meshes meet have different joint "
+                                         "weights: they will part in motion",
+                                         parting));
     } catch (const Error& error) {
         if (error.code() == ErrorCode::failed) throw;  // cancelled
         add(Remark::note, "skinned meshes were not searched for places that part in motion: " + error.reason());

@@ -16,7 +16,7 @@ std::shared_ptr<const std::vector<geometry::NormalSides>> bound_sides(const Scen
     std::vector<std::uint32_t> numbers;
     std::vector<bool> seen(scene.meshes.size(), false);
     const std::vector<dmat4> place = bind_pose_matrices(scene);
-    for (const Instance& i : drawn_instances(scene)) {  // of each mesh where it is drawn first
+    for (const Instance& i : drawn_instances(scene)) {  // at the first instance of each mesh
         const Mesh& mesh = scene.meshes[i.mesh];
         if (seen[i.mesh] || !is_asked(mesh)) continue;
         seen[i.mesh] = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// On which side of their triangles normals stand, asked once for all poses.
+// The sides of triangles on which normals lie, found once for all poses.
 #pragma once
 #include <memory>
 #include <vector>
@@ -11,8 +11,8 @@
 
 namespace rakelight {
 
-/// [meshes] of find_normal_sides(), skinned ones in bind pose; meshes whose format says where their fronts are
-/// (metallic-roughness materials) are left out. Null: all are.
+/// [meshes] results of find_normal_sides(), skinned meshes in bind pose. Meshes whose format defines front faces
+/// (metallic-roughness materials) are skipped. Null: all are skipped.
 std::shared_ptr<const std::vector<geometry::NormalSides>> bound_sides(const Scene& scene, Context& context);
 
 }  // namespace rakelight

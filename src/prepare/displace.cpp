@@ -32,7 +32,7 @@ bool same_shape(const Mesh& a, const Mesh& b) {
     return same(a.indices, b.indices) && same(a.positions, b.positions);
 }
 
-/// All that one displacement of a scene goes through, stage by stage.
+/// The stages of displacing a scene.
 class Displacer {
 public:
     Displacer(Scene scene, const Displacement& options, Context& context)
@@ -68,7 +68,7 @@ private:
                               .position_step = mesh.position_step});
         }
         const geometry::PlacedMeshes placed = geometry::place_vertices(meshes, -1, context_);
-        const std::uint64_t most = std::min(options_.most_triangles, std::uint64_t(1) << 32);
+        const std::uint64_t most = std::min(options_.max_triangles, std::uint64_t(1) << 32);
         check_memory(meshes, most);
         std::vector<std::uint8_t> moves(placed.place.size(), 0);  // some displaced mesh has a vertex at the place
         for (std::uint32_t v = 0; v < placed.place.size(); ++v)
@@ -85,7 +85,7 @@ private:
         if (!fine_.is_complete) warn_of_limit();
     }
 
-    /// What stands beside a mesh that is displaced is taken apart like it.
+    /// Neighbors of a displaced mesh are tessellated in the same way.
     void check_memory(const std::vector<AttributeMesh>& meshes, std::uint64_t most) const {
         constexpr std::uint64_t a_vertex = 104, a_corner = 12, a_triangle = 96;
         std::uint64_t bytes = most * a_triangle + meshes.size() * (sizeof(Mesh) + sizeof(DisplacedPart));
@@ -93,7 +93,7 @@ private:
         context_.memory().check(bytes, "displaced triangles");
     }
 
-    /// Of what is displaced and cut already, or of what is not displaced and as the scene has it.
+    /// Triangles of displaced and tessellated meshes, or of the others.
     std::uint64_t count_triangles(bool displaced) const {
         std::uint64_t count = 0;
         for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -110,7 +110,7 @@ private:
         std::snprintf(text, sizeof text,
                       "displacement stops at %llu of %llu triangles: edges are up to %.3g m long, not %.3g m",
                       static_cast<unsigned long long>(count_triangles(true)),
-                      static_cast<unsigned long long>(options_.most_triangles), fine_.longest_edge, edge_);
+                      static_cast<unsigned long long>(options_.max_triangles), fine_.longest_edge, edge_);
         context_.report().add(Remark::warning, scene_.source, {}, text);
     }
 
@@ -123,7 +123,8 @@ private:
         });
     }
 
-    /// Vertices at one place with one material read the same level, so that it does not matter where a model is cut.
+    /// Vertices at one place with one material use the same mip level, so that splitting a model into objects has no
+    /// effect.
     void read_heights() {
         for_each_class([&](std::span<const Member> members) {
             const Material* const material = parts_[members[0].part].material;
@@ -149,7 +150,7 @@ private:
         warn_of_lost_relief(scene_, parts_, fine_.longest_edge, context_.report());
     }
 
-    /// Vertices at one place, one after another, in the order of parts and vertices.
+    /// Vertices grouped by place, in the order of parts and vertices.
     void collect_classes() {
         CancelCheck check(context_);
         for (std::uint32_t i = 0; i < parts_.size(); ++i)
@@ -174,7 +175,7 @@ private:
         }
     }
 
-    /// The first placement of a mesh takes its place, others that came out differently get one of their own.
+    /// The first instance replaces the mesh, instances with other results get their own.
     void place() {
         std::vector<std::vector<std::uint32_t>> made(scene_.meshes.size());
         AddedMeshes added(scene_, context_);
@@ -223,7 +224,7 @@ private:
         const dvec3 way = stays ? dvec3{} : normalize_or(normal, {0, 0, 0}) * (offset / double(members.size()));
         for (const Member& m : members) {
             const bool is_new = m.vertex >= scene_.meshes[parts_[m.part].instance.mesh].positions.size();
-            if (stays && !is_new) continue;  // to the bit where it was
+            if (stays && !is_new) continue;  // bit-identical to its old position
             positions[m.part][m.vertex] = cast<float>(transform_point(parts_[m.part].to_object, m.place + way));
         }
     }

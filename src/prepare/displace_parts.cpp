@@ -13,7 +13,7 @@
 namespace rakelight {
 namespace {
 
-/// Areas of triangles, here and on their height map.
+/// Areas of triangles in space and on their height map.
 struct Areas {
     double surface = 0;  ///< [m^2] twice
     double texture = 0;  ///< [square widths of the texture] twice
@@ -34,8 +34,8 @@ void add_areas(const Mesh& mesh, const DisplacedPart& part, Areas& out) {
     out.texture += uv_area * part.heights->square_widths();
 }
 
-/// One width of the texture is one length over all meshes with a material: else a model that is cut into objects would
-/// have steps between them.
+/// The texture width is one length for all meshes of a material, so that a model split into objects has no steps
+/// between them.
 void set_depths(const Scene& scene, const Displacement& options, std::vector<DisplacedPart>& parts) {
     std::map<const Material*, Areas> areas;
     for (const DisplacedPart& part : parts)

@@ -16,7 +16,7 @@ float texel(const MipChain& chain, const MipLevel& level, int x, int y) {
     return chain.is_float ? level.rgba32f[i].x : float(level.rgba8[i] & 255u) / 255.0f;
 }
 
-/// Texture coordinates that a file may hold, in a range whose texels can be counted.
+/// Clamps texture coordinates of a file to a range with valid texel indices.
 float in_range(float v) { return v > -1e5f && v < 1e5f ? v : 0.0f; }
 
 }  // namespace
@@ -25,7 +25,7 @@ HeightField::HeightField(std::shared_ptr<const MipChain> chain, const TextureUse
     : chain_(std::move(chain)), wrap_u_(sampler.wrap_u), wrap_v_(sampler.wrap_v), offset_(use.transform.offset) {
     const float c = float(math::cos(double(use.transform.rotation_rad))),
                 s = float(math::sin(double(use.transform.rotation_rad)));
-    row_u_ = {c * use.transform.scale.x, s * use.transform.scale.y};  // as KHR_texture_transform
+    row_u_ = {c * use.transform.scale.x, s * use.transform.scale.y};  // as in KHR_texture_transform
     row_v_ = {-s * use.transform.scale.x, c * use.transform.scale.y};
     const MipLevel& full = chain_->levels[0];
     square_widths_ = std::abs(double(use.transform.scale.x) * double(use.transform.scale.y)) * full.height / full.width;

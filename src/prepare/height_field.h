@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Height maps as geometry reads them: decoded, in ever smaller versions, filtered.
+// Filtered sampling of height maps for displacement.
 #pragma once
 #include <map>
 #include <memory>
@@ -10,19 +10,19 @@
 
 namespace rakelight {
 
-/// One height map as a material uses it.
+/// A height map as used by a material.
 class HeightField {
 public:
     HeightField(std::shared_ptr<const MipChain> chain, const TextureUse& use, const Sampler& sampler);
-    /// What a square of 1 by 1 in texture coordinates is in squares as wide as the texture. Texels are taken as square
-    /// on the surface, as parallax takes them.
+    /// Area of 1 x 1 in texture coordinates, in squares of the texture's width. Texels are square on the surface, as
+    /// for parallax mapping.
     double square_widths() const { return square_widths_; }
-    /// [texels of the full size] between two places whose texture coordinates differ by that
+    /// [texels of the full size] length of a difference of texture coordinates
     double texels(vec2 difference) const;
-    /// The first channel, 0..1 of integer pictures, linear between texels and between mip levels.
-    /// @param level  >= 0, clamped to those that there are
+    /// The first channel, 0..1 for integer pictures, trilinear.
+    /// @param level >= 0, clamped to the last level
     float at(vec2 texcoord, float level) const;
-    /// How far heights are from their mean, as the square root of the mean square.
+    /// Standard deviation of the heights.
     double deviation(int level) const;
 
 private:
@@ -38,7 +38,7 @@ private:
 class HeightFields {
 public:
     HeightFields(const Scene& scene, Context& context) : scene_(scene), context_(context) {}
-    /// Null where the picture cannot be decoded: a warning in the report says so, once.
+    /// Null if the picture cannot be decoded, with one warning.
     std::shared_ptr<const HeightField> of(const TextureUse& use);
 
 private:

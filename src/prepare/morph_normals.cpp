@@ -12,7 +12,7 @@
 namespace rakelight {
 namespace {
 
-/// By name, and by how often a mesh had that name before, in the order of their first appearance.
+/// Targets by name and occurrence within a mesh, in the order of first appearance.
 std::vector<MorphPose> movements_of(const Scene& scene, std::span<const std::uint32_t> numbers) {
     std::vector<MorphPose> movements;
     std::map<std::pair<std::string, std::size_t>, std::size_t> known;
@@ -63,7 +63,7 @@ bool wants_normals(const Mesh& mesh, const MorphTarget& target) {
 std::vector<MorphPose> morph_poses(const Scene& scene, std::span<const std::uint32_t> numbers,
                                    std::span<const std::uint32_t> islands) {
     std::vector<MorphPose> poses;
-    std::vector<std::size_t> next(numbers.size(), 0);  // [islands] the first pose in which nothing moves there yet
+    std::vector<std::size_t> next(numbers.size(), 0);  // [islands] the first pose without movement in the island
     for (const MorphPose& movement : movements_of(scene, numbers)) {
         std::size_t pose = 0;
         for (const auto& [i, t] : movement.targets) pose = std::max(pose, next[islands[i]]);

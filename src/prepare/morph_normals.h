@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normals of morph targets: offsets from new normals to those of the morphed surface.
+// Normals of morph targets: offsets from computed normals to those of the morphed surface.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -13,34 +13,34 @@
 
 namespace rakelight {
 
-/// The directions of one mesh's targets, [V'] offsets each; empty where none are to be had.
+/// Normal and tangent offsets of one mesh's targets, [V'] each; empty if unavailable.
 struct TargetDirections {
     std::vector<std::vector<vec3>> normals, tangents;  ///< [targets]
 };
 
-/// True if a target gets normals beside new ones of its mesh: it moves positions, and had normals or the mesh had none
-/// (a file whose targets keep the normals of their mesh stays so).
+/// Whether a target gets normals if its mesh gets new ones: it moves positions, and had normals or the mesh had none.
+/// (Targets without normals in a mesh with normals stay without.)
 bool wants_normals(const Mesh& mesh, const MorphTarget& target);
 
-/// Targets that move at once: at most one of each mesh.
+/// Targets applied together: at most one per mesh.
 struct MorphPose {
     std::vector<std::pair<std::size_t, std::size_t>> targets;  ///< entry of `numbers`, target of that mesh
 };
 
-/// Which targets move together: those of one name (and, for each mesh, that name for the same time), since they are the parts of one
-/// movement. Movements in different islands stand in one pose, for neither changes anything for the other: a file of many
-/// models takes as many poses as the one with the most targets.
+/// Groups targets by name (and occurrence of the name within a mesh), because they form one movement. Movements in
+/// different islands share a pose, because they are independent: a file of many models takes as many poses as its model
+/// with the most targets.
 ///
-/// @param islands  [numbers] as geometry::mesh_islands() gives them
+/// @param islands [numbers] result of geometry::mesh_islands()
 std::vector<MorphPose> morph_poses(const Scene& scene, std::span<const std::uint32_t> numbers,
                                    std::span<const std::uint32_t> islands);
 
-/// The normals (and tangents, where a target had some and the mesh gets new ones) of each morphed mesh less those of
-/// the unmorphed one. The groups are the plan's, so what is joined or creased stays so while it moves. Targets of equal
-/// names in different meshes (the parts of one face) move together: their borders stay closed.
+/// The normals (and tangents, if the target had some and the mesh gets new ones) of each morphed mesh minus those of
+/// the unmorphed one. Uses the groups of the plan, so creases do not change in motion. Targets with equal names in
+/// different meshes (the parts of a face) move together, so their borders stay closed.
 ///
-/// @param numbers  [meshes] into scene.meshes; `meshes` as they were given to group() for `plan`
-/// @param base     [meshes] what accumulate(plan, meshes) gave
+/// @param numbers [meshes] into scene.meshes; `meshes` as given to group() for `plan`
+/// @param base [meshes] result of accumulate(plan, meshes)
 std::vector<TargetDirections> target_directions(const Scene& scene, std::span<const std::uint32_t> numbers,
                                                 std::span<const AttributeMesh> meshes, const AttributePlan& plan,
                                                 std::span<const MeshAttributes> base, Context& context);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which normals one mesh gets: what its part of a world says, what its file holds and what the picture asks for.
+// The source of a mesh's normals, from its part of the world file, its file and the picture's options.
 #pragma once
 #include <rakelight/attributes.h>
 #include <rakelight/scene.h>
@@ -11,7 +11,7 @@ struct NormalRule {
     Scope scope = Scope::model;    ///< over which they are smoothed
     bool joins_seams = false;      ///< kept normals are joined where meshes meet: <rakelight/seams.h>
     bool groups = false;           ///< smoothing groups count, inside an object; across objects the crease angle does
-    double crease_angle_rad = -1;  ///< the mesh's own; < 0: as the picture's options say
+    double crease_angle_rad = -1;  ///< the mesh's own; < 0: by the picture's options
 };
 
 /// @param source  of the picture's options: all but `automatic` overrule the mesh's own choice

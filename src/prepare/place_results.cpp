@@ -3,12 +3,13 @@
 
 #include <string>
 
+#include "base/format_text.h"
 #include "prepare/split_vertices.h"
 
 namespace rakelight {
 namespace {
 
-/// A mesh with what with_attributes() made of another one that had the same arrays.
+/// A mesh with the result of with_attributes() for another mesh with the same arrays.
 Mesh with_arrays_of(const Mesh& made, const Mesh& own) {
     Mesh mesh = own;
     mesh.positions = made.positions, mesh.indices = made.indices, mesh.normals = made.normals;
@@ -18,8 +19,8 @@ Mesh with_arrays_of(const Mesh& made, const Mesh& own) {
     return mesh;
 }
 
-/// Offsets from the old normals and tangents say nothing about the new ones. Positions of targets stay.
-/// @param directions  of the new normals, or null: none were made
+/// Offsets of old normals and tangents do not apply to the new ones. Target positions are kept.
+/// @param directions target directions of the new normals, or null
 void set_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number, bool new_normals,
                            TargetDirections* directions, Report& report) {
     bool refused = false;
@@ -36,7 +37,7 @@ void set_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number,
         target.tangents = std::move(tangents);
     }
     if (refused)
-        report.add(Remark::dropped, scene.source, "mesh " + std::to_string(number) + " '" + mesh.name + "'",
+        report.add(Remark::dropped, scene.source, format_text("mesh {} '{}'", number, mesh.name),
                    "normals and tangents of morph targets do not fit the new ones and are left out");
 }
 
@@ -88,19 +89,20 @@ void ResultPlacer::place(Computed& computed) {
 }
 
 bool ResultPlacer::keeps_bitangents(const Mesh& mesh) const {
-    return request_.bitangents && mesh.targets.empty() && mesh.influences.empty();  // who poses does not turn them
+    return request_.bitangents && mesh.targets.empty() && mesh.influences.empty();  // posing does not transform them
 }
 
 void ResultPlacer::report() const {
     if (variants_.kept() > 0)
         context_.report().add(Remark::warning, scene_.source, {},
-                              std::to_string(variants_.kept()) +
-                                  " instances that touch other things keep the normals of the first of their mesh: "
-                                  "kept shared as asked");
+                              format_text("{} instances that touch other things keep the normals of the first of their "
+                                          "mesh: kept shared as asked",
+                                          variants_.kept()));
     if (variants_.copies() > 0)
-        context_.report().add(Remark::note, scene_.source, {},
-                              std::to_string(variants_.copies()) +
-                                  " instances got a mesh of their own: their normals differ by what they touch");
+        context_.report().add(
+            Remark::note, scene_.source, {},
+            format_text("{} instances got a mesh of their own: their normals differ by what they touch",
+                        variants_.copies()));
 }
 
 const Mesh& ResultPlacer::source(std::uint32_t number) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normals and tangents that were computed, put into the meshes of the scene.
+// Stores computed normals and tangents in the meshes of the scene.
 #pragma once
 #include <map>
 #include <vector>
@@ -15,16 +15,16 @@ namespace rakelight {
 
 struct Computed {
     std::vector<MeshAttributes> attributes;
-    std::vector<TargetDirections> targets;  ///< [attributes], or none: no target gets new normals
+    std::vector<TargetDirections> targets;  ///< [attributes], or empty: no new normals of targets
 };
 
-/// The mesh with these tangents and, where they are new, normals; vertices that split are appended.
+/// The mesh with these tangents and, if new, normals; split vertices are appended.
 Mesh with_attributes(const Mesh& source, MeshAttributes&& attributes, bool new_normals, Context& context);
 
-/// Puts the results into the scene. What several results are made of keeps its first form until all are.
+/// Stores the results in the scene. Sources of several results are kept until all are stored.
 class ResultPlacer {
 public:
-    /// @param numbers  [selection.computed] the meshes that were computed
+    /// @param numbers [selection.computed] indices of the computed meshes
     ResultPlacer(Scene& scene, const SmoothRequest& request, const SmoothSelection& selection,
                  const std::vector<std::uint32_t>& numbers, Context& context);
     void place(Computed& computed);
@@ -40,7 +40,7 @@ private:
     const std::vector<std::uint32_t>& numbers_;
     Context& context_;
     MeshVariants variants_;
-    std::vector<std::uint32_t> uses_;  ///< [meshes] how many results are made of each, at most
+    std::vector<std::uint32_t> uses_;  ///< [meshes] upper bound of the results of each
     std::map<std::uint32_t, Mesh> originals_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way: nodes to their places, matrices of the joints, what poses each placement that moves, nodes of skinned ones
-// into the world; then vertices (geometry/mesh_pose.h), here or by who draws them.
+// Stages: node transforms, joint matrices, pose of each animated instance, skinned nodes to world space; then vertices
+// (geometry/mesh_pose.h), here or in the engine.
 #include "prepare/pose_scene.h"
 
 #include <algorithm>
@@ -23,11 +23,11 @@ namespace {
 using geometry::JointColumns, geometry::MeshPose, geometry::MeshPoses;
 using SharedColumns = std::shared_ptr<const std::vector<JointColumns>>;
 
-/// Places farther from the world's origin than this [m] are given from a point nearby, so that floats suffice.
+/// [m] Positions farther from the world origin are stored relative to a nearby point, so that float precision suffices.
 constexpr double far_away = 4096;
 
-/// What a pose makes of the skinned meshes of a scene: an origin for all, so that equal places stay equal. What many
-/// placements share is made once.
+/// Poses of the skinned meshes of a scene, with one origin for all, so that equal places stay equal. Shared data is
+/// computed once.
 class Skeleton {
 public:
     Skeleton(const Scene& scene, const std::vector<Instance>& moving, Context& context)
@@ -45,7 +45,7 @@ public:
     const std::vector<dmat4>& world() const { return world_; }
     dvec3 origin() const { return origin_; }
 
-    /// Whether every joint that skinned meshes of the node follow turns them inside out.
+    /// Whether all joints of the node's skinned meshes mirror.
     bool mirrors(std::uint32_t node) {
         const auto [known, is_new] = node_mirrors_.try_emplace(node, true);
         if (!is_new) return known->second;
@@ -56,7 +56,7 @@ public:
         return known->second;
     }
 
-    /// Bind pose -> posed mesh, about origin(); x turned round for mirrored ones.
+    /// Bind pose -> posed mesh, relative to origin(); x is negated for mirrored ones.
     const SharedColumns& columns(const Instance& i, bool is_mirrored) {
         const dvec3 from = scene_.meshes[i.mesh].origin;
         const auto [known, is_new] = columns_.try_emplace({skin_of(i), is_mirrored, from.x, from.y, from.z});
@@ -108,7 +108,7 @@ private:
     const Scene& scene_;
     std::vector<dmat4> world_;
     dvec3 origin_{0, 0, 0};
-    std::vector<std::vector<dmat4>> matrices_;  ///< [skins][joints], made when they are asked for
+    std::vector<std::vector<dmat4>> matrices_;  ///< [skins][joints], computed on demand
     std::map<std::uint32_t, bool> node_mirrors_;
     /// By skin, mirrored or not, origin of the mesh.
     std::map<std::tuple<std::uint32_t, bool, double, double, double>, SharedColumns> columns_;
@@ -136,21 +136,21 @@ void check_memory(const Scene& scene, const std::vector<Instance>& moving, Conte
     context.memory().check(bytes, "posed vertices");
 }
 
-/// [nodes] what each and all above it say of shading.
+/// [nodes] shading of each node including inherited values.
 std::vector<std::optional<Shading>> resolved_shading(const Scene& scene) {
     std::vector<std::optional<Shading>> shading;
     shading.reserve(scene.nodes.size());
-    for (const Node& node : scene.nodes)  // parents come first
+    for (const Node& node : scene.nodes)  // parents precede children
         shading.push_back(node.shading || node.parent == no_index ? node.shading : shading[node.parent]);
     return shading;
 }
 
-/// Puts nodes that show skinned meshes into the world by themselves; what hangs from them stays in place.
+/// Moves nodes with skinned meshes to the root in world space; their children keep their place.
 class Detacher {
 public:
     Detacher(Scene& scene, const std::vector<dmat4>& world) : scene_(scene), world_(world) {}
 
-    /// @param placed  [nodes that show skinned meshes] where the posed meshes stand
+    /// @param placed [nodes that show skinned meshes] placement of the posed meshes
     void detach(const std::map<std::uint32_t, dmat4>& placed) {
         if (placed.empty()) return;
         const std::vector<std::optional<Shading>> shading = resolved_shading(scene_);
@@ -180,12 +180,13 @@ private:
         for (const Camera& camera : scene_.cameras) nodes.insert(camera.node);
         return nodes;
     }
-    /// Something else stands at the node: a light, a camera, a mesh without influences.
+    /// Whether the node also has a light, a camera, or a mesh without influences.
     bool is_needed(std::uint32_t node, const std::set<std::uint32_t>& taken) const {
         return taken.contains(node) ||
                !std::ranges::all_of(scene_.nodes[node].meshes, [&](std::uint32_t m) { return is_skinned(m); });
     }
-    /// A new node takes the skinned meshes over. @return its number
+    /// Moves the skinned meshes to a new node.
+    /// @return its index
     std::uint32_t with_meshes_of(std::uint32_t node) {
         Node& old = scene_.nodes[node];
         Node added;
@@ -201,7 +202,7 @@ private:
     const std::vector<dmat4>& world_;
 };
 
-/// Nothing is left that could move.
+/// Removes all animation data.
 void end_motion(Scene& scene) {
     for (Mesh& mesh : scene.meshes) mesh.influences = {}, mesh.more_influences = {}, mesh.targets.clear();
     for (Node& node : scene.nodes) node.skin = no_index, node.morph_weights.clear();

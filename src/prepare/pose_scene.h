@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Skins and morph targets as vertices: what moves in a scene comes to stand.
+// Applies skins and morph targets: static scenes from animated ones.
 #pragma once
 #include <optional>
 
@@ -11,27 +11,27 @@
 
 namespace rakelight {
 
-/// A scene in which all stands but for vertices: those of the meshes of `poses` are in bind pose yet.
+/// A static scene, except for the meshes of `poses`, whose vertices are still in bind pose.
 struct UnposedScene {
     Scene scene;
     geometry::MeshPoses poses{};
 };
-/// Vertices of one mesh (which may have no pose), or of all.
+/// Poses the vertices of one mesh (which may have no pose), or of all.
 void take_pose(UnposedScene& unposed, std::uint32_t number, Context& context);
 void take_all_poses(UnposedScene& unposed, Context& context);
 
-/// Of a scene that passed validate().
+/// For validated scenes.
 namespace valid {
 Scene posed_scene(Scene scene, Context& context);
-/// The same before the vertices move. Memory for them is asked for, and nothing is charged.
+/// The same before vertices are posed. Their memory is checked, but not charged.
 UnposedScene unposed_scene(Scene scene, Context& context);
 }  // namespace valid
 
-/// Where a scene stands that can move, for questions about places: as posed_scene(), but without normals and tangents of
-/// what moves. Nothing: it cannot move, and answers for itself.
+/// The posed positions of a scene, for spatial queries: as posed_scene(), but without normals and tangents of animated
+/// meshes. Nothing: the scene is static.
 std::optional<Scene> posed_outline(const Scene& scene, Context& context);
 
-/// Nodes by Scene::pose, which is gone then; meshes, skins and clips stay.
+/// Applies Scene::pose to the nodes and removes it; meshes, skins and clips stay.
 Scene with_posed_nodes(Scene scene);
 
 }  // namespace rakelight

@@ -8,59 +8,59 @@
 #include <rakelight/prepare.h>
 #include <rakelight/scene.h>
 
-#include "prepare/made_attributes.h"
+#include "prepare/generated_attributes.h"
 #include "prepare/pose_scene.h"
 #include "prepare/repair_borders.h"
 
 namespace rakelight {
 
-/// Functions of public headers for scenes that passed validate(), which the public ones do first.
+/// Public functions for validated scenes, without validate().
 namespace valid {
 Scene prepare_scene(Scene scene, const PrepareOptions& options, Context& context);
 }
 
-/// A scene on the way: it has the normals and tangents that its rest asks for, and nothing of it has moved yet.
+/// A prepared scene before posing, with the normals and tangents of the bind pose.
 struct BoundScene {
-    Scene scene;                          ///< Scene::pose is left out
-    std::vector<MadeAttributes> made{};   ///< that have to be made again of what moves
-    std::vector<BoundBorders> borders{};  ///< that have to be joined again after that: `scene` has the normals before
+    Scene scene;                              ///< without Scene::pose
+    std::vector<GeneratedAttributes> made{};  ///< to be recomputed for animated meshes
+    std::vector<BoundBorders> borders{};      ///< to be joined again afterwards; `scene` has the normals before
 };
-/// Whether a scene is better prepared in two halves: it can move, and the first half does not depend on the pose. (It
-/// does where control nets move, and where triangles turn clockwise.)
+/// Whether to prepare a scene in two halves: it is animated, and the first half does not depend on the pose. (It does
+/// for animated control nets and clockwise triangles.)
 bool has_bind_pose(const Scene& scene, const PrepareOptions& options);
 /// The first half of prepare_scene(). @param scene  passed validate(), has a bind pose
 BoundScene bind_scene(Scene scene, const PrepareOptions& options, Context& context);
-/// The second, for any pose: vertices, displacement, tangents that are still missing.
-/// @param pose  of the nodes; absent: as they are
+/// The second half, for any pose: vertices, displacement, missing tangents.
+/// @param pose pose of the nodes; absent: none
 Scene finish_scene(BoundScene bound, const Rare<ScenePose>& pose, const PrepareOptions& options, Context& context);
-/// The same, but that meshes whose vertices nothing in prepare asks for are left in bind pose.
+/// The same, but meshes whose vertices are not needed here stay in bind pose.
 UnposedScene finish_unposed(BoundScene bound, const Rare<ScenePose>& pose, const PrepareOptions& options,
                             Context& context);
 
-/// @throws Error usage: a number out of its range, an enumerator that there is not
+/// @throws Error usage: a number out of range, an invalid enumerator
 void check_options(const PrepareOptions& options);
 
-/// Texture coordinates by projection about the world bounding box, for triangle meshes of a valid
-/// scene that have none; said in the report.
+/// Texture coordinates by projection about the world bounding box, for triangle meshes of a valid scene that have none;
+/// reported.
 Scene project_texcoords(Scene scene, UvProjection projection, Context& context);
 
-/// Normals and tangents of a valid scene by the door of <rakelight/attributes.h> over the whole scene.
+/// Normals and tangents of a valid scene by <rakelight/attributes.h> over the whole scene.
 struct SmoothSceneOptions {
     AttributeOptions attributes;
-    bool only_missing = false;  ///< keep normals that are there; make the others
-    /// In place of attributes.tangent_mode, for all. Unset: that mode where normals are made, MikkTSpace where they are kept.
+    bool only_missing = false;  ///< keep existing normals; compute the others
+    /// Overrides attributes.tangent_mode for all meshes. Absent: that mode for computed normals, MikkTSpace for kept
+    /// ones.
     std::optional<TangentMode> tangents;
 };
 Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Context& context);
 
 /// The Utah teapot from Newell's 32 Bezier patches, as six objects (rim, body, handle, spout, lid, bottom) with their
-/// patch u, v; no normals (prepare makes them). `divisions` quads a side of each patch, 1..256.
-/// @param memory  is charged for the arrays before they are made; null: nobody counts
-/// Patches share their borders' curves and have the same divisions: neighbors meet in bit-equal positions.
+/// patch u, v; no normals (prepare_scene() computes them). `divisions` quads per side of each patch, 1..256.
+/// @param memory charged for the arrays before they are created; may be null. Border positions of adjacent patches are
+///         bit-equal
 Scene make_teapot(int divisions = 10, MemoryBudget* memory = nullptr);
-/// The divisions with which no point of a facet is farther than `tolerance` [m], > 0, from the point of the patch at
-/// its u, v.
-/// @throws Error usage: there would have to be more than 256
+/// The divisions for which facets are within `tolerance` [m], > 0, of the patch at equal u, v.
+/// @throws Error usage: more than 256 would be needed
 int teapot_divisions(double tolerance);
 
 }  // namespace rakelight

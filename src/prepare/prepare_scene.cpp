@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way of a scene to an engine: repair, texture coordinates, normals by the chosen source, tangents where they are needed.
+// prepare_scene(): repair, texture coordinates, normals of the chosen source, tangents where needed.
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +29,7 @@
 namespace rakelight {
 namespace {
 
-/// Which normals are made, for the meshes that have none (all of them when the file's do not count).
+/// The computed normals, for meshes without normals (or all meshes if the file's are ignored).
 SmoothRequest request_for(const PrepareOptions& options) {
     SmoothRequest request;
     request.attributes.weight = options.weight;
@@ -40,7 +40,7 @@ SmoothRequest request_for(const PrepareOptions& options) {
     request.keep_instances = options.keep_instances;
     request.bitangents = options.bitangents;
     if (options.tangents) request.attributes.tangent_mode = request.kept_tangents = *options.tangents;
-    if (options.all_tangents) request.tangents = TangentWish::everywhere;
+    if (options.all_tangents) request.tangents = TangentNeed::everywhere;
     request.only_missing = true;
     request.source = options.normals;
     return request;
@@ -55,11 +55,11 @@ BorderRequest border_request_for(const PrepareOptions& options) {
     return request;
 }
 
-bool wants_tangents(const Scene& scene, const Mesh& mesh) {
-    return mesh.material != no_index && wants_tangents(scene.materials[mesh.material]);
+bool needs_tangents(const Scene& scene, const Mesh& mesh) {
+    return mesh.material != no_index && needs_tangents(scene.materials[mesh.material]);
 }
 
-/// True if some triangle has an area in the texture; ends at the first one.
+/// Whether any triangle has texture area; stops at the first one.
 bool spans_texture(const Mesh& mesh, std::uint32_t set) {
     const Block<vec2>& uv = mesh.texcoords[set];
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
@@ -69,12 +69,12 @@ bool spans_texture(const Mesh& mesh, std::uint32_t set) {
     return false;
 }
 
-/// People wonder why a model of parts looks faceted: glTF asks for it.
+/// Explains why a model looks faceted: glTF requires it.
 void note_flat_meshes(const Scene& scene, Report& report) {
     for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
         const Mesh& mesh = scene.meshes[i];
         if (mesh.topology != Topology::triangles || !mesh.normals.empty()) continue;
-        if (mesh.normal_choice && mesh.normal_choice->source != NormalSource::automatic) continue;  // asked for
+        if (mesh.normal_choice && mesh.normal_choice->source != NormalSource::automatic) continue;  // requested
         if (normal_rule(scene, mesh, NormalSource::automatic).scope == Scope::face)
             report.add(Remark::note, scene.source, Place{"mesh", i, mesh.name}.text(),
                        "no normals: flat faces, as glTF says; 'normals' model smooths", {"normals"});
@@ -86,15 +86,14 @@ bool has_coat_map(const Material& m) {
     return m.model == MaterialModel::metallic_roughness && p.clearcoat > 0 && p.clearcoat_normal_texture;
 }
 
-/// The coat's map has coordinates of its own: they can be missing where the surface's are there, and the other way
-/// round.
+/// The clearcoat map may use another texture coordinate set than the surface, and either set may be missing.
 bool lacks_coat_coordinates(const Scene& scene, const Mesh& mesh) {
     const Material& m = scene.materials[mesh.material];
     return has_coat_map(m) && !has_coordinates(mesh, m.metallic_roughness.clearcoat_normal_texture.texcoord_set);
 }
 
-/// Why maps and highlights that follow the texture coordinates do not on this mesh; null: they do, or there are none,
-/// or only the coat's map lacks its own coordinates.
+/// Why maps and highlights that depend on texture coordinates have no effect on this mesh; null: they have, or there
+/// are none, or only the clearcoat map lacks coordinates.
 const char* fault_of_coordinates(const Scene& scene, const Mesh& mesh, Bump wanted) {
     const Material& m = scene.materials[mesh.material];
     const MetallicRoughnessParameters& p = m.metallic_roughness;
@@ -107,7 +106,7 @@ const char* fault_of_coordinates(const Scene& scene, const Mesh& mesh, Bump want
         return "the normal map is not used: the mesh has no texture coordinates for it";
     const bool coats = has_coat_map(m) && !lacks_coat_coordinates(scene, mesh);
     if (!heights && !normals && !coats && !stretched) return nullptr;
-    const std::uint32_t set = tangent_set(scene, mesh, TangentWish::where_needed);
+    const std::uint32_t set = tangent_set(scene, mesh, TangentNeed::where_needed);
     if (set == no_index) return "bumps and stretched highlights have no direction: the mesh has no texture coordinates";
     if (!mesh.tangents.empty() || spans_texture(mesh, set)) return nullptr;
     return heights   ? "no triangle has an area in the height map: tangents have no direction"
@@ -119,7 +118,7 @@ void warn_of_tangents(const Scene& scene, Bump wanted, Report& report) {
     std::vector<bool> seen(scene.meshes.size(), false);
     for (const Instance& instance : drawn_instances(scene)) {
         const Mesh& mesh = scene.meshes[instance.mesh];
-        if (seen[instance.mesh] || !wants_tangents(scene, mesh)) continue;
+        if (seen[instance.mesh] || !needs_tangents(scene, mesh)) continue;
         seen[instance.mesh] = true;
         const std::string place = Place{"mesh", instance.mesh, mesh.name}.text();
         if (const char* const message = fault_of_coordinates(scene, mesh, wanted))
@@ -130,12 +129,12 @@ void warn_of_tangents(const Scene& scene, Bump wanted, Report& report) {
     }
 }
 
-/// Without coordinates: directions show none, warn_of_tangents() is for them.
+/// For missing coordinates; missing directions are reported by warn_of_tangents().
 bool shows_one_color(const TextureRole& role, const Material& m) {
     return role.is_shown_by(m) && role.number != role_opacity && !role.is_direction();
 }
 
-/// What warn_of_tangents() is for normal maps.
+/// The same as warn_of_tangents() for normal maps.
 void warn_of_textures(const Scene& scene, Report& report) {
     std::vector<bool> seen(scene.meshes.size(), false);
     for (const Instance& instance : drawn_instances(scene)) {
@@ -170,7 +169,7 @@ Scene subdivided(Scene scene, const PrepareOptions& options, Context& context) {
     return out;
 }
 
-/// Shapes of meshes whose triangles no more lie on them, or are asked for.
+/// Removes shapes of meshes whose triangles were changed or are requested.
 void drop_shapes(Scene& scene, const std::set<const void*>& kept, const PrepareOptions& options) {
     for (Mesh& mesh : scene.meshes) {
         if (!mesh.shape) continue;
@@ -186,17 +185,17 @@ std::set<const void*> places_of(const Scene& scene) {
     return places;
 }
 
-/// One scene on its way through the stages. What a stage has made is paid before the next one asks for memory.
+/// The stages for one scene. Results of a stage are charged before the next one allocates.
 class Preparing {
 public:
     Preparing(const Scene& scene, const PrepareOptions& options, Context& context)
         : options_(options), context_(context), request_(request_for(options)), own_(unpaid_arrays(scene)) {}
 
-    /// The stages before the pose, for triangles that turn counter-clockwise.
+    /// The stages before the pose, for counter-clockwise triangles.
     BoundScene bind(Scene scene) const {
         Report& report = context_.report();
         BoundScene bound;
-        if (wants_subdivision(scene, options_.subdivision))  // control nets move
+        if (wants_subdivision(scene, options_.subdivision))  // control nets are animated
             scene = paid(valid::posed_scene(std::move(scene), context_));
         scene.pose = {};
         if (is_posable(scene)) scene = with_own_meshes(std::move(scene), context_);
@@ -211,7 +210,7 @@ public:
         warn_of_textures(scene, report);
         if (options_.normals == NormalSource::automatic) note_flat_meshes(scene, report);
         for (Mesh& mesh : scene.meshes)
-            if (options_.tangents && (options_.all_tangents || wants_tangents(scene, mesh)))
+            if (options_.tangents && (options_.all_tangents || needs_tangents(scene, mesh)))
                 mesh.tangents = {};  // the file's do not count
         if (joins_borders() && options_.normals == NormalSource::automatic) join_kept_normals(scene);
         context_.throw_if_cancelled();
@@ -226,25 +225,25 @@ public:
         return bound;
     }
 
-    /// The pose and what comes after it.
+    /// The pose and later stages.
     Scene finish(BoundScene bound, const Rare<ScenePose>& pose) const {
         UnposedScene unposed = finish_unposed(std::move(bound), pose);
         take_all_poses(unposed, context_);
         return paid(std::move(unposed.scene));
     }
 
-    /// Here it is decided whose vertices prepare needs: normals are made again of those of all meshes that were grouped, borders
-    /// are joined again of those that were matched, and displacement is made of all. The others are left to who draws them (in engine gl see Renderer::pose_meshes()).
+    /// Decides which vertices must be posed here: those of grouped meshes (recomputed normals), of matched borders
+    /// (joined again), and all for displacement. Others are posed by the engine (for gl see Renderer::pose_meshes()).
     UnposedScene finish_unposed(BoundScene bound, const Rare<ScenePose>& pose) const {
         UnposedScene unposed{std::move(bound.scene)};
         if (is_posable(unposed.scene)) {
             unposed.scene.pose = pose;
             unposed = valid::unposed_scene(std::move(unposed.scene), context_);
-            for (const MadeAttributes& made : bound.made)
+            for (const GeneratedAttributes& made : bound.made)
                 for (const std::uint32_t mesh : made.numbers) take_pose(unposed, mesh, context_);
             for (const BoundBorders& set : bound.borders)
                 for (const Instance& instance : set.instances) take_pose(unposed, instance.mesh, context_);
-            for (const MadeAttributes& made : bound.made) make_again(made, unposed.scene, context_);
+            for (const GeneratedAttributes& made : bound.made) recompute_attributes(made, unposed.scene, context_);
             MatchReport unread;
             for (const BoundBorders& set : bound.borders)
                 unposed.scene = join_borders(std::move(unposed.scene), set, options_.keep_instances, unread, context_);
@@ -264,12 +263,12 @@ public:
     }
 
 private:
-    /// Those that are missing, one pass for each scope: whatever is smoothed over the model is so together.
-    Scene with_normals(Scene scene, std::vector<MadeAttributes>* made) const {
+    /// Missing normals, one pass per scope: all meshes with scope model are smoothed together.
+    Scene with_normals(Scene scene, std::vector<GeneratedAttributes>* made) const {
         SmoothRequest request = request_;
         request.made = made;
         if (is_published(request.kept_tangents))
-            request.tangents = TangentWish::none;  // add_missing_tangents() makes them
+            request.tangents = TangentNeed::none;  // add_missing_tangents() makes them
         for (const Scope scope : {Scope::face, Scope::object, Scope::model}) {
             request.attributes.scope = scope;
             scene = paid(smooth_meshes(std::move(scene), request, context_));
@@ -277,7 +276,7 @@ private:
         return scene;
     }
 
-    /// Over all parts that ask for it together.
+    /// Over all parts with this option together.
     Scene with_seams_joined(Scene scene) const {
         const auto asks = [&](const Mesh& mesh) { return normal_rule(scene, mesh, options_.normals).joins_seams; };
         if (std::none_of(scene.meshes.begin(), scene.meshes.end(), asks)) return scene;
@@ -291,7 +290,7 @@ private:
 
     bool joins_borders() const { return options_.border_distance > 0; }
 
-    /// At once where nothing moves; what does is kept for finish(), and told.
+    /// Immediately for static scenes; animated ones are deferred to finish(), with a remark.
     BoundScene with_borders_joined(BoundScene bound) const {
         const BorderRequest request = border_request_for(options_);
         BorderOutcome outcome;
@@ -315,10 +314,10 @@ private:
     const PrepareOptions& options_;
     Context& context_;
     const SmoothRequest request_;
-    const std::set<const void*> own_;  ///< the caller's arrays, which no charge pays for
+    const std::set<const void*> own_;  ///< uncharged arrays of the caller
 };
 
-/// What stages make of each node, placement and mesh while they work: matrices and lists.
+/// Temporary memory of the stages per node, instance and mesh: matrices and lists.
 std::uint64_t working_bytes(const Scene& scene) {
     std::uint64_t bytes = scene.nodes.size() * 2 * sizeof(dmat4) + scene.meshes.size() * 64;
     for (const Node& node : scene.nodes) bytes += node.meshes.size() * 64;
@@ -362,7 +361,7 @@ Scene valid::prepare_scene(Scene scene, const PrepareOptions& options, Context& 
     TriangleTurner turner;
     scene = turner.turned(std::move(scene), context);
     scene = preparing.finish(preparing.bind(std::move(scene)), pose);
-    scene.normal_sides = nullptr;  // of triangles that turn the other way
+    scene.normal_sides = nullptr;  // of reversed triangles
     return preparing.paid(turner.turned(std::move(scene), context));
 }
 

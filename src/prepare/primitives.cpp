@@ -9,14 +9,15 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "math/functions.h"
 
 namespace rakelight {
 namespace {
 
 constexpr const char* shape_names[] = {"sphere", "cylinder", "cone", "torus", "plane"};
-constexpr double most_triangles = 4e6, largest_m = 1e6;
-constexpr int most_divisions = 1024, most_objects = 1024;
+constexpr double max_triangles = 4e6, largest_m = 1e6;
+constexpr int max_divisions = 1024, max_objects = 1024;
 
 constexpr std::size_t vertex_bytes = 2 * sizeof(vec3) + sizeof(vec2), index_bytes = sizeof(std::uint32_t);
 
@@ -26,7 +27,7 @@ struct Arrays {
     std::vector<std::uint32_t> indices;
     MemoryCharge charge;
 
-    /// Before anything is added, exactly what will be.
+    /// Reserves the exact sizes.
     void reserve(std::size_t vertices, std::size_t triangles, MemoryBudget* memory) {
         if (memory) charge = MemoryCharge(*memory, vertices * vertex_bytes + 3 * triangles * index_bytes, "a shape");
         positions.reserve(vertices), normals.reserve(vertices), texcoords.reserve(vertices);
@@ -34,7 +35,8 @@ struct Arrays {
     }
 };
 
-/// A point of what is turned about +Y: distance from the axis, height, normal in that plane, texture coordinate.
+/// A profile point of a surface of revolution about +Y: distance from the axis, height, normal in the profile plane,
+/// texture coordinate.
 struct ProfilePoint {
     double rho, y, n_rho, n_y, v;
     bool is_pole() const { return rho == 0; }
@@ -42,12 +44,12 @@ struct ProfilePoint {
 
 enum class CapUv : std::uint8_t { around, top, bottom };
 
-/// Turns a profile that runs from the top down, so that triangles are counter-clockwise from outside. A pole has one
-/// vertex a column, with the direction of its middle: no triangle is degenerate.
+/// Revolves a profile from top to bottom, so that triangles are counter-clockwise from outside. A pole has one vertex
+/// per column, with the direction of the column's middle, so no triangle is degenerate.
 class Revolution {
 public:
     explicit Revolution(int columns) : columns_(columns) {
-        for (int i = 0; i <= 2 * columns; ++i) {  // even: columns, odd: their middles; the last is the first to the bit
+        for (int i = 0; i <= 2 * columns; ++i) {  // even: columns, odd: their middles; the last is bit-identical to the first
             const double phi = pi * double(i % (2 * columns)) / columns - pi;
             directions_.push_back(i % (2 * columns) == 0 ? dvec2{0, -1} : dvec2{math::sin(phi), math::cos(phi)});
         }
@@ -78,7 +80,7 @@ private:
         out.normals.push_back({float(p.n_rho * at.x), float(p.n_y), float(p.n_rho * at.y)});
         if (uv == CapUv::around)
             out.texcoords.push_back({float(double(half_column) / (2 * columns_)), float(p.v)});
-        else  // v: the distance from the middle, 0..1
+        else  // v: distance from the center, 0..1
             out.texcoords.push_back(
                 {float(0.5 + 0.5 * p.v * at.x), float(0.5 + (uv == CapUv::top ? 0.5 : -0.5) * p.v * at.y)});
     }
@@ -87,20 +89,19 @@ private:
     std::vector<dvec2> directions_;
 };
 
-/// Pieces that a full circle needs so that no chord is further than `tolerance` from it: r (1 - cos(pi / n)) <=
-/// tolerance.
+/// Number of segments of a full circle for a chord error of at most `tolerance`: r (1 - cos(pi / n)) <= tolerance.
 double pieces_of_circle(double radius, double tolerance) {
     const double half_angle = math::acos(1 - std::min(tolerance / radius, 0.5));
     return std::max(std::ceil(pi / half_angle), 3.0);
 }
 
 void check_count(double triangles) {
-    if (!(triangles <= most_triangles))
+    if (!(triangles <= max_triangles))
         throw Error(ErrorCode::usage, "the tolerance asks for more than 4 million triangles", {}, "say a larger one");
 }
 
 void add_sphere(double radius, double tolerance, MemoryBudget* memory, Arrays& out) {
-    // along and across add up: half of the tolerance each
+    // errors of both directions add up: half of the tolerance each
     const double columns = pieces_of_circle(radius, tolerance / 2), rows = std::max(std::ceil(columns / 2), 2.0);
     check_count(2 * columns * rows);
     const auto n = std::size_t(columns), m = std::size_t(rows);
@@ -186,7 +187,7 @@ Arrays arrays_of(const PrimitiveRequest& r, MemoryBudget* memory) {
     if (is_high) check_length(r.height, "the height");
     if (is_plane) check_length(r.width, "the width"), check_length(r.depth, "the depth");
     if (r.tolerance != 0) check_length(r.tolerance, "the tolerance");
-    if (is_plane && (r.divisions < 1 || r.divisions > most_divisions))
+    if (is_plane && (r.divisions < 1 || r.divisions > max_divisions))
         throw Error(ErrorCode::usage, "the divisions of a plane must be 1 to 1024");
     const double largest = r.radius + (is_torus ? r.tube_radius : 0);
     const double tolerance = r.tolerance != 0 ? r.tolerance : largest / 1000;
@@ -280,7 +281,7 @@ Scene make_primitive(const PrimitiveRequest& request, MemoryBudget* memory) {
     const std::string name = name_of(request.shape);
     Arrays all = arrays_of(request, memory);
     const std::size_t triangles = all.indices.size() / 3, objects = std::size_t(std::max(request.objects, 0));
-    if (objects < 1 || objects > most_objects || objects > triangles)
+    if (objects < 1 || objects > max_objects || objects > triangles)
         throw Error(ErrorCode::usage,
                     "the objects of a " + name + " must be 1 to 1024, and no more than its triangles");
     Scene scene;
@@ -294,7 +295,7 @@ Scene make_primitive(const PrimitiveRequest& request, MemoryBudget* memory) {
     }
     std::vector<std::uint32_t> number(all.positions.size(), no_index);
     for (std::size_t i = 0; i < objects; ++i)
-        add_object(name + " " + std::to_string(i + 1),
+        add_object(format_text("{} {}", name, i + 1),
                    part_of(all, triangles * i / objects, triangles * (i + 1) / objects, number, memory), scene);
     return scene;
 }

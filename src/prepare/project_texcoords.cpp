@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texture coordinates by projection, for models that bring none: box, sphere or cylinder about the world bounding box.
+// Texture coordinates by projection, for models without any: box, sphere or cylinder around the world bounding box.
 //
-// Each corner gets coordinates of its own; a vertex whose corners differ (a box edge, the seam behind, a pole) is split. In all
-// three the texture stands upright, is not mirrored as seen from outside, and v runs down.
-//   box       each triangle from the side that its normal faces most (+X, -X, ... ; the first of equals), square texels:
+// Each corner gets coordinates; vertices whose corners differ (box edge, back seam, pole) are split. In all three
+// projections the texture is upright and not mirrored seen from outside, and v points down. box each triangle from the
+// side that its normal faces most (+X, -X, ... ; the first of equals), square texels:
 //             1 is the longest edge of the bounding box
-//   sphere    u = 1/2 + longitude / 2 pi, 1/2 in front (+Z) and the seam behind; v = angle from +Y / pi
-//   cylinder  u as the sphere, v from the top to the bottom of the box; triangles that face up or down (within 45 degrees)
-//             lie flat in the texture as the box has them, else the caps would have no area in it
+// sphere    u = 1/2 + longitude / 2 pi, 1/2 in front (+Z) and the seam behind; v = angle from +Y / pi
+// cylinder  u as the sphere, v from the top to the bottom of the box; triangles that face up or down (within 45 degrees)
+// lie flat in the texture as the box has them, else the caps would have no area in it
 // A triangle across the seam is unwrapped: its u continue beyond 1. A corner on the axis takes the mean u of the others.
 #include <algorithm>
 #include <cmath>
@@ -17,6 +17,7 @@
 #include <rakelight/error.h>
 
 #include "base/cancel_check.h"
+#include "base/format_text.h"
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/prepare.h"
@@ -63,7 +64,7 @@ void project_box(const Frame& f, Corners& c) {
     }
 }
 
-/// u about the y axis, unwrapped over the triangle.
+/// u around the y axis, unwrapped over the triangle.
 void wrap_around(const Frame& f, Corners& c) {
     bool on_axis[3];
     double low = 2, high = -1, sum = 0;
@@ -73,7 +74,7 @@ void wrap_around(const Frame& f, Corners& c) {
         on_axis[k] = std::max(std::fabs(d.x), std::fabs(d.z)) <= 1e-9 * f.longest;
         if (on_axis[k]) continue;
         double u = 0.5 + math::atan2(d.x, d.z) / (2 * pi);
-        if (u >= 1) u -= 1;  // exactly behind: 0 and 1 are one place
+        if (u >= 1) u -= 1;  // exactly at the seam: 0 and 1 are one place
         c.uv[k].x = u;
         low = std::min(low, u);
         high = std::max(high, u);
@@ -109,12 +110,12 @@ void project_cylinder(const Frame& f, Corners& c) {
     for (int k = 0; k < 3; ++k) c.uv[k].y = height > 0 ? (f.high.y - c.p[k].y) / height : 0;
 }
 
-/// Coordinates of the vertices while triangles arrive: a vertex has one entry for each different pair of its corners.
+/// Incremental coordinates: a vertex has one entry for each different pair of its corners.
 class VertexCoordinates {
 public:
     explicit VertexCoordinates(std::size_t vertices) : uv_(vertices, vec2{0, 0}), next_(vertices, unused) {}
 
-    /// The vertex (old or appended) that stands for `v` with these coordinates.
+    /// The vertex (old or appended) that represents `v` with these coordinates.
     std::uint32_t vertex(std::uint32_t v, vec2 uv) {
         if (next_[v] == unused) {
             uv_[v] = uv;
@@ -136,8 +137,8 @@ public:
 
 private:
     static constexpr std::uint32_t unused = no_index - 1;
-    /// Entries of a vertex that are compared, the newest first: a fan of a million triangles about a pole, each with its own
-    /// u there, must not cost a million squared. A double entry does no harm.
+    /// Maximum number of compared entries of a vertex, newest first: a fan of a million triangles around a pole, each
+    /// with its own u, must not take quadratic time. Duplicate entries are harmless.
     static constexpr int searched = 16;
     std::vector<vec2> uv_;
     std::vector<std::uint32_t> next_;  // the next entry of the same vertex
@@ -147,7 +148,7 @@ private:
 Mesh projected(const Mesh& source, const dmat4& to_world, const Frame& frame, UvProjection projection,
                Context& context) {
     const dmat4 place = to_world * translation(source.origin);
-    const bool mirrored = determinant(upper_left(place)) < 0;  // the winding as it is drawn
+    const bool mirrored = determinant(upper_left(place)) < 0;  // the drawn winding
     context.memory().check((source.positions.size() + source.indices.size()) * 24, "texture coordinates");
     VertexCoordinates coordinates(source.positions.size());
     std::vector<std::uint32_t> indices(source.indices.begin(), source.indices.end());
@@ -170,14 +171,14 @@ Mesh projected(const Mesh& source, const dmat4& to_world, const Frame& frame, Uv
             indices[t + k] = coordinates.vertex(indices[t + k], {float(c.uv[k].x), float(c.uv[k].y)});
     }
     Mesh mesh = source;
-    mesh.tangents = {};  // they belonged to coordinates that are not there
+    mesh.tangents = {};  // they belong to missing coordinates
     const std::vector<std::uint32_t>& split = coordinates.source_vertex();
     split_vertices(mesh, split.empty() ? std::vector<std::uint32_t>{} : std::move(indices), split, context);
     std::vector<Block<vec2>> sets = std::move(mesh.texcoords);
     if (sets.empty()) sets.emplace_back();
     sets[0] = coordinates.take_coordinates();
     mesh.texcoords = std::move(sets);
-    charge_new_arrays(mesh, source, context);  // before the next placement asks for more
+    charge_new_arrays(mesh, source, context);  // before the next instance allocates
     return mesh;
 }
 
@@ -186,7 +187,7 @@ bool has_texcoords(const Mesh& mesh) {
                        [](const Block<vec2>& set) { return !set.empty(); });
 }
 
-/// The meshes as they were before the first of their placements was projected.
+/// The original meshes, before projection of their first instance.
 class Originals {
 public:
     Originals(const Scene& scene, const std::vector<Instance>& instances)
@@ -201,7 +202,7 @@ public:
 private:
     const Scene& scene_;
     std::vector<std::uint32_t> uses_;
-    std::map<std::uint32_t, Mesh> kept_;  ///< those with several placements
+    std::map<std::uint32_t, Mesh> kept_;  ///< of meshes with several instances
 };
 
 }  // namespace
@@ -225,13 +226,12 @@ Scene project_texcoords(Scene scene, UvProjection projection, Context& context) 
     const char* name = projection == UvProjection::box      ? "box"
                        : projection == UvProjection::sphere ? "sphere"
                                                             : "cylinder";
-    context.report().add(
-        Remark::note, scene.source, {},
-        std::to_string(meshes) + " meshes without texture coordinates got them by " + name + " projection");
+    context.report().add(Remark::note, scene.source, {},
+                         format_text("{} meshes without texture coordinates got them by {} projection", meshes, name));
     if (variants.copies() > 0)
-        context.report().add(Remark::note, scene.source, {},
-                             std::to_string(variants.copies()) +
-                                 " instances got a mesh of their own: they lie elsewhere in the texture");
+        context.report().add(
+            Remark::note, scene.source, {},
+            format_text("{} instances got a mesh of their own: they lie elsewhere in the texture", variants.copies()));
     return scene;
 }
 

@@ -6,7 +6,7 @@
 namespace rakelight {
 namespace {
 
-/// What of an attribute the middle of an edge has.
+/// The attribute at the middle of an edge.
 template <class T>
 T halfway(T a, T b) {
     return (a + b) * 0.5f;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mesh after its triangles were cut: all arrays follow.
+// A mesh after tessellation, with all arrays.
 #pragma once
 #include <rakelight/scene.h>
 
@@ -7,8 +7,8 @@
 
 namespace rakelight {
 
-/// New vertices have of every attribute the mean of the two that they stand between (normals and tangents are not unit then);
-/// smoothing groups follow by FineMesh::source_triangle. Polygons, hints, joint influences and morph targets are gone.
+/// Attributes of new vertices are the mean of the two end points (normals and tangents are then not unit); smoothing
+/// groups follow by FineMesh::source_triangle. Polygons, hints, joint influences and morph targets are removed.
 Mesh refined_mesh(const Mesh& coarse, const geometry::FineMesh& fine);
 
 }  // namespace rakelight

@@ -10,11 +10,11 @@
 namespace rakelight {
 namespace {
 
-constexpr float unit_tolerance = 1e-3f;       // below this a vector counts as unit and its block is shared as it is
-constexpr float quantized_tolerance = 2e-2f;  // bytes give unit vectors to about 1 / 127: no fault of the file
-constexpr float huge_texcoord = 1e6f;         // a float texel address has no sub-texel digits left
+constexpr float unit_tolerance = 1e-3f;       // below this a vector counts as unit and its block stays shared
+constexpr float quantized_tolerance = 2e-2f;  // normal precision of unit vectors stored as bytes, about 1 / 127
+constexpr float huge_texcoord = 1e6f;         // beyond this, float texel coordinates have no fractional digits
 
-/// How an array of directions looks, in one pass.
+/// Statistics of an array of directions, in one pass.
 struct DirectionCheck {
     std::size_t broken = 0;  ///< zero or not finite
     float off_unit = 0;      ///< largest | |v|^2 - 1 | of the others
@@ -58,13 +58,13 @@ void fill_broken(const Mesh& mesh, std::vector<vec3>& normals, Context& context)
         if (is_broken(normals[v])) normals[v] = computed.normals[v];
 }
 
-/// Whether some tangent leaves no direction in the surface: within 0.06 degrees of its normal.
+/// Whether any tangent is parallel to its normal within 0.06 degrees.
 bool has_parallel_tangents(const Mesh& mesh) {
-    constexpr double least_sine = 1e-3;
+    constexpr double min_sine = 1e-3;
     for (std::size_t v = 0; v < mesh.tangents.size(); ++v) {
         const dvec3 n = cast<double>(mesh.normals[v]), t = cast<double>(mesh.tangents[v].xyz());
         const dvec3 across = cross(n, t);
-        if (!(dot(across, across) > least_sine * least_sine * dot(n, n) * dot(t, t))) return true;
+        if (!(dot(across, across) > min_sine * min_sine * dot(n, n) * dot(t, t))) return true;
     }
     return false;
 }

@@ -7,6 +7,7 @@
 #include <rakelight/prepare.h>
 #include <rakelight/validate.h>
 
+#include "base/format_text.h"
 #include "prepare/bind_pose.h"
 #include "prepare/moving_placements.h"
 #include "prepare/normal_rule.h"
@@ -16,7 +17,7 @@
 namespace rakelight {
 namespace {
 
-/// What matches one another.
+/// A set of meshes that may match.
 struct BorderSet {
     MatchOptions options;
     PlacedParts parts;
@@ -61,8 +62,8 @@ private:
     std::vector<BorderSet> sets_;
 };
 
-/// The placements of a posed scene in the order in which they were matched. A mesh that moves has one placement, which may
-/// hang from another node now; those of the others stand in their old order.
+/// The instances of a posed scene in the order of matching. An animated mesh has one instance, possibly at another
+/// node; the others keep their order.
 std::vector<Instance> found_again(const Scene& scene, const std::vector<Instance>& matched) {
     std::vector<std::vector<Instance>> shown(scene.meshes.size());
     for (const Instance& instance : drawn_instances(scene)) shown[instance.mesh].push_back(instance);
@@ -84,7 +85,7 @@ MatchReport sum(const MatchReport& a, const MatchReport& b) {
     return all;
 }
 
-/// Why no mesh takes part.
+/// Why no mesh is matched.
 std::string why_none(NormalSource source) {
     if (source == NormalSource::file) return "'normals' file keeps what the file has";
     return "faces are flat here, or have no normals; 'normals' model smooths";
@@ -178,17 +179,14 @@ void report_borders(const Scene& scene, const BorderRequest& request, const Bord
     else
         report.add(Remark::note, scene.source, {}, describe(borders));
     if (borders.vertices_not_searched > 0)
-        say(Remark::warning,
-            std::to_string(borders.vertices_not_searched) +
-                " border vertices were not searched for borders beside them: too many edges are near one "
-                "another for 'border-distance' " +
-                digits(request.options.distance));
+        say(Remark::warning, format_text("{} border vertices were not searched for borders beside them: too many edges "
+                                         "are near one another for 'border-distance' {}",
+                                         borders.vertices_not_searched, digits(request.options.distance)));
 }
 
 std::string describe(const MatchReport& borders) {
-    std::string text = std::to_string(borders.following) + " border vertices follow " +
-                       std::to_string(borders.leading) + " leading ones; " + std::to_string(borders.turned) +
-                       " normals turn";
+    std::string text = format_text("{} border vertices follow {} leading ones; {} normals turn", borders.following,
+                                   borders.leading, borders.turned);
     if (borders.turned > 0)
         text += " (at most " + digits(borders.max_deg) + " degrees, " + digits(borders.mean_deg) + " on average)";
     return text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rule of <rakelight/matching_borders.h> over a scene: which placements match, once; where they turn, in any pose.
+// Applies <rakelight/matching_borders.h> to a scene: matches instances once, computes normals for any pose.
 #pragma once
 #include <optional>
 #include <string>
@@ -14,42 +14,42 @@ namespace rakelight {
 
 struct BorderRequest {
     MatchOptions options{};
-    /// Set: meshes take part by their normal_rule(), in sets by the scope over which they are smoothed, by their own crease
-    /// angles, and `keep_flat` is for the sets in which some mesh joins seams. Unset: all, by `options`.
+    /// Set: meshes match by their normal_rule(), in sets by smoothing scope and with their own crease angles;
+    /// `keep_flat` applies to sets with a mesh that joins seams. Absent: all meshes, by `options`.
     std::optional<NormalSource> source{};
-    bool keep_instances = false;  ///< instances share the first one's mesh even where they touch different things; said
+    bool keep_instances = false;  ///< instances share the first one's mesh even if their neighbors differ; reported
 };
 
-/// Placements of one scope, and which of their borders match.
+/// Instances of one scope with their matched borders.
 struct BoundBorders {
     BorderMatch match;
-    std::vector<Instance> instances;  ///< as match_borders() was given them
-    bool moves = false;               ///< some follow a skin or have morph targets
+    std::vector<Instance> instances;  ///< as given to match_borders()
+    bool moves = false;               ///< some are skinned or morphed
 };
 
-/// What became of all borders of a scene.
+/// Results over all borders of a scene.
 struct BorderOutcome {
     MatchReport report;
-    bool takes_part = false;  ///< some mesh does
+    bool takes_part = false;  ///< any mesh was matched
 };
 
-/// Of the drawn triangle meshes that have normals, skinned ones in bind pose; the scene must be valid. Tangents and the
-/// offsets of morph targets turn along.
-/// @param moving  not null: sets that move are put there and not joined, but counted as if they were
+/// For drawn triangle meshes with normals, skinned ones in bind pose; the scene must be valid. Tangents and offsets of
+/// morph targets rotate with the normals.
+/// @param moving not null: gets animated sets, which are not joined but counted
 Scene join_borders(Scene scene, const BorderRequest& request, BorderOutcome& outcome, Context& context,
                    std::vector<BoundBorders>* moving = nullptr);
 
-/// One set: the normals as they stand in the scene, that which was matched or what posed_scene() made of it.
+/// One set: the current normals of the matched scene, or of its posed_scene().
 Scene join_borders(Scene scene, const BoundBorders& borders, bool keep_instances, MatchReport& report,
                    Context& context);
 
-/// Meshes whose own normals `automatic` keeps ask for `seams` from now on.
+/// Meshes whose normals `automatic` keeps get `seams`.
 void join_kept_normals(Scene& scene);
 
-/// Notes what became of them, and warns of what was asked for and did not happen.
+/// Adds remarks on the results, and warnings if nothing matched.
 void report_borders(const Scene& scene, const BorderRequest& request, const BorderOutcome& outcome, Report& report);
 
-/// For people: "31 border vertices follow 12 leading ones; 40 normals turn (at most 8.5 degrees, 2.1 on average)".
+/// Readable text: "31 border vertices follow 12 leading ones; 40 normals turn (at most 8.5 degrees, 2.1 on average)".
 std::string describe(const MatchReport& borders);
 
 }  // namespace rakelight

@@ -8,7 +8,7 @@
 namespace rakelight {
 namespace {
 
-// Beyond these, squares (lengths) and products of two edges (areas) overflow or vanish in float.
+// Beyond these, squared lengths and areas over- or underflow in float.
 constexpr float huge_position = 1e18f;
 constexpr float tiny_extent = 1e-12f;
 
@@ -39,14 +39,14 @@ void drop_broken_triangles(Mesh& mesh, std::vector<Finding>& findings) {
     mesh.positions = std::move(positions);
 }
 
-/// In double: exact for the products of float differences that matter here, and 1e30 and 1e-30 stay in range.
+/// In double: exact for products of float differences, and without over- or underflow for 1e30 and 1e-30.
 bool has_area(const Mesh& mesh, std::size_t t) {
     const auto corner = [&](std::size_t k) { return cast<double>(mesh.positions[mesh.indices[3 * t + k]]); };
     const dvec3 a = corner(0), n = cross(corner(1) - a, corner(2) - a);
     return n.x != 0 || n.y != 0 || n.z != 0;
 }
 
-bool any_triangle_has_area(const Mesh& mesh) {  // ends at the first one: usually at once
+bool any_triangle_has_area(const Mesh& mesh) {  // stops at the first one, usually at once
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
         if (has_area(mesh, t)) return true;
     return false;

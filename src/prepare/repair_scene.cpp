@@ -22,16 +22,16 @@ bool is_textured(const Scene& scene, const Mesh& mesh) {
     return std::any_of(roles.begin(), roles.end(), [&m](const TextureRole& role) { return bool(role.in(m)); });
 }
 
-/// A column of no length, or three columns in a plane (to twelve digits).
+/// A zero column, or three coplanar columns (to twelve digits).
 bool flattens(const dmat4& m) {
     const dvec3 a = normalize_or(m[0].xyz(), dvec3{0, 0, 0}), b = normalize_or(m[1].xyz(), dvec3{0, 0, 0}),
                 c = normalize_or(m[2].xyz(), dvec3{0, 0, 0});
     return std::fabs(dot(a, cross(b, c))) <= 1e-12;
 }
 
-/// What to warn of where squares of lengths do not fit a float; null: nothing.
+/// The warning if squared lengths exceed the float range; null: none.
 const char* extreme_scale(const dmat4& m) {
-    constexpr double largest = 1e18;  // as for positions: repair_positions.cpp
+    constexpr double largest = 1e18;  // limits as in repair_positions.cpp
     for (std::size_t c = 0; c < 3; ++c) {
         const dvec3 v = m[c].xyz();
         const double size = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});

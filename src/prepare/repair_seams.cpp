@@ -5,6 +5,7 @@
 
 #include <rakelight/validate.h>
 
+#include "base/format_text.h"
 #include "prepare/bind_pose.h"
 #include "prepare/normal_rule.h"
 #include "prepare/prepare.h"
@@ -53,14 +54,14 @@ Scene repair_seams(const Scene& scene, const SeamOptions& options, Context& cont
 
 std::string describe(const SeamReport& seams) {
     char text[200];
-    std::string out = std::to_string(seams.turned) + " of " + std::to_string(seams.normals) + " authored normals turn";
+    std::string out = format_text("{} of {} authored normals turn", seams.turned, seams.normals);
     if (seams.turned > 0) {
         std::snprintf(text, sizeof text, " (at most %.3g degrees, %.3g on average)", seams.max_deg, seams.mean_deg);
         out += text;
     }
     if (seams.flat_pairs > 0)
-        out += ", " + std::to_string(seams.flat_pairs) + " pairs of flat faces at borders keep their edge";
-    if (seams.unusable > 0) out += ", " + std::to_string(seams.unusable) + " that are zero or not finite stay so";
+        out += format_text(", {} pairs of flat faces at borders keep their edge", seams.flat_pairs);
+    if (seams.unusable > 0) out += format_text(", {} that are zero or not finite stay so", seams.unusable);
     return out;
 }
 

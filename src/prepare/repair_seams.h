@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rule of <rakelight/seams.h> over a scene: what goes in, and where the turned normals go.
+// Applies join_seams() of <rakelight/seams.h> to a scene.
 #pragma once
 #include <optional>
 #include <string>
@@ -11,16 +11,17 @@ namespace rakelight {
 
 struct SeamRequest {
     SeamOptions options{};
-    /// Set: only meshes whose normal_rule() by it joins seams, by their own crease angles. Unset: all.
+    /// Set: only meshes whose normal_rule() joins seams, with their own crease angles. Absent: all.
     std::optional<NormalSource> source{};
-    bool keep_instances = false;  ///< instances share the first one's mesh even where they touch different things; said
+    bool keep_instances = false;  ///< instances share the first one's mesh even if their neighbors differ; reported
 };
 
-/// Normals of the drawn triangle meshes that have some, joined where meshes meet; the scene must be valid. Tangents and the
-/// offsets of morph targets turn along.
+/// Joins the normals of drawn triangle meshes where they meet; the scene must be valid. Tangents and offsets of morph
+/// targets rotate with the normals.
 Scene join_seams(Scene scene, const SeamRequest& request, SeamReport& seams, Context& context);
 
-/// For people: "12 of 340 authored normals turn (at most 8.5 degrees, 2.1 on average)", and how many flat pairs stay.
+/// Readable text: "12 of 340 authored normals turn (at most 8.5 degrees, 2.1 on average)", and how many flat pairs
+/// stay.
 std::string describe(const SeamReport& seams);
 
 }  // namespace rakelight

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normals and tangents of a scene by the door of <rakelight/attributes.h>: what goes in, and where the results go.
+// Computes normals and tangents of a scene by compute_attributes(): inputs, and placement of the results.
 #include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <string>
 
+#include "base/format_text.h"
 #include "geometry/attribute_input.h"
 #include "geometry/mesh_islands.h"
 #include "math/linear.h"
@@ -47,7 +48,7 @@ AttributeMesh attribute_mesh(const Scene& scene, const Instance& instance, const
     return out;
 }
 
-/// Results are vectors of our own making, but a file decides how many placements there are.
+/// Charges results, because their size depends on the number of instances in the file.
 void check_memory(const std::vector<AttributeMesh>& meshes, Context& context) {
     std::uint64_t bytes = meshes.size() * (sizeof(AttributeMesh) + 2 * sizeof(MeshAttributes));
     for (const AttributeMesh& m : meshes)
@@ -56,8 +57,8 @@ void check_memory(const std::vector<AttributeMesh>& meshes, Context& context) {
     context.memory().check(bytes, "normals and tangents of all instances");
 }
 
-/// All meshes that get vertices of their own, with normals and tangents that they had none of, together.
-/// @param numbers  of the meshes, as `results` has them
+/// Total size of all meshes that get new vertices, normals or tangents.
+/// @param numbers mesh indices, in the order of `results`
 void check_split(const Scene& scene, const std::vector<std::uint32_t>& numbers,
                  const std::vector<MeshAttributes>& results, Context& context) {
     std::uint64_t bytes = 0;
@@ -78,7 +79,7 @@ AttributeOptions options_for(const SmoothRequest& request, const std::vector<Att
     return options;
 }
 
-/// [computed] follow a skin or have morph targets.
+/// [computed] whether skinned or morphed.
 std::vector<bool> moving(const Scene& scene, const SmoothSelection& s) {
     std::vector<bool> result;
     for (const std::size_t i : s.computed) {
@@ -88,15 +89,15 @@ std::vector<bool> moving(const Scene& scene, const SmoothSelection& s) {
     return result;
 }
 
-/// In two steps, of which the first is kept; MadeAttributes::numbers are still to be found.
+/// In two steps, and stores the first; GeneratedAttributes::numbers are set later.
 Computed compute_to_keep(const Scene& scene, const SmoothSelection& s, std::vector<AttributeMesh> meshes,
-                         const AttributeOptions& options, std::vector<MadeAttributes>& made, Context& context) {
+                         const AttributeOptions& options, std::vector<GeneratedAttributes>& made, Context& context) {
     Computed computed;
     const AttributePlan plan = group(meshes, options, context);
     computed.attributes = accumulate(plan, meshes, context);
     std::vector<std::uint32_t> islands = geometry::mesh_islands(plan);
     made.push_back({.plan = plan, .meshes = std::move(meshes), .islands = std::move(islands)});
-    MadeAttributes& kept = made.back();
+    GeneratedAttributes& kept = made.back();
     for (const std::size_t i : s.computed) {
         kept.sources.push_back(scene.meshes[s.instances[i].mesh]);
         kept.nodes.push_back(s.instances[i].node);
@@ -106,7 +107,7 @@ Computed compute_to_keep(const Scene& scene, const SmoothSelection& s, std::vect
     return computed;
 }
 
-/// In two steps where there are morph targets, so that what does not move has offsets of exactly 0.
+/// In two steps if there are morph targets, so that unmoved vertices have offsets of exactly 0.
 Computed compute(const Scene& scene, const std::vector<std::uint32_t>& numbers,
                  const std::vector<AttributeMesh>& meshes, const AttributeOptions& options, Context& context) {
     bool has_targets = false;
@@ -131,11 +132,10 @@ void report_faults(const Scene& scene, const std::vector<std::uint32_t>& numbers
     for (std::size_t r = 0; r < results.size(); ++r) {
         const std::uint32_t number = numbers[r];
         const Mesh& mesh = scene.meshes[number];
-        // That all of them are degenerate is a warning of prepare's own check.
+        // If all of them are degenerate, prepare_scene() warns.
         if (options.normals && results[r].degenerate_faces > 0 && results[r].degenerate_faces < mesh.triangle_count())
-            report.add(
-                Remark::note, scene.source, "mesh " + std::to_string(number) + " '" + mesh.name + "'",
-                std::to_string(results[r].degenerate_faces) + " triangles of no area have no say in the normals");
+            report.add(Remark::note, scene.source, format_text("mesh {} '{}'", number, mesh.name),
+                       format_text("{} triangles of no area have no say in the normals", results[r].degenerate_faces));
         if (results[r].inverted_faces > 0 && inverted.first_mesh == no_index) inverted.first_mesh = number;
         inverted.triangles += results[r].inverted_faces;
         if (!results[r].tangents.empty()) inverted.of += mesh.triangle_count();
@@ -146,7 +146,7 @@ void report_faults(const Scene& scene, const std::vector<std::uint32_t>& numbers
     report_inverted(scene, inverted, options.tangent_mode, report);
 }
 
-/// Where parts have angles of their own.
+/// Whether parts have their own crease angles.
 void note_creases(const Scene& scene, const SmoothRequest& request, const std::vector<AttributeMesh>& meshes,
                   Report& report) {
     if (!request.source || request.every_scope || request.attributes.scope != Scope::model) return;
@@ -161,8 +161,8 @@ void note_creases(const Scene& scene, const SmoothRequest& request, const std::v
 
 }  // namespace
 
-std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentWish wish) {
-    if (wish == TangentWish::none) return no_index;
+std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentNeed need) {
+    if (need == TangentNeed::none) return no_index;
     const auto has = [&](std::uint32_t set) { return set < mesh.texcoords.size() && !mesh.texcoords[set].empty(); };
     if (mesh.material != no_index) {
         const Material& m = scene.materials[mesh.material];
@@ -170,9 +170,9 @@ std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentWish wish
         for (const TextureUse* use :
              {&m.normal_texture, &m.height_texture, &p.clearcoat_normal_texture, &p.anisotropy_texture})
             if (*use) return has(use->texcoord_set) ? use->texcoord_set : no_index;
-        if (wants_tangents(m)) wish = TangentWish::everywhere;
+        if (needs_tangents(m)) need = TangentNeed::everywhere;
     }
-    if (wish == TangentWish::everywhere)
+    if (need == TangentNeed::everywhere)
         for (std::uint32_t set = 0; set < mesh.texcoords.size(); ++set)
             if (has(set)) return set;
     return no_index;
@@ -214,7 +214,7 @@ Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context)
 
 namespace {
 
-// The normals of the scene as it stands; the sums of the publication run over everything that is placed.
+// Existing normals of the scene; the sums of the published modes include all instances.
 Scene add_published_tangents(Scene scene, const SmoothRequest& request, Context& context) {
     SmoothRequest all = request;
     all.attributes.normals = false;
@@ -234,7 +234,7 @@ Scene add_published_tangents(Scene scene, const SmoothRequest& request, Context&
 }  // namespace
 
 Scene add_missing_tangents(Scene scene, const SmoothRequest& request, Context& context) {
-    if (request.tangents == TangentWish::none) return scene;
+    if (request.tangents == TangentNeed::none) return scene;
     if (is_published(request.kept_tangents)) return add_published_tangents(std::move(scene), request, context);
     std::vector<std::uint32_t> numbers;
     std::vector<bool> seen(scene.meshes.size(), false);
@@ -242,7 +242,7 @@ Scene add_missing_tangents(Scene scene, const SmoothRequest& request, Context& c
     SmoothRequest only = request;
     only.attributes.normals = false;
     only.attributes.tangent_mode = request.kept_tangents;
-    only.attributes.scope = Scope::object;  // kept normals: each mesh by itself, so that instances stay shared
+    only.attributes.scope = Scope::object;  // kept normals: each mesh separately, so that instances stay shared
     for (const Instance& instance : drawn_instances(scene)) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         if (seen[instance.mesh] || mesh.normals.empty() || !mesh.tangents.empty()) continue;
@@ -264,15 +264,15 @@ Scene add_missing_tangents(Scene scene, const SmoothRequest& request, Context& c
 Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Context& context) {
     SmoothRequest request;
     request.attributes = options.attributes;
-    request.tangents = options.attributes.tangents ? TangentWish::everywhere : TangentWish::none;
+    request.tangents = options.attributes.tangents ? TangentNeed::everywhere : TangentNeed::none;
     request.only_missing = options.only_missing;
     if (options.tangents) request.attributes.tangent_mode = request.kept_tangents = *options.tangents;
     if (is_published(request.attributes.tangent_mode)) request.kept_tangents = request.attributes.tangent_mode;
     Scene out = options.attributes.normals ? smooth_meshes(scene, request, context) : scene;
-    if (request.tangents != TangentWish::none) {
+    if (request.tangents != TangentNeed::none) {
         if (!options.attributes.normals && !options.only_missing)
             for (Mesh& mesh : out.meshes)
-                if (tangent_set(out, mesh, request.tangents) != no_index) mesh.tangents = {};  // to be made anew
+                if (tangent_set(out, mesh, request.tangents) != no_index) mesh.tangents = {};  // to be recomputed
         out = add_missing_tangents(std::move(out), request, context);
     }
     charge_new_arrays(out, unpaid_arrays(scene), context);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scope model: every placement goes in at its place in the world. Scopes face and object do not look beyond the object,
-// so a placement that only moves, turns, mirrors or scales evenly has the results of the first one of its kind: it is
+// Scope model: every instance is an input in world space. Scopes face and object depend only on the object, so a
+// placement that only moves, turns, mirrors or scales evenly has the results of the first one of its kind: it is
 // computed once, about its own origin, and instances stay shared to the bit (so do copies of a mesh that share its
-// arrays). Under an uneven scale angles differ: computed apart.
+// arrays). Under non-uniform scale angles differ, so instances are computed separately.
 #include "prepare/smooth_selection.h"
 
 #include <algorithm>
@@ -25,8 +25,8 @@ bool have_same_arrays(const Mesh& a, const Mesh& b) {
            b.targets.empty();
 }
 
-/// [meshes] The first one of which the same becomes, or the mesh itself: a file that stands several times in a world
-/// gives several meshes with the same arrays.
+/// [meshes] The first mesh with an equal result, or the mesh itself: a file used several times in a world gives several
+/// meshes with the same arrays.
 std::vector<std::uint32_t> first_alike(const Scene& scene, const SmoothRequest& request) {
     constexpr std::size_t searched = 64;
     std::vector<std::uint32_t> first(scene.meshes.size());
@@ -37,7 +37,7 @@ std::vector<std::uint32_t> first_alike(const Scene& scene, const SmoothRequest& 
         auto& candidates = seen[mesh.positions.identity()];
         for (const std::uint32_t c : candidates) {
             const Mesh& other = scene.meshes[c];
-            const bool moves_alone = request.made && !mesh.influences.empty();  // see MadeAttributes
+            const bool moves_alone = request.made && !mesh.influences.empty();  // see GeneratedAttributes
             if (first[m] == m && !moves_alone && have_same_arrays(mesh, other) &&
                 mesh.normal_choice == other.normal_choice &&
                 tangent_set(scene, mesh, request.tangents) == tangent_set(scene, other, request.tangents))
@@ -48,7 +48,7 @@ std::vector<std::uint32_t> first_alike(const Scene& scene, const SmoothRequest& 
     return first;
 }
 
-/// For scope object: the first earlier node that lists the same meshes evenly placed too, or the node itself.
+/// For scope object: the first earlier node with the same meshes and a similarity transform, or the node itself.
 /// @param first  [meshes] of first_alike()
 std::vector<std::uint32_t> alike_nodes(const Scene& scene, const std::vector<std::uint32_t>& first,
                                        const std::vector<bool>& even) {
@@ -57,7 +57,7 @@ std::vector<std::uint32_t> alike_nodes(const Scene& scene, const std::vector<std
         return std::equal(a.meshes.begin(), a.meshes.end(), b.meshes.begin(), b.meshes.end(),
                           [&](std::uint32_t x, std::uint32_t y) { return first[x] == first[y]; });
     };
-    // Candidates by their first mesh: nodes that list the same meshes share it.
+    // Candidates by their first mesh.
     std::vector<std::vector<std::uint32_t>> seen(scene.meshes.size());
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
         alike[i] = i;
@@ -71,7 +71,7 @@ std::vector<std::uint32_t> alike_nodes(const Scene& scene, const std::vector<std
     return alike;
 }
 
-/// Tangents beside normals of the file are averaged over the model.
+/// Tangents for normals of the file are averaged over the model.
 bool is_of_scope(const Scene& scene, const Mesh& mesh, const SmoothRequest& request) {
     if (!request.source || request.every_scope) return true;
     const NormalRule rule = normal_rule(scene, mesh, *request.source);
@@ -102,7 +102,7 @@ SmoothSelection select_instances(const Scene& scene, const SmoothRequest& reques
         for (std::size_t i = 0; i < even.size(); ++i) even[i] = scope == Scope::face || is_similarity(world[i]);
     const auto first = scope == Scope::model ? std::vector<std::uint32_t>{} : first_alike(scene, request);
     const auto alike = scope == Scope::object ? alike_nodes(scene, first, even) : std::vector<std::uint32_t>{};
-    // Where results can be shared: by mesh (face) or by leading node and slot (object).
+    // Keys for sharing results: mesh (face), or leading node and slot (object).
     std::vector<std::size_t> by_mesh(scene.meshes.size(), no_index);
     std::vector<std::vector<std::size_t>> by_slot(scope == Scope::object ? scene.nodes.size() : 0);
     for (std::size_t i = 0; i < s.instances.size(); ++i) {

@@ -21,7 +21,7 @@ struct SmoothSelection {
 /// Moves, turns, mirrors and scales evenly (to nine digits), so that angles stay.
 bool is_similarity(const dmat4& m);
 
-/// @param world  [nodes] where the placements stand
+/// @param world [nodes] placements
 SmoothSelection select_instances(const Scene& scene, const SmoothRequest& request, const std::vector<dmat4>& world);
 
 }  // namespace rakelight

@@ -15,13 +15,13 @@
 namespace rakelight {
 namespace {
 
-constexpr float rim_radius = 1.5f;  ///< of a splat, in spacings: scattered points leave few gaps then
-constexpr float flat_half = 0.8f;   ///< half the side of a flat square over the radius
+constexpr float rim_radius = 1.5f;  ///< of a splat, in spacings, so that scattered points leave few gaps
+constexpr float flat_half = 0.8f;   ///< half side of a flat square divided by the radius
 constexpr float sine_60 = 0.8660254f;
-constexpr float mark_diameter = 2.6f;            ///< of a disc on the screen, likewise
-constexpr float most_of_median = 4;              ///< points far from all others are not larger than this many medians
-constexpr float most_of_box = 0.025f;            ///< of the box's diagonal: a few points are dots and not a surface
-constexpr std::size_t least_for_normals = 1000;  ///< fewer points show no surface
+constexpr float mark_diameter = 2.6f;          ///< of a disc on the screen, in the same unit
+constexpr float max_of_median = 4;             ///< limit for isolated points, in median sizes
+constexpr float max_of_box = 0.025f;           ///< of the box's diagonal: limit for few points, which are dots and not a surface
+constexpr std::size_t min_for_normals = 1000;  ///< fewer points show no surface
 constexpr std::size_t points_per_task = 1 << 14;
 
 float diagonal_of(const Block<vec3>& positions) {
@@ -33,12 +33,12 @@ float diagonal_of(const Block<vec3>& positions) {
 }
 
 bool may_be_splat(const Scene& scene, const Mesh& mesh) {
-    const bool is_lit = !mesh.normals.empty() || (mesh.colors.empty() && mesh.positions.size() >= least_for_normals);
-    return is_lit && mesh.influences.empty() && mesh.targets.empty() && mesh.indices.size() <= most_splats &&
-           !(mesh.material != no_index && wants_tangents(scene.materials[mesh.material]));
+    const bool is_lit = !mesh.normals.empty() || (mesh.colors.empty() && mesh.positions.size() >= min_for_normals);
+    return is_lit && mesh.influences.empty() && mesh.targets.empty() && mesh.indices.size() <= max_splats &&
+           !(mesh.material != no_index && needs_tangents(scene.materials[mesh.material]));
 }
 
-/// How the pieces of a mesh are made: splats, or squares in one plane where there are many, which are small on the picture.
+/// Geometry of points: splats, or flat squares for many points, which are small on the screen.
 struct Layout {
     bool is_flat;
     std::size_t vertices() const { return is_flat ? 4 : splat_vertices; }
@@ -47,14 +47,14 @@ struct Layout {
         constexpr std::uint32_t order[6] = {0, 1, 2, 0, 2, 3};
         return is_flat ? order[k] : splat_corner(k);
     }
-    /// Of as many bytes as a point comes to.
+    /// Bytes per point.
     std::uint64_t bytes(const Mesh& mesh) const {
         return vertices() * (2 * sizeof(vec3) + sizeof(vec4) + mesh.texcoords.size() * sizeof(vec2)) +
                corners() * sizeof(std::uint32_t);
     }
 };
 
-/// Arrays of the pieces of P points.
+/// Vertex arrays for P points.
 struct Splats {
     Layout layout;
     std::vector<vec3> positions, normals;
@@ -63,7 +63,7 @@ struct Splats {
     std::vector<std::uint32_t> indices;
 
     Splats(const Mesh& mesh, std::size_t points)
-        : layout{points > most_raised},
+        : layout{points > max_raised},
           positions(layout.vertices() * points),
           normals(positions.size()),
           colors(mesh.colors.empty() ? 0 : positions.size()),
@@ -91,7 +91,7 @@ struct Splats {
 };
 
 std::uint64_t bytes_of_splats(const Mesh& mesh, std::size_t points) {
-    return points * Layout{points > most_raised}.bytes(mesh);
+    return points * Layout{points > max_raised}.bytes(mesh);
 }
 
 bool is_direction(vec3 n) { return std::fabs(dot(n, n) - 1) < 0.01f; }
@@ -100,11 +100,11 @@ class Splatter {
 public:
     Splatter(Scene& scene, Context& context) : scene_(scene), context_(context) {}
 
-    /// @return the points of the mesh that have no normal, as a mesh of their own; without indices where there are none
+    /// @return the points without a normal as a separate mesh; without indices if there are none
     Mesh run(std::uint32_t number) {
         Mesh& mesh = scene_.meshes[number];
         const std::vector<float> spacing = geometry::point_spacing(mesh.positions, context_);
-        const float median = geometry::median_spacing(spacing), most = most_of_box * diagonal_of(mesh.positions);
+        const float median = geometry::median_spacing(spacing), most = max_of_box * diagonal_of(mesh.positions);
         if (mesh.normals.empty() && !find_normals(mesh, spacing)) return {};
         std::vector<std::uint32_t> lit, others;
         for (const std::uint32_t v : mesh.indices)
@@ -114,12 +114,13 @@ public:
         rest.indices = others;
         rest.normals = {};
         make_splats(mesh, lit, [&](std::uint32_t v) {
-            return std::min(rim_radius * std::min(spacing[v], most_of_median * median), most);
+            return std::min(rim_radius * std::min(spacing[v], max_of_median * median), most);
         });
         return rest;
     }
 
-    /// Points without normals and colors would be a silhouette. @return whether they lie in a surface
+    /// Estimates normals for points without normals and colors.
+    /// @return whether they lie on a surface
     bool find_normals(Mesh& mesh, const std::vector<float>& spacing) {
         std::vector<vec3> normals = geometry::point_normals(mesh.positions, spacing, context_);
         if (normals.empty()) return false;
@@ -130,7 +131,7 @@ public:
         return true;
     }
 
-    /// The material of what both sides show of.
+    /// The two-sided material.
     std::uint32_t two_sided(std::uint32_t material) {
         if (scene_.materials[material].double_sided) return material;
         const auto [entry, is_new] = two_sided_.try_emplace(material, std::uint32_t(scene_.materials.size()));
@@ -160,7 +161,7 @@ private:
         mesh.colors = block(splats.colors), mesh.indices = block(splats.indices);
         for (std::size_t s = 0; s < mesh.texcoords.size(); ++s) mesh.texcoords[s] = block(splats.texcoords[s]);
         mesh.tangents = {};
-        mesh.arrays.clear();  // they are one a point; colors were made of them before
+        mesh.arrays.clear();  // they are one per point; colors were made of them before
         mesh.material = two_sided(mesh.material);
     }
 
@@ -171,7 +172,7 @@ private:
 
 double length_of(const dvec4& column) { return std::sqrt(dot(column.xyz(), column.xyz())); }
 
-/// Numbers of the meshes that become splats.
+/// Indices of the meshes that become splats.
 std::vector<std::uint32_t> meshes_to_splat(const Scene& scene) {
     std::vector<std::uint32_t> numbers;
     for (std::uint32_t m = 0; m < scene.meshes.size(); ++m)
@@ -211,7 +212,7 @@ std::optional<double> point_diameter(const Scene& scene, Context& context) {
             if (is_new)
                 entry->second =
                     std::min(mark_diameter * geometry::median_spacing(geometry::point_spacing(mesh.positions, context)),
-                             2 * most_of_box * diagonal_of(mesh.positions));
+                             2 * max_of_box * diagonal_of(mesh.positions));
             const double scale = (length_of(world[n][0]) + length_of(world[n][1]) + length_of(world[n][2])) / 3;
             const double diameter = scale * double(entry->second);
             if (diameter > 0 && !(smallest && *smallest <= diameter)) smallest = diameter;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points as what can be seen of them: small pieces of surface where they have normals, and a size by their spacing.
+// Point rendering: splats for points with normals, and point sizes from the spacing.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -9,20 +9,20 @@
 
 namespace rakelight {
 
-/// Points of a mesh of more are not made into pieces of surface.
-inline constexpr std::size_t most_splats = 6'000'000;
-/// Of more each is a square of two triangles in place of a splat, which has twelve.
-inline constexpr std::size_t most_raised = 300'000;
+/// Meshes with more points get no splats.
+inline constexpr std::size_t max_splats = 6'000'000;
+/// With more points, each becomes a square of two triangles instead of a splat of twelve.
+inline constexpr std::size_t max_raised = 300'000;
 
-/// Meshes of points with normals become splats (scene/splat_mesh.h) in the plane of their normals, as large as closes a surface that
-/// the points lie in (surface elements: Pfister et al. 2000, "Surfels"). Where they overlap the nearest center shows. They are lit as
-/// surfaces are, by every engine, and both sides of them show. Points without a normal stay points, in a mesh of their
-/// own. Where there are neither normals nor colors, normals are found from neighbors, if the points lie in a surface.
+/// Converts points with normals to splats (scene/splat_mesh.h) perpendicular to their normals, large enough to close
+/// the sampled surface (surfels: Pfister et al. 2000, "Surfels"). Overlapping splats show the nearest center. They are
+/// two-sided and lit like surfaces by every engine. Points without a normal stay points in a separate mesh. Without
+/// normals and colors, normals are estimated from neighbors if the points lie on a surface.
 /// @throws Error bad_file: over the memory limit; failed: cancelled
 Scene splat_points(Scene scene, Context& context);
 
-/// [m] in the world: the diameter of discs that close a surface that the scene's points lie in, of the densest mesh; nothing where
-/// there are no points, or all lie in one place.
+/// [m] in world space: the diameter of discs that close the surface sampled by the scene's points, for the densest
+/// mesh; nothing without points, or if all are at one place.
 std::optional<double> point_diameter(const Scene& scene, Context& context);
 
 }  // namespace rakelight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vertices that became two: every array of the mesh follows.
+// Splits vertices in all arrays of a mesh.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -14,8 +14,8 @@ namespace rakelight {
 std::uint64_t vertex_bytes(const Mesh& mesh);
 
 /// Appends one vertex for each entry of `source_vertex` [each < V], a copy of that vertex in all arrays of the mesh
-/// (normals, tangents, texture coordinates, colors, influences and morph targets too), and puts `indices` in force.
-/// Nothing happens when `source_vertex` is empty and `indices` is empty. The memory is checked against the budget.
+/// (normals, tangents, texture coordinates, colors, influences and morph targets too), and replaces the indices by
+/// `indices`. No effect if both are empty. The memory is checked against the budget.
 void split_vertices(Mesh& mesh, std::vector<std::uint32_t> indices, std::span<const std::uint32_t> source_vertex,
                     Context& context);
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "base/format_text.h"
 #include "geometry/place_classes.h"
 #include "geometry/union_find.h"
 #include "math/linear.h"
@@ -19,13 +20,15 @@
 namespace rakelight {
 namespace {
 
-Subdivision wish_of(const Mesh& mesh, const Subdivision& otherwise) { return mesh.subdivision.value_or(otherwise); }
+Subdivision subdivision_of(const Mesh& mesh, const Subdivision& otherwise) {
+    return mesh.subdivision.value_or(otherwise);
+}
 
-/// Placements that are one surface, all of one wish.
+/// Instances that form one surface, with equal subdivision.
 struct Group {
     std::vector<std::size_t> members;  ///< into Subdividing::instances_
-    dmat4 to_world;                    ///< of the space it is made in
-    bool is_in_object = false;         ///< that of its objects: their one matrix takes it to the world
+    dmat4 to_world;                    ///< transform to the space of computation
+    bool is_in_object = false;         ///< object space with one common matrix to the world
     std::size_t surface = 0;           ///< into Subdividing::surfaces_
 };
 
@@ -42,7 +45,7 @@ public:
     Scene run() {
         for (const Instance& instance : drawn_instances(scene_)) {
             const Mesh& mesh = scene_.meshes[instance.mesh];
-            if (wish_of(mesh, otherwise_).level > 0) instances_.push_back(instance);
+            if (subdivision_of(mesh, otherwise_).level > 0) instances_.push_back(instance);
         }
         if (instances_.empty()) return std::move(scene_);
         weld();
@@ -80,16 +83,16 @@ private:
         geometry::UnionFind sets;
         sets.reset(instances_.size());
         std::vector<std::uint32_t> first_at(place_.size(),
-                                            no_index);  // place -> instance that uses it, of each wish the first
+                                            no_index);  // place -> instance that uses it, of each subdivision the first
         std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> others;
-        std::vector<Subdivision> wishes;
+        std::vector<Subdivision> requested;
         for (std::uint32_t i = 0; i < instances_.size(); ++i) {
-            const Subdivision wish = wish_of(mesh_of(i), otherwise_);
-            const auto known = std::find(wishes.begin(), wishes.end(), wish);
-            const std::size_t number = std::size_t(known - wishes.begin());
-            if (known == wishes.end()) wishes.push_back(wish);
+            const Subdivision subdivision = subdivision_of(mesh_of(i), otherwise_);
+            const auto known = std::find(requested.begin(), requested.end(), subdivision);
+            const std::size_t number = std::size_t(known - requested.begin());
+            if (known == requested.end()) requested.push_back(subdivision);
             dmat4 inverse;
-            if (!inverse_affine(matrix(i), inverse)) continue;  // flat: by itself, about its origin
+            if (!inverse_affine(matrix(i), inverse)) continue;  // singular: separately, in object space
             for (const std::uint32_t v : mesh_of(i).indices) {
                 const std::uint32_t p = place_[vertex_base_[i] + v];
                 std::uint32_t& first = number == 0 ? first_at[p] : others.try_emplace({p, number}, i).first->second;
@@ -115,12 +118,12 @@ private:
         const bool is_one =
             std::all_of(group.members.begin(), group.members.end(), [&](std::size_t i) { return matrix(i) == first; });
         const bool keeps_angles =
-            !wish_of(mesh_of(group.members[0]), otherwise_).crease_angle_rad || is_similarity(first);
+            !subdivision_of(mesh_of(group.members[0]), otherwise_).crease_angle_rad || is_similarity(first);
         group.is_in_object = is_one && (keeps_angles || !inverse_affine(first, inverse));
         if (group.is_in_object) group.to_world = first;
     }
 
-    /// Longest axis: what 1 of the space is long in the world.
+    /// Longest axis: world length of one unit of the space.
     static double scale_of(const dmat4& m) {
         return std::sqrt(std::max({dot(m[0], m[0]), dot(m[1], m[1]), dot(m[2], m[2])}));
     }
@@ -128,8 +131,8 @@ private:
     void build_surfaces() {
         std::map<std::pair<std::vector<std::uint32_t>, double>, std::size_t> known;  // meshes and scale
         for (Group& group : groups_) {
-            const Subdivision wish = wish_of(mesh_of(group.members[0]), otherwise_);
-            const double scale = wish.edge > 0 ? scale_of(group.to_world) : 1;
+            const Subdivision subdivision = subdivision_of(mesh_of(group.members[0]), otherwise_);
+            const double scale = subdivision.edge > 0 ? scale_of(group.to_world) : 1;
             std::vector<std::uint32_t> meshes;
             for (const std::size_t i : group.members) meshes.push_back(instances_[i].mesh);
             if (group.is_in_object) {
@@ -150,11 +153,11 @@ private:
                                  group.is_in_object ? translation(origin) : matrix(i) * translation(mesh.origin),
                                  {places, places + std::ptrdiff_t(mesh.positions.size())}});
             }
-            surfaces_.emplace_back(std::move(parts), wish, scale);
+            surfaces_.emplace_back(std::move(parts), subdivision, scale);
         }
     }
 
-    /// The control surface, as long as it is there, and what parting it takes for a moment.
+    /// The control surface and the temporary memory of splitting it.
     void charge_surface(const Group& group) {
         constexpr std::uint64_t kept_a_vertex = 32, kept_a_corner = 12, for_a_corner = 72, arrays = 12;
         std::uint64_t vertices = 0, corners = 0;
@@ -167,8 +170,7 @@ private:
         context_.memory().check(corners * for_a_corner, what);
     }
 
-    /// What is kept at the end, and what is needed beside while surfaces are made, as many at once as there are
-    /// threads.
+    /// Memory of the results, and temporary memory of surfaces computed in parallel.
     void check_memory() const {
         std::uint64_t triangles = 0, all = 0, largest = 0;
         for (const SurfaceSubdivider& s : surfaces_) {
@@ -178,8 +180,7 @@ private:
         }
         const std::uint64_t at_once = std::min(all, largest * std::uint64_t(context_.threads()));
         try {
-            context_.memory().check(triangles * 60 + at_once,
-                                    "subdivision into " + std::to_string(triangles) + " triangles");
+            context_.memory().check(triangles * 60 + at_once, format_text("subdivision into {} triangles", triangles));
         } catch (const Error& error) {
             throw error.advising(", or subdivide by fewer levels");
         }
@@ -207,27 +208,24 @@ private:
         const std::string scheme = loops == 0                  ? "Catmull-Clark"
                                    : loops == surfaces_.size() ? "Loop"
                                                                : "Catmull-Clark and Loop";
-        const std::string levels =
-            low == high ? std::to_string(low) : std::to_string(low) + " to " + std::to_string(high);
+        const std::string levels = low == high ? std::to_string(low) : format_text("{} to {}", low, high);
         const auto add = [&](Remark kind, const std::string& text) {
             context_.report().add(kind, scene_.source, {}, text);
         };
-        add(Remark::note, "subdivided by " + levels + (high == 1 ? " level" : " levels") + " (" + scheme +
-                              "): " + std::to_string(faces) + " faces of " + std::to_string(surfaces_.size()) +
-                              " surfaces became " + std::to_string(triangles) + " triangles");
+        add(Remark::note, format_text("subdivided by {}{} ({}): {} faces of {} surfaces became {} triangles", levels,
+                                      high == 1 ? " level" : " levels", scheme, faces, surfaces_.size(), triangles));
         if (flat > 0)
-            add(Remark::dropped, std::to_string(flat) + " triangles with corners at one place are not subdivided");
+            add(Remark::dropped, format_text("{} triangles with corners at one place are not subdivided", flat));
         if (parted > 0)
-            add(Remark::warning,
-                std::to_string(parted) +
-                    " edges have more than two faces, or faces that turn opposite ways: the subdivided "
-                    "surface is parted there");
+            add(Remark::warning, format_text("{} edges have more than two faces, or faces that turn opposite ways: the "
+                                             "subdivided surface is parted there",
+                                             parted));
         if (moving > 0)
-            add(Remark::dropped, "joint influences and morph targets of " + std::to_string(moving) +
-                                     " subdivided mesh" + (moving == 1 ? " is" : "es are") + " left out");
+            add(Remark::dropped, format_text("joint influences and morph targets of {} subdivided mesh{} left out",
+                                             moving, moving == 1 ? " is" : "es are"));
     }
 
-    /// The first surface that a mesh is in takes the mesh's place, others get meshes of their own.
+    /// The first surface of a mesh replaces it, others get new meshes.
     void place(std::vector<std::vector<Mesh>>&& made) {
         std::vector<bool> is_taken(scene_.meshes.size(), false);
         std::vector<std::vector<std::uint32_t>> numbers(made.size());
@@ -258,14 +256,14 @@ private:
     std::vector<std::uint32_t> place_, vertex_base_;
     std::vector<Group> groups_;
     std::vector<SurfaceSubdivider> surfaces_;
-    MemoryCharge charge_;  ///< pays for the lists above until the end
+    MemoryCharge charge_;  ///< of the lists above
 };
 
 }  // namespace
 
 bool wants_subdivision(const Scene& scene, const Subdivision& otherwise) {
     return std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
-        return mesh.triangle_count() > 0 && wish_of(mesh, otherwise).level > 0;
+        return mesh.triangle_count() > 0 && subdivision_of(mesh, otherwise).level > 0;
     });
 }
 

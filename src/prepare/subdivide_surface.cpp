@@ -11,16 +11,16 @@
 namespace rakelight {
 namespace {
 
-constexpr std::uint32_t most_corners = 60000;  ///< of a polygon; OpenSubdiv counts them in 16 bits
+constexpr std::uint32_t max_corners = 60000;  ///< of a polygon; OpenSubdiv uses 16 bits
 
 bool is_mirrored(const SurfacePart& part) { return determinant(upper_left(part.to_surface)) < 0; }
 
-/// Fine corners of one part, as vertices of a mesh: one for each combination of point, normal and values.
+/// Vertices of one part's fine corners: one for each combination of point, normal and values.
 class CornerVertices {
 public:
     explicit CornerVertices(std::size_t points) : newest_(points, no_index) {}
 
-    /// @param key  numbers of normal and values
+    /// @param key indices of normal and values
     std::uint32_t number(std::uint32_t point, std::span<const std::uint32_t> key) {
         for (std::uint32_t v = newest_[point]; v != no_index; v = older_[v])
             if (std::equal(key.begin(), key.end(), keys_.begin() + std::ptrdiff_t(v * key.size()))) return v;
@@ -48,13 +48,13 @@ private:
     std::vector<std::uint32_t> points_, older_, keys_;
 };
 
-/// All that was refined.
+/// The refined surface.
 struct Refined {
     geometry::LimitSurface surface;
     std::vector<geometry::LimitValues> values;  ///< texture coordinates, then colors
 };
 
-/// The part's fine faces as triangles of its own vertices, which come to stand in `vertices`.
+/// The part's fine faces as triangles of its own vertices, which are appended to `vertices`.
 std::vector<std::uint32_t> number_corners(const SurfacePart& part, const Refined& fine, std::uint32_t first_face,
                                           std::uint32_t end_face, CornerVertices& vertices, const Context& context) {
     const std::uint32_t n = fine.surface.corners_of_face;
@@ -77,7 +77,7 @@ std::vector<std::uint32_t> number_corners(const SurfacePart& part, const Refined
     return indices;
 }
 
-/// Points and normals, back in the part's own space.
+/// Points and normals, transformed to the part's object space.
 void set_points(Mesh& mesh, const SurfacePart& part, const Refined& fine, const CornerVertices& vertices,
                 const Context& context) {
     dmat4 to_object;
@@ -172,7 +172,7 @@ void SurfaceSubdivider::choose_scheme() {
     control_.scheme = is_loop ? geometry::Scheme::loop : geometry::Scheme::catmull_clark;
 }
 
-/// Corners are places afterwards, numbered in the order of their first use.
+/// Replaces corners by places, indexed in the order of first use.
 void SurfaceSubdivider::collect_faces() {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         first_face_.push_back(control_.faces.count());
@@ -188,7 +188,7 @@ void SurfaceSubdivider::collect_faces() {
             for (const std::uint32_t v : corners) seen.push_back(parts_[i].places[v]);
             std::sort(seen.begin(), seen.end());
             const bool is_simple =
-                corners.size() <= most_corners && std::adjacent_find(seen.begin(), seen.end()) == seen.end();
+                corners.size() <= max_corners && std::adjacent_find(seen.begin(), seen.end()) == seen.end();
             if (is_simple || corners.size() == 3) {
                 add_face(i, corners);
                 continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes that meet, as one subdivision surface, and back to meshes.
+// Converts adjacent meshes to one subdivision surface and back.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -17,24 +17,24 @@ namespace rakelight {
 struct SurfacePart {
     const Mesh* mesh = nullptr;
     dmat4 to_surface;  ///< object space (with the mesh's origin) -> that of the surface; has an inverse
-    std::vector<std::uint32_t> places;  ///< [V] equal numbers, of all parts: vertices at one place
+    std::vector<std::uint32_t> places;  ///< [V] equal values, over all parts: vertices at one place
 };
 
-/// What of the control surface could not be as the file has it.
+/// Changes that the control surface required.
 struct SurfaceFaults {
-    std::uint64_t flat_faces = 0;    ///< left out: fewer than three places
+    std::uint64_t flat_faces = 0;    ///< dropped: fewer than three places
     std::uint64_t parted_edges = 0;  ///< SurfacePieces::parted_edges
 };
 
-/// In two steps, so that all surfaces of a scene can be counted before any is refined.
+/// Two steps, so that all surfaces of a scene are counted before any is refined.
 class SurfaceSubdivider {
 public:
-    /// @param scale  [m] that 1 of the surface's space is long in the world, for Subdivision::edge
+    /// @param scale [m] length of one unit of the surface's space in world space, for Subdivision::edge
     SurfaceSubdivider(std::vector<SurfacePart> parts, const Subdivision& how, double scale);
 
     std::uint64_t control_faces() const { return control_.faces.count(); }
-    std::uint64_t triangles() const;  ///< that come out
-    std::uint64_t bytes() const;      ///< needed at once while it is refined, about
+    std::uint64_t triangles() const;  ///< of the result
+    std::uint64_t bytes() const;      ///< approximate peak during refinement
     int level() const { return control_.level; }
     geometry::Scheme scheme() const { return control_.scheme; }
     const SurfaceFaults& faults() const { return faults_; }

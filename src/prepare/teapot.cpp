@@ -9,6 +9,7 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "math/linear.h"
 #include "prepare/prepare.h"
 
@@ -26,24 +27,24 @@ struct Patch {
 #include "teapot_patches.inc"
 
 constexpr double height = 3.15;
-constexpr int most_divisions = 256;
+constexpr int max_divisions = 256;
 
-/// Bernstein weights of degree 3 at k / n, times n^3: whole numbers, so that k and n - k give exactly mirrored ones.
+/// Bernstein weights of degree 3 at k / n, times n^3: integers, so that k and n - k are exactly mirrored.
 std::array<double, 4> bernstein(int k, int n) {
     const double a = n - k, b = k;
     return {a * a * a, 3 * a * a * b, 3 * a * b * b, b * b * b};
 }
 
-/// One Bezier curve at k / n. Symmetric in its form: the reversed curve at n - k gives the same bits, so that two patches
-/// that run along a common border in opposite directions meet exactly.
+/// One Bezier curve at k / n. Symmetric: the reversed curve at n - k is bit-identical, so two patches with a common
+/// border in opposite directions meet exactly.
 dvec3 curve(dvec3 p0, dvec3 p1, dvec3 p2, dvec3 p3, int k, int n) {
     const auto w = bernstein(k, n);
     const dvec3 sum = (p0 * w[0] + p3 * w[3]) + (p1 * w[1] + p2 * w[2]);
     return sum / (double(n) * n * n);
 }
 
-/// The patch at row parameter s / n and column parameter t / n. On a border one of the two steps returns control points as
-/// they are, so the other alone is the border's curve, whichever direction it has in the patch.
+/// The patch at row parameter s / n and column parameter t / n. On a border one of the two steps returns control points
+/// unchanged, so the result is the border's curve in either direction.
 dvec3 surface(const Patch& patch, int s, int t, int n) {
     dvec3 row[4];
     for (std::size_t j = 0; j < 4; ++j)
@@ -66,8 +67,8 @@ bool has_pole(const Patch& patch) {
     return p[0] == p[1] && p[1] == p[2] && p[2] == p[3];
 }
 
-/// Seen from outside the columns run to the left, so u = 1 - t: the texture is not mirrored, and (v0, u0) (v1, u0) (v1, u1)
-/// is counter-clockwise. A pole gets one vertex a column of triangles, with the u of its middle, and no zero-area triangles.
+/// Seen from outside, columns run to the left, so u = 1 - t: the texture is not mirrored, and (v0, u0) (v1, u0) (v1,
+/// u1) is counter-clockwise. A pole has one vertex per column with the u of its middle, and no zero-area triangles.
 void add_patch(const Patch& patch, int n, Arrays& out) {
     const auto first = std::uint32_t(out.positions.size());
     const bool pole = has_pole(patch);
@@ -90,11 +91,11 @@ void add_patch(const Patch& patch, int n, Arrays& out) {
 /// A control point.
 dvec3 at(const Patch& patch, std::size_t row, std::size_t column) { return points[patch.points[4 * row + column]]; }
 
-/// What the error of a patch that is cut into n x n quads of two triangles each is at most, times n^2, in the data's
-/// unit. Filip, Magedson & Markot 1986, "Surface algorithms using bounds on derivatives": on a right triangle with legs
-/// of 1 / n in u and v, linear interpolation is off by at most (max |S_uu| + 2 max |S_uv| + max |S_vv|) / (8 n^2).
-/// Second derivatives of a bicubic patch are Bezier patches of 6 times the second differences of its control points
-/// (S_uv: 9 times the mixed ones) and lie in their convex hulls.
+/// Error bound, times n^2, of a patch with n x n quads of two triangles each, in the data's unit. Filip, Magedson &
+/// Markot 1986, "Surface algorithms using bounds on derivatives": on a right triangle with legs of 1 / n in u and v,
+/// linear interpolation is off by at most (max |S_uu| + 2 max |S_uv| + max |S_vv|) / (8 n^2). Second derivatives of a
+/// bicubic patch are Bezier patches of 6 times the second differences of its control points (S_uv: 9 times the mixed
+/// ones) and lie in their convex hulls.
 double error_bound(const Patch& patch) {
     double uu = 0, uv = 0, vv = 0;
     for (std::size_t i = 0; i < 4; ++i)
@@ -108,7 +109,7 @@ double error_bound(const Patch& patch) {
     return (6 * uu + 2 * 9 * uv + 6 * vv) / 8;
 }
 
-/// Of the arrays of all patches.
+/// Size of the arrays of all patches.
 std::size_t bytes_of(std::size_t n) {
     constexpr std::size_t vertex = sizeof(vec3) + sizeof(vec2), index = sizeof(std::uint32_t);
     std::size_t bytes = 0;
@@ -127,7 +128,7 @@ Material porcelain() {
     m.classical.ambient = m.base_color.xyz();
     m.classical.specular = {0.35f, 0.35f, 0.35f};
     m.classical.shininess = 60;
-    m.double_sided = true;  // the surface has no thickness: one looks into the spout and past the lid
+    m.double_sided = true;  // the surface has no thickness, and its inside is visible at spout and lid
     return m;
 }
 
@@ -137,15 +138,15 @@ int teapot_divisions(double tolerance) {
     double bound = 0;
     for (const Patch& patch : patches) bound = std::max(bound, error_bound(patch) / height);
     const double divisions = std::ceil(std::sqrt(bound / tolerance));
-    if (!(divisions <= most_divisions))
+    if (!(divisions <= max_divisions))
         throw Error(ErrorCode::usage, "the tolerance asks for more than 256 divisions of the teapot's patches", {},
                     "say a larger one");
-    return std::max(int(divisions), 2);  // with 1 the spout's mouth is a line
+    return std::max(int(divisions), 2);  // with 1 the spout's opening collapses to a line
 }
 
 Scene make_teapot(int divisions, MemoryBudget* memory) {
-    if (divisions < 1 || divisions > most_divisions)
-        throw Error(ErrorCode::usage, "divisions of the teapot must be 1 to 256, not " + std::to_string(divisions));
+    if (divisions < 1 || divisions > max_divisions)
+        throw Error(ErrorCode::usage, format_text("divisions of the teapot must be 1 to 256, not {}", divisions));
     Scene scene;
     scene.source = "builtin:teapot";
     scene.materials.push_back(porcelain());

@@ -7,12 +7,13 @@
 #include <utility>
 
 #include "base/cancel_check.h"
+#include "base/format_text.h"
 #include "math/linear.h"
 
 namespace rakelight {
 namespace {
 
-/// A copy of an array in which some entries are others.
+/// A copy of an array with some entries replaced.
 /// @param turned  (old entry, vertex, place in `seams`) -> new entry
 template <class T, class Turned>
 Block<T> with_turned(const Block<T>& old, const MeshSeams& seams, const Turned& turned) {
@@ -25,17 +26,17 @@ Block<T> with_turned(const Block<T>& old, const MeshSeams& seams, const Turned& 
     return values;
 }
 
-/// [vertices] Its own tangent; w = 0: it turns along with its normal.
+/// [vertices] The given tangent; w = 0: rotate it with its normal.
 vec4 tangent_of(const MeshSeams& seams, std::size_t i) { return seams.tangents.empty() ? vec4{} : seams.tangents[i]; }
 
-/// Arrays that several meshes share go on being shared.
+/// Shared arrays stay shared.
 struct SharedArrays {
     std::map<const void*, Block<vec3>> normals;   ///< by the old ones
     std::map<const void*, Block<vec4>> tangents;  ///< by the old ones
 };
 
-/// The mesh with the turned normals, and what turns along with them.
-/// @param shared  of meshes whose turned normals are the same; or null
+/// The mesh with rotated normals, tangents and targets.
+/// @param shared of meshes with equal rotated normals; or null
 Mesh with_turned(const Mesh& mesh, const MeshSeams& seams, SharedArrays* shared) {
     Mesh out = mesh;
     const Block<vec3>& from = mesh.normals;
@@ -53,7 +54,7 @@ Mesh with_turned(const Mesh& mesh, const MeshSeams& seams, SharedArrays* shared)
         });
     out.normals = new_normals;
     out.tangents = new_tangents;
-    out.shape.reset();  // its formula has the old normals
+    out.shape.reset();  // the analytic shape has the old normals
     const auto along = [&](vec3 offset, std::uint32_t v, std::size_t i) {
         return turned_along(offset, from[v], seams.normals[i]);
     };
@@ -64,8 +65,8 @@ Mesh with_turned(const Mesh& mesh, const MeshSeams& seams, SharedArrays* shared)
     return out;
 }
 
-/// Meshes of several materials often lie in one array of vertices, of which each uses its own: one new array serves all, unless
-/// two placements want different normals of one vertex.
+/// Meshes of several materials often share one vertex array and use different vertices. One new array is enough unless
+/// two instances need different normals for one vertex.
 class ArraySharing {
 public:
     ArraySharing(const Scene& scene, const PlacedParts& parts, std::vector<MeshSeams>& turned, Context& context)
@@ -80,7 +81,7 @@ public:
     }
 
 private:
-    using Wanted = std::map<std::uint32_t, std::pair<vec3, vec4>>;  ///< the turned vertices: normals and tangents
+    using Wanted = std::map<std::uint32_t, std::pair<vec3, vec4>>;  ///< changed vertices: normals and tangents
 
     const Mesh& mesh(std::uint32_t placement) const { return scene_.meshes[parts_.instances[placement].mesh]; }
 
@@ -106,7 +107,7 @@ private:
         arrays_.emplace_back();
     }
 
-    /// Whatever of `wanted` this placement uses it turns itself.
+    /// Whether this instance itself changes all vertices of `wanted` that it uses.
     bool is_fine(std::uint32_t i, const Wanted& wanted) {
         const std::vector<std::uint32_t>& own = turned_[i].vertices;
         for (const std::uint32_t v : mesh(i).indices) {
@@ -124,7 +125,7 @@ private:
     std::vector<SharedArrays> arrays_;
 };
 
-/// Arrays of the meshes that change; what is shared with another placement is counted again.
+/// Size of the arrays of changed meshes; arrays shared between instances count repeatedly.
 void check_arrays(const Scene& scene, const PlacedParts& parts, const std::vector<MeshSeams>& seams, Context& context) {
     std::uint64_t bytes = 0;
     for (std::size_t i = 0; i < seams.size(); ++i) {
@@ -139,13 +140,13 @@ void check_arrays(const Scene& scene, const PlacedParts& parts, const std::vecto
 void report_instances(const Scene& scene, const MeshVariants& variants, Report& report) {
     if (variants.kept() > 0)
         report.add(Remark::warning, scene.source, {},
-                   std::to_string(variants.kept()) +
-                       " instances that touch other things keep the normals of the first of their mesh: kept shared as "
-                       "asked");
+                   format_text("{} instances that touch other things keep the normals of the first of their mesh: kept "
+                               "shared as asked",
+                               variants.kept()));
     if (variants.copies() > 0)
         report.add(Remark::note, scene.source, {},
-                   std::to_string(variants.copies()) +
-                       " instances got a mesh of their own: their normals differ by what they touch");
+                   format_text("{} instances got a mesh of their own: their normals differ by what they touch",
+                               variants.copies()));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace rakelight {
 namespace {
 
 constexpr float rounding = 2e-6f;
-/// More variants of one mesh than this are not searched for an equal one, so that many instances cost linear time.
+/// Limit of variants searched for an equal one, so that many instances take linear time.
 constexpr std::size_t searched = 16;
 
 bool near(float a, float b) { return std::fabs(a - b) <= rounding; }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fine a scene is cut: for patches, and for the elements that are begun with.
+// Initial subdivision of a scene into patches and elements.
 #pragma once
 #include "radiosity/patches.h"
 
 namespace rakelight::radiosity {
 
-/// What is cut: a scene, its parts and the colors of its materials.
+/// The input: a scene, its parts and the colors of its materials.
 struct CutScene {
     const Scene& scene;
     const std::vector<Part>& parts;
@@ -23,12 +23,13 @@ struct PatchLevel {
     double edge = 0;  ///< [m] the longest
 };
 
-/// The finest cut with at most about so many patches and elements.
-PatchLevel cut_to_patches(const CutScene& cut, const std::vector<geometry::FineMesh>& whole, std::size_t most_patches,
-                          std::uint64_t most_elements, Context& context);
+/// The finest subdivision with about this many patches and elements at most.
+PatchLevel cut_to_patches(const CutScene& cut, const std::vector<geometry::FineMesh>& whole, std::size_t max_patches,
+                          std::uint64_t max_elements, Context& context);
 
-/// Cut evenly, as fine as leaves at most so many elements. @param edge  [m] the longest of `meshes`
+/// Uniform subdivision with at most this many elements.
+/// @param edge [m] the longest edge of `meshes`
 void cut_evenly(const std::vector<Part>& parts, std::vector<geometry::FineMesh>& meshes, double edge,
-                std::uint64_t most_elements, Context& context);
+                std::uint64_t max_elements, Context& context);
 
 }  // namespace rakelight::radiosity

@@ -39,7 +39,7 @@ dvec3 DirectLight::at(dvec3 place, const Element& e) const {
     return sum;
 }
 
-/// The middles of the four triangles that its edges' middles cut it into.
+/// The centers of the four triangles of one midpoint subdivision.
 dvec3 DirectLight::operator()(const Element& e) const {
     const dvec3 sky = sky_(receiver_of(e));
     if (lights_.empty()) return sky;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the scene's lights (points, spots, directions) and its environment give to elements, with shadow rays.
+// Direct light of elements from lights (point, spot, directional) and the environment, with shadow rays.
 #pragma once
 #include <vector>
 
@@ -10,11 +10,11 @@ namespace rakelight::radiosity {
 
 class DirectLight {
 public:
-    /// Ambient lights are left out: what they stand for is worked out.
-    /// @param far_away  [m] farther than any surface
+    /// Ambient lights are ignored, because radiosity computes the indirect light.
+    /// @param far_away [m] beyond all surfaces
     DirectLight(const Scene& scene, const raytrace::SurfaceRays& rays, double gap, double far_away, Context& context);
     bool empty() const { return lights_.empty() && sky_.empty(); }
-    /// Irradiance / pi, the mean of four places on the element.
+    /// Irradiance / pi, mean over four points of the element.
     dvec3 operator()(const Element& element) const;
 
 private:

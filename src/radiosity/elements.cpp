@@ -9,7 +9,7 @@
 namespace rakelight::radiosity {
 namespace {
 
-/// What all elements of a part have in common.
+/// Common data of all elements of a part.
 struct PartColors {
     const Material& material;
     const Mesh& mesh;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements: one side of one triangle of the cut meshes, which receives light.
+// Elements: one side of one triangle of the subdivided meshes, which receives light.
 #pragma once
 #include <array>
 #include <vector>
@@ -12,14 +12,14 @@ namespace rakelight::radiosity {
 struct Element {
     std::array<dvec3, 3> corner;  ///< [m] world
     dvec3 center;
-    dvec3 normal;       ///< unit, of the shading at the center: light is received by its cosine
+    dvec3 normal;       ///< unit, shading normal at the center, for the cosine of incident light
     dvec3 face_normal;  ///< unit, away from the surface on this side
     double area = 0;    ///< [m^2]
     dvec3 albedo;       ///< 0..1 each, diffuse
     dvec3 emission;     ///< radiance
 };
 
-/// Elements of all parts, in their order: a part's front sides, then its back sides where it has two.
+/// Elements of all parts in order: a part's front sides, then its back sides if two-sided.
 struct Elements {
     std::vector<Element> list;
     std::vector<std::uint32_t> base;  ///< [parts + 1]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light that elements receive from all patches and lights, once the patches' radiosity is known.
+// Final gathering: light of elements from all patches and lights after the solution.
 #pragma once
 #include "radiosity/direct_light.h"
 
@@ -13,19 +13,19 @@ public:
 
     /// Irradiance / pi.
     dvec3 operator()(const Element& element) const;
-    /// Of the scene: what an element receives on the mean, about.
+    /// Approximate mean irradiance of an element.
     double mean_luminance() const { return mean_; }
 
 private:
     std::vector<dvec3> radiance_;
-    std::vector<double> weight_;         ///< [patches] luminance over the mean
-    std::vector<std::uint32_t> bright_;  ///< those that send out light
+    std::vector<double> weight_;         ///< [patches] luminance divided by the mean
+    std::vector<std::uint32_t> bright_;  ///< patches with nonzero radiance
     const FormFactors& form_factors_;
     const DirectLight& direct_;
     double mean_ = 0;
 };
 
-/// What has been gathered stays; [elements] which are to be gathered. In parallel.
+/// Gathers the selected [elements] in parallel; earlier results are kept.
 void gather_all(const Elements& elements, const Gather& gather, std::vector<dvec3>& light,
                 const std::vector<std::uint32_t>& wanted, Context& context);
 

@@ -9,23 +9,22 @@
 #include <rakelight/attributes.h>
 
 #include "math/linear.h"
-#include "prepare/back_side.h"
 #include "prepare/refined_mesh.h"
 #include "prepare/split_vertices.h"
-#include "radiosity/still_scene.h"
+#include "prepare/turn_triangles.h"
 #include "scene/charge_arrays.h"
 
 namespace rakelight::radiosity {
 namespace {
 
-/// Triangles of one side of a part that show their light in one way.
+/// Triangles of one side of a part with one kind of material.
 struct Piece {
     std::uint32_t part = 0;
     Mesh mesh;
     std::vector<vec3> light;   ///< [triangles]
-    std::vector<vec3> factor;  ///< [triangles] share of the light that is shown, beside base color and its texture
-    bool is_painted = true;    ///< times the colors of vertices that the mesh has itself
-    vec3 emission;             ///< beside it
+    std::vector<vec3> factor;  ///< [triangles] factor of the light besides base color and its texture
+    bool is_painted = true;    ///< multiply by the mesh's own vertex colors
+    vec3 emission;             ///< added to it
 };
 
 /// [V] of each vertex the mean over its triangles.
@@ -42,7 +41,7 @@ std::vector<vec3> at_vertices(const Mesh& mesh, const std::vector<vec3>& of_tria
     return out;
 }
 
-/// With emission in place of color.
+/// Emission replaces the base color.
 bool emits(const Material& m) { return !(m.emission == vec3{}); }
 
 Mesh front_of(const Scene& scene, const Part& part, const geometry::FineMesh& fine) {
@@ -78,17 +77,17 @@ public:
         for (const Part& part : parts_) is_lit_.resize(scene_.materials.size()), is_lit_[part.material] = true;
         for (std::size_t i = 0; i < is_lit_.size(); ++i) {
             Material& m = scene_.materials[i];
-            if (is_lit_[i]) m = unlit(m, shown_ == LitColors::leaving && emits(m) && !m.emission_texture);
+            if (is_lit_[i]) m = unlit(m, shown_ == LitColors::radiance && emits(m) && !m.emission_texture);
         }
         std::ranges::move(emitting_, std::back_inserter(scene_.materials));
-        return still_scene(std::move(scene_));
+        return static_scene(std::move(scene_));
     }
 
 private:
     void add_pieces(std::uint32_t part, Mesh front) {
         const std::uint32_t begin = elements_.base[part];
         const auto count = std::uint32_t(front.indices.size() / 3);
-        if (parts_[part].is_two_sided && shown_ == LitColors::leaving) {
+        if (parts_[part].is_two_sided && shown_ == LitColors::radiance) {
             add_piece(part, front, begin);
             add_piece(part, back_side(std::move(front)), begin + count);
         } else {
@@ -99,7 +98,7 @@ private:
     /// @param begin  the side's first element
     void add_piece(std::uint32_t part, Mesh mesh, std::uint32_t begin) {
         const Material& material = scene_.materials[parts_[part].material];
-        const bool is_light = shown_ == LitColors::arriving;
+        const bool is_light = shown_ == LitColors::irradiance;
         Piece reflecting{.part = part, .is_painted = !is_light},
             emitting{.part = part, .is_painted = false, .emission = material.emission};
         std::vector<std::uint32_t> reflects, sends;
@@ -128,7 +127,7 @@ private:
         }
     }
 
-    /// The number of a material that shows the emission of one with an emission texture.
+    /// Index of the material that shows the emission texture of another one.
     std::uint32_t emitting_copy(std::uint32_t material) {
         const auto [entry, is_new] =
             emitting_copies_.try_emplace(material, std::uint32_t(scene_.materials.size() + emitting_.size()));
@@ -173,7 +172,7 @@ private:
         return out;
     }
 
-    /// The first piece of a mesh takes its place, others get one of their own.
+    /// The first piece replaces the mesh, others become new meshes.
     void place() {
         AddedMeshes added(scene_, context_);
         std::vector<bool> is_taken(scene_.meshes.size(), false);
@@ -194,7 +193,7 @@ private:
         }
     }
 
-    /// @param as_emitter  white, with all in the colors of vertices, or times the emission texture
+    /// @param as_emitter white with all light in vertex colors, or with the emission texture
     Material unlit(const Material& m, bool as_emitter) const {
         Material out;
         out.name = m.name;
@@ -202,9 +201,9 @@ private:
         out.base_color = m.base_color, out.base_color_texture = m.base_color_texture;
         out.opacity_texture = m.opacity_texture;
         out.alpha_mode = m.alpha_mode, out.alpha_cutoff = m.alpha_cutoff;
-        if (shown_ == LitColors::arriving || as_emitter) out.base_color = {1, 1, 1, m.base_color.w};
+        if (shown_ == LitColors::irradiance || as_emitter) out.base_color = {1, 1, 1, m.base_color.w};
         if (as_emitter) out.base_color_texture = m.emission_texture;
-        if (shown_ == LitColors::arriving) out.base_color_texture = {};
+        if (shown_ == LitColors::irradiance) out.base_color_texture = {};
         return out;
     }
 
@@ -227,6 +226,17 @@ Scene lit_scene(Scene scene, const std::vector<Part>& parts, const std::vector<g
                 const Elements& elements, const std::vector<dvec3>& light, const ColorMaps& colors, LitColors shown,
                 Context& context) {
     return LitScene(std::move(scene), parts, meshes, elements, light, colors, shown, context).run();
+}
+
+Scene static_scene(Scene scene) {
+    scene.lights.clear();
+    if (scene.environment) scene.environment->is_light = false;
+    for (std::size_t i = 0; scene.pose && i < scene.nodes.size(); ++i) scene.nodes[i].local = scene.pose->local[i];
+    scene.pose = {};
+    for (Node& node : scene.nodes) node.skin = no_index, node.morph_weights.clear();
+    scene.skins.clear(), scene.animations.clear();
+    scene.normal_sides.reset();
+    return scene;
 }
 
 }  // namespace rakelight::radiosity

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene that shows the light of its elements.
+// The scene with the light of its elements as vertex colors.
 #pragma once
 #include <rakelight/radiosity.h>
 
@@ -7,15 +7,18 @@
 
 namespace rakelight::radiosity {
 
-/// Unlit materials, whose base color times vertex colors is what the elements send out: the light of elements becomes that
-/// of vertices by average() (attributes.h), smooth over borders of objects and sharp at creases. Materials that emit are
-/// white, with all in the vertex colors; triangles on which an emission texture is not black show it in the base color's place,
-/// without what they reflect. Back sides of two-sided parts are meshes of their own.
-/// @param meshes  [parts] as the elements were made of
+/// Materials are unlit; base color times vertex color is the exitant radiance. Light of elements is averaged to
+/// vertices by average() (attributes.h), smooth across objects and sharp at creases. Emissive materials are white with
+/// all light in the vertex colors. Triangles with a non-black emission texture show that texture without reflected
+/// light. Back sides of two-sided parts are separate meshes.
+/// @param meshes [parts] input of the elements
 /// @param light   [elements] irradiance / pi
-/// @param shown   arriving: the light itself, materials are white and have no textures, back sides are left out
+/// @param shown irradiance: the incident light; materials are white without textures, and there are no back sides
 Scene lit_scene(Scene scene, const std::vector<Part>& parts, const std::vector<geometry::FineMesh>& meshes,
                 const Elements& elements, const std::vector<dvec3>& light, const ColorMaps& colors, LitColors shown,
                 Context& context);
+
+/// The scene for vertex-color light: no lights, the environment only as background, the lit pose, no clips.
+Scene static_scene(Scene scene);
 
 }  // namespace rakelight::radiosity

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The color of a material over a piece of surface: what it reflects diffusely and what it emits, textures averaged.
+// Mean diffuse reflectance and emission of a material over a piece of surface.
 #pragma once
 #include <map>
 #include <memory>
@@ -13,15 +13,15 @@
 
 namespace rakelight::radiosity {
 
-/// The pictures that the materials of a scene read for color, as sums; those that cannot be decoded count as white (said in
-/// the report by the engine that draws them). Immutable.
+/// Summed-area tables of the color textures of a scene. Pictures that cannot be decoded are white (the engine reports
+/// them). Immutable.
 class ColorMaps {
 public:
     ColorMaps(const Scene& scene, const std::vector<bool>& is_used, Context& context);
     /// Mean of the texture over a triangle's texture coordinates; white without one.
     /// @param corner  vertices of `mesh`
     dvec3 mean(const TextureUse& use, const Mesh& mesh, const std::uint32_t* corner) const;
-    /// Share of a material's base color that is diffuse over a triangle; the rest is mirrored or goes through.
+    /// Diffuse share of a material's base color over a triangle; the rest is specular or transmitted.
     double diffuse_share(const Material& material, const Mesh& mesh, const std::uint32_t* corner) const;
 
 private:

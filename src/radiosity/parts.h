@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a scene takes part in the exchange of light: its placed triangle meshes, but those of unlit materials.
+// The instances that exchange light: triangle meshes without unlit materials.
 #pragma once
 #include <vector>
 
@@ -23,13 +23,13 @@ struct Part {
 /// @param scene  every mesh has a material
 std::vector<Part> lit_parts(const Scene& scene);
 
-/// [parts] with places in the world that are one wherever vertices of any parts are.
+/// [parts] with bit-equal world positions for common vertices of any parts.
 std::vector<geometry::FineMesh> placed_meshes(const Scene& scene, const std::vector<Part>& parts, Context& context);
 
-/// Triangles, counted with their sides.
+/// Number of triangle sides.
 std::uint64_t count_sides(const std::vector<Part>& parts, const std::vector<geometry::FineMesh>& meshes);
 
-/// [m] Of a triangle in the world.
+/// [m] of a triangle in world space.
 double longest_edge(const geometry::FineMesh& mesh, std::size_t triangle);
 
 }  // namespace rakelight::radiosity

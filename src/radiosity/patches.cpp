@@ -9,11 +9,11 @@
 namespace rakelight::radiosity {
 namespace {
 
-/// What small elements of one patch have in common: the part, the cell of a grid, the axis that they look along most.
+/// Key of small elements of one patch: part, grid cell, main axis of the normal.
 struct Key {
     std::uint32_t part = 0, axis = 0;
     std::int64_t x = 0, y = 0, z = 0;
-    std::uint32_t alone = 0;  ///< of large ones: a number of its own
+    std::uint32_t alone = 0;  ///< unique number of a large triangle
     auto operator<=>(const Key&) const = default;
 };
 
@@ -51,15 +51,15 @@ Patch patch_of(const Elements& elements, std::span<const std::uint32_t> members)
     return out;
 }
 
-/// Which of nine parts of its cube's face a normal goes through, as seen from the middle.
+/// The one of nine cells of a cube-map face that a normal hits.
 std::size_t part_of_face(dvec3 n) {
     const std::uint32_t axis = main_axis(n) / 2;
     const auto third = [&](double v) { return std::size_t(std::clamp((v / std::fabs(n[axis]) + 1) * 1.5, 0.0, 2.0)); };
     return 3 * third(n[(axis + 1) % 3]) + third(n[(axis + 2) % 3]);
 }
 
-/// Of members whose normals go through one part of a face the whole area counts, not its projection: what a curved surface
-/// sends out is kept.
+/// Members with normals in one cell count with their whole area, not its projection, which preserves the power of
+/// curved surfaces.
 void add_facets(const Elements& elements, std::span<const std::uint32_t> members, std::vector<dvec3>& facets) {
     struct Facet {
         dvec3 normal;

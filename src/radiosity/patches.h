@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Patches: pieces of surface that shoot light as one. A large triangle is a patch; small ones that lie together and look the
-// same way are one patch together.
+// Patches: surface pieces that shoot light as a unit. A large triangle is a patch; small adjacent triangles of similar
+// orientation are combined.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -15,14 +15,15 @@ struct Patch {
     dvec3 center;                                    ///< mean by area
     std::uint32_t facets_begin = 0, facets_end = 0;  ///< of Patches::facets
     double area = 0;                                 ///< [m^2]
-    double reach = 0;                                ///< [m] from the center to its farthest corner
+    double reach = 0;                                ///< [m] bounding radius about the center
     dvec3 emission;                                  ///< radiance, mean by area
 };
 
 struct Patches {
     std::vector<Patch> list;
-    std::vector<std::uint32_t> members;  ///< elements, patch by patch
-    /// [m^2] Patch by patch, for those far away: the area of members that look about the same way, along their mean normal.
+    std::vector<std::uint32_t> members;  ///< elements, grouped by patch
+    /// [m^2] grouped by patch, for distant receivers: areas of members of similar orientation, projected on their mean
+    /// normal.
     std::vector<dvec3> facets;
     std::span<const std::uint32_t> of(const Patch& p) const { return {members.data() + p.begin, p.end - p.begin}; }
     std::span<const dvec3> facets_of(const Patch& p) const {
@@ -30,11 +31,11 @@ struct Patches {
     }
 };
 
-/// Whether small triangles of several parts can be one patch.
+/// Whether patches may combine small triangles of several parts.
 enum class PatchesOf : std::uint8_t { each_part, all_parts };
 
-/// @param elements  no edge is longer than `size` but where the scene's own triangles are to stay
-/// @param size      [m] of what may become one patch
+/// @param elements no edge is longer than `size`, except in unsplit triangles of the scene
+/// @param size [m] maximum size of a combined patch
 Patches make_patches(const Elements& elements, double size, PatchesOf of = PatchesOf::each_part);
 
 }  // namespace rakelight::radiosity

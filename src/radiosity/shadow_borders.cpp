@@ -11,8 +11,8 @@
 namespace rakelight::radiosity {
 namespace {
 
-constexpr double least_difference = 0.06;  ///< of the mean of two neighbors
-constexpr double least_cosine = 0.7;       ///< of the normals of elements whose light is compared
+constexpr double min_difference = 0.06;  ///< of the mean of two neighbors
+constexpr double min_cosine = 0.7;       ///< of the normals of elements whose light is compared
 
 auto tied(dvec3 p) { return std::tuple(p.x, p.y, p.z); }
 
@@ -37,13 +37,13 @@ std::vector<Side> sorted_sides(const Elements& elements) {
     return sides;
 }
 
-/// [elements] How much each differs from its neighbors, as a share of the mean.
+/// [elements] difference from the neighbors as a share of the mean.
 std::vector<double> differences(const Elements& elements, const std::vector<dvec3>& light, double floor) {
     std::vector<double> out(elements.size(), 0);
     const std::vector<Side> sides = sorted_sides(elements);
     const auto compare = [&](std::uint32_t i, std::uint32_t j) {
         const Element &a = elements.list[i], &b = elements.list[j];
-        if (dot(a.normal, b.normal) < least_cosine) return;
+        if (dot(a.normal, b.normal) < min_cosine) return;
         const double x = shading::luminance_of(light[i]), y = shading::luminance_of(light[j]);
         const double difference = std::fabs(x - y) / (0.5 * (x + y) + floor);
         out[i] = std::max(out[i], difference), out[j] = std::max(out[j], difference);
@@ -58,7 +58,7 @@ std::vector<double> differences(const Elements& elements, const std::vector<dvec
     return out;
 }
 
-/// Elements after the edges were halved.
+/// Number of elements after bisecting the edges.
 std::uint64_t count_after(const std::vector<Part>& parts, const std::vector<geometry::FineMesh>& meshes,
                           const EdgeSet& edges) {
     std::uint64_t count = count_sides(parts, meshes);
@@ -102,8 +102,8 @@ EdgeSet shadow_borders(const std::vector<Part>& parts, const std::vector<geometr
     const std::vector<double> difference = differences(elements, light, floor);
     std::vector<std::uint32_t> chosen;
     for (std::uint32_t i = 0; i < difference.size(); ++i)
-        if (difference[i] > least_difference) chosen.push_back(i);
-    // A picture's error there is the difference times the area that has it.
+        if (difference[i] > min_difference) chosen.push_back(i);
+    // Ordered by the error in a picture: difference times area.
     const auto error = [&](std::uint32_t i) { return difference[i] * elements.list[i].area; };
     std::sort(chosen.begin(), chosen.end(), [&](std::uint32_t a, std::uint32_t b) {
         const double x = error(a), y = error(b);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where elements are to be cut finer: at the borders of shadows, where neighbors receive different light.
+// Adaptive subdivision at shadow boundaries, where neighboring elements differ in light.
 #pragma once
 #include "radiosity/elements.h"
 
 namespace rakelight::radiosity {
 
-/// Edges by their two places, to be asked for.
+/// A set of edges, identified by their two places.
 class EdgeSet {
 public:
     void add(dvec3 a, dvec3 b);
-    void finish();  ///< before the first question
+    void finish();  ///< before the first query
     bool holds(dvec3 a, dvec3 b) const;
     bool empty() const { return edges_.empty(); }
 
@@ -22,10 +22,10 @@ private:
     std::vector<Edge> edges_;
 };
 
-/// The edges of elements whose light differs from that of a neighbor's by more than a share of their mean, those of the
-/// greatest difference times area first, as many as leave the elements within `most`.
+/// The edges of elements whose light differs from a neighbor's by more than a share of their mean. Edges with the
+/// largest difference times area are first, limited to `most` elements.
 /// @param light    [elements] irradiance / pi
-/// @param floor    luminance below which differences are not seen
+/// @param floor luminance below which differences are ignored
 EdgeSet shadow_borders(const std::vector<Part>& parts, const std::vector<geometry::FineMesh>& meshes,
                        const Elements& elements, const std::vector<dvec3>& light, double floor, std::uint64_t most);
 

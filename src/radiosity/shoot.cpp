@@ -11,9 +11,9 @@ namespace {
 
 using shading::luminance_of;
 
-constexpr std::size_t most_shots_a_patch = 50;
+constexpr std::size_t max_shots_a_patch = 50;
 constexpr std::size_t receivers_a_task = 64;
-/// How much more a patch that emits counts than one that reflects.
+/// Weight of emitting patches relative to reflecting ones.
 constexpr double emitter_weight = 64;
 
 dvec3 reflected(dvec3 albedo, dvec3 light) { return albedo * light; }
@@ -43,9 +43,9 @@ public:
             report.emitted += power(p, patches_.list[p].emission) + power(p, received_[p]);
         double left = sum_of_unshot();
         const double first = left;
-        for (; report.shots < most_shots_a_patch * unshot_.size() && left > share * report.emitted; ++report.shots) {
+        for (; report.shots < max_shots_a_patch * unshot_.size() && left > share * report.emitted; ++report.shots) {
             context_.throw_if_cancelled();
-            report.left += shoot(brightest());
+            report.escaped += shoot(brightest());
             left = sum_of_unshot();
             if (report.shots % 64 == 0 && first > 0) context_.progress("radiosity: shots", 1 - left / first);
         }
@@ -64,7 +64,7 @@ private:
         std::uint32_t begin, end;
     };
 
-    /// Four places on a triangle, as DirectLight has them; of several triangles the middles of four.
+    /// Four points on a triangle, as in DirectLight; for several triangles the centers of four.
     void add_receivers(const Patch& patch) {
         const std::span<const std::uint32_t> members = patches_.of(patch);
         const auto begin = std::uint32_t(receivers_.size());
@@ -108,7 +108,7 @@ private:
         return best;
     }
 
-    /// [receivers] form factors from each to a patch; found when it shoots first.
+    /// [receivers] form factors from each to a patch; computed at its first shot.
     const std::vector<float>& row(std::uint32_t patch) {
         std::vector<float>& row = rows_[patch];
         if (!row.empty()) return row;
@@ -123,7 +123,7 @@ private:
         return row;
     }
 
-    /// @return the power that met nothing
+    /// @return the escaped power
     double shoot(std::uint32_t shooter) {
         const std::vector<float>& factors = row(shooter);
         const dvec3 light = unshot_[shooter];

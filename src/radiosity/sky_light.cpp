@@ -15,10 +15,10 @@ namespace rakelight::radiosity {
 namespace {
 
 constexpr int rings = 8, spokes = 8;
-constexpr int widest = 128;       ///< [texels] of the version that suns are found in
-constexpr int coarse_width = 16;  ///< [texels] of what the directions read: about as many in a hemisphere
+constexpr int widest = 128;       ///< [texels] resolution for finding suns
+constexpr int coarse_width = 16;  ///< [texels] resolution for sampled directions, similar to their number per hemisphere
 
-/// Directions by the cosine law over +Z: middles of equal parts of the disc (Malley's method).
+/// Cosine-weighted directions about +Z: centers of equal parts of the disc (Malley's method).
 std::array<dvec3, rings * spokes> directions() {
     std::array<dvec3, rings * spokes> out;
     for (int r = 0; r < rings; ++r)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the scene's environment gives to elements, where nothing stands before it.
+// Light of elements from the unoccluded environment.
 #pragma once
 #include <array>
 
@@ -11,12 +11,12 @@ namespace rakelight::radiosity {
 
 class SkyLight {
 public:
-    /// Dark where the scene has no environment that is a light, or its picture cannot be decoded (a warning in the report).
+    /// Zero if no environment lights the scene, or its picture cannot be decoded (with a warning).
     SkyLight(const Scene& scene, const raytrace::SurfaceRays& rays, double gap, double far_away, Context& context);
     bool empty() const { return sky_.texels.empty(); }
-    /// Irradiance / pi, without that of the suns: the mean of 64 directions by the cosine law.
+    /// Irradiance / pi without the suns: mean over 64 cosine-weighted directions.
     dvec3 operator()(const Receiver& receiver) const;
-    /// Its bright places, as directional lights.
+    /// Its bright regions as directional lights.
     const std::vector<lighting::LightParameters>& suns() const { return suns_; }
 
 private:
@@ -26,7 +26,7 @@ private:
     const raytrace::SurfaceRays& rays_;
     double gap_, far_away_;
     std::array<dvec3, 3> axes_;
-    SkyMap sky_;  ///< about as fine as the directions are
+    SkyMap sky_;  ///< resolution similar to the directions
     std::vector<lighting::LightParameters> suns_;
 };
 

@@ -13,9 +13,9 @@ namespace rakelight::radiosity {
 namespace {
 
 constexpr double bright = 4;  ///< times the mean luminance
-constexpr std::size_t most_suns = 16;
+constexpr std::size_t max_suns = 16;
 
-/// What a texel has too much.
+/// Excess light of a texel.
 struct Excess {
     int x, y;
     dvec3 direction, irradiance;
@@ -59,7 +59,8 @@ double power_of(std::span<const Excess> region) {
     return sum;
 }
 
-/// Sorts a region along its longer side. @return texels of the first half by power; at least one, not all
+/// Sorts a region along its longer side.
+/// @return number of texels in the first half by power; at least one, not all
 std::size_t cut(std::span<Excess> region, const SkyMap& sky) {
     const auto [left, right] = std::ranges::minmax(region, {}, &Excess::x);
     const auto [top, bottom] = std::ranges::minmax(region, {}, &Excess::y);
@@ -89,7 +90,7 @@ std::vector<SkySun> take_suns(SkyMap& sky) {
     std::vector<Excess> excess = take_excess(sky, bright * mean_luminance(sky));
     if (excess.empty()) return {};
     std::vector<std::span<Excess>> regions{excess};
-    while (regions.size() < most_suns) {
+    while (regions.size() < max_suns) {
         const auto strongest = std::ranges::max_element(
             regions, {}, [](std::span<const Excess> region) { return region.size() > 1 ? power_of(region) : -1.0; });
         const std::span<Excess> region = *strongest;

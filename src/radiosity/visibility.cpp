@@ -10,7 +10,8 @@
 namespace rakelight::radiosity {
 namespace {
 
-/// Beyond so many reaches a patch is a small area: a disc seen face on differs by 2.8 % from the closed form there, others by less.
+/// Distance, in bounding radii, beyond which a patch is treated as a small area: the error for a face-on disc is 2.8 %,
+/// for others less.
 constexpr double far_reaches = 6;
 double of_small_area(const Receiver& r, dvec3 center, std::span<const dvec3> facets) {
     const dvec3 way = center - r.at;
@@ -21,16 +22,16 @@ double of_small_area(const Receiver& r, dvec3 center, std::span<const dvec3> fac
     return here * there / (pi * squared * squared);
 }
 
-/// Rays a side of the triangle of rays, by how much of the light they decide on.
-constexpr int most_rays_a_side = 4;
-int rays_a_side(double share) { return share < 1e-3 ? 1 : share < 1e-2 ? 2 : share < 5e-2 ? 3 : most_rays_a_side; }
+/// Side length of the triangular ray pattern, by the importance of the light.
+constexpr int max_rays_a_side = 4;
+int rays_a_side(double share) { return share < 1e-3 ? 1 : share < 1e-2 ? 2 : share < 5e-2 ? 3 : max_rays_a_side; }
 
 }  // namespace
 
 double FormFactors::unblocked(const Receiver& r, const Patch& patch) const {
     const dvec3 way = patch.center - r.at;
     const bool is_far = dot(way, way) > far_reaches * far_reaches * patch.reach * patch.reach;
-    // What the receiver's horizon cuts in two gives more than its center, which may lie below.
+    // Patches cut by the receiver's horizon need more than their center, which may be below it.
     if (is_far && std::fabs(dot(r.normal, way)) >= patch.reach)
         return of_small_area(r, patch.center, patches_.facets_of(patch));
     double sum = 0;
@@ -45,8 +46,8 @@ bool FormFactors::is_blocked(const Receiver& r, const Element& e, dvec3 to) cons
     return rays_.is_blocked(r.at + r.face_normal * gap_, to + e.face_normal * gap_, 1e-5);
 }
 
-/// A triangle's middle; the middles of the n^2 triangles that n - 1 lines along each side cut it into; of patches of several
-/// triangles the middles of n^2 of them.
+/// The center of a triangle, or the centers of its n^2 sub-triangles; for patches of several triangles the centers of
+/// n^2 of them.
 double FormFactors::visible_share(const Receiver& r, const Patch& patch, int n) const {
     const std::span<const std::uint32_t> members = patches_.of(patch);
     int seen = 0, asked = 0;
@@ -70,7 +71,7 @@ double FormFactors::visible_share(const Receiver& r, const Patch& patch, int n) 
                 if (i + j + 1 < n) ask(e, e.corner[0] + u * (i + 2.0 / 3) + v * (j + 2.0 / 3));
             }
     }
-    if (asked == 0 && n < most_rays_a_side) return visible_share(r, patch, most_rays_a_side);  // above the horizon
+    if (asked == 0 && n < max_rays_a_side) return visible_share(r, patch, max_rays_a_side);  // above the horizon
     return asked > 0 ? double(seen) / asked : 0;
 }
 

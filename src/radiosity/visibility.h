@@ -1,29 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much of a patch's light comes to a point.
+// Visible form factor from a point to a patch.
 #pragma once
 #include "engines/raytrace/surface_rays.h"
 #include "radiosity/patches.h"
 
 namespace rakelight::radiosity {
 
-/// Where light is received.
+/// The receiving point.
 struct Receiver {
     dvec3 at, normal;   ///< unit
-    dvec3 face_normal;  ///< rays begin on its side
+    dvec3 face_normal;  ///< side on which rays start
 };
 inline Receiver receiver_of(const Element& e) { return {e.center, e.normal, e.face_normal}; }
 
 class FormFactors {
 public:
-    /// @param elements  that the patches are made of
-    /// @param gap       [m] by which rays begin and end over surfaces
+    /// @param elements elements of the patches
+    /// @param gap [m] offset of ray ends from surfaces
     FormFactors(const Elements& elements, const Patches& patches, const raytrace::SurfaceRays& rays, double gap)
         : elements_(elements), patches_(patches), rays_(rays), gap_(gap) {}
 
-    /// Share of the hemisphere over the receiver, by the cosine law, that the patch's front takes: in closed form near it, as
-    /// of a small area far away; times the share of rays to it that nothing blocks.
-    /// @param weight  how much the patch's light counts: the product with the form factor decides how many rays
-    ///                there are, 1 to 16
+    /// Form factor to the patch's front side (closed form nearby, small-area approximation far away) times the
+    /// unblocked share of shadow rays.
+    /// @param weight importance of the patch's light: its product with the form factor selects 1 to 16 rays
     double operator()(const Receiver& receiver, std::uint32_t patch, double weight) const;
 
 private:

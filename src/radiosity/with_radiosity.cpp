@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole way: parts of the scene -> patches -> shots -> elements, finer at shadow borders -> the scene that shows them.
+// Stages: parts of the scene -> patches -> shots -> elements, refined at shadow boundaries -> lit scene.
 #include <rakelight/radiosity.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string>
 
+#include "base/format_text.h"
 #include "radiosity/cut.h"
 #include "radiosity/gather.h"
 #include "radiosity/lit_scene.h"
@@ -17,17 +18,17 @@
 namespace rakelight::radiosity {
 namespace {
 
-/// So many elements for each patch at least, so that the sums over all pairs stay small.
+/// Minimum number of elements per patch, which limits the number of pairs.
 constexpr std::uint64_t elements_a_patch = 10;
-constexpr std::size_t least_patches = 100, most_patches = 2000;
-/// Shares of the elements that are there before the first cut at shadow borders, and after each.
+constexpr std::size_t min_patches = 100, max_patches = 2000;
+/// Shares of the elements before the first subdivision at shadow boundaries, and after each.
 constexpr double first_share = 0.25;
 constexpr double share_after[] = {0.35, 0.45, 0.55, 0.65, 0.75, 0.85, 0.95, 1.0};
-/// [diagonals of the scene] by which rays begin and end over surfaces.
+/// [diagonals of the scene] offset of ray ends from surfaces.
 constexpr double gap_share = 2e-6;
 
 std::string counted(std::size_t count, const std::string& what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+    return format_text("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 std::vector<bool> used_materials(const Scene& scene, const std::vector<Part>& parts) {
@@ -59,25 +60,28 @@ void remark_what_is_left_out(const Scene& scene, const std::vector<bool>& used, 
     if (!scene.animations.empty()) note("the light is that of one moment, clips are left out");
 }
 
-/// As many as are asked for; more where the scene's own triangles are more, which stay.
+/// The requested number, or more if the scene has more triangles.
 /// @param sides  of them
-std::uint64_t most_elements(const Scene& scene, const RadiositySettings& s, std::uint64_t sides, Report& report) {
-    const std::string limit = std::to_string(most_radiosity_elements);
-    if (s.elements < 1 || s.elements > most_radiosity_elements)
+std::uint64_t max_elements(const Scene& scene, const RadiositySettings& s, std::uint64_t sides, Report& report) {
+    const std::string limit = std::to_string(max_radiosity_elements);
+    if (s.elements < 1 || s.elements > max_radiosity_elements)
         throw Error(ErrorCode::usage, "must be 1 to " + limit).about("radiosity-elements");
-    if (sides > std::uint64_t(most_radiosity_elements))
-        throw Error(ErrorCode::bad_file, "radiosity is for scenes of up to " + limit + " triangles, and this one has " +
-                                             std::to_string(sides) + ", both sides of two-sided ones counted");
+    if (sides > std::uint64_t(max_radiosity_elements))
+        throw Error(ErrorCode::bad_file, format_text("radiosity is for scenes of up to {} triangles, and this one has "
+                                                     "{}, both sides of two-sided ones counted",
+                                                     limit, sides));
     if (sides <= std::uint64_t(s.elements)) return std::uint64_t(s.elements);
-    const std::uint64_t most = std::min(sides + sides / 2, std::uint64_t(most_radiosity_elements));
-    report.add(Remark::note, scene.source, "",
-               "radiosity: up to " + std::to_string(most) + " elements, since the scene has " + std::to_string(sides) +
-                   " triangles, both sides of two-sided ones counted",
-               {"radiosity-elements"});
+    const std::uint64_t most = std::min(sides + sides / 2, std::uint64_t(max_radiosity_elements));
+    report.add(
+        Remark::note, scene.source, "",
+        format_text(
+            "radiosity: up to {} elements, since the scene has {} triangles, both sides of two-sided ones counted",
+            most, sides),
+        {"radiosity-elements"});
     return most;
 }
 
-/// The light of elements, from round to round.
+/// The light of elements over the rounds of refinement.
 class Refinement {
 public:
     Refinement(const CutScene& cut, std::vector<geometry::FineMesh> meshes, const Gather& gather, Context& context)
@@ -89,14 +93,14 @@ public:
         gather_all(elements, gather_, light, all, context_);
     }
 
-    /// @return false: no light differs enough
+    /// @return false: no refinement necessary
     bool run_round(std::uint64_t most) {
         const EdgeSet edges = shadow_borders(cut_.parts, meshes, elements, light, 0.1 * gather_.mean_luminance(), most);
         if (edges.empty()) return false;
         const std::vector<geometry::FineMesh> before = meshes;
         for (geometry::FineMesh& mesh : meshes) std::iota(mesh.source_triangle.begin(), mesh.source_triangle.end(), 0u);
         geometry::halve_edges(
-            meshes, [&](dvec3 a, dvec3 b) { return edges.holds(a, b); }, std::uint64_t(most_radiosity_elements),
+            meshes, [&](dvec3 a, dvec3 b) { return edges.holds(a, b); }, std::uint64_t(max_radiosity_elements),
             context_);
         const Elements old = std::exchange(elements, cut_.elements_of(meshes, context_));
         take_over(before, old);
@@ -108,7 +112,7 @@ public:
     std::vector<dvec3> light;  ///< [elements] irradiance / pi
 
 private:
-    /// Triangles that were not cut keep their light.
+    /// Unsplit triangles keep their light.
     void take_over(const std::vector<geometry::FineMesh>& before, const Elements& old) {
         const std::vector<dvec3> known = std::exchange(light, std::vector<dvec3>(elements.size()));
         std::vector<std::uint32_t> wanted;
@@ -141,11 +145,11 @@ Scene solve(Scene scene, const RadiositySettings& settings, RadiosityReport& rep
     const std::vector<bool> used = used_materials(scene, parts);
     const std::vector<geometry::FineMesh> whole = placed_meshes(scene, parts, context);
     const std::uint64_t sides = count_sides(parts, whole);
-    const std::uint64_t most = most_elements(scene, settings, sides, context.report());
+    const std::uint64_t most = max_elements(scene, settings, sides, context.report());
     remark_what_is_left_out(scene, used, context.report());
     const ColorMaps colors(scene, used, context);
     const CutScene cut{scene, parts, colors};
-    const std::size_t wanted = std::clamp<std::size_t>(most / elements_a_patch, least_patches, most_patches);
+    const std::size_t wanted = std::clamp<std::size_t>(most / elements_a_patch, min_patches, max_patches);
     PatchLevel level = cut_to_patches(cut, whole, wanted, sides + (most - sides) / 4, context);
     const raytrace::SurfaceRays rays(scene, context);
     const double diagonal = rays.list().bounds.diagonal();

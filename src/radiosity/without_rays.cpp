@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of a library that is built without engine trace.
+// Replacement in builds without the engine trace.
 #include <rakelight/radiosity.h>
 
 namespace rakelight {

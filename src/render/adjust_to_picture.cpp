@@ -34,7 +34,7 @@ Frame small_picture(const RenderSettings& of, Session& session, const Camera& ca
     settings.shadows = false;
     settings.background = {0, 0, 0, 0};
     settings.ambient_occlusion = false;
-    session.take_up(camera, settings, context);  // what it remarks on, textures that are broken, is said once
+    session.warm_up(camera, settings, context);  // what it remarks on, textures that are broken, is reported once
     // What there is to remark on in drawing is remarked on by the picture itself, and progress is that picture's.
     Context quiet({.threads = context.threads(), .max_memory = context.memory().limit(), .parent = &context});
     Frame frame;

@@ -45,9 +45,9 @@ public:
         : gpu_(std::move(gpu)), soft_(raster::make_engine()), why_(std::move(why)) {}
 
     std::string name() const override { return draws_on_gpu_ ? gpu_->name() : soft_->name(); }
-    EngineAbilities abilities() const override {
-        EngineAbilities can = soft_->abilities();
-        if (gpu_) can.user_lighting = gpu_->abilities().user_lighting;
+    EngineCapabilities capabilities() const override {
+        EngineCapabilities can = soft_->capabilities();
+        if (gpu_) can.user_lighting = gpu_->capabilities().user_lighting;
         return can;
     }
 
@@ -55,7 +55,7 @@ public:
     void prepare_unposed(Scene scene, std::shared_ptr<const geometry::MeshPoses> poses, Context& context) override {
         draws_on_gpu_ = gpu_ != nullptr;
         poses_ = std::move(poses);
-        if (!draws_on_gpu_ && !is_said_) say("it takes engine soft: " + why_, Remark::note, scene.source, context);
+        if (!draws_on_gpu_ && !is_said_) say("it uses engine soft: " + why_, Remark::note, scene.source, context);
         is_said_ = true;
         if (draws_on_gpu_) {
             try {
@@ -74,7 +74,7 @@ public:
     }
 
     RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) override {
-        if (draws_on_gpu_ && can_draw(gpu_->abilities(), settings)) {
+        if (draws_on_gpu_ && can_draw(gpu_->capabilities(), settings)) {
             WatchedSink watched(sink);
             try {
                 return gpu_->render(camera, settings, watched, context);
@@ -82,12 +82,12 @@ public:
                 if (watched.has_begun()) throw;
                 const Scene scene = gpu_->scene();
                 give_up(error, scene.source, context);
-                check_abilities(name(), soft_->abilities(), settings);
+                check_abilities(name(), soft_->capabilities(), settings);
                 soft_->prepare(posed(scene, context), context);
             }
         } else if (draws_on_gpu_) {
-            check_abilities(name(), soft_->abilities(), settings);
-            say("it takes engine soft for what engine gl cannot do", Remark::note, scene().source, context);
+            check_abilities(name(), soft_->capabilities(), settings);
+            say("it uses engine soft for what engine gl cannot do", Remark::note, scene().source, context);
             soft_->prepare(posed(gpu_->scene(), context), context);
             draws_on_gpu_ = false;
         }
@@ -100,7 +100,7 @@ private:
         if (posing && poses_) return posing->prepare_unposed(scene, poses_, context);
         gpu_->prepare(posed(scene, context), context);
     }
-    /// As soft takes it: whatever the GPU has posed, the processor does from the bind pose.
+    /// The scene as soft takes it: meshes posed by the GPU are posed again on the processor.
     Scene posed(Scene scene, Context& context) const {
         return poses_ ? with_posed_arrays(std::move(scene), *poses_, context) : scene;
     }
@@ -111,7 +111,7 @@ private:
     void give_up(const Error& error, const std::string& source, Context& context) {
         context.throw_if_cancelled();
         if (error.code() != ErrorCode::failed) throw;
-        say("it goes on with engine soft: " + error.reason(), Remark::warning, source, context);
+        say("it continues with engine soft: " + error.reason(), Remark::warning, source, context);
         gpu_ = nullptr;
         draws_on_gpu_ = false;
     }

@@ -7,7 +7,7 @@
 
 #include "math/functions.h"
 #include "math/linear.h"
-#include "render/view.h"
+#include "render/choose_camera.h"
 
 namespace rakelight {
 namespace {
@@ -59,19 +59,18 @@ bool may_see(const Camera& camera, double aspect, const Bounds& bounds) {
 std::string why_blind(const Camera& camera, double aspect, const Bounds& bounds) {
     const Outside o = outside_of(camera, aspect, bounds);
     if (o.planes == 0) return {};
-    if (o.farthest <= 0 && camera.z_near >= 0) return "all of it lies behind the camera";
+    if (o.farthest <= 0 && camera.z_near >= 0) return "all of it is behind the camera";
     constexpr std::array<const char*, 4> sides = {"to the left of", "to the right of", "below", "above"};
     for (std::size_t k = 0; k < sides.size(); ++k)
-        if (o.planes & 1u << k) return std::string("all of it lies ") + sides[k] + " the picture";
+        if (o.planes & 1u << k) return std::string("all of it is ") + sides[k] + " the picture";
     if (o.planes & Outside::far)
-        return "all of it is " + meters(o.nearest) + " away or more, and far is " + meters(camera.z_far);
-    return "all of it is " + meters(o.farthest) + " away or less, and near is " + meters(camera.z_near);
+        return "all of it is " + meters(o.nearest) + " away or more, but the far plane is at " + meters(camera.z_far);
+    return "all of it is " + meters(o.farthest) + " away or less, but the near plane is at " + meters(camera.z_near);
 }
 
 void warn_if_blind(const Camera& camera, double aspect, const Bounds& bounds, const std::string& file, Report& report) {
     const std::string why = why_blind(camera, aspect, bounds);
-    if (!why.empty())
-        report.add(Remark::warning, file, "", "the camera that was asked for sees nothing of the model: " + why);
+    if (!why.empty()) report.add(Remark::warning, file, "", "the requested camera sees nothing of the model: " + why);
 }
 
 void set_asked_depths(Camera& camera, const ViewRequest& view) {
@@ -79,13 +78,12 @@ void set_asked_depths(Camera& camera, const ViewRequest& view) {
     if (view.z_far) camera.z_far = *view.z_far;
     if ((!view.z_near && !view.z_far) || camera.z_near < camera.z_far) return;
     if (view.z_near)  // both were compared before
-        throw Error(
-            ErrorCode::usage,
-            "near, " + meters(camera.z_near) + ", is not less than the far of this camera, " + meters(camera.z_far), {},
-            "give a far too");
+        throw Error(ErrorCode::usage,
+                    "near, " + meters(camera.z_near) + ", is not less than this camera's far, " + meters(camera.z_far),
+                    {}, "give a far too");
     throw Error(ErrorCode::usage,
-                "far, " + meters(camera.z_far) + ", is not more than the near of this camera, " + meters(camera.z_near),
-                {}, "give a near too");
+                "far, " + meters(camera.z_far) + ", is not more than this camera's near, " + meters(camera.z_near), {},
+                "give a near too");
 }
 
 }  // namespace rakelight

@@ -14,7 +14,7 @@ constexpr double farthest_gray = 0.125;  // so that what is far is not taken for
 
 double real(std::uint32_t word) { return double(std::bit_cast<float>(word)); }
 
-Code gray_of_distance(double d, const ViewRange& range) {
+Code gray_of_distance(double d, const ChannelRange& range) {
     if (!std::isfinite(d)) return {};
     const double length = range.depth_high - range.depth_low;
     const double t = length > 0 ? (d - range.depth_low) / length : 0;
@@ -29,7 +29,7 @@ Code color_of_direction(const std::uint32_t* w) {
 
 double across(double v, double low, double high) { return high > low ? (v - low) / (high - low) : 0.5; }
 
-Code color_of_position(const std::uint32_t* w, const ViewRange& r) {
+Code color_of_position(const std::uint32_t* w, const ChannelRange& r) {
     const double x = real(w[0]), y = real(w[1]), z = real(w[2]);
     if (x == 0 && y == 0 && z == 0) return {};
     return {code_of(across(x, r.low.x, r.high.x)), code_of(across(y, r.low.y, r.high.y)),
@@ -46,7 +46,7 @@ Code color_of_count(std::uint32_t n) {
     return heat((power + double(n) / double(1u << power) - 1) / 4);
 }
 
-Code view(const ChannelInfo& channel, const ViewRange& range, const std::uint32_t* w) {
+Code view(const ChannelInfo& channel, const ChannelRange& range, const std::uint32_t* w) {
     switch (channel.kind) {
         case ChannelKind::distance:
             return gray_of_distance(real(w[0]), range);
@@ -78,7 +78,7 @@ Code view(const ChannelInfo& channel, const ViewRange& range, const std::uint32_
 
 }  // namespace
 
-void view_row(const ChannelInfo& channel, const ViewRange& range, const std::uint32_t* words, std::size_t count,
+void view_row(const ChannelInfo& channel, const ChannelRange& range, const std::uint32_t* words, std::size_t count,
               std::uint8_t* rgb) {
     const auto step = std::size_t(channel.components());
     for (std::size_t i = 0; i < count; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data channels as pictures for the eye: 8-bit RGB.
+// Data channels as 8-bit RGB pictures to look at.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace rakelight {
 /// where nothing is.
 /// @param words  [count * components] of four bytes, as PictureSink keeps them
 /// @param rgb    [count * 3] out
-void view_row(const ChannelInfo& channel, const ViewRange& range, const std::uint32_t* words, std::size_t count,
+void view_row(const ChannelInfo& channel, const ChannelRange& range, const std::uint32_t* words, std::size_t count,
               std::uint8_t* rgb);
 
 }  // namespace rakelight

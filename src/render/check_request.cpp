@@ -20,7 +20,7 @@ void check_output(const PictureRequest& request) {
     const bool has_exr_channels =
         request.settings.channels != 0 && (request.channel_files & ~std::uint32_t(channel_files_png)) != 0;
     if (request.half_colors && !has_exr_channels && !is_exr(request.output))
-        throw Error(ErrorCode::usage, "is about EXR files, but none is written", {},
+        throw Error(ErrorCode::usage, "applies to EXR files, but none is written", {},
                     "let the output end in .exr, or ask for data channels")
             .about("exr-colors", {"channels"});
     check_output_place(request.output);
@@ -60,10 +60,10 @@ void warn_of_unused(const PictureRequest& request, Report& report) {
                    "radiosity-elements and radiosity-unshot have no effect without the method radiosity", {"method"});
     const bool has_occlusion_settings = names(request, {"ambient-occlusion-radius", "ambient-occlusion-samples"}) ||
                                         s.ambient_occlusion_radius != 0 ||
-                                        s.ambient_occlusion_samples != usual_occlusion_samples;
+                                        s.ambient_occlusion_samples != default_occlusion_samples;
     if (has_occlusion_settings && !s.ambient_occlusion && !names(request, "ambient-occlusion"))
         report.add(Remark::warning, request.input, "",
-                   "a radius and samples of ambient occlusion have no effect without 'ambient-occlusion'",
+                   "the radius and samples of ambient occlusion have no effect without 'ambient-occlusion'",
                    {"ambient-occlusion"});
 }
 

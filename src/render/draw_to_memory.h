@@ -5,11 +5,11 @@
 
 namespace rakelight {
 
-/// As draw_to_files(), but the color alone, as a PNG file would hold it, into memory.
+/// Like draw_to_files(), but only the color, as a PNG file would hold it, into memory.
 void draw_to_memory(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
                     Pixels& color, Context& context);
 
-/// What whoever gets the file has to know of its colors.
+/// The color settings that a reader of the file needs.
 std::string comment_of(const RenderSettings& settings);
 
 }  // namespace rakelight

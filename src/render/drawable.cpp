@@ -12,7 +12,7 @@
 namespace rakelight {
 namespace {
 
-/// Lines and points need no more than a place.
+/// Lines and points need only a position.
 bool has_place(const Mesh& mesh) {
     return std::any_of(mesh.indices.begin(), mesh.indices.end(),
                        [&](std::uint32_t i) { return is_finite(mesh.positions[i]); });
@@ -38,7 +38,7 @@ bool can_be_seen(const Scene& scene) {
     const std::vector<dmat4> world = world_matrices(scene);
     for (std::size_t i = 0; i < scene.nodes.size(); ++i)
         for (const std::uint32_t mesh : scene.nodes[i].meshes)
-            // Skinned meshes do not stand where their node does.
+            // Skinned meshes are not placed by their node.
             if (can_be_seen(scene.meshes[mesh],
                             follows_skin(scene, scene.nodes[i], scene.meshes[mesh]) ? dmat4{} : world[i]))
                 return true;

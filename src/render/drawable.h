@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether anything of a scene can be seen from any side.
+// Whether anything of a scene is visible from any side.
 #pragma once
 #include <rakelight/scene.h>
 
 namespace rakelight {
 
-/// True when some triangle of some object has an area in the world: finite corners that are not on one line; or when
-/// there is a line or point. Ends at the first one, so it costs next to nothing for ordinary models.
+/// True if a triangle of an object has an area in the world (finite corners, not collinear), or if there is a line or
+/// point. Stops at the first one, so it costs almost nothing for ordinary models.
 bool can_be_seen(const Scene& scene);
 
 /// @throws Error bad_file "nothing to draw ..." with the scene's source where !can_be_seen()

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/format_text.h"
 #include "engines/raster/raster_engine.h"
 #ifdef RL_HAVE_OPENGL
 #include "engines/opengl/opengl_engine.h"
@@ -44,8 +45,8 @@ void check_engine_name(const std::string& name) {
 
 namespace {
 
-/// The first thing that settings ask for and an engine cannot do; empty: it can do all.
-std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
+/// The first requirement of the settings that an engine cannot meet; empty: it meets all.
+std::string beyond(const EngineCapabilities& can, const RenderSettings& s) {
     std::string first;
     const auto require = [&first](bool can_do, const std::string& what) {
         if (!can_do && first.empty()) first = what;
@@ -58,25 +59,26 @@ std::string beyond(const EngineAbilities& can, const RenderSettings& s) {
                 std::string("give the data channel ") + channel.word +
                     (can.path_channels & channel.channel ? ": method path does" : ""));
     require(is_path || std::ranges::find(can.samples, s.samples) != can.samples.end(),
-            "take " + std::to_string(s.samples) + " samples a pixel" + (can.rays ? ": method path does" : ""));
+            format_text("take {} samples per pixel{}", s.samples, can.rays ? ": method path does" : ""));
     require(can.visibility_methods || s.visibility == Visibility::z_reversed,
-            "remove hidden surfaces by another method than its own");
+            "use another method of hidden-surface removal than its own");
     require(can.screen_interpolation || s.interpolation == AttributeInterpolation::perspective,
             "interpolate attributes on the screen");
     require(can.lines_and_points || (s.surfaces && !s.edges && s.points == PointShape::none),
             "draw edges and vertices");
     require(can.shadows || !s.shadows, "draw shadows");
     require(can.ambient_occlusion || !s.ambient_occlusion, "find ambient occlusion: engine soft does");
-    require(can.rays || s.colors, "leave the colors out");
-    require(can.user_lighting || s.lighting_text.empty(), "light by a text in GLSL, " + one_line(s.lighting_name, 80));
+    require(can.rays || s.colors, "draw without colors");
+    require(can.user_lighting || s.lighting_text.empty(),
+            "use lighting from a GLSL file, " + one_line(s.lighting_name, 80));
     return first;
 }
 
 }  // namespace
 
-bool can_draw(const EngineAbilities& can, const RenderSettings& settings) { return beyond(can, settings).empty(); }
+bool can_draw(const EngineCapabilities& can, const RenderSettings& settings) { return beyond(can, settings).empty(); }
 
-void check_abilities(const std::string& name, const EngineAbilities& can, const RenderSettings& settings) {
+void check_abilities(const std::string& name, const EngineCapabilities& can, const RenderSettings& settings) {
     const std::string what = beyond(can, settings);
     if (!what.empty()) throw Error(ErrorCode::usage, "engine " + one_line(name, 40) + " cannot " + what);
 }

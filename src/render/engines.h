@@ -19,8 +19,8 @@ std::string engine_isa(const std::string& name);
 void check_engine_name(const std::string& name);
 
 /// Whether an engine has all that the settings ask for.
-bool can_draw(const EngineAbilities& can, const RenderSettings& settings);
+bool can_draw(const EngineCapabilities& can, const RenderSettings& settings);
 /// @throws Error usage: the settings ask for what the engine of that name cannot do
-void check_abilities(const std::string& name, const EngineAbilities& can, const RenderSettings& settings);
+void check_abilities(const std::string& name, const EngineCapabilities& can, const RenderSettings& settings);
 
 }  // namespace rakelight

@@ -6,6 +6,7 @@
 #include <rakelight/picture.h>
 #include <rakelight/session.h>
 
+#include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "io/glb_writer.h"
 #include "io/ply_writer.h"
@@ -40,8 +41,8 @@ namespace {
 void check_colors(const Frame& frame, const std::string& path) {
     const Window& w = frame.window;
     if (w.width > 0 && w.height > 0 && frame.color.size() != std::size_t(w.width) * std::size_t(w.height))
-        throw Error(ErrorCode::usage, "the frame has " + std::to_string(frame.color.size()) + " colors for " +
-                                          std::to_string(w.width) + " x " + std::to_string(w.height) + " pixels")
+        throw Error(ErrorCode::usage,
+                    format_text("the frame has {} colors for {} x {} pixels", frame.color.size(), w.width, w.height))
             .with_file(path);
 }
 

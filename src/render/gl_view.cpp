@@ -42,13 +42,13 @@ RenderStats GlView::draw(const Camera& camera, const RenderSettings& settings, c
     State& s = *state_;
     if (!s.whole) return {};
     check_settings(settings);
-    check_abilities("gl", s.view.abilities(), settings);
+    check_abilities("gl", s.view.capabilities(), settings);
     check_camera(camera, s.whole->scene.nodes.size(), CameraUse::in_scene);
     const Camera at = camera_in_world(s.whole->scene, camera, double(settings.width) / double(settings.height));
     s.view.set_lights(s.whole->has_chosen_lights ? s.whole->scene.lights
                                                  : lights_of(s.whole->scene, at, RayMethod::automatic));
     RenderSettings drawn = settings;
-    const vec4 behind = keep_background(drawn, tone);
+    const vec4 behind = separate_background(drawn, tone);
     return s.view.draw(at, drawn, tone, behind, context);
 }
 

@@ -20,7 +20,7 @@ std::size_t axis_of(dvec3 v) {
     return y >= x && y >= z ? 1 : z >= x ? 2 : 0;
 }
 
-/// Powers that are not whole are rounded: what is as large but for that counts.
+/// Powers that are not whole are rounded: what is as large except for that counts.
 bool is_reached(double by, double step) { return step <= by * (1 + 1e-12); }
 
 double power_of_ten(double least) {
@@ -37,7 +37,7 @@ double step_of_scale(double least) {
     return is_reached(least, 5 * power) ? 5 * power : is_reached(least, 2 * power) ? 2 * power : power;
 }
 
-GroundGrid::GroundGrid(const shading::View& view, dvec3 up, const Bounds& bounds, bool dark)
+GroundGrid::GroundGrid(const shading::PictureCamera& view, dvec3 up, const Bounds& bounds, bool dark)
     : rays_(shading::pixel_rays(view, 0, 0)),
       eye_(view.camera_to_world[3].xyz()),
       forward_(-view.camera_to_world[2].xyz()),
@@ -71,7 +71,7 @@ GroundGrid::GroundGrid(const shading::View& view, dvec3 up, const Bounds& bounds
     step_ = step_of_scale(size / steps_across);
     major_ = 10 * power_of_ten(step_);
     reach_ = faded * size;
-    height_ -= 1e-4 * size;  // what stands on the ground hides it
+    height_ -= 1e-4 * size;  // surfaces on the ground hide it
     tolerance_ = 1e-5;
     color_ = dark ? vec3{0.02f, 0.02f, 0.02f} : vec3{0.9f, 0.9f, 0.9f};
 }

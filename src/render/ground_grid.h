@@ -4,7 +4,7 @@
 #include <rakelight/engine.h>
 #include <rakelight/scene_queries.h>
 
-#include "shading/view.h"
+#include "shading/picture_camera.h"
 
 namespace rakelight {
 
@@ -16,7 +16,7 @@ public:
     /// @param up      unit, world
     /// @param bounds  of the model; not empty
     /// @param dark    lines are drawn dark, for light backgrounds
-    GroundGrid(const shading::View& view, dvec3 up, const Bounds& bounds, bool dark);
+    GroundGrid(const shading::PictureCamera& view, dvec3 up, const Bounds& bounds, bool dark);
 
     /// What is drawn over a pixel: linear color and alpha. @param depth  [m] of what the pixel shows
     vec4 at(int x, int y, double depth) const;

@@ -32,15 +32,16 @@ ImageHandle as_image(Pixels pixels, const EncodedImage& from) {
 std::string text_of(double depth) {
     char text[160];
     std::snprintf(text, sizeof text,
-                  "height map made from the normal map, whose slopes make it %.3g of the texture's width deep", depth);
+                  "height map computed from the normal map; its slopes give a depth of %.3g of the texture's width",
+                  depth);
     return text;
 }
 
-/// Where parts of a picture stand side by side, as atlases have them, their heights fit nowhere: what is a step in the
-/// texture alone would be one in the geometry.
+/// If unrelated parts of a picture are side by side, as in atlases, their heights do not match at the borders: a step
+/// in the texture would become one in the geometry.
 constexpr const char* displaced =
-    "displaced by heights made from the normal map: how high its parts stand to one another is guessed, borders of its "
-    "texture may bulge; a height map or 'bump' occlusion does not";
+    "displaced by heights computed from the normal map: the relative height of its parts is guessed, and borders of "
+    "its texture may bulge; a height map or 'bump' occlusion avoids this";
 
 /// One height map for each picture, whichever materials use it.
 class Maker {
@@ -70,7 +71,7 @@ private:
         } catch (const Error& error) {
             context_.throw_if_cancelled();
             context_.report().add(Remark::dropped, scene_.source, m.name,
-                                  "no height map made from the normal map: " + error.reason());
+                                  "no height map computed from the normal map: " + error.reason());
             return no_index;
         }
     }
@@ -91,11 +92,11 @@ void warn_of_no_heights(const Scene& scene, const RenderSettings& settings, Repo
     if (settings.bump != Bump::automatic && reads_heights(settings.bump) &&
         std::none_of(scene.materials.begin(), scene.materials.end(), has_heights))
         report.add(Remark::warning, scene.source, {},
-                   "no bumps: no material has a height map, nor a normal map that one can be made from");
+                   "no bumps: no material has a height map, or a normal map to compute one from");
     for (const Material& m : scene.materials)
         if (m.bump != Bump::automatic && reads_heights(m.bump) && !has_heights(m))
             report.add(Remark::warning, scene.source, m.name,
-                       "no bumps: the material has no height map, nor a normal map that one can be made from");
+                       "no bumps: the material has no height map, or a normal map to compute one from");
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ void add_note(const RadiosityReport& r, const std::string& file, Report& report)
         text, sizeof text,
         "radiosity: %u elements, %u patches, %u shots; of %.4g W %.1f %% are absorbed, %.1f %% unshot, %.1f %% "
         "left the scene",
-        r.elements, r.patches, r.shots, r.emitted, whole * r.absorbed, whole * r.unshot, std::max(0.0, whole * r.left));
+        r.elements, r.patches, r.shots, r.emitted, whole * r.absorbed, whole * r.unshot,
+        std::max(0.0, whole * r.escaped));
     report.add(Remark::note, file, "", text, {"method"});
 }
 

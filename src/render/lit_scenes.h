@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes lit by radiosity, for the method of that name: once for a scene and its lights, whatever the viewpoint.
+// Scenes lit by radiosity, for the method of that name: computed once for a scene and its lights, independent of the
+// viewpoint.
 #pragma once
 #include <rakelight/radiosity.h>
 
@@ -7,19 +8,19 @@
 
 namespace rakelight {
 
-/// with_radiosity(), and what came of it as a note in the report.
+/// with_radiosity(), with its result as a note in the report.
 /// @param prepared  with the lights of the picture
 /// @param report    out; null: not wanted
 Scene lit_by_radiosity(Scene prepared, const RadiositySettings& settings, Context& context,
                        RadiosityReport* report = nullptr);
 
-/// What came of a solution, as a note.
+/// The result of a solution, as a note.
 void add_note(const RadiosityReport& solution, const std::string& file, Report& report);
 
 /// The last one that was lit is kept.
 class LitScenes {
 public:
-    /// Where nothing shines in it, it is lit by the default rig of its default view.
+    /// If it has no source of light, it is lit by the default rig of its default view.
     std::shared_ptr<const PreparedScene> of(const std::shared_ptr<const PreparedScene>& prepared,
                                             const RadiositySettings& settings, Context& context);
 

@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "prepare/pose_scene.h"
+#include "render/choose_camera.h"
 #include "render/picture_steps.h"
 #include "render/point_look.h"
 #include "render/up_axis.h"
-#include "render/view.h"
 #include "scene/scene_tools.h"
 #include "world/coloring.h"
 #include "world/scene_of_request.h"
@@ -55,13 +55,13 @@ bool take_camera(const Scene& scene, PictureRequest& request, Context& context) 
     request.view.side = "default";
     note(context, request,
          "the file's camera shows " + of_it + ": the fitted view" +
-             (lights.empty() ? " is" : " and the default light are") + " used; 'view' file takes the file's camera" +
+             (lights.empty() ? " is" : " and the default light are") + " used; 'view' file uses the file's camera" +
              lights,
          {"view"});
     return false;
 }
 
-/// Where nobody has said how the model stands, and its format does not.
+/// If neither the request nor the format gives the up axis.
 void note_up(const Scene& scene, PictureRequest& request, Context& context) {
     const bool is_placed =
         names(request, {"up", "camera-view-up", "camera-position", "camera-direction", "view", "camera-index"});
@@ -71,7 +71,7 @@ void note_up(const Scene& scene, PictureRequest& request, Context& context) {
         note(context, request, "the model looks as if Z were up: " + why + "; 'up' +Z turns it upright", {"up"});
 }
 
-/// Metallic-roughness materials are lit by the studio, where nobody has said what lights the scene.
+/// Metallic-roughness materials are lit by the studio, unless a light is given.
 void take_light(const Scene& scene, bool takes_file, PictureRequest& request) {
     if (!takes_file && !names(request, "light")) request.default_lights = !scene.lights.empty();
     if (request.preset != Preset::none) return;
@@ -102,20 +102,20 @@ void take_look_of_posed(const Scene& scene, PictureRequest& request, Context& co
 }  // namespace
 
 bool names(const PictureRequest& request, std::string_view key) {
-    return std::ranges::find(request.named, key) != request.named.end();
+    return std::ranges::find(request.given_keys, key) != request.given_keys.end();
 }
 
 bool names(const PictureRequest& request, std::initializer_list<std::string_view> keys) {
     return std::ranges::any_of(keys, [&](std::string_view key) { return names(request, key); });
 }
 
-void take_look(const Scene& scene, PictureRequest& request, Context& context) {
+void apply_look(const Scene& scene, PictureRequest& request, Context& context) {
     if (request.look == Look::plain) return;
     const std::optional<Scene> posed = posed_outline(scene, context);
     take_look_of_posed(posed ? *posed : scene, request, context);
 }
 
-void take_look_of_picture(const Scene& asked, PictureRequest& request, Context& context) {
+void apply_look_exposure(const Scene& asked, PictureRequest& request, Context& context) {
     if (request.look == Look::plain) return;
     PictureRequest drawn = request;
     if (drawn.settings.method == RayMethod::radiosity) drawn.settings.method = RayMethod::automatic;
@@ -126,10 +126,10 @@ void take_look_of_picture(const Scene& asked, PictureRequest& request, Context& 
 }
 
 Scene looked_as_asked(Scene scene, PictureRequest& request, Context& context) {
-    scene = moved_as_asked(std::move(scene), request);
-    take_look(scene, request, context);
+    scene = with_requested_clips(std::move(scene), request);
+    apply_look(scene, request, context);
     request.coloring = completed(scene, request.coloring);
-    return with_splats(as_asked(std::move(scene), request, context), request, context);
+    return with_splats(as_requested(std::move(scene), request, context), request, context);
 }
 
 Scene loaded_as_asked(PictureRequest& request, Context& context) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The default look: what a picture is like in what nobody names. docs/default-look.md has it as numbers.
+// The default look: values for settings that are not given. docs/default-look.md has the numbers.
 #pragma once
 #include <initializer_list>
 #include <string_view>
@@ -9,15 +9,15 @@
 
 namespace rakelight {
 
-/// Somebody has given the setting: the look leaves its topic alone. Of several: one of them.
+/// Whether the setting is given: then the look leaves its topic alone. Of several: one of them.
 bool names(const PictureRequest& request, std::string_view key);
 bool names(const PictureRequest& request, std::initializer_list<std::string_view> keys);
 
-/// The rest of take_look(), by looking at a small picture first: the background's tone, and the exposure where the file's lights are in
-/// physical units. @param session  has the scene of the picture
+/// The rest of apply_look(), which needs a small picture first: the background's tone, and the exposure if the file's
+/// lights are in physical units. @param session has the scene of the picture
 void adjust_to_picture(PictureRequest& request, Session& session, const Camera& camera, Context& context);
 
-/// The model of a request, loaded, with the look and with what the request asks for.
+/// The model of a request, loaded, with the look and the request's settings.
 Scene loaded_as_asked(PictureRequest& request, Context& context);
 /// The same of a scene that was loaded and has passed validate().
 Scene looked_as_asked(Scene scene, PictureRequest& request, Context& context);

@@ -70,7 +70,7 @@ Overlay::Overlay(const PictureRequest& request, const Scene& scene, const Camera
     if (wanted.grid && !bounds.empty()) {
         const dvec3 up = normalize_or(request.view.world_up.value_or(dvec3{0, 1, 0}), dvec3{0, 1, 0});
         const bool has_sky = scene.environment && scene.environment->is_background;
-        grid_.emplace(shading::make_view(camera, camera.to_world, request.settings), up, bounds,
+        grid_.emplace(shading::make_picture_camera(camera, camera.to_world, request.settings), up, bounds,
                       has_sky || is_light(request.settings.background));
     }
     if (request.coloring.is_on && request.coloring.has_bar)

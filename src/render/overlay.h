@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is drawn over a finished picture (docs/overlays.md), row by row, whatever the engine: the same in windows and strips as in the whole.
+// Draws over a finished picture (docs/overlays.md), row by row, for any engine: the same in windows and strips as in
+// the whole picture.
 #pragma once
 #include <optional>
 #include <string>
@@ -38,7 +39,7 @@ private:
     std::vector<Sprite> sprites_;
 };
 
-/// What --metadata shows, a line each.
+/// The lines of --metadata.
 std::string metadata_text(const std::string& file, const Scene& scene);
 
 }  // namespace rakelight

@@ -7,6 +7,8 @@
 #include "engines/check_settings.h"
 #include "engines/empty_pixel.h"
 #include "math/linear.h"
+#include "render/channel_range.h"
+#include "render/choose_camera.h"
 #include "render/draw_to_memory.h"
 #include "render/drawable.h"
 #include "render/engines.h"
@@ -18,8 +20,6 @@
 #include "render/prepared_scene.h"
 #include "render/stopwatch.h"
 #include "render/too_dark_or_bright.h"
-#include "render/view.h"
-#include "render/view_range.h"
 #include "scene/light_cutoff.h"
 #include "scene/scene_tools.h"
 
@@ -32,7 +32,7 @@ std::uint64_t count_objects(const Scene& scene) {
 }
 
 /// What the scales of PNG channels mean.
-std::string text_of(const ViewRange& r) {
+std::string text_of(const ChannelRange& r) {
     char text[240];
     std::snprintf(text, sizeof text,
                   "PNG channels: depth from %.6g m (white) to %.6g m (dark gray), position from %.6g,%.6g,%.6g to "
@@ -94,9 +94,9 @@ Window whole_window(const RenderSettings& s) {
 
 namespace {
 
-/// What is drawn over the picture, if anything is. Its settings ask for depths then, where it needs them.
+/// The overlay of the picture, if any. Depths are then requested if it needs them.
 /// @param range  what is shown; of a sequence by all of its pictures
-std::optional<Overlay> overlay_of(const PictureRequest& request, const ViewRange& range, Session& session,
+std::optional<Overlay> overlay_of(const PictureRequest& request, const ChannelRange& range, Session& session,
                                   const Camera& camera, RenderSettings& settings, Context& context) {
     if (!request.has_overlays()) return {};
     const std::shared_ptr<const PreparedScene> prepared = session.prepared(request.settings, context);
@@ -117,10 +117,11 @@ void draw_to_outputs(Session& session, const Camera& camera, const PictureReques
     RenderSettings settings = request.settings;
     const Window window = whole_window(settings);
     const PixelFormat format = format_for(request.output, settings.background.w < 1);
-    const vec4 behind = format.component == Component::u8 ? keep_background(settings, request.tone) : vec4{};
-    const std::optional<Overlay> overlay = overlay_of(request, result.view_range, session, camera, settings, context);
+    const vec4 behind = format.component == Component::u8 ? separate_background(settings, request.tone) : vec4{};
+    const std::optional<Overlay> overlay =
+        overlay_of(request, result.channel_range, session, camera, settings, context);
     PictureFiles files(request.output, window.width, window.height, format,
-                       {request.settings.channels, request.channel_files, request.half_colors, result.view_range,
+                       {request.settings.channels, request.channel_files, request.half_colors, result.channel_range,
                         comment_of(settings), memory},
                        {window.x, window.y, settings.width, settings.height});
     double written_ms = 0;
@@ -142,7 +143,7 @@ void draw_to_outputs(Session& session, const Camera& camera, const PictureReques
     } catch (const Error&) {
         if (!request.keep_partial || !context.cancelled() || sink.done() == 0) throw;
         result.done = sink.done();
-        char text[120] = "the picture was cancelled: it has not all of its samples";
+        char text[120] = "the picture was cancelled: some of its samples are missing";
         if (result.done < 1)
             std::snprintf(text, sizeof text,
                           "the picture was cancelled: %.1f %% of its pixels are there, the rest is the background",
@@ -185,8 +186,9 @@ void draw_to_memory(Session& session, const Camera& camera, const PictureRequest
     color.charge = share(
         MemoryCharge(context.memory(), std::uint64_t(color.row_bytes()) * std::uint64_t(window.height), "the picture"));
     RenderSettings settings = request.settings;
-    const vec4 behind = keep_background(settings, request.tone);
-    const std::optional<Overlay> overlay = overlay_of(request, result.view_range, session, camera, settings, context);
+    const vec4 behind = separate_background(settings, request.tone);
+    const std::optional<Overlay> overlay =
+        overlay_of(request, result.channel_range, session, camera, settings, context);
     PictureSink sink(format, ToneCurve(request.tone, behind));
     keep_depth_for(overlay, request.settings, sink);
     ExtremePixels extremes;
@@ -202,7 +204,7 @@ void draw_to_memory(Session& session, const Camera& camera, const PictureRequest
 
 namespace {
 
-/// Prepares a scene that was loaded, draws it and looks at what was drawn.
+/// Prepares a loaded scene, draws it and checks the picture.
 /// @param draw  with the session, the camera and the result that it completes
 template <class Draw>
 PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session, Context& context, const Draw& draw) {
@@ -211,7 +213,7 @@ PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session
     Stopwatch watch;
     context.progress("prepare", 0);
     auto [ready, camera] = ready_scene(std::move(loaded), request, context);
-    result.view_range = view_range(ready->posed(context), camera);
+    result.channel_range = channel_range(ready->posed(context), camera);
     count_parts(ready->scene, result);
     give(session, std::move(ready));
     result.prepare_ms = watch.lap_ms();
@@ -220,7 +222,7 @@ PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session
     adjust_to_picture(request, session, camera, context);
     draw(session, camera, request, result);
     if (request.settings.channels && (request.channel_files & channel_files_png))
-        context.report().add(Remark::note, request.input, "", text_of(result.view_range));
+        context.report().add(Remark::note, request.input, "", text_of(result.channel_range));
     const bool is_whole = result.done == 1 && request.settings.colors && !context.cancelled();
     if (is_whole &&
         result.stats.pixels_shaded + result.stats.pixels_marked == 0)  // blended surfaces cover nothing, but are seen
@@ -240,7 +242,7 @@ PictureResult draw_picture(Scene loaded, const PictureRequest& request, Session&
 
 namespace {
 
-/// @param draw  with a session of the engine that is asked for
+/// @param draw  with a session of the engine that is requested
 template <class Draw>
 PictureResult picture_by(const PictureRequest& request, Context& context, const Draw& draw) {
     try {
@@ -278,7 +280,7 @@ PictureResult render_picture(const PictureRequest& asked, std::vector<std::byte>
     check_request(asked);
     const bool is_in_layers = asked.channel_files == channel_files_layers && is_exr(asked.output);
     if (asked.settings.channels != 0 && !is_in_layers)
-        throw Error(ErrorCode::usage, "is for pictures in files: data channels go to files beside them", {},
+        throw Error(ErrorCode::usage, "is for pictures in files: data channels are written to files beside them", {},
                     "write the picture to a file, or as exr with 'channel-files' layers")
             .about("channels", {"channel-files"});
     PictureRequest request = asked;

@@ -169,7 +169,7 @@ void PictureFiles::add_layers(const std::string& path, const ChannelWishes& wish
         std::move(row));
 }
 
-void PictureFiles::add_png(std::uint32_t channel, std::size_t plane, const ViewRange& range) {
+void PictureFiles::add_png(std::uint32_t channel, std::size_t plane, const ChannelRange& range) {
     const ChannelInfo& info = info_of(channel);
     const std::string path = channel_file(output_, info.word, ".png");
     add(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of one picture: its color and its data channels. Rows go in strip by strip; all files appear together at
-// the end or not at all.
+// The files of one picture: its color and its data channels. Rows are added strip by strip; all files appear together
+// at the end or not at all.
 #pragma once
 #include <functional>
 #include <memory>
@@ -35,9 +35,9 @@ struct ChannelWishes {
     std::uint32_t channels = 0;               ///< Channel bits
     std::uint32_t files = channel_files_exr;  ///< ChannelFiles bits
     bool half_colors = false;
-    ViewRange range;
+    ChannelRange range;
     std::string comment{};                     ///< into the metadata of the colors' file
-    std::vector<std::byte>* memory = nullptr;  ///< what the colors' file is written to; null: it is a file
+    std::vector<std::byte>* memory = nullptr;  ///< destination of the color file; null: it is a file
 };
 
 class PictureFiles {
@@ -67,7 +67,7 @@ private:
     void add_color(const ChannelWishes& wishes);
     void add_exr(std::uint32_t channel, std::size_t plane, bool half);
     void add_layers(const std::string& path, const ChannelWishes& wishes);
-    void add_png(std::uint32_t channel, std::size_t plane, const ViewRange& range);
+    void add_png(std::uint32_t channel, std::size_t plane, const ChannelRange& range);
 
     std::string output_;
     int width_, height_;

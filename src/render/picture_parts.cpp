@@ -5,6 +5,7 @@
 #include <rakelight/validate.h>
 #include <cstring>
 
+#include "base/format_text.h"
 #include "engines/channel_arrays.h"
 #include "engines/empty_pixel.h"
 #include "image/tone_curves.h"
@@ -39,15 +40,15 @@ std::vector<std::uint32_t> words_of(const Frame& frame, std::uint32_t channel) {
 
 }  // namespace
 
-Scene with_asked_surfaces(Scene scene, const PictureRequest& request, Context& context) {
+Scene with_requested_surfaces(Scene scene, const PictureRequest& request, Context& context) {
     validate(scene);
-    return as_asked(std::move(scene), request, context);
+    return as_requested(std::move(scene), request, context);
 }
 
-vec4 keep_background(RenderSettings& settings, const ToneSettings& tone) {
+vec4 separate_background(RenderSettings& settings, const ToneSettings& tone) {
     const bool changes_colors = tone.mapping != ToneMapping::none || tone.exposure_ev != 0;
     if (!changes_colors || !(settings.background.w > 0)) return {};
-    settings.lays_background = false;
+    settings.composites_background = false;
     settings.background_light = ToneCurve(tone).light_for(settings.background.xyz());
     return laid_behind(settings);
 }
@@ -72,18 +73,18 @@ void note_lights_left_out(const Scene& scene, const PictureRequest& request, con
     const std::size_t beyond = lights_beyond_preset(wanted_lights(scene, request, camera), request);
     if (beyond > 0)
         report.add(Remark::note, scene.source, "",
-                   "the preset has the first " + std::to_string(most_fixed_lights) +
-                       " lights: " + std::to_string(beyond) + (beyond == 1 ? " is" : " are") + " left out",
+                   format_text("the preset has the first {} lights: {}{} left out", max_fixed_lights, beyond,
+                               beyond == 1 ? " is" : " are"),
                    {"preset"});
 }
 
-std::vector<Light> asked_lights(const Scene& scene, const PictureRequest& request, const Camera& camera) {
+std::vector<Light> requested_lights(const Scene& scene, const PictureRequest& request, const Camera& camera) {
     std::vector<Light> lights = chosen_lights(scene, request, camera);
     if (request.light_cutoff > 0) cut_lights(lights, request.light_cutoff);
     return lights;
 }
 
-std::vector<std::uint32_t> channel_codes(const Frame& frame, std::uint32_t channel, const ViewRange& range) {
+std::vector<std::uint32_t> channel_codes(const Frame& frame, std::uint32_t channel, const ChannelRange& range) {
     const bool is_one =
         channel != 0 && (channel & (channel - 1)) == 0 && (channel & ~(channels_all | channel_ambient_occlusion)) == 0;
     const std::vector<std::uint32_t> words = is_one ? words_of(frame, channel) : std::vector<std::uint32_t>();

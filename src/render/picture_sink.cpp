@@ -45,7 +45,7 @@ void PictureSink::begin(int width, int height, Window window, std::uint32_t chan
     const std::size_t pixels = std::size_t(window_.width) * std::size_t(std::min(rows_, window_.height));
     if (color_.capacity() < pixels * format_.bytes()) {
         color_.reserve(pixels * format_.bytes());
-        wish_huge_pages(color_.data(), pixels * format_.bytes());
+        advise_huge_pages(color_.data(), pixels * format_.bytes());
     }
     color_.resize(pixels * format_.bytes());  // every pixel belongs to a tile
     if (keeps_linear_) linear_.resize(pixels * std::size_t(format_.channels));
@@ -101,8 +101,8 @@ void PictureSink::finish_partial() {
 }
 
 DisplayRows PictureSink::display_rows(const Window& a) {
-    if (!takes_srgb8() || format_.channels != 4) return {};
-    RL_ASSERT(is_kept(a), "a tile reaches out of the strip");
+    if (!wants_srgb8() || format_.channels != 4) return {};
+    RL_ASSERT(is_kept(a), "a tile extends beyond the strip");
     static_assert(std::endian::native == std::endian::little);
     const std::size_t first = at_row(a.y - first_) + std::size_t(a.x - window_.x);
     return {reinterpret_cast<std::uint32_t*>(color_.data() + 4 * first), std::size_t(window_.width)};
@@ -137,7 +137,7 @@ void PictureSink::keep_channels(const Tile& tile, int row) {
 }
 
 void PictureSink::tile(const Tile& tile) {
-    RL_ASSERT(is_kept(tile.area), "a tile reaches out of the strip");
+    RL_ASSERT(is_kept(tile.area), "a tile extends beyond the strip");
     const std::size_t count = std::size_t(tile.area.width);
     brought_ += count * std::size_t(tile.area.height);
     const PixelFormat linear{Component::f32, format_.channels};
@@ -156,7 +156,7 @@ void PictureSink::tile(const Tile& tile) {
 }
 
 void PictureSink::display_tile(const Tile& tile, std::span<const std::uint32_t> srgb8) {
-    RL_ASSERT(is_kept(tile.area), "a tile reaches out of the strip");
+    RL_ASSERT(is_kept(tile.area), "a tile extends beyond the strip");
     const std::size_t count = std::size_t(tile.area.width);
     brought_ += count * std::size_t(tile.area.height);
     if (extremes_) extremes_->add(srgb8);

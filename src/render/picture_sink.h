@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sink of a picture that goes to a file: tiles become display values at once, so a plain picture needs no float
-// frame, and strips of rows are handed on as soon as they are there.
+// The sink of a picture that is written to a file. Tiles are converted to display values at once, so a plain picture
+// needs no float frame. Strips of rows are written as soon as they are complete.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -33,31 +33,31 @@ public:
         : format_(format), tone_(tone), keeps_linear_(linear), strip_done_(std::move(strip_done)) {}
 
     void begin(int width, int height, Window window, std::uint32_t channels) override;
-    bool takes_srgb8() const override {
+    bool wants_srgb8() const override {
         return format_.component == Component::u8 && !keeps_linear_ && tone_.is_identity();
     }
     DisplayRows display_rows(const Window& area) override;
     void tile(const Tile& tile) override;
     void display_tile(const Tile& tile, std::span<const std::uint32_t> srgb8) override;
-    bool takes_partial() const override { return gaps_.has_value(); }
+    bool wants_partial() const override { return gaps_.has_value(); }
     int rows_at_once() const override { return strip_done_ ? rows_ : 0; }
     void rows_done(int first, int rows) override;
     void end_pass(int) override {}
 
-    /// Where every 8-bit pixel is to be counted that is black or white; null: nowhere. It must live as long as this.
+    /// Counts every 8-bit pixel that is black or white; null: no counting. Must outlive this.
     void count_in(ExtremePixels* pixels) { extremes_ = pixels; }
 
-    /// Before begin(): pixels that no tile brings have this color, and no surface in the channels.
+    /// Before begin(): the color of pixels that no tile covers; in the channels they have no surface.
     void expect_gaps(vec4 background) { gaps_ = background; }
-    /// Of the pixels, 0..1: that tiles have brought.
+    /// Fraction of the pixels that tiles have covered, 0..1.
     double done() const;
-    /// Hands out the strips that are left, as they are.
+    /// Delivers the strips that are left, as they are.
     void finish_partial();
 
-    /// Before begin(): depths are there for who draws over the picture. They are no plane where the channel is hidden, one that the caller
-    /// has asked the engine for himself.
+    /// Before begin(): keep depths, for drawing over the picture. If the channel is hidden (requested only for this
+    /// purpose), it is not delivered as a plane.
     void keep_depth(bool is_hidden) { keeps_depth_ = true, hides_depth_ = is_hidden; }
-    /// The colors of the strip (or of the window), to be drawn on, with their depths where they are kept.
+    /// The colors of the strip (or of the window), to be drawn on, with their depths if these are kept.
     PictureRows color_rows(int rows);
     /// The same of the linear colors, where they are kept.
     PictureRows linear_rows(int rows);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The steps of render_picture(), for it and for tests that bring a session of their own.
+// The steps of render_picture(), also for tests that use their own session.
 #pragma once
 #include <rakelight/picture.h>
 #include <rakelight/radiosity.h>
@@ -9,19 +9,19 @@
 
 namespace rakelight {
 
-/// The window that is rendered: the whole picture where none is asked for.
+/// The window that is rendered: the whole picture where none is requested.
 Window whole_window(const RenderSettings& settings);
 
-/// asked_lights() before any is cut, without those that the request's preset has no place for.
+/// requested_lights() before any is cut, without those that the request's preset leaves out.
 std::vector<Light> chosen_lights(const Scene& scene, const PictureRequest& request, const Camera& camera);
 
-/// A note of those that the request's preset has no place for. @param scene  before with_lights()
+/// A note of those that the request's preset leaves out. @param scene  before with_lights()
 void note_lights_left_out(const Scene& scene, const PictureRequest& request, const Camera& camera, Report& report);
 
 /// The scene with the lights that the picture is lit by, and the fog.
 Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera);
 
-/// What a picture is drawn of.
+/// What a picture is drawn from.
 struct ReadyScene {
     std::shared_ptr<PreparedScene> prepared;
     Camera camera;
@@ -32,15 +32,15 @@ struct ReadyScene {
 /// @throws Error bad_file: nothing to draw
 ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& context, RadiosityReport* report = nullptr);
 
-/// Warns of rules for shading that fit nothing in the scene.
+/// Warns of shading rules that match nothing in the scene.
 void warn_of_unknown_names(const Scene& scene, const RenderSettings& settings, Report& report);
-/// Warns of settings of paths and of ambient occlusion that nothing asks for.
+/// Warns of unused settings of paths and of ambient occlusion.
 void warn_of_unused(const PictureRequest& request, Report& report);
 
-/// How much there is of what is drawn.
+/// Counts of what is drawn.
 void count_parts(const Scene& prepared, PictureResult& result);
 
-/// Draws what a session holds and writes the files, in bands.
+/// Draws the scene of a session and writes the files, in bands.
 void draw_to_files(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
                    Context& context);
 
@@ -50,7 +50,7 @@ void check_output_place(const std::string& output);
 
 /// Everything but the choice of the engine and the checks.
 PictureResult draw_picture(const PictureRequest& request, Session& session, Context& context);
-/// @param loaded  as_asked()
+/// @param loaded  as_requested()
 PictureResult draw_picture(Scene loaded, const PictureRequest& request, Session& session, Context& context);
 
 }  // namespace rakelight

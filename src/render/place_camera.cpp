@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/default_up.h"
 #include "math/functions.h"
 #include "math/linear.h"
-#include "math/up_of_view.h"
-#include "render/view.h"
+#include "render/choose_camera.h"
 
 namespace rakelight {
 
@@ -49,14 +49,14 @@ double radius_of(const Bounds& bounds) {
     return half > 0 ? half : std::max(1.0, 1e-6 * std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)}));
 }
 
-/// What is up in a view along `along`, with a remark where what was asked for, or is up otherwise, says nothing there:
-/// a warning only where somebody asked for it.
+/// The up direction of a view along `along`, with a remark if the requested or usual one is parallel to it: a warning
+/// only if it was requested.
 dvec3 choose_up(const ViewRequest& view, dvec3 base_up, dvec3 along, const std::string& file, Report& report) {
     const dvec3 up = view.up.value_or(view.position ? view.world_up.value_or(dvec3{0, 1, 0}) : base_up);
     if (!is_along(up, along)) return up;
-    const NamedUp other = up_of_view(along);
+    const NamedUp other = default_up(along);
     report.add(view.up ? Remark::warning : Remark::note, file, "",
-               "the camera's up is along its view, " + other.name + " is up instead");
+               "the camera's up direction is parallel to its view direction, " + other.name + " is up instead");
     return other.up;
 }
 
@@ -80,7 +80,8 @@ dvec3 axis_of_turns(const ViewRequest& view) {
 void warn_if_up_is_along(dvec3 up, const Camera& camera, const std::string& file, Report& report) {
     const dvec3 along = -camera.to_world[2].xyz();
     if (is_along(up, along))
-        report.add(Remark::warning, file, "", "the camera's up is along its view, the side's own is up instead");
+        report.add(Remark::warning, file, "",
+                   "the camera's up direction is parallel to its view direction, the side's own is up instead");
 }
 
 Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view, double aspect, const Bounds& bounds,
@@ -92,7 +93,8 @@ Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view,
     }
     const dvec3 base_eye = base.to_world[3].xyz(), base_z = base.to_world[2].xyz();
 
-    // 1. What the base camera looks at: the model's center, or the point on a file camera's axis that is nearest to it.
+    // 1. The focal point of the base camera: the model's center, or the point on a file camera's axis that is nearest
+    // to it.
     double distance = dot(base_eye - bounds.center(), base_z);
     if (!(distance > 0)) distance = radius_of(bounds);
     const dvec3 base_focal = is_fitted ? bounds.center() : base_eye - base_z * distance;

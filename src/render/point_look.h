@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The default look of points: as large as their spacing asks for, and lit where they have normals.
+// The default look of points: sized by their spacing, and lit if they have normals.
 #pragma once
 #include <rakelight/session.h>
 
@@ -7,7 +7,7 @@
 
 namespace rakelight {
 
-/// Points with normals as small pieces of surface, where nobody has named how points are drawn.
+/// Draws points with normals as small pieces of surface, unless a way to draw points is given.
 Scene with_splats(Scene scene, const PictureRequest& request, Context& context);
 
 /// Sets the size [px] of the points that are left, likewise: so that a surface that they lie in closes.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every picture is drawn of.
+// The prepared scene that pictures are drawn from.
 #pragma once
 #include <memory>
 #include <mutex>
@@ -14,8 +14,8 @@ namespace rakelight {
 
 class PreparedScene;
 
-/// The scene with vertices of all meshes as they stand, made when it is first asked for. Copies share the vertices: what they
-/// differ in is lights, cameras and the like.
+/// The scene with posed vertices of all meshes, made at the first request. Copies share the vertices; they differ in
+/// lights, cameras and so on.
 class PosedOnce {
 public:
     PosedOnce() = default;
@@ -23,7 +23,7 @@ public:
     PosedOnce& operator=(const PosedOnce&) = delete;
     /// From any thread.
     const Scene& of(const PreparedScene& prepared, Context& context) const;
-    // By who alone has the prepared scene.
+    // Only for the sole owner of the prepared scene.
     void forget() { scene_.reset(); }  ///< all but the vertices
     Scene take(PreparedScene&& prepared, Context& context);
 
@@ -38,11 +38,11 @@ private:
 
 class PreparedScene {
 public:
-    /// Nodes, materials and all else as they are drawn; of meshes see posed().
+    /// Nodes, materials and all else as drawn; for meshes see posed().
     Scene scene;
     /// Of meshes that `scene` has in bind pose, for engines that pose them themselves; null: there are none.
     std::shared_ptr<const geometry::MeshPoses> poses{};
-    /// The scene with all vertices: `scene` itself where nothing is left to pose.
+    /// The scene with all vertices: `scene` itself if nothing is left to pose.
     const Scene& posed(Context& context) const { return poses ? posed_.of(*this, context) : scene; }
     PrepareOptions options{};  ///< that it was made with
     /// What it was made of, where other poses can be made of that too: see has_bind_pose().
@@ -53,16 +53,16 @@ public:
     PosedOnce posed_{};
 };
 
-/// Whether two scenes differ in nothing that prepare looks at.
+/// Whether two scenes are equal in everything that prepare reads.
 bool are_prepared_alike(const Scene& a, const Scene& b);
 
-/// Takes over what prepare does not look at: lights, cameras, fog, environment. Of a scene that nobody else uses now.
+/// Copies what prepare does not read: lights, cameras, fog, environment. Nobody else may use the scene meanwhile.
 void take_surroundings(PreparedScene& prepared, const Scene& scene);
 
-/// `options`, with what the settings of a picture of the scene ask for.
+/// `options`, with what the settings of a picture of the scene require.
 PrepareOptions options_for(PrepareOptions options, const RenderSettings& settings, const Scene& scene);
 
-/// The one way from a scene to what engines draw. @param scene  passed validate()
+/// The only way from a scene to what engines draw. @param scene passed validate()
 std::shared_ptr<PreparedScene> make_prepared(Scene scene, const PrepareOptions& options, const RenderSettings& settings,
                                              Context& context);
 
@@ -76,8 +76,8 @@ void give(Session& session, std::shared_ptr<PreparedScene> scene);
 /// A camera of the scene, by its node or placed, as engines take it in a picture of that aspect.
 Camera camera_in_world(const Scene& scene, Camera camera, double aspect);
 
-/// What the scene is lit by: its own lights, or the default rig that stands with the camera. Where paths are followed, surfaces
-/// that shine are lights.
+/// The lights of the scene: its own, or the default rig, which is placed relative to the camera. For paths, emissive
+/// surfaces are lights too.
 std::vector<Light> lights_of(const Scene& scene, const Camera& camera, RayMethod method);
 
 }  // namespace rakelight

@@ -18,7 +18,7 @@ struct PixelFormat {
     std::size_t bytes() const { return size_of(component) * std::size_t(channels); }
 };
 
-/// Some rows of a picture that are to be drawn on.
+/// Rows of a picture to draw on.
 struct PictureRows {
     PixelFormat format;
     int x = 0, y = 0;              ///< [px] of the first pixel, in the whole picture
@@ -28,8 +28,8 @@ struct PictureRows {
 };
 
 /// Converts `count` pixels; `out` takes count * format.bytes(). Engines deliver colors that are not premultiplied by
-/// alpha: 8-bit formats store them so, EXR by its convention multiplied. Exposure and curve of `tone` act on display values
-/// alone; what lies behind the pixels is laid behind all.
+/// alpha: 8-bit formats store them like this, EXR by its convention premultiplied. Exposure and curve of `tone` apply
+/// only to display values; the background is laid behind in both cases.
 void convert_row(const vec4* pixels, std::size_t count, const PixelFormat& format, const ToneCurve& tone,
                  std::byte* out);
 

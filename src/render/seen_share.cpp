@@ -9,7 +9,7 @@
 namespace rakelight {
 namespace {
 
-/// What a camera's picture shows of space, whatever lies before it.
+/// The part of space in a camera's picture, ignoring occlusion.
 class Frustum {
 public:
     Frustum(const Camera& camera, double aspect)

@@ -66,7 +66,7 @@ public:
         SequenceWriter writer(context_.threads(), done);
         for (std::size_t i = 0; i < frames.size(); ++i) {
             context_.throw_if_cancelled();
-            context_.set_progress_part(double(i) / double(frames.size()), double(i + 1) / double(frames.size()));
+            context_.set_progress_range(double(i) / double(frames.size()), double(i + 1) / double(frames.size()));
             draw_frame(frames[i], writer);
         }
         writer.finish();
@@ -91,7 +91,7 @@ private:
     Stopwatch clock_;
     double load_ms_ = 0;
     Scene loaded_;
-    Scene asked_;                       ///< loaded_ as asked for, where that does not depend on the moment
+    Scene asked_;                       ///< loaded_ with the requested changes, if they do not depend on the moment
     bool is_asked_at_moments_ = false;  ///< it does
     SequencePlan plan_;
     std::optional<SequenceViews> views_;  ///< absent: nothing was drawn yet
@@ -102,16 +102,16 @@ private:
 Scene Sequence::asked_scene_at(double time_s, Context& context) {
     const std::vector<ClipTime> clips = plan_.clips_at(time_s);
     if (!is_asked_at_moments_) return scene_at(asked_, clips);
-    return with_splats(as_asked(scene_at(loaded_, clips), request_, context), request_, context);
+    return with_splats(as_requested(scene_at(loaded_, clips), request_, context), request_, context);
 }
 
 /// What is chosen once for all pictures, by the begin of the clip and by the whole of it.
 void Sequence::begin() {
     const Scene first = scene_at(loaded_, plan_.clips_at(plan_.begin_s()));
-    take_look(first, request_, context_);
+    apply_look(first, request_, context_);
     request_.coloring = completed(first, request_.coloring);
     is_asked_at_moments_ = moves_materials(loaded_) && !(request_.materials == MaterialOverrides{});
-    if (!is_asked_at_moments_) asked_ = with_splats(as_asked(loaded_, request_, context_), request_, context_);
+    if (!is_asked_at_moments_) asked_ = with_splats(as_requested(loaded_, request_, context_), request_, context_);
     const Scene asked = asked_scene_at(plan_.begin_s(), context_);
     check_drawable(asked);
     warn_of_unused(request_, context_.report());
@@ -145,8 +145,8 @@ void Sequence::draw_picture(SequenceFrame frame, const PictureRequest& request, 
     result.engine = session_.engine().name();
     result.isa = engine_isa(result.engine);
     result.threads = context.threads();
-    result.view_range = view_range_of(views_->bounds(), camera);
-    count_parts(scenes_.shown(), result);
+    result.channel_range = channel_range_of(views_->bounds(), camera);
+    count_parts(scenes_.current(), result);
     result.prepare_ms = clock_.lap_ms();
     const bool is_color_alone = request.settings.channels == 0 && request.output.ends_with(".png");
     Pixels color;

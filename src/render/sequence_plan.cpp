@@ -7,6 +7,8 @@
 
 #include <rakelight/linear.h>
 
+#include "base/format_text.h"
+
 namespace rakelight {
 namespace {
 
@@ -20,9 +22,8 @@ std::string text_of(double number) {
 [[noreturn]] void too_many(double count) {
     char text[32];
     std::snprintf(text, sizeof text, "%.0f", count);
-    throw Error(ErrorCode::usage,
-                std::string("the sequence has ") + text + " pictures; there can be " + std::to_string(most_frames), {},
-                "take fewer of them a second")
+    throw Error(ErrorCode::usage, format_text("the sequence has {} pictures; there can be {}", text, max_frames), {},
+                "use fewer frames per second")
         .about("fps");
 }
 
@@ -32,19 +33,17 @@ void check_numbers(const SequenceRequest& request) {
     const FrameRange& range = request.frames;
     if (!(request.fps >= 0.01 && request.fps <= 1000))
         throw Error(ErrorCode::usage, "must be 0.01 to 1000").about("fps");
-    if (request.turntable < 0 || request.turntable > most_frames)
-        throw Error(ErrorCode::usage, "must be 1 to " + std::to_string(most_frames)).about("turntable");
+    if (request.turntable < 0 || request.turntable > max_frames)
+        throw Error(ErrorCode::usage, "must be 1 to " + std::to_string(max_frames)).about("turntable");
     if (range.last && *range.last < range.first)
-        throw Error(ErrorCode::usage, "ends before it begins: " + std::to_string(range.first) + " comes after " +
-                                          std::to_string(*range.last))
+        throw Error(ErrorCode::usage, format_text("ends before it begins: {} comes after {}", range.first, *range.last))
             .about("frames");
     if (range.first < 0 || range.step < 1)
         throw Error(ErrorCode::usage, "must be A:B or A:B:STEP, from 0, with a step of 1 or more").about("frames");
-    if (range.first >= most_frames || range.last.value_or(0) >= most_frames)
-        throw Error(ErrorCode::usage, "a sequence has at most " + std::to_string(most_frames) + " pictures")
-            .about("frames");
+    if (range.first >= max_frames || range.last.value_or(0) >= max_frames)
+        throw Error(ErrorCode::usage, format_text("a sequence has at most {} pictures", max_frames)).about("frames");
     if (request.picture.motion.time_s && request.turntable == 0)
-        throw Error(ErrorCode::usage, "is one moment, and a sequence shows the whole clip", {},
+        throw Error(ErrorCode::usage, "is a single moment, but a sequence shows the whole clip", {},
                     "leave it out, or turn the model at that moment by 'turntable'")
             .about("animation-time", {"turntable"});
 }
@@ -58,9 +57,9 @@ SequencePlan::SequencePlan(const Scene& scene, const SequenceRequest& request)
 }
 
 void SequencePlan::take_clips(const Scene& scene, const MotionRequest& asked) {
-    if (turns_ > 0 && !asked.asks()) return;
+    if (turns_ > 0 && !asked.is_set()) return;
     MotionRequest motion = asked;
-    if (!asked.asks()) motion.index = 0;
+    if (!asked.is_set()) motion.index = 0;
     if (turns_ == 0 && scene.animations.empty())
         throw Error(ErrorCode::usage, "the scene has no animations", {}, "'turntable' 72 turns the model")
             .naming({"turntable"});
@@ -76,15 +75,15 @@ void SequencePlan::take_clips(const Scene& scene, const MotionRequest& asked) {
 
 void SequencePlan::count_frames(double fps) {
     const double of_clip = (end_s_ - begin_s_) * fps + slack;
-    if (turns_ == 0 && !(of_clip < double(most_frames))) too_many(of_clip);
+    if (turns_ == 0 && !(of_clip < double(max_frames))) too_many(of_clip);
     count_ = turns_ > 0 ? turns_ : std::int64_t(std::floor(of_clip)) + 1;
 }
 
 void SequencePlan::check_range() {
     if (!range_.last) range_.last = std::max(range_.first, count_ - 1);
     if (*range_.last < count_) return;
-    const std::string what = turns_ > 0 ? "the turntable" : "at " + text_of(fps_) + " a second the clip";
-    throw Error(ErrorCode::usage, what + " has the pictures 0 to " + std::to_string(count_ - 1))
+    const std::string what = turns_ > 0 ? "the turntable" : "at " + text_of(fps_) + " per second, the clip";
+    throw Error(ErrorCode::usage, format_text("{} has the frames 0 to {}", what, count_ - 1))
         .about("frames", {turns_ > 0 ? "turntable" : "fps"});
 }
 

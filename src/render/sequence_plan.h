@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which pictures a sequence has, and what each shows.
+// The pictures of a sequence, and what each shows.
 #pragma once
 #include <optional>
 #include <vector>
@@ -16,16 +16,16 @@ public:
     std::int64_t count() const { return count_; }  ///< of the whole sequence
     bool has_clip() const { return !clips_.empty(); }
     bool is_turntable() const { return turns_ > 0; }
-    /// The numbers of the pictures that are asked for.
+    /// The numbers of the pictures that are requested.
     std::vector<std::int64_t> frames() const;
     /// [s] of the clip
     double time_of(std::int64_t frame) const;
-    /// [rad] How far the camera has gone round, to the left: the model turns to the right.
+    /// [rad] How far the camera has orbited to the left: the model turns to the right.
     double angle_of(std::int64_t frame) const;
     /// Clips at a moment.
     std::vector<ClipTime> clips_at(double time_s) const;
     double begin_s() const { return begin_s_; }
-    /// [s] evenly spread from the begin to the end of the clip; the begin alone where nothing moves.
+    /// [s] evenly spaced from the start to the end of the clip; only the start if nothing moves.
     std::vector<double> moments(int count) const;
 
 private:

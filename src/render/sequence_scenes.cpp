@@ -9,7 +9,7 @@ void SequenceScenes::show(Scene scene, const PrepareOptions& options, const Rend
                           Context& context) {
     const bool is_alike = ready_ && are_prepared_alike(scene, known_);
     const bool is_still = is_alike && scene.pose == known_.pose;
-    if (is_still) {  // lights and cameras alone: the session sees by itself what became of them
+    if (is_still) {  // only lights and cameras: the session notices their changes itself
         take_surroundings(*ready_, scene);
     } else if (is_alike && ready_->bound) {
         ready_ = make_posed(*ready_, scene.pose, context);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a session draws in the course of a sequence: of one picture to the next only what moves is made anew.
+// The scenes that a session draws during a sequence: from picture to picture only what moves is recomputed.
 #pragma once
 #include <memory>
 
@@ -16,8 +16,8 @@ public:
 
     /// The session draws this scene from now on. @param scene  passed validate(), with the lights of the picture
     void show(Scene scene, const PrepareOptions& options, const RenderSettings& settings, Context& context);
-    /// As it is drawn, but for vertices, which may be in bind pose. There is one.
-    const Scene& shown() const { return ready_->scene; }
+    /// As it is drawn, except for vertices, which may be in bind pose. show() was called before.
+    const Scene& current() const { return ready_->scene; }
     const Scene& posed(Context& context) const { return ready_->posed(context); }
 
 private:

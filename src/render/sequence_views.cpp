@@ -6,8 +6,8 @@
 #include <rakelight/linear.h>
 
 #include "prepare/pose_scene.h"
+#include "render/choose_camera.h"
 #include "render/swept_outline.h"
-#include "render/view.h"
 #include "scene/merge_scenes.h"
 #include "scene/scene_tools.h"
 #include "world/scene_of_request.h"
@@ -78,7 +78,7 @@ Camera SequenceViews::camera_of_file_in(const Scene& scene) const {
     const std::size_t index = view_.camera.empty() ? 0 : find_camera(placed, view_.camera);
     Camera camera = camera_of_file(placed, index, aspect_);
     if (view_.is_placed() || view_.is_orbited()) {
-        Context quiet({.threads = 1});  // what there is to say was said of the first
+        Context quiet({.threads = 1});  // remarks were made for the first picture
         return place_camera(camera, false, view_, aspect_, bounds_, scene.source, quiet);
     }
     set_asked_depths(camera, view_);

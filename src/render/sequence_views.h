@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the camera of a sequence stands: chosen once, and then moved by a turntable, or by the clip where it is the file's.
+// The camera of a sequence: chosen once, then moved by a turntable, or by the clip if it is the file's.
 #pragma once
 #include <functional>
 
@@ -18,7 +18,7 @@ public:
 
     /// @param scene  at the picture's moment
     Camera camera(const Scene& scene, double angle_rad) const;
-    /// The box about all that the sequence shows.
+    /// The bounding box of all that the sequence shows.
     const Bounds& bounds() const { return bounds_; }
 
 private:

@@ -12,18 +12,18 @@ namespace rakelight {
 
 class SequenceWriter {
 public:
-    /// @param threads  with one a picture is written before the next is drawn
+    /// @param threads  with one thread a picture is written before the next is drawn
     /// @param done  told of each picture when its file is whole, in order; may be empty
     SequenceWriter(int threads, std::function<void(const SequenceFrame&)> done);
     ~SequenceWriter() { settle(); }
     SequenceWriter(const SequenceWriter&) = delete;
     SequenceWriter& operator=(const SequenceWriter&) = delete;
 
-    /// A picture whose file is there.
+    /// A picture whose file exists.
     void add(SequenceFrame frame);
     /// @param comment  into the file @throws Error failed: this or an earlier one cannot be written
     void write(SequenceFrame frame, Pixels pixels, std::string comment);
-    /// All that was begun is whole then. @throws Error as write()
+    /// Waits until all pictures are complete. @throws Error as write()
     void finish();
     /// The same where something else has failed already.
     void settle() noexcept;

@@ -4,28 +4,29 @@
 #include <rakelight/render.h>
 #include <rakelight/session.h>
 
+#include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "engines/posing_engine.h"
 #include "prepare/prepare.h"
+#include "render/choose_camera.h"
 #include "render/drawable.h"
 #include "render/engines.h"
 #include "render/height_maps.h"
 #include "render/lit_scenes.h"
 #include "render/picture_steps.h"
 #include "render/prepared_scene.h"
-#include "render/view.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
 namespace {
 
 std::string counted(std::size_t count, const std::string& what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+    return format_text("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 /// What a rasterizer does not show of the materials.
 void remark_missing_rays(const Scene& scene, const Engine& engine, Report& report) {
-    if (engine.abilities().rays) return;
+    if (engine.capabilities().rays) return;
     std::vector<bool> is_drawn(scene.materials.size(), false);
     for (const Node& node : scene.nodes)
         for (const std::uint32_t mesh : node.meshes)
@@ -41,11 +42,11 @@ void remark_missing_rays(const Scene& scene, const Engine& engine, Report& repor
     }
     const std::string tail = ": engine " + engine.name() + " shows the surface alone, --engine trace follows rays";
     if (open > 0)
-        report.add(Remark::dropped, scene.source, "", "light goes through " + counted(open, "material") + tail,
+        report.add(Remark::dropped, scene.source, "", "light passes through " + counted(open, "material") + tail,
                    {"engine"});
     if (layers > 0)
         report.add(Remark::note, scene.source, "",
-                   "light goes through " + counted(layers, "material") + ": under pbr engine " + engine.name() +
+                   "light passes through " + counted(layers, "material") + ": under pbr engine " + engine.name() +
                        " shows the opaque surfaces behind the nearest one, --engine trace follows rays",
                    {"engine"});
     if (mirrors > 0)
@@ -169,7 +170,7 @@ struct Session::State {
     void begin(Source from) { scene = {}, prepared.reset(), owned.reset(), source = from; }
     const Scene& current() const;
     void hand_over(Context& context);
-    void take_up(const RenderSettings& settings, const Camera& camera, Session& session, Context& context);
+    void warm_up(const RenderSettings& settings, const Camera& camera, Session& session, Context& context);
 };
 
 Session::Session(const std::string& engine) : Session(make_engine(engine)) {}
@@ -257,7 +258,7 @@ void Session::State::hand_over(Context& context) {
 }
 
 /// The scene that the engine has now, with the lights of the picture.
-void Session::State::take_up(const RenderSettings& settings, const Camera& camera, Session& session, Context& context) {
+void Session::State::warm_up(const RenderSettings& settings, const Camera& camera, Session& session, Context& context) {
     if (source == Source::owned) hand_over(context);
     if (source == Source::given) return;
     const std::shared_ptr<const PreparedScene> ready = session.prepared(settings, context);
@@ -282,16 +283,16 @@ void Session::State::take_up(const RenderSettings& settings, const Camera& camer
     remark_missing_rays(engine->scene(), *engine, context.report());
 }
 
-void Session::take_up(const Camera& camera, const RenderSettings& settings, Context& context) {
+void Session::warm_up(const Camera& camera, const RenderSettings& settings, Context& context) {
     State& s = *state_;
     check_settings(settings);
-    check_abilities(s.engine->name(), s.engine->abilities(), settings);
+    check_abilities(s.engine->name(), s.engine->capabilities(), settings);
     check_camera(camera, s.current().nodes.size(), CameraUse::in_scene);
-    s.take_up(settings, camera, *this, context);
+    s.warm_up(settings, camera, *this, context);
 }
 
 RenderStats Session::render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) {
-    take_up(camera, settings, context);
+    warm_up(camera, settings, context);
     State& s = *state_;
     const Scene& scene = s.engine->scene();
     const double aspect = double(settings.width) / double(settings.height);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a model takes up in the course of a full turn about an axis, as a scene of a few points for cameras that are fitted to it.
+// The space that a model sweeps during a full turn about an axis, as a scene of a few points that cameras are fitted
+// to.
 #pragma once
 #include <span>
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/format_text.h"
 #include "render/picture_steps.h"
 #include "render/why_black.h"
 
@@ -67,16 +68,16 @@ void remark_extremes(const Scene& scene, const PictureRequest& request, const Pi
         return (double(all) - double(background_pixels(request, stats, code))) / double(stats.pixels_covered);
     };
     if (share(result.black_pixels, 0) >= (request.settings.samples > 1 ? least_black : 1.0))
-        report.add(Remark::warning, request.input, "", "all of the model came out black: " + why_black(scene, request),
+        report.add(Remark::warning, request.input, "", "all of the model is black: " + why_black(scene, request),
                    {"light-cutoff", "light-intensity", "exposure"});
     const double white = share(result.white_pixels, 255);
     if (white <= most_white || is_unlit(scene, request)) return;
     const bool is_fog_white = scene.fog.kind != FogKind::none && shows_as(request, scene.fog.color, 255);
     report.add(Remark::warning, request.input, "",
-               std::to_string(int(std::lround(100 * std::min(white, 1.0)))) +
-                   " % of what the model covers is white, 1 or more in red, green and blue" +
-                   (is_fog_white ? ", and so is the fog: see 'fog', " : ": see ") +
-                   "'exposure', 'tone-mapping', 'light-intensity'",
+               format_text("{} % of the pixels that the model covers are white, 1 or more in red, green and "
+                           "blue{}'exposure', 'tone-mapping', 'light-intensity'",
+                           int(std::lround(100 * std::min(white, 1.0))),
+                           is_fog_white ? ", and so is the fog: see 'fog', " : ": see "),
                {"fog", "exposure", "tone-mapping", "light-intensity"});
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What to say of a picture that shows the model black, or most of it white.
+// Warnings about a picture that shows the model black, or most of it white.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -25,9 +25,9 @@ private:
     std::atomic<std::uint64_t> black_{0}, white_{0};
 };
 
-/// Warns where every pixel that the model covers is black, with the likely reason, and where more than two thirds of
-/// them are white though they are lit. Of pictures with lines or points, with blended surfaces, or before a sky,
-/// nothing can be said: those pixels are counted, too.
+/// Warns if every pixel that the model covers is black, with the likely reason, and if more than two thirds of them
+/// are white although they are lit. No warning is possible for pictures with lines or points, with blended surfaces,
+/// or in front of a sky: those pixels are counted too.
 /// @param scene  as the engine drew it
 void remark_extremes(const Scene& scene, const PictureRequest& request, const PictureResult& result, Report& report);
 

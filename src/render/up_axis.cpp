@@ -73,7 +73,7 @@ std::string why_z_is_up(const Scene& scene) {
     const double diagonal = std::sqrt(dot(size, size));
     const auto is_far = [&](double x) { return std::fabs(x) > survey_distance * diagonal; };
     if (is_far(center.x) && is_far(center.y) && !is_far(center.z))
-        return "its coordinates are those of a survey, far from zero in x and y";
+        return "its coordinates look like those of a survey, far from zero in x and y";
     if (!(size.x > 0 && size.y > 0 && size.z >= least_height * std::max(size.x, size.y))) return {};
     if (triangle_count(scene) < least_triangles) return {};
     const SideShares share = side_shares(scene, box);

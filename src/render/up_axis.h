@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formats that do not say which way is up: what a model looks like.
+// Guesses the up axis of models in formats that do not define it.
 #pragma once
 #include <string>
 
@@ -10,8 +10,8 @@ namespace rakelight {
 /// Whether files of that name have no up axis: STL, PLY, OBJ, OFF and lists of points.
 bool has_no_up_axis(const std::string& path);
 
-/// Why the model looks as if +Z were up, for people; empty: it does not, or nobody can tell. Said only where one of the six sides of
-/// its box is unlike the others:
+/// Why the model looks as if +Z were up, for people; empty: it does not, or it is unclear. Reported only if one of the
+/// six sides of its box differs from the others:
 /// - it is at least a quarter as high in z as it is wide, and stands on a flat base: triangles that face along Z lie in the lowest 1 % of z, their areas fill at least a quarter of that
 ///   side of the box, and at least three times as much of it as triangles do of any other side;
 /// - its coordinates are those of a survey: x and y are more than ten times the model's size from zero, z is not.

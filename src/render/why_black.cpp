@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/format_text.h"
 #include "image/tone.h"
 #include "image/tone_curves.h"
 #include "math/functions.h"
@@ -60,7 +61,7 @@ bool has_highlights_at_most(const Material& m, Lighting lighting) {
     return is_black(m.emission) && (is_black(m.base_color.xyz()) || (is_metal(m) && !is_diffuse_model(lighting)));
 }
 
-/// May have a highlight, a coat or a sheen. Microfacets reflect at grazing angles whatever their color.
+/// May have a highlight, a coat or a sheen. Microfacets reflect at grazing angles for any color.
 bool has_highlights(const Material& m, Lighting lighting) {
     if (m.model == MaterialModel::unlit || is_diffuse_model(lighting)) return false;
     if (m.model == MaterialModel::classical) return !is_black(m.classical.specular);
@@ -122,16 +123,16 @@ std::vector<Reach> lights_that_are_on(const Scene& scene, double cutoff) {
 /// Where the ranges of all lights end before the model: whose doing that is.
 std::string why_out_of_range(const std::vector<Reach>& lights, const std::string& all) {
     const auto cut = std::count_if(lights.begin(), lights.end(), [](const Reach& r) { return r.is_cut; });
-    const std::string out = "it is out of the range of " + all;
+    const std::string out = "it is outside the range of " + all;
     if (cut == 0) return out;
     if (std::size_t(cut) == lights.size())
         return "'light-cutoff' ends " + all + " before it; a smaller value reaches farther";
-    return out + "; of " + std::to_string(cut) + " that is by 'light-cutoff': a smaller value reaches farther";
+    return format_text("{}; of {} the range is set by 'light-cutoff': a smaller value reaches farther", out, cut);
 }
 
 std::string why_unlit(const Scene& scene, const PictureRequest& request, const std::vector<Reach>& lights) {
-    const std::string all = lights.size() == 1 ? "the light" : "all " + std::to_string(lights.size()) + " lights";
-    if (lights.empty()) return "no light has any brightness";
+    const std::string all = lights.size() == 1 ? "the light" : format_text("all {} lights", lights.size());
+    if (lights.empty()) return "no light is brighter than 0";
     if (std::all_of(lights.begin(), lights.end(), [](const Reach& r) { return r.ends_before; }))
         return why_out_of_range(lights, all);
     double sum = 0;
@@ -143,12 +144,12 @@ std::string why_unlit(const Scene& scene, const PictureRequest& request, const s
     if (all_materials(scene, [&](const Material& m) {
             return has_highlights_at_most(m, shading::lighting_of(m, request.settings.lighting));
         }))
-        return "its materials have nothing but highlights, and what is seen of it is not lit or mirrors the lights "
+        return "its materials have only highlights, and its visible surfaces are not lit or reflect the lights "
                "elsewhere";
     const bool has_spot =
         std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& l) { return l.type == LightType::spot; });
-    const std::string cone = lights.size() == 1 ? "outside of its cone" : "outside of cones";
-    std::string why = "no light falls on what is seen of it: that is turned away from " + all;
+    const std::string cone = lights.size() == 1 ? "outside its cone" : "outside their cones";
+    std::string why = "no light reaches its visible surfaces: they face away from " + all;
     if (has_spot) why += (request.settings.shadows ? ", " : " or ") + cone;
     if (request.settings.shadows) why += " or in shadow";
     return why + (is_painted(scene) ? "; or its textures or vertex colors are black" : "");
@@ -179,7 +180,7 @@ bool has_blended(const Scene& scene) {
 std::string why_black(const Scene& scene, const PictureRequest& request) {
     const bool is_fog_black = scene.fog.kind != FogKind::none && shows_as(request, scene.fog.color, 0);
     const bool has_own_colors = is_unlit(scene, request);
-    if (has_own_colors && !is_fog_black) return "it is shown in its own colors, and those are";
+    if (has_own_colors && !is_fog_black) return "it is shown in its own colors, and they are black";
     if (all_materials(scene, [&](const Material& m) {
             const Lighting lighting = shading::lighting_of(m, request.settings.lighting);
             return has_highlights_at_most(m, lighting) && !has_highlights(m, lighting);
@@ -187,9 +188,9 @@ std::string why_black(const Scene& scene, const PictureRequest& request) {
         return "its materials are black";
     if (is_fog_black)
         return std::string("the fog, which is black, hides it, or ") +
-               (has_own_colors ? "its own colors are black" : "too little light falls on what is seen of it");
+               (has_own_colors ? "its own colors are black" : "too little light reaches its visible surfaces");
     if (is_lit_by_environment(scene) && scene.environment->intensity > 0)
-        return "no light falls on what is seen of it, the environment's neither";
+        return "no light reaches its visible surfaces, not even the environment's";
     return why_unlit(scene, request, lights_that_are_on(scene, request.light_cutoff));
 }
 

@@ -18,7 +18,7 @@ bool is_unlit(const Scene& scene, const PictureRequest& request);
 /// Some object has a material that is blended.
 bool has_blended(const Scene& scene);
 
-/// The likely reason, without a full stop, that all of the model came out black.
+/// The likely reason, without a full stop, why all of the model is black.
 /// @param scene  as the engine drew it
 std::string why_black(const Scene& scene, const PictureRequest& request);
 

@@ -10,8 +10,8 @@
 
 #include <rakelight/light_limits.h>
 
+#include "math/default_up.h"
 #include "math/linear.h"
-#include "math/up_of_view.h"
 #include "scene/material_table.h"
 
 namespace rakelight {
@@ -19,7 +19,7 @@ namespace {
 
 using Values = std::span<const float>;
 
-/// A row, and how its numbers get to their place.
+/// A property with its setter.
 template <class Element>
 struct Setter {
     std::string name;
@@ -92,7 +92,7 @@ const std::vector<Setter<Light>>& light_rows() {
         {"intensity", 1, [](Light& l, Values v) { l.intensity = not_negative(v[0]); }},
         {"range", 1,
          [](Light& l, Values v) {
-             l.range = v[0] > 0 ? std::max(v[0], float(least_light_range)) : std::numeric_limits<float>::infinity();
+             l.range = v[0] > 0 ? std::max(v[0], float(min_light_range)) : std::numeric_limits<float>::infinity();
          }},
         {"inner_cone", 1, [](Light& l, Values v) { l.inner_cone_rad = std::clamp(v[0], 0.0f, float(pi / 2)); }},
         {"outer_cone", 1, [](Light& l, Values v) { l.outer_cone_rad = std::clamp(v[0], 0.0f, float(pi / 2)); }},
@@ -110,12 +110,12 @@ void turn_to(Camera& c, dvec3 target) {
 void turn_up(Camera& c, dvec3 up) {
     const dvec3 eye = c.to_world[3].xyz();
     const dvec3 view = -c.to_world[2].xyz();
-    c.to_world = look_at(eye, eye + view, is_along(up, view) ? up_of_view(view).up : up);
+    c.to_world = look_at(eye, eye + view, is_along(up, view) ? default_up(view).up : up);
 }
 
 double length_of(float v) { return std::max(double(v), 1e-9); }
 
-/// Of a parallel projection with an aspect of its own the width stays what it is.
+/// Orthographic cameras with their own aspect keep their width.
 void set_half_height(Camera& c, double height) {
     if (c.aspect && !c.half_width) c.aspect = *c.aspect * (c.half_height / height);
     c.half_height = height;
@@ -128,7 +128,7 @@ void set_half_width(Camera& c, double width) {
         c.half_width = width;
 }
 
-/// Fields of view beyond what a camera can have show nothing: the nearest that it can have.
+/// Clamps the field of view to its valid range.
 double field_of_view(float v) { return std::clamp(double(v), 1e-4, pi - 1e-4); }
 
 const std::vector<Setter<Camera>>& camera_rows() {

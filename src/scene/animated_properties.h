@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of materials, lights and cameras that channels move, one row each: <rakelight/motion.h> shows the rows.
+// Setters of the animated properties of materials, lights and cameras; <rakelight/motion.h> lists them.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -9,12 +9,12 @@
 
 namespace rakelight {
 
-/// Puts the numbers of one moment in place. @param values  [width] finite; what lies outside of the number's range is
-/// brought to its nearest end. settle() comes after
+/// Sets a property. Call settle() afterwards.
+/// @param values [width] finite; clamped to the range of the property
 void set_property(Scene& scene, const AnimatedProperty& property, std::uint32_t element, std::span<const float> values);
 
-/// Numbers that are right only beside one another, when all of a moment are in place: where the near plane would lie beyond the
-/// far one both are as before; a cone of full light ends with the light's.
+/// Enforces constraints between properties after all are set: if near would exceed far, both are restored; the inner
+/// cone is clamped to the outer cone.
 void settle(Camera& camera, const Camera& before);
 void settle(Light& light);
 

@@ -6,7 +6,7 @@
 namespace rakelight {
 namespace {
 
-/// [bytes] of an allocation with what the allocator keeps beside it, about.
+/// [bytes] approximate size of an allocation with the allocator's overhead.
 std::uint64_t allocated(std::uint64_t bytes) { return bytes == 0 ? 0 : std::max<std::uint64_t>(32, bytes + 16); }
 
 template <class T>
@@ -14,17 +14,17 @@ std::uint64_t array_bytes(const std::vector<T>& array) {
     return allocated(array.size() * sizeof(T));
 }
 
-/// Short ones stand in the string itself.
+/// Short strings are stored inline.
 std::uint64_t name_bytes(const std::string& name) {
     static const std::size_t short_size = std::string().capacity();
     return name.size() <= short_size ? 0 : allocated(name.size() + 1);
 }
 
-/// Calls `visit` for each array of the mesh that no charge pays for.
+/// Calls `visit` for each array of the mesh without a memory charge.
 template <class Visit>
 void for_each_unpaid(const Mesh& m, const Visit& visit) {
     const auto look = [&](const auto& block) {
-        if (!block.is_paid()) visit(block);
+        if (!block.is_charged()) visit(block);
     };
     look(m.positions), look(m.indices), look(m.normals), look(m.tangents), look(m.bitangents), look(m.colors);
     look(m.smoothing), look(m.smoothing_hint), look(m.polygons), look(m.influences);
@@ -38,7 +38,7 @@ void charge_new_arrays(const Mesh& made, const std::set<const void*>& own, Conte
     for_each_unpaid(made, [&](const auto& block) {
         if (own.contains(block.identity())) return;
         const std::uint64_t bytes = block.size() * sizeof(block[0]) + bytes_beside_array;
-        block.pay(MemoryCharge(context.memory(), bytes, "the prepared scene"));
+        block.attach_charge(MemoryCharge(context.memory(), bytes, "the prepared scene"));
     });
 }
 
@@ -105,7 +105,7 @@ void AddedMeshes::make_room() {
     const std::size_t room = std::max<std::size_t>(16, 2 * scene_.meshes.size());
     charge_->grow(room * sizeof(Mesh), "the table of meshes");
     scene_.meshes.reserve(room);
-    charge_->shrink(room_bytes_ + first_ * sizeof(Mesh));  // the table as it was before
+    charge_->shrink(room_bytes_ + first_ * sizeof(Mesh));  // the previous table
     room_bytes_ = (room - first_) * sizeof(Mesh);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Clips at a moment: nodes' placements and morph weights into the scene's pose, other numbers to where they belong.
+// Evaluates clips at a moment: transforms and morph weights into Scene::pose, other properties into their objects.
 #include <rakelight/motion.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "math/linear.h"
 #include "scene/animated_properties.h"
 #include "scene/sample_channel.h"
@@ -38,7 +39,7 @@ dquat rotation_of(dvec3 x, dvec3 y, dvec3 z) {
     return {(z.x + x.z) / (4 * q), (z.y + y.z) / (4 * q), q, (x.y - y.x) / (4 * q)};
 }
 
-/// A matrix as the parts that channels set; shear, which they cannot, is lost.
+/// Decomposes a matrix into the parts that channels animate; shear is lost.
 Transform in_parts(const Transform& t) {
     if (!t.matrix) return t;
     const dmat4& m = *t.matrix;
@@ -116,8 +117,8 @@ ClipSpan clip_span(const Animation& animation) {
 Scene scene_at(Scene scene, std::span<const ClipTime> clips) {
     for (const ClipTime& clip : clips) {
         if (clip.animation >= scene.animations.size())
-            throw Error(ErrorCode::usage, "there is no animation " + std::to_string(clip.animation) +
-                                              ": the scene has " + std::to_string(scene.animations.size()));
+            throw Error(ErrorCode::usage, format_text("there is no animation {}: the scene has {}", clip.animation,
+                                                      scene.animations.size()));
         if (!std::isfinite(clip.time_s)) throw Error(ErrorCode::usage, "the time of an animation is not a number");
         check_animation(scene, clip.animation);
     }

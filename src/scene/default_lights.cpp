@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light of a model that brings none.
+// The default lights.
 #include "math/linear.h"
 #include "scene/scene_tools.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be wrong with the numbers of single things that scenes, requests and engines share.
+// Checks of cameras, subdivision and relief parameters, shared by scenes, requests and engines.
 #include <cmath>
 
 #include "base/enumerators.h"
@@ -49,7 +49,7 @@ const char* fault_of(const Subdivision& s) {
                                                : "there is no such rule for texture coordinates of a subdivision";
 }
 
-/// Counts of steps are brought into their range where they are used.
+/// Step counts are clamped where they are used.
 const char* fault_of(const Relief& r) {
     return std::isfinite(r.depth) && std::isfinite(r.bias) ? nullptr : "the relief is not finite";
 }

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// The camera that shows all of a model, from a named side.
+// Fits a camera to a model from a named side.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <rakelight/error.h>
 
+#include "math/default_up.h"
 #include "math/functions.h"
 #include "math/linear.h"
-#include "math/up_of_view.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
 namespace {
 
-/// Radius of the sphere about the box. A box without extent (a point, nothing) gets a radius that can still be told
-/// from its center in double: 1, or a millionth of the distance from the origin.
+/// Radius of the sphere about the box. A box without extent (a point, nothing) gets a radius that is significant in
+/// double: 1, or a millionth of the distance from the origin.
 double sphere_radius(const Bounds& bounds) {
     const dvec3 c = bounds.center();
     const double far_out = std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)});
@@ -29,13 +29,13 @@ double sphere_radius(const Bounds& bounds) {
 /// z + e / slope >= high and z - e / slope >= low for the farthest points along (1 / slope, 1) and (-1 / slope, 1).
 struct Wedge {
     double slope, high, low;                                      ///< all [m] but slope
-    double nearest() const { return 0.5 * (high + low); }         ///< z of the eye that both planes meet in
+    double nearest() const { return 0.5 * (high + low); }         ///< z of the eye on both planes
     double middle() const { return 0.5 * slope * (high - low); }  ///< e of that eye
-    /// The place across, for an eye farther away, that `e` is or comes nearest to.
+    /// `e` clamped to the valid interval of an eye farther away.
     double seen_from(double e, double z) const { return std::max(slope * (high - z), std::min(slope * (z - low), e)); }
 };
 
-/// Where the model ends, about the middle of its box, as seen along `axes`.
+/// Extents of the model along `axes`, relative to the center of its box.
 class Extent {
 public:
     Extent(const Scene& scene, const Bounds& bounds, const dmat4& axes)
@@ -66,17 +66,17 @@ private:
     dvec3 center_, x_, y_, z_;
 };
 
-/// Half of what the model shall fill at 1 m.
+/// Half extent to fill at a distance of 1 m.
 struct Slopes {
     double x, y;
 };
 
-/// Where the eye stands, from the middle of the box along the axes [m]: as near as both wedges let it, and the model in the
-/// middle of both sides.
+/// [m] position of the eye relative to the center of the box along the axes: as near as both wedges allow, with the
+/// model centered.
 dvec3 place_eye(const Extent& extent, Slopes tight, double radius, Extent::Seen& seen) {
     seen = extent.seen(tight.x, tight.y);
     const double z = std::max({seen.across.nearest(), seen.up.nearest(), seen.front + 0.25 * radius});
-    // The side that has room: the wedge that the model fills from there has its middle there. Two steps come near enough.
+    // Centers the axis with free space: the model's wedge from the eye is centered. Two iterations are sufficient.
     Slopes own = tight;
     Extent::Seen narrow = seen;
     for (int step = 0; step < 2; ++step) {
@@ -87,7 +87,7 @@ dvec3 place_eye(const Extent& extent, Slopes tight, double radius, Extent::Seen&
     return {seen.across.seen_from(narrow.across.middle(), z), seen.up.seen_from(narrow.up.middle(), z), z};
 }
 
-/// A parallel camera at the eye's depth, the model's rectangle in its middle.
+/// An orthographic camera at the eye's depth, centered on the model's rectangle.
 /// @param smallest  [m] half the height of a point, or of a line seen from its end
 void make_parallel(Camera& camera, const Extent& extent, double aspect, double smallest, double fill,
                    const dvec3& center, double z) {
@@ -101,11 +101,11 @@ void make_parallel(Camera& camera, const Extent& extent, double aspect, double s
     camera.to_world[3] = {eye.x, eye.y, eye.z, 1};
 }
 
-/// A camera that looks along `axes` at the model, as near as lets all of it be seen.
-Camera fit(const Scene& scene, const Bounds& bounds, double aspect, const dmat4& axes, const FitWishes& wishes) {
+/// The nearest camera along `axes` that sees the whole model.
+Camera fit(const Scene& scene, const Bounds& bounds, double aspect, const dmat4& axes, const FitOptions& options) {
     Camera camera;
-    camera.vertical_fov_rad = wishes.vertical_fov_rad.value_or(camera.vertical_fov_rad);
-    camera.horizontal_fov_rad = wishes.horizontal_fov_rad;
+    camera.vertical_fov_rad = options.vertical_fov_rad.value_or(camera.vertical_fov_rad);
+    camera.horizontal_fov_rad = options.horizontal_fov_rad;
     const double a = aspect > 0 && std::isfinite(aspect) ? std::clamp(aspect, 1e-4, 1e4) : 1.0;
     const double radius = sphere_radius(bounds), tangent = math::tan(0.5 * camera.vertical_fov_rad);
     camera.to_world = axes;
@@ -114,13 +114,13 @@ Camera fit(const Scene& scene, const Bounds& bounds, double aspect, const dmat4&
     dvec3 eye{0, 0, radius / std::min(tangent * a, tangent)};
     Extent::Seen seen{};
     if (bounds.diagonal() > 1e-100)
-        eye = place_eye(extent, {tangent * a * wishes.fill, tangent * wishes.fill}, radius, seen);
+        eye = place_eye(extent, {tangent * a * options.fill, tangent * options.fill}, radius, seen);
     const dvec3 place = center + (camera.to_world[0].xyz() * eye.x + camera.to_world[1].xyz() * eye.y +
                                   camera.to_world[2].xyz() * eye.z);
     camera.to_world[3] = {place.x, place.y, place.z, 1};
     camera.z_near = std::max(eye.z - 1.05 * radius, 0.5 * (eye.z - seen.front));
     camera.z_far = eye.z + 1.05 * radius;
-    if (wishes.orthographic) make_parallel(camera, extent, a, 1e-3 * radius, wishes.fill, center, eye.z);
+    if (options.orthographic) make_parallel(camera, extent, a, 1e-3 * radius, options.fill, center, eye.z);
     return camera;
 }
 
@@ -133,19 +133,19 @@ constexpr Side sides[] = {{"default", {0.45, 0.35, 1}, {0, 1, 0}}, {"front", {0,
                           {"right", {1, 0, 0}, {0, 1, 0}},         {"top", {0, 1, 0}, {0, 0, -1}},
                           {"bottom", {0, -1, 0}, {0, 0, 1}},       {"isometric", {1, 1, 1}, {0, 1, 0}}};
 
-/// How a camera at that side is turned; its eye is 1 m from the origin.
-dmat4 axes_of(const Side& side, const FitWishes& wishes) {
+/// Orientation of a camera at a side; its eye is 1 m from the origin.
+dmat4 axes_of(const Side& side, const FitOptions& options) {
     const dvec3 y{0, 1, 0}, none{0, 0, 0};
-    const dvec3 axis = normalize_or(wishes.world_up.value_or(wishes.up.value_or(y)), y);
+    const dvec3 axis = normalize_or(options.world_up.value_or(options.up.value_or(y)), y);
     dvec3 toward_eye = turn_with_up(side.toward_eye, axis), up = turn_with_up(side.up, axis);
-    if (wishes.direction) {
-        toward_eye = -normalize_or(*wishes.direction, dvec3{0, 0, -1});
-        up = is_along(axis, toward_eye) ? up_of_view(-toward_eye).up : axis;
+    if (options.direction) {
+        toward_eye = -normalize_or(*options.direction, dvec3{0, 0, -1});
+        up = is_along(axis, toward_eye) ? default_up(-toward_eye).up : axis;
     }
-    if ((wishes.world_up || wishes.direction) && wishes.up && !is_along(*wishes.up, toward_eye)) up = *wishes.up;
+    if ((options.world_up || options.direction) && options.up && !is_along(*options.up, toward_eye)) up = *options.up;
     const dmat4 axes = look_at(toward_eye, none, up);
-    if (wishes.azimuth_rad == 0 && wishes.elevation_rad == 0) return axes;
-    return orbited(axes, none, axis, wishes.azimuth_rad, wishes.elevation_rad);
+    if (options.azimuth_rad == 0 && options.elevation_rad == 0) return axes;
+    return orbited(axes, none, axis, options.azimuth_rad, options.elevation_rad);
 }
 
 }  // namespace
@@ -173,10 +173,10 @@ dmat4 orbited(const dmat4& to_world, dvec3 focal, dvec3 axis, double azimuth_rad
 }
 
 Camera view_camera(const Scene& scene, const Bounds& bounds, double aspect, const std::string& side,
-                   const FitWishes& wishes) {
+                   const FitOptions& options) {
     for (const Side& s : sides) {
         if (side != s.name) continue;
-        Camera camera = fit(scene, bounds, aspect, axes_of(s, wishes), wishes);
+        Camera camera = fit(scene, bounds, aspect, axes_of(s, options), options);
         camera.name = side;
         return camera;
     }
@@ -184,8 +184,8 @@ Camera view_camera(const Scene& scene, const Bounds& bounds, double aspect, cons
                 "use front, back, left, right, top, bottom, isometric or default");
 }
 
-Camera default_camera(const Scene& scene, const Bounds& bounds, double aspect, const FitWishes& wishes) {
-    return view_camera(scene, bounds, aspect, "default", wishes);
+Camera default_camera(const Scene& scene, const Bounds& bounds, double aspect, const FitOptions& options) {
+    return view_camera(scene, bounds, aspect, "default", options);
 }
 
 }  // namespace rakelight

@@ -8,10 +8,12 @@
 
 #include <rakelight/light_limits.h>
 
+#include "base/format_text.h"
+
 namespace rakelight {
 namespace {
 
-constexpr double farthest = 1e30;  // [m] that a range may be
+constexpr double farthest = 1e30;  // [m] limits of a range
 
 double largest(vec3 color) { return double(std::max({color.x, color.y, color.z})); }
 
@@ -23,14 +25,14 @@ double brightest(const Light& light) {
     return most;
 }
 
-/// Where c + l d + q d^2 is `wanted`, by the form of the root that does not cancel.
+/// Solves c + l d + q d^2 = `wanted` for d, by the root formula without cancellation.
 double distance_of(double c, double l, double q, double wanted) {
     if (!(wanted > c)) return 0;
     const double beyond = wanted - c;
     return 2 * beyond / (l + std::sqrt(l * l + 4 * q * beyond));  // l = q = 0: infinity
 }
 
-/// What cut_lights() makes of a reach that is finite.
+/// The range for a finite reach.
 float range_of(double reach) { return std::nextafter(float(reach), std::numeric_limits<float>::infinity()); }
 
 std::string number(double value) {
@@ -39,7 +41,7 @@ std::string number(double value) {
     return text;
 }
 
-std::string counted_lights(std::size_t count) { return std::to_string(count) + (count == 1 ? " light" : " lights"); }
+std::string counted_lights(std::size_t count) { return format_text("{}{}", count, count == 1 ? " light" : " lights"); }
 
 }  // namespace
 
@@ -50,7 +52,7 @@ double reach_of(const Light& light, double cutoff) {
             ? std::sqrt(wanted)
             : distance_of(double(light.constant), double(light.linear), double(light.quadratic), wanted);
     if (!(distance <= farthest)) return std::numeric_limits<double>::infinity();
-    return std::max(distance, least_light_range);
+    return std::max(distance, min_light_range);
 }
 
 bool is_cut(const Light& light, double cutoff) {
@@ -84,7 +86,7 @@ std::string said(const CutLights& result, double cutoff) {
     else
         text += counted_lights(result.cut) + " cut at " + number(double(result.least)) + " to " +
                 number(double(result.most)) + " m";
-    if (result.endless != 0) text += "; without an end, since they stay brighter: " + std::to_string(result.endless);
+    if (result.endless != 0) text += format_text("; without an end, since they stay brighter: {}", result.endless);
     return text;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights that thin out for ever get an end where next to nothing is left of them, so that many cost little.
+// Limits the range of attenuated lights where they become negligible, to reduce the cost of many lights.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -9,31 +9,31 @@
 
 namespace rakelight {
 
-/// [m] from where on a light brings at most `cutoff`, measured by its brightest channel at its axis: ambient and the
-/// larger of diffuse and specular together, of photometric lights intensity / pi. Infinity: it brings more at 1e30 m, or does not thin out at all; at
-/// least least_light_range.
-/// @param cutoff  > 0 [radiance of a white Lambert surface that faces the light]
+/// [m] the distance beyond which a light is at most `cutoff`, by its brightest channel on its axis: ambient plus the
+/// larger of diffuse and specular, or intensity / pi for photometric lights. At least min_light_range. Infinity: it is
+/// brighter at 1e30 m, or not attenuated.
+/// @param cutoff > 0 [radiance of a white Lambert surface facing the light]
 ///
-/// With the window 1 - (d / range)^4 of a range r there, the light that a surface loses is at most `cutoff` at every
-/// distance d, however the light thins out: b A(d) beyond r, where b A falls; b A(d) (d / r)^4 within, which grows with
-/// d (d^4 / (c + l d + q d^2) does for c, l, q >= 0) up to b A(r) = cutoff at r.
+/// With the window 1 - (d / r)^4 of this range r, the light lost by a surface is at most `cutoff` at every distance d:
+/// it is b A(d) beyond r, where b A falls; b A(d) (d / r)^4 within, which grows with d (d^4 / (c + l d + q d^2) does for c,
+/// l, q >= 0) up to b A(r) = cutoff at r.
 double reach_of(const Light& light, double cutoff);
 
-/// What became of lights.
+/// Statistics of lights.
 struct CutLights {
     std::size_t cut = 0;        ///< got a range
-    std::size_t endless = 0;    ///< point and spot lights that do not thin out so far
-    float least = 0, most = 0;  ///< [m] of the ranges that were given
+    std::size_t endless = 0;    ///< point and spot lights that stay brighter
+    float least = 0, most = 0;  ///< [m] of the assigned ranges
 };
 
-/// Gives point and spot lights without a range the one of reach_of(). All others stay as they are.
+/// Sets the range of point and spot lights without one to reach_of(). Other lights are unchanged.
 CutLights cut_lights(std::vector<Light>& lights, double cutoff);
 
-/// Whether its range is the one that cut_lights() gives it.
+/// Whether the light has the range of cut_lights().
 /// @param cutoff  0: none is
 bool is_cut(const Light& light, double cutoff);
 
-/// A sentence about it without a full stop.
+/// A sentence for reports, without a full stop.
 std::string said(const CutLights& result, double cutoff);
 
 }  // namespace rakelight

@@ -1,28 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // Between classical (k_d, k_s, exponent) and metallic-roughness parameters.
 //
-// classical_from_metallic_roughness, for use with the normalized Blinn-Phong lobe (is_normalized):
-//   k_d = base (1 - metallic), k_a = base: even light from all around shows metals in their color
-//   k_s = mix(F0, base, metallic),  F0 = min(((ior - 1) / (ior + 1))^2 specular_color, 1) specular: dielectric_f0() of
-//         src/lighting/models/ggx.glsl (KHR_materials_specular)
-//   n   = clamp(2 / alpha^2 - 2, 1, 10000),  alpha = roughness^2
-//         (Karis 2013, "Specular BRDF Reference": the exponent whose Blinn-Phong distribution matches a GGX or Beckmann
-//         alpha)
-//   Lost: Fresnel's rise at grazing angles, the long tail of GGX, roughness above 0.904 (n would be below 1),
-//   anisotropy, the metallic-roughness and specular textures. Where there is a metallic-roughness texture its values
-//   are not known here: metallic counts as 0 (the base color then shows as diffuse) and roughness as half its factor.
-//   The base color texture tints the highlight where metallic > 1/2, else the specular color texture does.
+// classical_from_metallic_roughness, for use with the normalized Blinn-Phong lobe (is_normalized): k_d = base (1 -
+// metallic), k_a = base: uniform ambient light shows metals in their color k_s = mix(F0, base, metallic), F0 =
+// min(((ior - 1) / (ior + 1))^2 specular_color, 1) specular: dielectric_f0() of
+// src/lighting/models/ggx.glsl (KHR_materials_specular) n = clamp(2 / alpha^2 - 2, 1, 10000), alpha = roughness^2
+// (Karis 2013, "Specular BRDF Reference": the exponent whose Blinn-Phong distribution matches a GGX or Beckmann alpha)
+// Lost: Fresnel's rise at grazing angles, the long tail of GGX, roughness above 0.904 (n would be below 1), anisotropy,
+// the metallic-roughness and specular textures. Values of a metallic-roughness texture are not known here: metallic
+// counts as 0 (the base color is then diffuse) and roughness as half its factor. The base color texture tints the
+// highlight where metallic > 1/2, else the specular color texture does.
 //
-// metallic_roughness_from_classical, with the highlight's center where it was:
-//   base = k_d, metallic = 0, ior = 1.5, roughness = (2 / (n + 2))^(1/4), so alpha^2 = 2 / (n + 2)
-//   F0 = min(1, min(1, 4 alpha^2) k_s): a textbook k_s says how bright the lobe's center is, that of GGX is F0 / (4
-//        alpha^2) where light and viewer face the surface; min(1, k_s) in the normalized form (specular_form_of)
-//   specular = min(1, 50 F0), so that what has no highlight has none at grazing angles either (KHR_materials_specular:
+// metallic_roughness_from_classical, preserving the brightness of the highlight's center: base = k_d, metallic = 0, ior
+// = 1.5, roughness = (2 / (n + 2))^(1/4), so alpha^2 = 2 / (n + 2) F0 = min(1, min(1, 4 alpha^2) k_s): a textbook k_s
+// is the brightness of the lobe's center, which for GGX at normal incidence is F0 / (4 alpha^2); min(1, k_s) in the
+// normalized form (specular_form_of) specular = min(1, 50 F0), so that materials without a highlight have none at
+// grazing angles either (KHR_materials_specular:
 //        F90), specular_color = F0 / (0.04 specular)
 //
-//   Lost: k_a, F0 above 1, exponents below 1 or above 10000. There and back gives k_d and n again, and F0 as k_s.
+// Lost: k_a, F0 above 1, exponents below 1 or above 10000. A round trip restores k_d and n, and gives F0 as k_s.
 //
-// tests/unit/raster/shared_parameters_test.cpp holds both to what the engine draws of the other kind.
+// tests/unit/raster/shared_parameters_test.cpp compares rendered results of both models.
 #include <algorithm>
 #include <cmath>
 
@@ -54,7 +52,7 @@ vec3 dielectric_specular(const MetallicRoughnessParameters& p) {
             clamp01(f0 * p.specular_color.z) * strength};
 }
 
-/// Of a GGX lobe whose center is as bright as that of the classical one.
+/// F0 of a GGX lobe with the center brightness of the classical lobe.
 vec3 textbook_f0(const Material& m, float roughness) {
     const vec3 k_s = m.classical.specular;
     const float alpha = roughness * roughness;
@@ -114,7 +112,7 @@ SpecularForm specular_form_of(const Material& m, SpecularForm wanted) {
     return is_normalized ? SpecularForm::normalized : SpecularForm::textbook;
 }
 
-bool wants_tangents(const Material& m) {
+bool needs_tangents(const Material& m) {
     const MetallicRoughnessParameters& p = m.metallic_roughness;
     return m.normal_texture || m.height_texture || p.clearcoat_normal_texture || m.ward_alpha ||
            (m.model == MaterialModel::metallic_roughness && p.anisotropy > 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The textures and the numbers of materials, one row each: loader, writer, validation, world files, reports and engines
-// read these tables, so that a new one is a row, its place in the Material and what the equations do with it.
+// Tables of texture roles and numeric parameters of materials, read by loader, writer, validation, world files, reports
+// and engines. A new parameter needs a row, a member of Material and its equations.
 #pragma once
 #include <optional>
 #include <span>
@@ -12,36 +12,35 @@
 
 namespace rakelight {
 
-/// Where glTF keeps something: an extension of the material and the name in it; null: nowhere, or where the code of the
-/// loader says.
+/// Location in glTF: an extension of the material and a name in it; null: none, or handled by the loader.
 struct GltfPlace {
     const char* extension = nullptr;
     const char* name = nullptr;
 };
 
-/// A number without which a texture shows nothing. By its key of [[material]].
+/// A factor whose value 0 disables a texture, with its key of [[material]].
 struct TextureFactor {
-    const char* key = nullptr;  ///< null: there is none
+    const char* key = nullptr;  ///< null: none
     bool (*is_zero)(const Material&) = nullptr;
 
     bool silences(const Material& m) const { return is_zero && is_zero(m); }
 };
 
-/// What a texture of a material is read for.
+/// A texture role.
 struct TextureRole {
     TextureRoleNumber number;
     const char* name;                    ///< in reports and JSON; with spaces for '_' in messages
     const char* key;                     ///< of [[material]]
     const char* help;                    ///< of that key
-    std::optional<MaterialModel> model;  ///< whose materials have it; absent: all
+    std::optional<MaterialModel> model;  ///< materials of this model have it; absent: all
     ColorSpace space;
     // exactly one is not null
     TextureUse Material::*general = nullptr;
     TextureUse ClassicalParameters::*classical = nullptr;
     TextureUse MetallicRoughnessParameters::*metallic_roughness = nullptr;
     GltfPlace gltf = {};
-    TextureFactor layer = {};   ///< the strength of what it belongs to
-    TextureFactor factor = {};  ///< what it multiplies itself
+    TextureFactor layer = {};   ///< strength of its layer
+    TextureFactor factor = {};  ///< the factor it multiplies
 
     TextureUse& in(Material& m) const {
         return general ? m.*general : classical ? m.classical.*classical : m.metallic_roughness.*metallic_roughness;
@@ -50,18 +49,18 @@ struct TextureRole {
         return general ? m.*general : classical ? m.classical.*classical : m.metallic_roughness.*metallic_roughness;
     }
     bool is_of(MaterialModel which) const { return !model || *model == which; }
-    /// Whether pictures of the material show what the texture is read for.
+    /// Whether the role affects pictures of the material.
     bool is_shown_by(const Material& m) const;
-    bool is_direction() const;  ///< of a surface or a lobe: means nothing without texture coordinates
+    bool is_direction() const;  ///< direction of a surface or lobe, undefined without texture coordinates
 };
 
-/// By number.
+/// By role number.
 std::span<const TextureRole, texture_role_count> texture_roles();
 
-/// Whether a mesh has what a texture of this set of texture coordinates is read by.
+/// Whether a mesh has the texture coordinates of a texture use.
 bool has_coordinates(const Mesh& mesh, std::uint32_t texcoord_set);
 
-/// A number or a color of metallic-roughness materials. Its default is that of MetallicRoughnessParameters.
+/// A number or color of metallic-roughness materials, with the default of MetallicRoughnessParameters.
 struct MaterialParameter {
     enum class Kind { number, angle, color };  ///< angle: radians; degrees in world files
     enum class Range { unit, not_negative, any };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes into one: every number that refers to an array grows by what was there before.
+// Merges scenes: every index is offset by the size of the preceding arrays.
 #include "scene/merge_scenes.h"
 
 #include <map>
@@ -39,8 +39,7 @@ struct Counts {
     }
 };
 
-/// Each part counts every time: a few bytes of a file name it once more. With a node comes the matrix that whoever asks
-/// where things are makes of it.
+/// Every use of a part counts, because a few bytes in a file can repeat it. Each node also counts its world matrix.
 MemoryCharge charge_for(std::span<const ScenePart> parts, Context& context) {
     std::map<const Scene*, std::uint64_t> tables;
     std::uint64_t bytes = 0;
@@ -70,7 +69,7 @@ void add_nodes(Scene& into, const Scene& part, const std::optional<Node>& root, 
     }
 }
 
-/// How many of what a channel's path counts stood before the part.
+/// Index offset of a channel's target.
 std::uint32_t elements_before(AnimationPath path, const MergeOffsets& by) {
     switch (path) {
         case AnimationPath::material:
@@ -84,7 +83,7 @@ std::uint32_t elements_before(AnimationPath path, const MergeOffsets& by) {
     }
 }
 
-/// Channels of lights and cameras go where these do.
+/// Channels follow their lights and cameras.
 bool is_kept(const AnimationChannel& channel, const ScenePart& part) {
     return (channel.path != AnimationPath::light || part.with_lights) &&
            (channel.path != AnimationPath::camera || part.with_cameras);
@@ -103,7 +102,7 @@ void add_motion(Scene& into, const ScenePart& added, const MergeOffsets& by) {
     }
 }
 
-/// What stands in the world and not at a node follows the new node, too.
+/// Lights and cameras in world space are attached to the new node.
 class Follower {
 public:
     Follower(const std::optional<Node>& root, const MergeOffsets& by) : has_root_(root), by_(by) {

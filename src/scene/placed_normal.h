@@ -7,7 +7,8 @@
 
 namespace rakelight {
 
-/// By the cofactor matrix, turned round where the matrix mirrors; unit. Where nothing is placed unit normals keep their bits.
+/// Transformed by the cofactor matrix, negated for mirroring matrices; unit. Under the identity, unit normals stay
+/// bit-identical.
 class PlacedNormals {
 public:
     explicit PlacedNormals(const dmat4& place)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where things are: matrices of the nodes, the box of all that is drawn, the frame of a camera.
+// World matrices of nodes, the bounding box, camera frames.
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +32,7 @@ double Bounds::diagonal() const {
 
 namespace {
 
-/// 1 for every vertex that a triangle, line or point uses: stray vertices must not push the camera away.
+/// 1 for every vertex that a triangle, line or point uses: unused vertices must not affect the camera.
 std::vector<std::uint8_t> used_vertices(const Mesh& mesh) {
     std::vector<std::uint8_t> used(mesh.positions.size(), 0);
     for (const std::uint32_t index : mesh.indices) used[index] = 1;
@@ -114,15 +114,15 @@ std::uint64_t triangle_count(const Scene& scene) {
 dmat4 camera_to_world(const Scene&, const Camera& camera, const std::vector<dmat4>& world) {
     RL_ASSERT(camera.node == no_index || camera.node < world.size(), "the camera's node exists");
     const dmat4& m = camera.node == no_index ? camera.to_world : world[camera.node];
-    // The view direction is kept, then the upright one as far as it is perpendicular; x follows, so that the result is a
-    // rotation even where the matrix mirrors, shears or flattens.
+    // Keeps the view direction, orthogonalizes the up direction and derives x, so that the result is a rotation even
+    // for mirroring, shearing or singular matrices.
     const dvec3 x_axis = normalize_or(m[0].xyz(), dvec3{0, 0, 0}), y_axis = normalize_or(m[1].xyz(), dvec3{0, 0, 0});
     const dvec3 z = normalize_or(m[2].xyz(), normalize_or(cross(x_axis, y_axis), dvec3{0, 0, 1}));
     dvec3 y = y_axis - z * dot(y_axis, z);
     if (!(dot(y, y) > 1e-20)) y = cross(z, x_axis);
     if (!(dot(y, y) > 1e-20)) y = std::fabs(z.y) < 0.9 ? dvec3{0, 1, 0} - z * z.y : dvec3{1, 0, 0} - z * z.x;
     y = normalize_or(y, dvec3{0, 1, 0});
-    y = normalize_or(y - z * dot(y, z), y);  // once more: the first difference may have lost digits
+    y = normalize_or(y - z * dot(y, z), y);  // repeated, because the first difference may lose digits
     const dvec3 x = cross(y, z);
     const dvec3 eye = is_finite(m[3].xyz()) ? m[3].xyz() : dvec3{0, 0, 0};
     return {{{x.x, x.y, x.z, 0}, {y.x, y.y, y.z, 0}, {z.x, z.y, z.z, 0}, {eye.x, eye.y, eye.z, 1}}};

@@ -12,7 +12,7 @@
 namespace rakelight {
 namespace {
 
-/// Where a moment lies: between two keys, or at one of them (from == to).
+/// The position of a moment: between two keys, or at one key (from == to).
 struct Moment {
     std::size_t from = 0, to = 0;
     double share = 0, seconds = 0;  ///< of the way; from key to key
@@ -27,7 +27,7 @@ Moment moment_of(const Block<float>& times, double t) {
     return {to - 1, to, (t - from) / seconds, seconds};
 }
 
-/// A key's numbers; of a spline's key its in-tangent (0), value (1) or out-tangent (2).
+/// Values of a key; for splines its in-tangent (0), value (1) or out-tangent (2).
 std::span<const float> key(const AnimationChannel& c, std::size_t k, std::size_t part, std::size_t width) {
     const bool is_spline = c.interpolation == Interpolation::cubic_spline;
     return {c.values.data() + (is_spline ? 3 * k + part : k) * width, width};

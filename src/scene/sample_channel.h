@@ -12,8 +12,8 @@ namespace rakelight {
 /// meshes.
 std::size_t channel_width(const Scene& scene, const AnimationChannel& channel);
 
-/// glTF 2.0, appendix C. Before the first and after the last key: that key. Rotations come out with length 1: linear
-/// ones along the shorter arc (Shoemake 1985, "Animating Rotation with Quaternion Curves"), splines normalized.
+/// glTF 2.0, appendix C. Clamped to the first and last key. Rotations are unit: linear ones along the shorter arc
+/// (Shoemake 1985, "Animating Rotation with Quaternion Curves"), splines normalized.
 /// @param channel  with keys, of a valid scene
 /// @param out  [width]
 void sample_channel(const AnimationChannel& channel, double time_s, std::span<float> out);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The door check of a scene: every index, size and number that engines and prepare rely on. One pass over each array.
+// Validation of a scene: every index, size and number that other modules rely on. One pass over each array.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -7,6 +7,7 @@
 #include <rakelight/error.h>
 
 #include "base/enumerators.h"
+#include "base/format_text.h"
 #include "math/linear.h"
 #include "scene/material_table.h"
 #include "scene/scene_tools.h"
@@ -19,7 +20,7 @@ void check_node(const Scene& scene, std::size_t i) {
     const Node& node = scene.nodes[i];
     const Place place{"node", i, node.name};
     if (node.parent != no_index && node.parent >= i)
-        place.fail("parent " + std::to_string(node.parent) + " does not come before its child");
+        place.fail(format_text("parent {} does not come before its child", node.parent));
     for (const std::uint32_t mesh : node.meshes) place.index("mesh", mesh, scene.meshes.size());
     place.index_or_none("skin", node.skin, scene.skins.size());
     if (node.shading) place.enumerator("shading", *node.shading, Shading::automatic);
@@ -137,7 +138,7 @@ void check_skin(const Scene& scene, std::size_t i) {
     for (const dmat4& m : skin.inverse_bind) place.finite("an inverse bind matrix", m);
 }
 
-/// Joints that the meshes of a skinned node name must be there. `joints_needed` [meshes] is 1 + the largest joint used.
+/// Joints used by the meshes of a skinned node must exist. `joints_needed` [meshes] is 1 + the largest joint used.
 void check_influences(const Scene& scene, const std::vector<std::uint32_t>& joints_needed) {
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
@@ -145,9 +146,8 @@ void check_influences(const Scene& scene, const std::vector<std::uint32_t>& join
         const std::size_t joints = scene.skins[node.skin].joints.size();
         for (const std::uint32_t mesh : node.meshes)
             if (joints_needed[mesh] > joints)
-                Place{"mesh", mesh, scene.meshes[mesh].name}.fail("joint " + std::to_string(joints_needed[mesh] - 1) +
-                                                                  " exceeds the " + std::to_string(joints) +
-                                                                  " joints of skin " + std::to_string(node.skin));
+                Place{"mesh", mesh, scene.meshes[mesh].name}.fail(format_text(
+                    "joint {} exceeds the {} joints of skin {}", joints_needed[mesh] - 1, joints, node.skin));
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the parts of validate() share: a place in the scene that knows how to complain, and the checks of the big arrays.
+// Shared parts of validate(): a place in the scene that throws errors, and the checks of arrays.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -37,20 +37,21 @@ struct Place {
 };
 
 /// Array sizes, index ranges and the material of one mesh.
-/// @param known  a mesh of a valid scene: its indices are not looked through again where they are these; may be null
-/// @return 1 + the largest joint that an influence of weight > 0 names; 0 without influences
+/// @param known a mesh of a valid scene: equal index blocks are not checked again; may be null
+/// @return 1 + the largest joint of an influence with weight > 0; 0 without influences
 std::uint32_t check_mesh(const Scene& scene, std::size_t number, const Mesh* known);
 
-/// One of them. @throws Error bad_file
+/// Checks one clip.
+/// @throws Error bad_file
 void check_animation(const Scene& scene, std::size_t number);
 
-/// A node's placement: finite.
+/// Checks that a node's transform is finite.
 void check_transform(const Place& place, const Transform& t);
 
-/// Scene::pose: one entry a node, finite.
+/// Checks Scene::pose: one entry per node, finite.
 void check_pose(const Scene& scene);
 
-/// Nodes, sizes, and times that are finite and ascending. Numbers that channels share are looked at once.
+/// Checks nodes, sizes, and that times are finite and ascending. Shared blocks are checked once.
 void check_animations(const Scene& scene);
 
 }  // namespace rakelight

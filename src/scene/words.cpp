@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "base/format_text.h"
+
 namespace rakelight {
 
 bool same_word(std::string_view a, std::string_view b) {
@@ -28,13 +30,13 @@ std::size_t spelling_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest_word(std::string_view word, const std::vector<std::string_view>& words) {
-    constexpr std::size_t longest = 64;  // the time is the product of both lengths, and files choose them
+    constexpr std::size_t longest = 64;  // the time is proportional to both lengths, which come from files
     if (word.size() > longest) return {};
     std::string_view nearest;
     std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (const std::string_view other : words) {
         const bool is_begun = word.size() >= 3 && (other.starts_with(word) || word.starts_with(other));
-        if (!is_begun && other.size() >= word.size() + least) continue;  // too long to be near
+        if (!is_begun && other.size() >= word.size() + least) continue;  // too long to be similar
         const std::size_t distance = is_begun ? 1 : spelling_distance(word, other);
         if (distance < least) least = distance, nearest = other;
     }
@@ -52,7 +54,7 @@ std::string list_of_names(const std::vector<std::string>& names, std::size_t mos
         list += (shown > 0 ? ", " : "") + one_line(name, max_bytes);
         ++shown;
     }
-    return known.size() > shown ? list + " and " + std::to_string(known.size() - shown) + " more" : list;
+    return known.size() > shown ? format_text("{} and {} more", list, known.size() - shown) : list;
 }
 
 }  // namespace rakelight

@@ -6,7 +6,7 @@
 
 namespace rakelight {
 
-/// Number of the texel that stands at i of a side.
+/// Index of the texel at coordinate i after wrapping.
 inline int wrapped_texel(int i, int size, Wrap wrap) {
     if (wrap == Wrap::clamp_to_edge) return std::clamp(i, 0, size - 1);
     const int period = wrap == Wrap::repeat ? size : 2 * size;

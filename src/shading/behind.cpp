@@ -41,13 +41,13 @@ bool is_behind(const DrawList& list, const Draw& draw, const RenderSettings& set
     return list.material(draw).factors.blend == 0 && !shows_behind(list, draw, settings);
 }
 
-View view_behind(const View& view) {
-    View behind = view;
+PictureCamera camera_behind(const PictureCamera& view) {
+    PictureCamera behind = view;
     behind.width = nearest_power(view.width), behind.height = nearest_power(view.height);
     return behind;
 }
 
-RenderSettings settings_behind(const RenderSettings& settings, const View& behind) {
+RenderSettings settings_behind(const RenderSettings& settings, const PictureCamera& behind) {
     RenderSettings s = settings;
     s.width = behind.width, s.height = behind.height;
     s.window = {};
@@ -56,12 +56,12 @@ RenderSettings settings_behind(const RenderSettings& settings, const View& behin
     s.points = PointShape::none;
     const vec3 seen = light_of_background(settings);
     s.background = {seen.x, seen.y, seen.z, 1};
-    s.lays_background = true;
+    s.composites_background = true;
     s.ambient_occlusion = false;
     return s;
 }
 
-BehindFactors behind_factors(const View& behind) {
+BehindFactors behind_factors(const PictureCamera& behind) {
     const dvec3 right = behind.camera_to_world[0].xyz() * behind.scale_x,
                 up = behind.camera_to_world[1].xyz() * behind.scale_y, back = behind.camera_to_world[2].xyz();
     BehindFactors out{};

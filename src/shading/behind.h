@@ -5,7 +5,7 @@
 
 #include "shading/draw_list.h"
 #include "shading/effect_factors.h"
-#include "shading/view.h"
+#include "shading/picture_camera.h"
 
 namespace rakelight::shading {
 
@@ -18,10 +18,10 @@ bool is_behind(const DrawList& list, const Draw& draw, const RenderSettings& set
 
 /// The whole view, whatever the window: sides are the powers of two next to the picture's, 2048 at most, so that the smaller
 /// versions lie exactly and windows of a picture have the bits of the whole.
-View view_behind(const View& view);
+PictureCamera camera_behind(const PictureCamera& view);
 /// What the picture is drawn with: colors alone, of the surfaces and the scene's own lines and points, over an opaque background.
-RenderSettings settings_behind(const RenderSettings& settings, const View& behind);
-BehindFactors behind_factors(const View& behind);
+RenderSettings settings_behind(const RenderSettings& settings, const PictureCamera& behind);
+BehindFactors behind_factors(const PictureCamera& behind);
 
 /// Lengths in the world over those of the draw's mesh: the mean of its axes.
 float thickness_scale(const Draw& draw);

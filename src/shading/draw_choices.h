@@ -22,7 +22,7 @@ FogFactors fog_factors(const Fog& fog);
 /// are there.
 float mask_cutoff(const MaterialFactors& material, bool limits_silhouette);
 
-/// Of flat and Gouraud shading: whether lighting is evaluated once a face; meshes without normals have no vertices to do it at.
+/// Of flat and Gouraud shading: whether lighting is evaluated once per face; meshes without normals have no vertices to do it at.
 bool is_lit_per_face(const DrawList& list, const Draw& draw, Shading shading);
 
 /// Which sides of a draw are not drawn, and what area on the screen, y down, its front faces have.

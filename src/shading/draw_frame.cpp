@@ -17,7 +17,7 @@ dvec3 unit_or_forward(dvec3 v) {
 
 }  // namespace
 
-DrawFrame::DrawFrame(const DrawList& list, const Draw& draw, const dmat4& to_eye, const View& view,
+DrawFrame::DrawFrame(const DrawList& list, const Draw& draw, const dmat4& to_eye, const PictureCamera& view,
                      FrontFace front_face)
     : view_(view),
       mesh_(list.scene.meshes[draw.mesh]),

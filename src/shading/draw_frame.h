@@ -5,7 +5,7 @@
 
 #include "shading/draw_list.h"
 #include "shading/lit_side.h"
-#include "shading/view.h"
+#include "shading/picture_camera.h"
 
 namespace rakelight::shading {
 
@@ -13,9 +13,11 @@ namespace rakelight::shading {
 class DrawFrame {
 public:
     /// @param to_eye  object -> world axes about the eye. Like list and view it must outlive this
-    DrawFrame(const DrawList& list, const Draw& draw, const dmat4& to_eye, const View& view, FrontFace front_face);
+    DrawFrame(const DrawList& list, const Draw& draw, const dmat4& to_eye, const PictureCamera& view,
+              FrontFace front_face);
 
-    DrawFrame(const DrawList& list, const Draw& draw, dmat4&& to_eye, const View& view, FrontFace front_face) = delete;
+    DrawFrame(const DrawList& list, const Draw& draw, dmat4&& to_eye, const PictureCamera& view,
+              FrontFace front_face) = delete;
 
     dvec3 position(std::uint32_t vertex) const;
     dvec3 normal(std::uint32_t vertex) const;  ///< unit; the mesh must have normals
@@ -47,7 +49,7 @@ private:
         return mesh_.indices.data() + 3 * std::size_t(triangle);
     }
 
-    const View& view_;
+    const PictureCamera& view_;
     const Mesh& mesh_;
     const dmat4& to_eye_;
     dmat3 linear_, to_normal_;

@@ -48,7 +48,7 @@ struct DrawList {
 };
 
 /// Flattens a valid, posed scene. What its materials read is decoded into `textures`; what cannot be had is left out and
-/// said in the report, beside what is suspicious about normal maps.
+/// reported, beside what is suspicious about normal maps.
 DrawList make_draw_list(Scene scene, TextureCache& textures, const TexturePacker& packer, Context& context);
 
 TextureKey key_of(const Texture& texture, ColorSpace space);

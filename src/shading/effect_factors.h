@@ -15,7 +15,7 @@ struct ReliefFactors {
     float to_map[2][2];  ///< rows: the same of the map's own coordinates, behind the slot's transform
 };
 
-/// Light from all around, without its pictures.
+/// Light from the environment, without its pictures.
 struct EnvironmentFactors {
     float irradiance[9][3];  ///< spherical harmonics of irradiance / pi, scaled for the polynomial in x, y, z
     float turn[3][3];        ///< rows: the axes of the environment's picture in the world

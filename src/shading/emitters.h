@@ -28,7 +28,7 @@ struct EmitterSample {
 /// Which triangles emit, and how likely each is chosen: by its power, with its mean emission over its texture coordinates
 /// (Shirley, Wang & Zimmerman 1996, "Monte Carlo Techniques for Direct Lighting Calculations"). Instances count each.
 /// A triangle does not emit where its material is unlit, where its texture is black, where it has no area or is not finite.
-/// Immutable, thread-safe; the same bits whatever the threads. 16 bytes a triangle of draws that emit, 4 bytes a draw.
+/// Immutable, thread-safe; the same bits whatever the threads. 16 bytes per triangle of draws that emit, 4 bytes per draw.
 class Emitters {
 public:
     Emitters() = default;

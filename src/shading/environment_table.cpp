@@ -29,7 +29,7 @@ std::vector<double> luminances_of(const MipChain& sky, const MipLevel& level) {
     return out;
 }
 
-/// Means of the bilinear picture in place of texels. Of a texel as wide as the picture's, a quarter at either side is a ramp to
+/// Means of the bilinear picture instead of texels. Of a texel as wide as the picture's, a quarter at either side is a ramp to
 /// its neighbor: 1/8, 6/8, 1/8; less in proportion where it stands for several.
 void blend_rows(std::vector<double>& values, int width, int height, double part) {
     std::vector<double> row(static_cast<std::size_t>(width));
@@ -45,7 +45,7 @@ void blend_rows(std::vector<double>& values, int width, int height, double part)
 
 void blend_columns(std::vector<double>& values, int width, int height, double part) {
     const auto w = static_cast<std::size_t>(width);
-    std::vector<double> above(values.begin(), values.begin() + width);  // at the poles the last row goes on
+    std::vector<double> above(values.begin(), values.begin() + width);  // at the poles the last row continues
     for (int y = 0; y < height; ++y)
         for (std::size_t x = 0; x < w; ++x) {
             double* const v = values.data() + std::size_t(y) * w + x;
@@ -62,7 +62,7 @@ bool has_light(const MipChain& sky, const MipLevel& level) {
     return false;
 }
 
-/// In place of means over texels their part of all light.
+/// Instead of means over texels their part of all light.
 void weigh(std::vector<double>& values, int width, const std::vector<double>& solid_angles) {
     double light = 0, sphere = 0;
     const auto w = static_cast<std::size_t>(width);

@@ -21,7 +21,7 @@ inline vec3 from_picture(const EnvironmentFactors& e, vec3 d) {
 
 /// A density on the sphere that is constant over each texel of a small version of the picture: mean luminance of what
 /// bilinear sampling of the picture shows there. Pharr, Jakob & Humphreys 2016, "Physically Based Rendering", section
-/// 14.2.4, with an alias table in place of two inversions and directions uniform on the texel's part of the sphere.
+/// 14.2.4, with an alias table instead of two inversions and directions uniform on the texel's part of the sphere.
 /// Where the picture has any light, no direction has density 0. Immutable, thread-safe; the same bits on every machine.
 class EnvironmentTable {
 public:

@@ -17,7 +17,7 @@ struct SidePlane {
 };
 
 /// Through two corners of a square, in the order in which the third stays on the positive side.
-SidePlane side_plane(const View& view, dvec3 a, dvec3 b, dvec3 inside) {
+SidePlane side_plane(const PictureCamera& view, dvec3 a, dvec3 b, dvec3 inside) {
     const dvec3 along = view.orthographic ? view.camera_to_world[2].xyz() : a;
     dvec3 n = normalize_or(cross(along, b - a), dvec3{});
     const dvec3 at = view.orthographic ? a : dvec3{};
@@ -40,7 +40,8 @@ LightReach::LightReach(const std::vector<lighting::LightParameters>& lights) : l
     }
 }
 
-void LightReach::in_square(const View& view, int left, int top, int size, std::vector<std::uint32_t>& to) const {
+void LightReach::in_square(const PictureCamera& view, int left, int top, int size,
+                           std::vector<std::uint32_t>& to) const {
     const PixelRays rays = pixel_rays(view, left, top);
     const double low = -2, high = size + 1;  // a pixel of margin: samples lie about the centers
     const dvec3 corner[4] = {rays.at(low, low), rays.at(high, low), rays.at(high, high), rays.at(low, high)};

@@ -7,11 +7,11 @@
 
 #include "lighting/light_parameters.h"
 #include "shading/light_box.h"
-#include "shading/view.h"
+#include "shading/picture_camera.h"
 
 namespace rakelight::shading {
 
-/// How far each light of a picture reaches. Made once a picture.
+/// How far each light of a picture reaches. Made once per picture.
 class LightReach {
 public:
     /// @param lights  about the eye; must outlive this
@@ -21,7 +21,7 @@ public:
     bool is_worth_it() const { return ending_ > most_without_lists; }
     /// Lights that may reach a pixel of a square of the picture (px), in the order of the scene: those whose spheres are not outside of the
     /// pyramid (of the beam, in parallel views) of its pixels.
-    void in_square(const View& view, int left, int top, int size, std::vector<std::uint32_t>& to) const;
+    void in_square(const PictureCamera& view, int left, int top, int size, std::vector<std::uint32_t>& to) const;
     /// Those of `among` that may reach a box; all of them where `among` is null.
     void in_box(const LightBox& box, const std::vector<std::uint32_t>* among,
                 std::vector<lighting::LightParameters>& to) const;

@@ -75,7 +75,7 @@ std::vector<LightParameters> make_lights(const Scene& scene, const std::vector<d
         p.casts_shadow = casts_shadow(light);
         copy(p.position, cast<float>(at.position - eye));
         copy(p.direction, cast<float>(at.direction));
-        if (std::isfinite(light.range)) p.inverse_range = 1.0f / std::max(light.range, float(least_light_range));
+        if (std::isfinite(light.range)) p.inverse_range = 1.0f / std::max(light.range, float(min_light_range));
         if (light.units == LightUnits::photometric)
             set_photometric(p, light);
         else

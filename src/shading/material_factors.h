@@ -40,7 +40,7 @@ struct MaterialFactors {
     float ward_alpha[2];       ///< along tangent and bitangent; 0: from roughness and anisotropy
     float anisotropy_axis[2];  ///< KHR_materials_anisotropy: cosine and sine
     float sheen_color[3];
-    // Where rays go on (engine trace).
+    // Where rays continue (engine trace).
     int32_t mirror;        ///< MirrorNumber, of classical materials
     float filter[3];       ///< k_t of classical materials
     int32_t is_body;       ///< light is refracted and absorbed where it goes through; 0: a thin wall

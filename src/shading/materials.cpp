@@ -50,7 +50,7 @@ void add_through(const MetallicRoughnessParameters& p, MaterialFactors& v) {
         v.through_eta[color] = v.is_body ? 1 / refraction_of(v, v.through_parts ? color : -1) : 1;
 }
 
-/// Where rays go on.
+/// Where rays continue.
 void add_transport(const Material& m, MaterialFactors& v) {
     static_assert(int(Mirror::constant) == mirror_constant && int(Mirror::fresnel) == mirror_fresnel);
     v.refraction = 1;

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "base/format_text.h"
 #include "geometry/edge_census.h"
 #include "scene/validate_parts.h"
 
@@ -17,9 +18,9 @@ std::uint64_t size_of(const Mesh& mesh) {
 }
 
 std::string message(bool asked, std::uint64_t edges, std::uint64_t more) {
-    std::string text = "back faces were culled of an open surface with " + std::to_string(edges) +
-                       (edges == 1 ? " boundary edge" : " boundary edges");
-    if (more > 0) text += ", and of " + std::to_string(more) + (more == 1 ? " more object" : " more objects");
+    std::string text = format_text("back faces were culled of an open surface with {}{}", edges,
+                                   edges == 1 ? " boundary edge" : " boundary edges");
+    if (more > 0) text += format_text(", and of {}{}", more, more == 1 ? " more object" : " more objects");
     return text + (asked ? ": its inside is not shown" : "");
 }
 

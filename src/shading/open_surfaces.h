@@ -13,7 +13,7 @@
 namespace rakelight::shading {
 
 /// Counts boundary edges of objects whose back faces were culled. An object is what stands at one node: all its meshes
-/// together, places welded that are equal but for rounding, so that a body of several materials counts as one. Objects
+/// together, places welded that are equal except for rounding, so that a body of several materials counts as one. Objects
 /// with equal arrays are counted once from one prepare to the next.
 class OpenSurfaces {
 public:

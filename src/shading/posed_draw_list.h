@@ -6,7 +6,7 @@
 
 namespace rakelight::shading {
 
-/// As make_draw_list() of draw_list.h makes it of the posed meshes, to the bit, but for their arrays.
+/// As make_draw_list() of draw_list.h makes it of the posed meshes, to the bit, except for their arrays.
 /// @param poses  of the meshes that are in bind pose
 DrawList make_draw_list(Scene scene, const geometry::MeshPoses& poses, TextureCache& textures,
                         const TexturePacker& packer, Context& context);

@@ -30,8 +30,8 @@ ShadingChoice::ShadingChoice(const Scene& scene, const RenderSettings& settings)
 bool ShadingChoice::is_all_alike() const {
     const auto has_own = [](const auto& one) { return one.shading.has_value(); };
     return settings_.shading != Shading::automatic && settings_.shading_rules.empty() &&
-           !(settings_.own_shading && (std::any_of(scene_.nodes.begin(), scene_.nodes.end(), has_own) ||
-                                       std::any_of(scene_.materials.begin(), scene_.materials.end(), has_own)));
+           !(settings_.material_shading && (std::any_of(scene_.nodes.begin(), scene_.nodes.end(), has_own) ||
+                                            std::any_of(scene_.materials.begin(), scene_.materials.end(), has_own)));
 }
 
 Shading ShadingChoice::of(std::uint32_t node, std::uint32_t material) const {
@@ -40,8 +40,8 @@ Shading ShadingChoice::of(std::uint32_t node, std::uint32_t material) const {
     const Material* const m = material == no_index ? nullptr : &scene_.materials[material];
     const std::ptrdiff_t rule = m ? last_rule(ShadingRule::Of::material, m->name, of_node.rule) : of_node.rule;
     if (rule >= 0) return settings_.shading_rules[std::size_t(rule)].shading;
-    if (settings_.own_shading && m && m->shading) return *m->shading;
-    return settings_.own_shading && of_node.own ? *of_node.own : settings_.shading;
+    if (settings_.material_shading && m && m->shading) return *m->shading;
+    return settings_.material_shading && of_node.own ? *of_node.own : settings_.shading;
 }
 
 namespace {

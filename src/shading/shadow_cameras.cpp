@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "base/format_text.h"
 #include "math/functions.h"
 #include "shading/lights.h"
 
@@ -97,10 +98,10 @@ void check_shadow_memory(std::span<const Light> lights, const RenderSettings& se
     const std::uint64_t all = memory.limit(), taken = memory.charged();
     const std::uint64_t limit = std::min(all / 2, all > taken ? all - taken : 0);
     if (bytes <= limit) return;
-    throw Error(ErrorCode::usage,
-                std::to_string(maps) + " shadow maps of " + std::to_string(side) + " x " + std::to_string(side) +
-                    " texels need " + std::to_string(bytes) + " bytes, more than " + std::to_string(limit),
-                {}, "make them smaller, or raise 'max-memory'")
+    throw Error(
+        ErrorCode::usage,
+        format_text("{} shadow maps of {} x {} texels need {} bytes, more than {}", maps, side, side, bytes, limit), {},
+        "make them smaller, or raise 'max-memory'")
         .about("shadow-size", {"max-memory"});
 }
 
@@ -130,7 +131,7 @@ std::vector<MapCamera> shadow_cameras(const DrawList& list, const Light& light, 
     return out;
 }
 
-ShadowFactors shadow_factors(const MapCamera& first, const View& view, std::size_t faces,
+ShadowFactors shadow_factors(const MapCamera& first, const PictureCamera& view, std::size_t faces,
                              const RenderSettings& settings, dvec3 eye) {
     ShadowFactors out{};
     out.size = settings.shadow_size;

@@ -8,8 +8,8 @@
 
 #include "shading/draw_list.h"
 #include "shading/lights.h"
+#include "shading/picture_camera.h"
 #include "shading/shadow_factors.h"
-#include "shading/view.h"
 
 namespace rakelight::shading {
 
@@ -46,7 +46,7 @@ std::vector<MapCamera> shadow_cameras(const DrawList& list, const Light& light, 
 /// @param view   of its last one
 /// @param faces  shadow_map_count()
 /// @param eye    that positions are about
-ShadowFactors shadow_factors(const MapCamera& first, const View& view, std::size_t faces,
+ShadowFactors shadow_factors(const MapCamera& first, const PictureCamera& view, std::size_t faces,
                              const RenderSettings& settings, dvec3 eye);
 
 }  // namespace rakelight::shading

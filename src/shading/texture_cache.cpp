@@ -20,7 +20,7 @@ bool has(const LoadedTexture& texture, const Wanted& wanted) {
     return (texture.is_bump || !wanted.is_bump) && (texture.means || !wanted.means);
 }
 
-/// A texture that is not there yet.
+/// A texture that does not exist yet.
 struct Missing {
     const TextureKey* key;
     Wanted wanted;

@@ -6,6 +6,8 @@
 #include <memory>
 #include <new>
 
+#include <nlohmann/json.hpp>
+
 #include "io/glb_writer.h"
 #include "io/image_io.h"
 #include "io/output_place.h"
@@ -31,7 +33,7 @@ Component component_for(const BakeRequest& request, BakeMap map) {
     const std::string& name = request.output;
     if (name.ends_with(".exr")) return Component::f32;
     if (!name.ends_with(".png"))
-        throw Error(ErrorCode::usage, "'" + one_line(name, 80) + "' holds no baked map", {},
+        throw Error(ErrorCode::usage, "'" + one_line(name, 80) + "' cannot store a baked map", {},
                     "write -o 'NAME.{map}.png' or .exr");
     return request.bits == 0 ? component_of(map) : request.bits == 8 ? Component::u8 : Component::u16;
 }
@@ -39,7 +41,7 @@ Component component_for(const BakeRequest& request, BakeMap map) {
 void check_braces(const std::string& output) {
     for (std::size_t at = output.find('{'); at != std::string::npos; at = output.find('{', at + 1))
         if (output.compare(at, map_part.size(), map_part) != 0)
-            throw Error(ErrorCode::usage, "'" + one_line(output, 80) + "' has a word in braces that means nothing", {},
+            throw Error(ErrorCode::usage, "'" + one_line(output, 80) + "' has an unknown placeholder", {},
                         "{map} stands for the name of each map")
                 .about("output");
 }
@@ -48,7 +50,7 @@ void check(const BakeRequest& request) {
     check_braces(request.output);
     if (request.options.maps.size() > 1 && request.output.find(map_part) == std::string::npos)
         throw Error(ErrorCode::usage, "'" + one_line(request.output, 80) + "' is one name for several maps", {},
-                    "{map} stands for each one's: -o 'NAME.{map}.png'");
+                    "{map} stands for the name of each: -o 'NAME.{map}.png'");
     if (request.bits != 0 && request.bits != 8 && request.bits != 16)
         throw Error(ErrorCode::usage, "must be 8 or 16").about("bits");
     for (const BakeMap map : request.options.maps) {
@@ -57,7 +59,7 @@ void check(const BakeRequest& request) {
     }
     if (request.model.empty()) return;
     if (!request.model.ends_with(".glb") && !request.model.ends_with(".gltf"))
-        throw Error(ErrorCode::usage, "'" + one_line(request.model, 80) + "' is no name of a model with maps", {},
+        throw Error(ErrorCode::usage, "'" + one_line(request.model, 80) + "' is not a name for a model with maps", {},
                     "write .glb or .gltf")
             .about("model");
     io::check_output_place(request.model);
@@ -84,7 +86,7 @@ void write_model(const BakeRequest& request, const BakeResult& baked, Context& c
         const bool is_normal = map.map == BakeMap::normal && request.options.space == BakeSpace::tangent;
         if (map.map == BakeMap::normal && !is_normal)
             context.report().add(Remark::dropped, request.model, {},
-                                 "the map of normals is not in the model: glTF has tangent space alone");
+                                 "the normal map is not in the model: glTF has only tangent-space normal maps");
         if (!is_normal && map.map != BakeMap::occlusion) continue;
         const TextureUse use = embedded(scene, baked, map, request.options, context);
         for (Material& material : scene.materials) {
@@ -139,7 +141,7 @@ std::string summary(const BakeFilesResult& result) {
             line += text;
         }
     if (r.made_coordinates > 0) {
-        std::snprintf(text, sizeof text, "; texture coordinates made, %.4g pixels a meter", r.texels_per_meter);
+        std::snprintf(text, sizeof text, "; texture coordinates generated, %.4g pixels per meter", r.texels_per_meter);
         line += text;
     }
     return line;

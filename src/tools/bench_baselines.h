@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What attributes are measured against.
+// Baselines for the speed of attributes.
 #pragma once
 #include <span>
 
@@ -7,8 +7,7 @@
 
 namespace rakelight {
 
-/// What everybody writes: one thread, objects apart (so with seams), unit face normals summed per vertex and
-/// normalized.
+/// The plain loop: one thread, objects separately (so with seams), unit face normals summed per vertex and normalized.
 /// @param out  [parts] normals only
 void plain_loop(const BenchModel& model, std::span<const AttributeBuffers> out);
 

@@ -12,7 +12,7 @@
 namespace rakelight {
 namespace {
 
-/// A folder of its own that is gone when this is.
+/// A temporary folder, removed together with this object.
 class TemporaryFolder {
 public:
     TemporaryFolder() {

@@ -8,7 +8,7 @@
 namespace rakelight {
 
 /// Writes a scene as GLB for other programs to be measured with: pictures that are made by formulas go into it as PNG. What
-/// glTF cannot hold (classical materials, lights that do not thin out by the square) is converted and said in the report.
+/// glTF cannot hold (classical materials, lights without inverse-square attenuation) is converted and reported.
 /// @throws Error failed: cannot write
 void export_bench_scene(const Scene& scene, const std::string& path, Context& context);
 

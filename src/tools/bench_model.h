@@ -23,7 +23,7 @@ struct BenchModel {
     std::vector<AttributeMesh> meshes(bool textured) const;
 };
 
-/// A UV sphere of radius 1 without its poles, so that no face is degenerate; every vertex is moved outwards by up to a
+/// A UV sphere of radius 1 without its poles, so that no face is degenerate. Every vertex is moved outward by up to a
 /// quarter of the grid's step, bit-equal where parts meet and where the sphere closes. Its rows go to the parts in
 /// equal shares; parts beyond the number of rows share a row's columns.
 /// @param shuffled  the triangles of each part, and its vertices, in random order (fixed seed)

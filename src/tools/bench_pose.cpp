@@ -14,10 +14,10 @@
 #include "math/linear.h"
 #include "prepare/moving_placements.h"
 #include "prepare/pose_scene.h"
+#include "render/choose_camera.h"
 #include "render/picture_sink.h"
 #include "render/picture_steps.h"
 #include "render/prepared_scene.h"
-#include "render/view.h"
 #include "scene/scene_tools.h"
 #include "tools/bench_rig.h"
 
@@ -48,7 +48,7 @@ void check(const PoseBenchOptions& o) {
     if (o.repetitions < 1 || o.repetitions > 1000) refuse("repetitions must be 1 to 1000");
 }
 
-/// The skinned meshes of a scene by their joints, into buffers that are there.
+/// The skinned meshes of a scene by their joints, into buffers that exist.
 class SkinAlone {
 public:
     SkinAlone(const Scene& scene, Context& context) : scene_(scene), context_(context) {
@@ -132,7 +132,7 @@ public:
         scene_ = options.scene.empty() ? make_bench_rig(options.triangles, options.objects, options.joints)
                                        : load(options.scene, options.load, context);
         if (scene_.animations.empty() || moving_placements(scene_).empty())
-            throw Error(ErrorCode::usage, "nothing of the scene moves by a clip").with_file(options.scene);
+            throw Error(ErrorCode::usage, "no clip moves anything in the scene").with_file(options.scene);
         bound_ = make_prepared(scene_, options.picture.prepare, options.picture.settings, context);
         session_.set(scene_, options.picture.prepare);
         const double aspect = double(options.picture.settings.width) / options.picture.settings.height;
@@ -162,12 +162,12 @@ private:
     }
 
     void add_poses() {
-        add("pose, normals and tangents turned", [&](std::uint32_t k) {
+        add("pose, normals and tangents rotated", [&](std::uint32_t k) {
             BoundScene given{bound_->bound->scene, {}};
             finish_scene(std::move(given), at(k).pose, bound_->options, context_);
         });
         if (bound_->bound->made.empty()) return;
-        add("pose, normals and tangents made again",
+        add("pose, normals and tangents recomputed",
             [&](std::uint32_t k) { finish_scene(*bound_->bound, at(k).pose, bound_->options, context_); });
     }
 

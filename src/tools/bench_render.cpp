@@ -9,14 +9,15 @@
 
 #include <rakelight/picture_parts.h>
 
+#include "base/format_text.h"
 #include "engines/check_settings.h"
+#include "render/channel_range.h"
+#include "render/choose_camera.h"
 #include "render/engines.h"
 #include "render/picture_sink.h"
 #include "render/picture_steps.h"
 #include "render/prepared_scene.h"
 #include "render/stopwatch.h"
-#include "render/view.h"
-#include "render/view_range.h"
 #include "scene/scene_tools.h"
 #include "tools/bench_export.h"
 #include "tools/bench_scene.h"
@@ -49,10 +50,10 @@ void check(const RenderBenchOptions& o) {
     if (o.triangles < 100 || o.triangles > 100'000'000) refuse("triangles must be 100 to 100000000");
     if (o.objects < 1 || o.objects > 100'000) refuse("objects must be 1 to 100000");
     if (o.objects > o.triangles / 20)
-        throw Error(ErrorCode::usage,
-                    std::to_string(o.triangles) + " triangles are too few for " + std::to_string(o.objects) +
-                        " objects of 20 triangles or more each",
-                    {}, "give fewer 'objects' or more 'triangles'")
+        throw Error(
+            ErrorCode::usage,
+            format_text("{} triangles are too few for {} objects of 20 triangles or more each", o.triangles, o.objects),
+            {}, "give fewer 'objects' or more 'triangles'")
             .naming({"objects", "triangles"});
     if (o.lights > bench_small_lights_max) refuse("lights must be 0 to 10000");
     for (const std::uint32_t lights : o.other_lights)
@@ -79,7 +80,7 @@ public:
           context_(context),
           settings_(options.settings),
           drawn_(settings_),
-          sink_(PixelFormat{}, ToneCurve(options.picture.tone, keep_background(drawn_, options.picture.tone))) {
+          sink_(PixelFormat{}, ToneCurve(options.picture.tone, separate_background(drawn_, options.picture.tone))) {
         if (options.scene.empty())
             take_built_in();
         else
@@ -115,7 +116,7 @@ private:
         if (options_.lights == 0 && !request.lights) request.lights.emplace();  // none, no default ones
         // All of it is closed; of classical materials both sides are drawn else.
         if (settings_.cull == Cull::automatic) settings_.cull = Cull::back;
-        take(as_asked(std::move(made), request, context_), request);
+        take(as_requested(std::move(made), request, context_), request);
     }
 
     void take_file() {
@@ -170,7 +171,7 @@ private:
         request.tone = options_.picture.tone;
         request.channel_files = options_.picture.channel_files, request.half_colors = options_.picture.half_colors;
         PictureResult result;
-        result.view_range = view_range(scene_, camera_);
+        result.channel_range = channel_range(scene_, camera_);
         Session session(measured_.front().row.engine);
         session.set(std::make_shared<PreparedScene>(PreparedScene{scene_, {}}));
         draw_to_files(session, camera_, request, result, context_);
@@ -209,7 +210,7 @@ private:
     RenderSettings drawn_;  ///< the same, as 8-bit pictures are drawn
     Scene scene_;
     Camera camera_;
-    PictureSink sink_;  ///< display values, three bytes a pixel
+    PictureSink sink_;  ///< display values, three bytes per pixel
     std::vector<Measured> measured_;
 };
 
@@ -217,7 +218,7 @@ private:
 
 RenderBenchReport bench_render(const RenderBenchOptions& options, Context& context) {
     check(options);
-    // Half a vertex of 48 bytes and three indices a triangle, and as much again while they are made.
+    // Half a vertex of 48 bytes and three indices per triangle, and as much again while they are made.
     if (options.scene.empty()) context.memory().check(options.triangles * 80, "the scene to measure");
     return RenderBench(options, context).run();
 }

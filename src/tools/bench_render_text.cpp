@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include <nlohmann/json.hpp>
+
 #include "tools/inspect_sections.h"
 #include "tools/report_json.h"
 
@@ -79,9 +81,8 @@ std::string to_text(const RenderBenchReport& report) {
             1e3 * r.stages.front_end, 1e3 * r.stages.tiles, 1e3 * r.stages.visibility, 1e3 * r.stages.shading,
             1e3 * r.stages.blending, 1e3 * r.stages.delivery, 1e3 * r.stages.occlusion);
         text += format(
-            "  %llu culled from behind, %llu degenerate or between samples, %llu outside, %llu drawn; %llu pixels "
-            "covered "
-            "(%.1f %%), %llu shaded\n",
+            "  %llu back-face culled, %llu degenerate or between samples, %llu outside, %llu drawn; %llu pixels "
+            "covered (%.1f %%), %llu shaded\n",
             number(r.stats.culled_back), number(r.stats.culled_degenerate), number(r.stats.culled_outside),
             number(r.stats.drawn), number(r.stats.pixels_covered),
             100.0 * double(r.stats.pixels_covered) / (double(report.width) * report.height),

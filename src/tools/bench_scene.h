@@ -15,7 +15,7 @@ inline constexpr float bench_small_range = 1;                    ///< [m] about 
 /// Displaced spheres, (2,3) torus knots and wavy tori in fixed random places, sizes, turns, colors and order; about 60 % of
 /// a picture of 16:9 is covered. One mesh, one classical material (Blinn-Phong, exponent 48) and one node each; normals,
 /// tangents and texture coordinates; a brick wall as color and normal map of 1024 x 1024 for all; one camera; point lights
-/// that thin out by 1 / (c + l d + q d^2).
+/// that are attenuated by 1 / (c + l d + q d^2).
 /// @param triangles  of all objects, about; at least 20 an object are made
 /// @param objects    1 to 100 000
 /// @param lights     0 to bench_small_lights_max: up to bench_lights_max as above, more of them photometric ones of

@@ -246,7 +246,7 @@ private:
 
 SmoothBenchReport bench_smooth(const SmoothBenchOptions& options, Context& context) {
     check(options);
-    // 36 bytes a triangle of input, 14 of output, twice the normals, and the scratch of the stages.
+    // 36 bytes per triangle of input, 14 of output, twice the normals, and the scratch of the stages.
     context.memory().check(options.triangles * (100 + (options.order ? 60 : 0) + (options.borders ? 60 : 0)),
                            "the model to measure");
     return SmoothBench(options, context).run();

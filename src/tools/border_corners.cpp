@@ -10,8 +10,7 @@ namespace {
 
 constexpr std::uint32_t nobody = 0xffffffffu, several = 0xfffffffeu;
 
-/// Whether a face is a needle a hundred thousandth as high as it is long: nobody sees it, and its direction is
-/// rounding.
+/// Whether a face is a needle, 100000 times as long as high: it is invisible, and its direction is a rounding error.
 bool is_needle(const geometry::PlacedMeshes& placed, std::uint32_t mesh, std::size_t first_corner) {
     const AttributeMesh& m = placed.input.meshes[mesh];
     const geometry::FaceCorners face = geometry::face_corners(m, &m.indices[first_corner]);

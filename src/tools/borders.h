@@ -9,15 +9,15 @@
 namespace rakelight {
 
 struct BorderReport {
-    SeamTotals totals;  ///< but for what is not about angles
+    SeamTotals totals;  ///< except for what is not about angles
     std::vector<BorderSummary> borders;
     std::uint64_t borders_left_out = 0;
     /// The seam angle [degrees] at each place that has one (above continuous_deg), by ascending place.
     std::vector<std::pair<std::uint32_t, float>> seams_at;
 };
 
-/// Expected O(corners), O(b log b) for the b corners at borders, about 120 bytes each at most: at most 8 objects are
-/// paired at a place, and at most 16 different normals of each are looked at.
+/// Expected O(corners), O(b log b) for the b corners at borders, at most about 120 bytes each. At most 8 objects are
+/// paired at a place, with at most 16 different normals each.
 BorderReport find_borders(const geometry::PlacedMeshes& placed, const SeamNormals& normals, Context& context);
 
 inline constexpr std::size_t most_borders = 10'000;        ///< listed

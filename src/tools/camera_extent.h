@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much a camera shows across: what it says itself, or what the aspect that its file wants makes of the height.
+// The horizontal extent of a camera: its own, or from its height and the aspect in its file.
 #pragma once
 #include <optional>
 

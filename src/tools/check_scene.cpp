@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
 #include <rakelight/tools/check_scene.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/words.h>
 #include <rakelight/world.h>
 
+#include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "render/engines.h"
 #include "render/picture_steps.h"
 #include "scene/scene_tools.h"
 #include "shading/shadow_cameras.h"
+#include "tools/material_names.h"
 #include "tools/report_json.h"
-#include "tools/texture_uses.h"
 
 namespace rakelight {
 namespace {
@@ -26,7 +29,7 @@ std::string text_of(const Light& light) {
 /// With their numbers, by which the command line takes them.
 std::string list_of(const std::vector<std::string>& things) {
     std::vector<std::string> numbered;
-    for (const std::string& thing : things) numbered.push_back(std::to_string(numbered.size()) + " " + thing);
+    for (const std::string& thing : things) numbered.push_back(format_text("{} {}", numbered.size(), thing));
     return list_of_names(numbered, 20, 80);
 }
 
@@ -36,7 +39,7 @@ std::vector<std::string> quoted(const std::vector<std::string>& names) {
     return result;
 }
 
-std::string counted(std::uint64_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
+std::string counted(std::uint64_t n, const char* what) { return format_text("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 }  // namespace
 

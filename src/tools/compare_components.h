@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two pictures with components that can be held against each other.
+// Makes the components of two pictures comparable.
 #pragma once
 #include <rakelight/image.h>
 

@@ -4,6 +4,7 @@
 
 #include <rakelight/compare.h>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_io.h"
 #include "render/picture_steps.h"
@@ -69,8 +70,8 @@ Pixels displayed(const DisplayPicture& picture) {
 }
 
 std::string image_html(const char* name, const std::string& alt, const Pixels& pixels) {
-    return std::string("<img class=\"") + name + "\" alt=\"" + html_text(alt) + "\" width=\"" +
-           std::to_string(pixels.width) + "\" src=\"" + png_uri(pixels) + "\">\n";
+    return format_text("<img class=\"{}\" alt=\"{}\" width=\"{}\" src=\"{}\">\n", name, html_text(alt), pixels.width,
+                       png_uri(pixels));
 }
 
 std::string numbers_html(const PictureComparison& c) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Comparisons as a table, and as the program's JSON, schema rakelight.compare/1: fields are added, never renamed.
+#include <nlohmann/json.hpp>
+
 #include <rakelight/tools/rows.h>
 
 #include "tools/compare_numbers.h"

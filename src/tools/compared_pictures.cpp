@@ -9,6 +9,7 @@
 #include <rakelight/image_sources.h>
 #include <rakelight/world.h>
 
+#include "base/format_text.h"
 #include "image/compare.h"
 #include "image/decode.h"
 #include "image/false_color.h"
@@ -28,7 +29,7 @@ void check(const CompareOptions& options) {
 }
 
 void check_sizes(const Pixels& a, const Pixels& b) {
-    const auto text = [](const Pixels& p) { return std::to_string(p.width) + " x " + std::to_string(p.height); };
+    const auto text = [](const Pixels& p) { return format_text("{} x {}", p.width, p.height); };
     if (a.width != b.width || a.height != b.height)
         throw Error(ErrorCode::check_failed, "the pictures differ in size: " + text(a) + " and " + text(b) + " pixels");
 }

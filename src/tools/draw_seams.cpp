@@ -10,7 +10,7 @@
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/prepare.h"
-#include "render/view.h"
+#include "render/choose_camera.h"
 #include "scene/scene_tools.h"
 #include "tools/largest_seam.h"
 #include "tools/seam_legend.h"
@@ -141,7 +141,7 @@ private:
         walk(project(a), project(b), deg_a, deg_b);
     }
 
-    /// Where the line is inside the whole picture, whatever the window: t0..t1 of it (Liang & Barsky 1984).
+    /// The part t0..t1 of the line inside the whole picture, not only the window (Liang & Barsky 1984).
     bool clip(const PicturePoint& a, const PicturePoint& b, double& t0, double& t1) const {
         const double high[2] = {frame_.width + radius_px_, frame_.height + radius_px_};
         const double from[2] = {a.x, a.y}, along[2] = {b.x - a.x, b.y - a.y};

@@ -3,8 +3,9 @@
 
 #include <new>
 
+#include "base/format_text.h"
 #include "engines/empty_pixel.h"
-#include "engines/raster/inspect/nearest_shown.h"
+#include "engines/raster/inspect/nearest_visible.h"
 #include "engines/raster/visibility/depth_formats.h"
 #include "render/rows.h"
 #include "scene/material_table.h"
@@ -33,18 +34,17 @@ using Explained = std::vector<std::shared_ptr<const ExplainedPixel>>;
 
 void check_place(const RenderSettings& s, PixelPlace pixel) {
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= s.width || pixel.y >= s.height)
-        throw Error(ErrorCode::usage, "pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y) +
-                                          " is not in the picture of " + std::to_string(s.width) + " x " +
-                                          std::to_string(s.height) + " pixels");
+        throw Error(ErrorCode::usage, format_text("pixel {},{} is not in the picture of {} x {} pixels", pixel.x,
+                                                  pixel.y, s.width, s.height));
 }
 
 /// One pixel; `out` has the engine.
 void explain_pixel(ExplainedPixel& out, PixelPlace pixel, const PictureRequest& request, Context& context) {
     out.pixel = out.engine->explain(pixel.x, pixel.y, context);
-    if (out.pixel.layers.empty()) out.nearest = raster::nearest_shown(*out.engine, pixel.x, pixel.y, context);
+    if (out.pixel.layers.empty()) out.nearest = raster::nearest_visible(*out.engine, pixel.x, pixel.y, context);
     if (out.pixel.has_marks)
         context.report().add(Remark::warning, request.input, {},
-                             "lines or points of the model lie about this pixel: only its surfaces are explained");
+                             "lines or points of the model are near this pixel: only its surfaces are explained");
     out.tone = request.tone;
     const ToneCurve curve(request.tone, laid_behind(request.settings));
     out.displayed = curve.displayed(out.pixel.color);
@@ -61,9 +61,9 @@ Explained explained(PictureRequest request, std::span<const PixelPlace> pixels, 
         const RenderSettings& s = request.settings;
         const bool follows_rays = s.method != RayMethod::cast && s.max_depth > 0;
         if (request.engine == "trace" && (follows_rays || s.shadows))
-            context.report().add(
-                Remark::warning, request.input, {},
-                "the pixel is explained as engine soft draws it: no rays go on from it, and shadows are those of maps");
+            context.report().add(Remark::warning, request.input, {},
+                                 "the pixel is explained as engine soft draws it: without reflected or refracted rays, "
+                                 "and with shadow maps");
         Explained all;
         for (const PixelPlace pixel : pixels) {
             context.progress("explain", double(all.size()) / double(pixels.size()));
@@ -168,7 +168,7 @@ const char* reflection_model(const ShadedLayer& layer) {
 }
 
 double standard_depth_per_key(const ExplainedPixel& e) {
-    const shading::View& view = e.engine->view();
+    const shading::PictureCamera& view = e.engine->view();
     const raster::DepthRange range{view.z_near, view.z_far, view.orthographic};
     return raster::standard_of_reversed(1, range) - raster::standard_of_reversed(0, range);
 }

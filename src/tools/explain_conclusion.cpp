@@ -6,7 +6,7 @@
 #include "shading/luminance.h"
 #include "tools/explain_values.h"
 #include "tools/explained_pixel.h"
-#include "tools/texture_uses.h"
+#include "tools/material_names.h"
 
 namespace rakelight {
 namespace {
@@ -64,7 +64,7 @@ std::vector<Term> terms_of(const ExplainedPixel& e, const ShadedLayer& layer) {
     std::vector<Term> terms;
     add(terms, "its emission", t.emission, times);
     if (layer.is_unlit)
-        add(terms, "its own color, which is not lit", {t.base_color[0], t.base_color[1], t.base_color[2]}, times);
+        add(terms, "its own color, which is unlit", {t.base_color[0], t.base_color[1], t.base_color[2]}, times);
     for (std::size_t i = 0; i < layer.lights.size(); ++i) {
         const TracedLight& l = layer.lights[i];
         add(terms, "the ambient term of light " + name_of_light(e, i), l.ambient, times);
@@ -101,9 +101,9 @@ std::string what_keeps_away(const Light& light, const std::vector<const TracedLi
         return "is black";
     if (all([](const TracedLight& l) { return !(l.n_dot_l > 0); })) return "is below the surface (n.l <= 0)";
     if (all([](const TracedLight& l) { return l.spot == 0; })) return "shines past it";
-    if (all([](const TracedLight& l) { return l.attenuation == 0; })) return "does not reach so far";
+    if (all([](const TracedLight& l) { return l.attenuation == 0; })) return "does not reach this far";
     if (all([](const TracedLight& l) { return l.seen < 0.5f; })) return "is in shadow";
-    if (all([](const TracedLight& l) { return l.n_dot_l < grazing_n_dot_l; })) return "only grazes the surface";
+    if (all([](const TracedLight& l) { return l.n_dot_l < grazing_n_dot_l; })) return "is at a grazing angle";
     return {};
 }
 
@@ -118,7 +118,8 @@ std::string dark_because(const ExplainedPixel& e, const ShadedLayer& layer) {
         if (why.empty()) continue;
         if (++kept_away <= most_reasons) reasons.push_back("light " + name_of_light(e, i) + " " + why);
     }
-    if (kept_away > most_reasons) reasons.push_back(digits(kept_away - most_reasons) + " more give nothing or little");
+    if (kept_away > most_reasons)
+        reasons.push_back(digits(kept_away - most_reasons) + " more contribute nothing or little");
     if (lights.empty() && !t.has_environment && !layer.is_unlit) reasons.emplace_back("the scene has no light");
     float most = 0;
     for (const auto* const k : {&t.k_ambient, &t.k_diffuse, &t.k_specular})

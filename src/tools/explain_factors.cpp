@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
 namespace rakelight {
 namespace {
 
@@ -24,8 +26,8 @@ constexpr Words all_words[] = {
     {k_specular, "k_specular", "k specular", ""},
     {light_color, "light_color", "light that arrives", ""},
     {n_dot_l, "n_dot_l", "n.l", ""},
-    {n_dot_l_diffuse, "n_dot_l_diffuse", "n.l", "of the normal of diffuse light"},
-    {n_dot_l_coat, "n_dot_l_coat", "n.l", "of the coat's normal"},
+    {n_dot_l_diffuse, "n_dot_l_diffuse", "n.l", "with the normal for diffuse light"},
+    {n_dot_l_coat, "n_dot_l_coat", "n.l", "with the normal of the coat"},
     {pi, "pi", "pi", "a light's color is irradiance / pi"},
     {oren_nayar, "oren_nayar", "A + B ...", "Oren & Nayar 1994, eq. 30"},
     {oren_nayar_full, "oren_nayar_full", "C1 + ...", "Oren & Nayar 1994, eq. 27 to 29"},
@@ -35,30 +37,30 @@ constexpr Words all_words[] = {
     {ward_exponential, "ward_exponential", "exp(-tan^2 ...)", "Ward 1992, eq. 5a"},
     {ward_divided, "ward_divided", "1 / cosines", "of the form of Ward's model"},
     {fresnel, "fresnel", "Fresnel's term (F)", "f0 + (f90 - f0) (1 - v.h)^5"},
-    {fresnel_rest, "fresnel_rest", "1 - F", "of what is no metal"},
+    {fresnel_rest, "fresnel_rest", "1 - F", "of the non-metallic part"},
     {distribution, "distribution", "D [1/sr]", "GGX"},
     {visibility, "visibility", "V", "Smith: G / (4 n.l n.v)"},
     {scattering_color, "scattering_color", "color of it", "of all further bounces"},
-    {scattering_lost_l, "scattering_lost_l", "1 - E(l)", "what one bounce loses"},
+    {scattering_lost_l, "scattering_lost_l", "1 - E(l)", "energy lost by one bounce"},
     {scattering_lost_v, "scattering_lost_v", "1 - E(v)", ""},
     {scattering_mean, "scattering_mean", "1 / (pi (1 - E mean))", "Kulla & Conty 2017"},
     {sheen_color, "sheen_color", "color of the sheen", ""},
     {sheen_lobe, "sheen_lobe", "D V [1/sr]", "Estevez & Kulla 2017"},
-    {sheen_rest, "sheen_rest", "what the sheen leaves", ""},
+    {sheen_rest, "sheen_rest", "light that the sheen leaves", ""},
     {coat_reflectance, "coat_reflectance", "clearcoat", "its reflectance towards the viewer"},
-    {coat_rest, "coat_rest", "what the coat lets through", "1 - its reflectance"},
+    {coat_rest, "coat_rest", "light that the coat transmits", "1 - its reflectance"},
     {above, "above", "below the surface", "light or viewer: nothing is reflected"},
-    {seen, "seen", "not in shadow", "share of the light"},
-    {around_diffuse, "around_diffuse", "diffuse reflectance", "of light from all around, with occlusion"},
-    {around_specular, "around_specular", "specular reflectance", "of light from all around, with occlusion"},
+    {seen, "seen", "not in shadow", "fraction of the light"},
+    {around_diffuse, "around_diffuse", "diffuse reflectance", "of environment light, with occlusion"},
+    {around_specular, "around_specular", "specular reflectance", "of environment light, with occlusion"},
     {around_sheen, "around_sheen", "reflectance of the sheen", ""},
     {around_coat, "around_coat", "reflectance of the coat", ""},
-    {mean_light, "mean_light", "light about the normal", "irradiance / pi"},
-    {mean_light_sheen, "mean_light", "light about the normal", "irradiance / pi"},
-    {mirrored, "mirrored", "light that is mirrored", "about the mirror direction, as wide as the lobe"},
-    {mirrored_coat, "mirrored", "light that is mirrored", "about the mirror direction, as wide as the lobe"},
+    {mean_light, "mean_light", "environment light around the normal", "irradiance / pi"},
+    {mean_light_sheen, "mean_light", "environment light around the normal", "irradiance / pi"},
+    {mirrored, "mirrored", "reflected environment light", "around the mirror direction, as wide as the lobe"},
+    {mirrored_coat, "mirrored", "reflected environment light", "around the mirror direction, as wide as the lobe"},
     {own_emission, "own_emission", "emission of the material", ""},
-    {through, "through", "color that lets it through", "of the transmission"},
+    {through, "through", "transmission color", "of the transmission"},
     {behind, "behind", "light from behind", "refracted, blurred, absorbed by the body"},
 };
 
@@ -68,13 +70,13 @@ constexpr bool are_in_order() {
         if (std::size_t(w.quantity) != i++) return false;
     return i == std::size_t(TracedQuantity::count);
 }
-static_assert(are_in_order(), "one row a quantity");
+static_assert(are_in_order(), "one row per quantity");
 
 const Words& words_of(const TracedFactor& f) { return all_words[std::size_t(f.quantity)]; }
 
 constexpr const char* terms[] = {"ambient", "diffuse", "specular", "emission"};
 constexpr const char* layers[] = {"base", "scattering", "sheen", "clearcoat"};
-constexpr const char* layers_text[] = {"", ", light between the facets", ", sheen", ", clearcoat"};
+constexpr const char* layers_text[] = {"", ", interreflection between facets", ", sheen", ", clearcoat"};
 
 bool arrives(const TracedPart& part) {
     return std::none_of(part.factor, part.factor + part.count, [](const TracedFactor& f) {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explained pixels as the program's JSON, schema rakelight.explain/1 (docs/explain.md): fields are added, never renamed.
 // Floats are written as the doubles that they are equal to, so that the bits come back.
+#include <nlohmann/json.hpp>
+
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/words.h>
 
 #include "tools/explain_factors.h"
 #include "tools/explained_pixel.h"
+#include "tools/material_names.h"
 #include "tools/report_json.h"
-#include "tools/texture_uses.h"
 
 namespace rakelight {
 namespace {
@@ -242,7 +244,7 @@ Json pixel_json(const ExplainedPixel& e) {
                 {"samples", samples_json(e)},       {"triangles", Json::array()},
                 {"layers", Json::array()}};
     if (p.has_marks) out["has_marks"] = true;
-    add_shown(out, e);
+    add_visible(out, e);
     out["look"] = Json::array();
     for (const LookChoice& choice : e.look) out["look"].push_back({{"topic", choice.topic}, {"value", choice.value}});
     out["exposure_ev"] = double(e.tone.exposure_ev);

@@ -32,13 +32,14 @@ std::string light_choice(const PictureRequest& asked, const PictureRequest& look
     }
     if (looked.hdri_ambient.value_or(false) && !asked.hdri_ambient)
         return "the built-in studio as environment" + intensity_text(engine) + ", beside the file's lights";
-    if (looked.default_lights && !asked.default_lights) return "the default lights in place of the file's";
+    if (looked.default_lights && !asked.default_lights) return "the default lights instead of the file's";
     return {};
 }
 
 std::string background_text(const vec4& c) {
-    const auto shown = [](float linear) { return digits(std::round(1000 * srgb_from_linear(linear)) / 1000); };
-    return "sRGB " + shown(c.x) + " " + shown(c.y) + " " + shown(c.z) + ": the model's rim stands out from it";
+    const auto component = [](float linear) { return digits(std::round(1000 * srgb_from_linear(linear)) / 1000); };
+    return "sRGB " + component(c.x) + " " + component(c.y) + " " + component(c.z) +
+           ": the model's outline stands out from it";
 }
 
 std::string exposure_text(float ev) { return (ev > 0 ? "+" : "") + digits(ev) + " EV"; }
@@ -59,7 +60,7 @@ std::vector<LookChoice> look_choices(const PictureRequest& asked, const PictureR
     if (!(after.background == before.background)) add("background", background_text(after.background));
     if (looked.tone.exposure_ev != asked.tone.exposure_ev)
         add("exposure", exposure_text(looked.tone.exposure_ev) + ", for the file's lights in physical units");
-    if (looked.view.side != asked.view.side) add("camera", "the fitted view in place of the file's");
+    if (looked.view.side != asked.view.side) add("camera", "the fitted view instead of the file's");
     return choices;
 }
 
@@ -68,7 +69,7 @@ std::string look_text(const ExplainedPixel& e) {
     TextTable table({"", ""});
     for (const LookChoice& choice : e.look) table.add({choice.topic, choice.value});
     const std::string rows = table.text("    ");
-    return "  the default look, where nobody names it ('--look plain' takes it away)\n" +
+    return "  the default look, unless another is given ('--look plain' turns it off)\n" +
            rows.substr(rows.find('\n') + 1);
 }
 
@@ -86,7 +87,8 @@ std::string code_text(const ExplainedPixel& e) {
     const auto is_used = [&](const Word<ToneMapping>& word) { return word.value == e.tone.mapping; };
     if (e.tone.mapping != ToneMapping::none)
         add("tone curve", ToneCurve(e.tone)(light.xyz()), std::ranges::find_if(tone_mapping_words, is_used)->name);
-    if (light.w < 1) values.add("over the background", e.displayed, "by its alpha; no exposure or curve changes that");
+    if (light.w < 1)
+        values.add("over the background", e.displayed, "by its alpha; exposure and tone curve do not change it");
     return "\nFrom light to codes: these are clamped to 0..1 and encoded as sRGB\n" + values.text("  ");
 }
 

@@ -4,9 +4,9 @@
 #include <iterator>
 
 #include "tools/explained_pixel.h"
+#include "tools/material_names.h"
 #include "tools/shortest_digits.h"
 #include "tools/text_table.h"
-#include "tools/texture_uses.h"
 
 namespace rakelight {
 namespace {
@@ -38,7 +38,7 @@ std::string texels_text(const ShadedLayer& layer) {
             table.add(std::move(cells));
         }
     }
-    return "  Texels that they came from, linear\n" + table.text("    ");
+    return "  Source texels, linear\n" + table.text("    ");
 }
 
 /// Maps that are read by several probes.
@@ -49,9 +49,8 @@ std::string probes_text(const ShadedLayer& layer) {
         const raster::TracedTexture& m = layer.trace.map[i];
         if (m.is_used) table.add({name_of_map(i), digits(m.probes), digits(m.axis_u), digits(m.axis_v)});
     }
-    return "  Probes of the anisotropic filter, evenly along the longer side of what the pixel covers; their mean is "
-           "the "
-           "value\n" +
+    return "  Probes of the anisotropic filter, evenly spaced along the longer side of the pixel's footprint; their "
+           "mean is the value\n" +
            table.text("    ");
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explained pixels of several samples: which triangle each sample shows, and their mean.
 #include "tools/explained_pixel.h"
+
+#include <nlohmann/json.hpp>
 #include "tools/shortest_digits.h"
 #include "tools/text_table.h"
 
@@ -57,8 +59,8 @@ std::string samples_text(const ExplainedPixel& e) {
             s.color);
     }
     add({"mean", "", "", "= the pixel"}, e.pixel.sum);
-    return "\nThe samples when all layers are laid, from the pixel's center, y down; their mean in linear light, each "
-           "by its alpha\n" +
+    return "\nThe samples after all layers are blended, from the pixel's center, y down; their mean in linear light, "
+           "each weighted by its alpha\n" +
            table.text("  ");
 }
 

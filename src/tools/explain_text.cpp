@@ -5,7 +5,7 @@
 
 #include "tools/explain_factors.h"
 #include "tools/explained_pixel.h"
-#include "tools/texture_uses.h"
+#include "tools/material_names.h"
 
 namespace rakelight {
 namespace {
@@ -16,7 +16,7 @@ using raster::TracedLight;
 
 using Cells = std::vector<std::string>;
 
-std::string shown(const std::string& name, std::uint32_t index) {
+std::string name_or_number(const std::string& name, std::uint32_t index) {
     if (index == no_index) return "(none)";
     return name.empty() ? "number " + digits(index) : one_line(name, 60);
 }
@@ -26,7 +26,7 @@ std::string fate_text(raster::Fate fate) {
         case raster::Fate::visible:
             return "visible";
         case raster::Fate::blended:
-            return "blended: laid over what is behind";
+            return "blended: laid over the surfaces behind";
         case raster::Fate::hidden:
             return "hidden: a nearer one is in front";
         case raster::Fate::masked_out:
@@ -42,17 +42,17 @@ std::string fate_text(raster::Fate fate) {
 std::string triangles_text(const ExplainedPixel& e) {
     const bool has_samples = e.pixel.samples.size() > 1;
     Cells head = {">#",   "object",        "mesh",       ">triangle", "material",
-                  "side", ">distance [m]", ">depth key", ">alpha",    "what becomes of it"};
+                  "side", ">distance [m]", ">depth key", ">alpha",    "result"};
     if (has_samples) head.insert(head.end() - 1, "samples");
     TextTable table(head);
     for (std::size_t i = 0; i < e.pixel.triangles.size(); ++i) {
         const CoveringTriangle& t = e.pixel.triangles[i];
         const TriangleNames n = names_of(e, t);
         Cells cells = {digits(i),
-                       shown(n.object, n.node),
-                       shown(n.mesh, n.mesh_index),
+                       name_or_number(n.object, n.node),
+                       name_or_number(n.mesh, n.mesh_index),
                        digits(t.triangle),
-                       shown(n.material, n.material_index),
+                       name_or_number(n.material, n.material_index),
                        t.is_back ? "back" : "front",
                        digits(t.distance),
                        digits(t.depth_key),
@@ -62,10 +62,9 @@ std::string triangles_text(const ExplainedPixel& e) {
         table.add(std::move(cells));
     }
     return "\nTriangles that cover the pixel, nearest first\n" +
-           std::string(has_samples
-                           ? "  (numbers are those of the nearest sample; a letter a sample: V visible, B blended, "
-                             "M masked out, H hidden, C culled, - not covered)\n"
-                           : "") +
+           std::string(has_samples ? "  (numbers are those of the nearest sample; one letter per sample: V visible, B "
+                                     "blended, M masked out, H hidden, C culled, - not covered)\n"
+                                   : "") +
            table.text("  ");
 }
 
@@ -98,9 +97,9 @@ std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
         list.scene.meshes[list.draws[e.pixel.triangles[layer.triangle].draw].mesh].texcoords.size();
     if (sets > 0) values.add("texture coordinates 0", t.texcoord[0]);
     if (sets > 1) values.add("texture coordinates 1", t.texcoord[1]);
-    if (t.has_relief && sets > 0) values.add("0 in the relief", t.relief_texcoord[0], "where the ray meets it");
+    if (t.has_relief && sets > 0) values.add("0 in the relief", t.relief_texcoord[0], "where the ray hits it");
     if (t.has_relief && sets > 1) values.add("1 in the relief", t.relief_texcoord[1]);
-    if (t.has_relief && t.relief_height >= 0) values.add("height met", t.relief_height, "as the map has it");
+    if (t.has_relief && t.relief_height >= 0) values.add("height met", t.relief_height, "as in the map");
     values.add("normal, interpolated", t.interpolated);
     if (t.map[role_normal].is_used) {
         values.add("tangent", t.tangent, t.handedness < 0 ? "handedness -1" : "handedness +1");
@@ -148,7 +147,7 @@ std::string surface_text(const ExplainedPixel& e, const ShadedLayer& layer) {
             values.add("metallic", t.metallic);
             values.add("roughness", t.roughness);
         }
-        if (t.openness >= 0) values.add("ambient occlusion", t.openness, "share of light from all around that is left");
+        if (t.openness >= 0) values.add("ambient occlusion", t.openness, "fraction of environment light that is left");
         values.add("k ambient", t.k_ambient);
         values.add("k diffuse", t.k_diffuse);
         values.add("k specular", t.k_specular);
@@ -226,7 +225,7 @@ std::string corners_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     return text;
 }
 
-/// The emission that a coat lies over, and what comes from all around.
+/// The emission that a coat lies over, and what comes from the environment.
 std::string around_text(const ShadedLayer& layer) {
     Values emission(3), around(3);
     const raster::TracedParts& parts = layer.parts.back();
@@ -235,7 +234,7 @@ std::string around_text(const ShadedLayer& layer) {
         add_factors(is_emission ? emission : around, parts.part[k], std::nullopt);
     }
     return (emission.empty() ? "" : "  Under the coat\n" + emission.text("    ")) +
-           (around.empty() ? "" : "  From all around\n" + around.text("    "));
+           (around.empty() ? "" : "  Environment\n" + around.text("    "));
 }
 
 void add_received(TextTable& table, const raster::PixelTrace& t) {
@@ -275,7 +274,7 @@ std::string sum_text(const ShadedLayer& layer) {
     if (t.has_fog) {
         add("  before the fog", t.before_fog);
         add("  color of the fog", t.fog_color);
-        table.add({"  share seen through " + digits(t.fog_distance) + " m of it", digits(t.fog_share), "", ""});
+        table.add({"  fraction seen through " + digits(t.fog_distance) + " m of it", digits(t.fog_share), "", ""});
     }
     add("= color of the surface", t.color);
     return table.text("  ");
@@ -300,9 +299,10 @@ std::string layer_text(const ExplainedPixel& e, const ShadedLayer& layer, std::s
     const CoveringTriangle& t = e.pixel.triangles[layer.triangle];
     const TriangleNames n = names_of(e, t);
     std::string text = "\nLayer " + digits(number) + ": triangle " + digits(t.triangle) + " of mesh " +
-                       shown(n.mesh, n.mesh_index) + ", object " + shown(n.object, n.node) + ", vertices " +
-                       digits(t.vertex[0]) + " " + digits(t.vertex[1]) + " " + digits(t.vertex[2]) + "\n";
-    text += "  material " + shown(n.material, n.material_index) + " (" + material_model(e, layer) + ")";
+                       name_or_number(n.mesh, n.mesh_index) + ", object " + name_or_number(n.object, n.node) +
+                       ", vertices " + digits(t.vertex[0]) + " " + digits(t.vertex[1]) + " " + digits(t.vertex[2]) +
+                       "\n";
+    text += "  material " + name_or_number(n.material, n.material_index) + " (" + material_model(e, layer) + ")";
     if (!layer.is_unlit) text += std::string(", ") + reflection_model(layer) + form_text(layer);
     text += "\n";
     if (e.pixel.samples.size() > 1) text += shaded_at_text(layer);
@@ -330,7 +330,7 @@ std::string to_text(const ExplainedPixel& e) {
     const raster::PixelExplanation& p = e.pixel;
     std::string text = one_line(e.file) + ": pixel " + digits(p.x) + "," + digits(p.y) + " of " +
                        digits(settings.width) + " x " + digits(settings.height) + "\n";
-    text += shown_text(e) + look_text(e);
+    text += visible_text(e) + look_text(e);
     Values color(4);
     color.add("linear color, alpha", p.color,
               p.mark ? "of the surfaces behind it"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What explain() hands out, and the names that its text and its JSON share.
+// The result of explain(), and the names that its text and its JSON share.
 #pragma once
 #include <memory>
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace rakelight {
 
-/// What the default look chose because nobody named it.
+/// What the default look chose because it was not given.
 struct LookChoice {
     std::string topic, value;  ///< "light", "the built-in studio ..."
 };
@@ -23,7 +23,7 @@ struct ExplainedPixel {
     std::shared_ptr<const raster::Inspection> engine;  ///< the scene, for names
     std::vector<LookChoice> look;                      ///< in the order of docs/default-look.md; empty: a plain picture
     raster::PixelExplanation pixel;
-    std::optional<raster::PixelExplanation> nearest;  ///< where nothing shows: the nearest pixel where something does
+    std::optional<raster::PixelExplanation> nearest;  ///< if no surface is visible: the nearest pixel where one is
     ToneSettings tone;
     vec4 displayed;  ///< linear, with exposure and tone curve, as it is encoded
     std::vector<std::uint8_t> codes;
@@ -36,14 +36,14 @@ struct TriangleNames {
 };
 TriangleNames names_of(const ExplainedPixel& e, const raster::CoveringTriangle& triangle);
 
-/// The nearest surface of those that show at a pixel; null: there is none.
-const raster::CoveringTriangle* shown_triangle(const raster::PixelExplanation& pixel);
-/// What shows at the pixel, or that nothing does and where the nearest surface is; lines.
-std::string shown_text(const ExplainedPixel& e);
+/// The nearest surface visible at a pixel; null: none.
+const raster::CoveringTriangle* visible_triangle(const raster::PixelExplanation& pixel);
+/// What is visible at the pixel, or that nothing is and where the nearest surface is; lines.
+std::string visible_text(const ExplainedPixel& e);
 /// The same as fields of the pixel's row.
-void add_shown(Json& row, const ExplainedPixel& e);
+void add_visible(Json& row, const ExplainedPixel& e);
 
-/// What the look made of a request, by what it was before. @param engine  opened on it
+/// What the look changed in a request, compared with the request before. @param engine opened on it
 std::vector<LookChoice> look_choices(const PictureRequest& asked, const PictureRequest& looked,
                                      const raster::Inspection& engine);
 /// The choices, and how the look's exposure acts; lines. Empty: there are none.
@@ -53,7 +53,7 @@ std::string code_text(const ExplainedPixel& e);
 
 /// "0 (directional, sun)"
 std::string name_of_light(const ExplainedPixel& e, std::size_t light);
-/// Which term makes most of the pixel; of a dark one the factors that make it so. A line.
+/// Which term contributes most to the pixel; for a dark one the factors that make it dark. A line.
 std::string conclusion_text(const ExplainedPixel& e);
 
 /// "visible", "blended", "hidden", "masked_out", "culled_back", "culled_front"
@@ -78,7 +78,7 @@ std::string maps_text(const ExplainedPixel& e, const raster::ShadedLayer& layer)
 
 /// "classical", "metallic_roughness" or "unlit"
 const char* material_model(const ExplainedPixel& e, const raster::ShadedLayer& layer);
-/// Bumps act on one of both terms: the other has a normal for itself.
+/// Bumps affect one of the two terms: the other has a separate normal.
 bool has_own_diffuse_normal(const raster::ShadedLayer& layer);
 /// Ward's and GGX: a lobe with widths.
 inline bool has_microfacets(int reflection_model) {

@@ -95,7 +95,7 @@ void add_array(std::vector<ArraySummary>& arrays, const VertexArray& array, std:
     }
 }
 
-/// Of the meshes that are there, each once.
+/// Of the meshes that exist, each once.
 std::vector<ArraySummary> summarize_arrays(const Scene& scene) {
     std::vector<ArraySummary> arrays;
     for (const Mesh& mesh : scene.meshes)
@@ -150,14 +150,14 @@ void look_at_surfaces(Inspection& result, const geometry::PlacedMeshes& placed, 
     }
 }
 
-/// Instances are looked at one by one, so a small file can ask for much.
+/// Instances are inspected one by one, so a small file can cause much work.
 void check_memory(const Surfaces& surfaces, Context& context) {
     constexpr std::uint64_t bytes_per_vertex = 32, bytes_per_corner = 8;  // at the peak: weld, edges
     constexpr std::uint64_t bytes_per_part = 3 * sizeof(AttributeMesh) + sizeof(ObjectSummary) + sizeof(SurfaceSummary);
     std::uint64_t bytes = surfaces.meshes.size() * bytes_per_part;
     for (const AttributeMesh& m : surfaces.meshes)
         bytes += bytes_per_vertex * m.positions.size() + bytes_per_corner * m.indices.size();
-    context.memory().check(bytes, "looking at the surfaces of all instances");
+    context.memory().check(bytes, "inspecting the surfaces of all instances");
 }
 
 /// Border edges whose ends are seams, and then the places that no such edge reaches.
@@ -206,7 +206,7 @@ void look_at_borders(Inspection& result, const Surfaces& surfaces, const geometr
         geometry::crease_range(surfaces.meshes, {.crease_angle_rad = options.prepare.crease_angle_rad});
     const auto rounded_deg = [](double rad) { return std::round(degrees(rad) * 1e9) * 1e-9; };  // 60 and not 59.999...
     result.seams.crease_angle_deg = rounded_deg(creases.least);
-    result.seams.crease_angle_most_deg = rounded_deg(creases.most);
+    result.seams.crease_angle_max_deg = rounded_deg(creases.most);
 }
 
 void look_at_winding(Inspection& result, const geometry::EdgeCensus& census) {
@@ -229,7 +229,7 @@ void look_at_winding(Inspection& result, const geometry::EdgeCensus& census) {
 
 /// A file decides how many objects there are and how long their names and those of their materials.
 static std::uint64_t bytes_of_objects(const Scene& scene, const std::vector<std::uint32_t>& objects) {
-    constexpr std::uint64_t beside_text = 32;  // what an allocation takes more than is asked for
+    constexpr std::uint64_t beside_text = 32;  // what an allocation takes more than is requested
     std::uint64_t bytes = 0;
     for (const std::uint32_t node : objects) {
         bytes += sizeof(ObjectSummary) + sizeof(SurfaceSummary) + scene.nodes[node].name.size() + 2 * beside_text;

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <set>
 
+#include "base/format_text.h"
 #include "tools/inspect_sections.h"
 #include "tools/largest_seam.h"
 #include "tools/object_name.h"
@@ -26,14 +27,14 @@ std::string text_of(dvec3 p) { return text_of(p.x) + " " + text_of(p.y) + " " + 
 /// "; so have 3 more PAIRS" or nothing.
 std::string more(std::uint64_t count, const char* thing) {
     if (count == 0) return {};
-    return "; " + std::to_string(count) + " more " + thing + (count == 1 ? "" : "s");
+    return format_text("; {} more {}{}", count, thing, count == 1 ? "" : "s");
 }
 
 std::string seam_failure(const Inspection& i, double limit_deg) {
     const std::optional<LargestSeam> worst = largest_seam(i, limit_deg);
     if (!worst && i.matched.edges_not_searched > 0 && limit_deg < 180)
         return std::to_string(i.matched.edges_not_searched) +
-               " open edges were not searched for borders beside them: too many lie too close together";
+               " open edges were not searched for borders beside them: too many are too close together";
     if (!worst) return {};
     std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const BorderSummary& b : i.borders)
@@ -56,15 +57,15 @@ std::string count_failure(const Inspection& i, std::initializer_list<Count> coun
         if (sum > most) most = sum, worst = o;
     }
     if (most == 0) return {};
-    return std::to_string(most) + " " + thing + (most == 1 ? "" : "s") + " in " + quoted_name(i, std::uint32_t(worst)) +
-           more(others - 1, "object");
+    return format_text("{} {}{} in {}{}", most, thing, most == 1 ? "" : "s", quoted_name(i, std::uint32_t(worst)),
+                       more(others - 1, "object"));
 }
 
 std::string t_junction_failure(const Inspection& i) {
     std::string text = count_failure(i, {&SurfaceSummary::t_junctions}, "T-junction");
     if (!text.empty()) text += ", the first at " + text_of(i.t_junction_places.front().position);
     if (text.empty() && i.edges_not_searched > 0)
-        text = std::to_string(i.edges_not_searched) + " open edges were not searched: too many lie too close together";
+        text = std::to_string(i.edges_not_searched) + " open edges were not searched: too many are too close together";
     return text;
 }
 
@@ -73,7 +74,7 @@ std::string closed_failure(const Inspection& i) {
     std::string text = count_failure(i, {&SurfaceSummary::open_edges}, "open edge");
     for (std::size_t o = 0; o < i.surfaces.size() && text.empty(); ++o)
         if (i.objects[o].triangles > 0 && !i.surfaces[o].closed)
-            text = "nothing but degenerate triangles in " + quoted_name(i, std::uint32_t(o));
+            text = "only degenerate triangles in " + quoted_name(i, std::uint32_t(o));
     return text;
 }
 
@@ -81,7 +82,7 @@ std::string inside_out_failure(const Inspection& i) {
     if (i.inside_out.empty()) return {};
     const std::size_t others = i.inside_out.size() - 1;
     return inside_out_text(i, i.inside_out.front()) +
-           (others == 0 ? "" : "; " + std::to_string(others) + " more " + (others == 1 ? "body" : "bodies"));
+           (others == 0 ? "" : format_text("; {} more {}", others, others == 1 ? "body" : "bodies"));
 }
 
 std::string winding_failure(const Inspection& i) {
@@ -90,8 +91,9 @@ std::string winding_failure(const Inspection& i) {
         text.replace(at, 29, "edges of inconsistent winding");
     if (i.inconsistent_pairs.empty()) return text;
     const InconsistentPair& worst = i.inconsistent_pairs.front();
-    const std::string between = std::to_string(worst.edges) + " between " + quoted_name(i, worst.object_a) + " and " +
-                                quoted_name(i, worst.object_b) + more(i.inconsistent_pairs.size() - 1, "pair");
+    const std::string between =
+        format_text("{} between {} and {}{}", worst.edges, quoted_name(i, worst.object_a),
+                    quoted_name(i, worst.object_b), more(i.inconsistent_pairs.size() - 1, "pair"));
     return text.empty() ? "edges of inconsistent winding: " + between : text + "; " + between;
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inspections as the program's JSON, schema rakelight.inspect/1: fields are added, never renamed.
+#include <nlohmann/json.hpp>
+
 #include <rakelight/inspect.h>
 #include <rakelight/motion.h>
 #include <rakelight/tools/rows.h>
 
 #include "tools/camera_extent.h"
+#include "tools/material_names.h"
 #include "tools/report_json.h"
-#include "tools/texture_uses.h"
 #include "tools/whole_inspection.h"
 
 namespace rakelight {
@@ -39,7 +41,7 @@ Json json_of(const ObjectSummary& o) {
 
 Json json_of(const Material& m) {
     Json textures = Json::object();
-    for (const auto& [role, use] : texture_uses(m)) textures[role] = use.texture;
+    for (const auto& [role, use] : named_texture_uses(m)) textures[role] = use.texture;
     return {{"name", m.name},
             {"model", name_of(m.model)},
             {"base_color", {m.base_color.x, m.base_color.y, m.base_color.z, m.base_color.w}},
@@ -142,7 +144,7 @@ Json json_of(const SeamTotals& s) {
             {"after", json_of(s.after)},
             {"normals_before", s.normals_before},
             {"crease_angle_deg", s.crease_angle_deg},
-            {"crease_angle_most_deg", s.crease_angle_most_deg},
+            {"crease_angle_most_deg", s.crease_angle_max_deg},
             {"pairs", s.pairs},
             {"crowded_positions", s.crowded_positions},
             {"pairings_left_out", s.pairings_left_out},

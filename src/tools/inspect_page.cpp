@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inspections as a page: one file, no script. The worst stands first: what a limit found, the heat maps, the seams, the faults.
+// Inspections as a page: one file, no script. The worst comes first: exceeded limits, heat maps, seams, faults.
 #include <rakelight/tools/inspection_report.h>
 #include <rakelight/tools/text_file.h>
 
 #include <algorithm>
 #include <filesystem>
 
+#include "base/format_text.h"
 #include "render/rows.h"
 #include "tools/html.h"
 #include "tools/inspect_sections.h"
@@ -66,7 +67,7 @@ std::string seam_cell(const Inspection& i) {
 
 std::string check_html(const InspectionRow& row) {
     if (!row.check) return {};
-    if (row.check->empty()) return "<p class=\"good\">All limits are kept.</p>\n";
+    if (row.check->empty()) return "<p class=\"good\">No limit is exceeded.</p>\n";
     std::string out;
     for (const CheckFailure& failure : *row.check)
         out += "<p class=\"bad\">" + html_text(failure.limit + ": " + failure.message) + "</p>\n";
@@ -77,9 +78,9 @@ std::string pictures_html(std::span<const ReportPicture> pictures) {
     if (pictures.empty()) return {};
     std::string out = "<div class=\"pictures\">\n";
     for (const ReportPicture& p : pictures)
-        out += "<figure><img alt=\"" + html_text(p.caption) + "\" width=\"" + std::to_string(p.pixels.width) +
-               "\" height=\"" + std::to_string(p.pixels.height) + "\" src=\"" + png_uri(p.pixels) + "\"><figcaption>" +
-               html_text(p.caption) + "</figcaption></figure>\n";
+        out += format_text(
+            "<figure><img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"{}\"><figcaption>{}</figcaption></figure>\n",
+            html_text(p.caption), p.pixels.width, p.pixels.height, png_uri(p.pixels), html_text(p.caption));
     return out + "</div>\n";
 }
 
@@ -114,7 +115,7 @@ ReportPicture report_picture(std::string caption, const Frame& frame) {
 
 void InspectionPage::add(const InspectionRow& row, std::span<const ReportPicture> pictures) {
     const std::string id = "model-" + std::to_string(++models_),
-                      name = std::filesystem::path(row.file).filename().string();  // folders are nobody else's business
+                      name = std::filesystem::path(row.file).filename().string();  // folder names may be private
     const std::string seam = row.inspection ? seam_cell(*row.inspection) : "-";
     contents_ += "<tr><td><a href=\"#" + id + "\">" + html_text(name) + "</a></td><td class=\"r\">" +
                  (row.inspection ? std::to_string(row.inspection->objects.size()) : "-") + "</td><td class=\"r\">" +
@@ -132,16 +133,15 @@ void InspectionPage::add(const InspectionRow& row, std::span<const ReportPicture
 
 void InspectionPage::save(const std::string& path) const {
     const std::string title = counted(models_, "model") + " inspected";
-    save_text(
-        path,
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-        "content=\"width=device-width, initial-scale=1\">\n<title>" +
-            title + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + title +
-            "</h1>\n<p>A seam is the angle between the normals of two objects at a position that both share, "
-            "where smoothing over the whole model would leave none; or along open borders that run along each other, "
-            "where these were asked for.</p>\n<nav><table>\n<tr><th>model</th><th "
-            "class=\"r\">objects</th><th class=\"r\">largest seam [degrees]</th><th>limits</th></tr>\n" +
-            contents_ + "</table></nav>\n<main>\n" + sections_ + "</main>\n</body>\n</html>\n");
+    save_text(path,
+              "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+              "content=\"width=device-width, initial-scale=1\">\n<title>" +
+                  title + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + title +
+                  "</h1>\n<p>A seam is the angle between the normals of two objects at a position that both share, if "
+                  "smoothing over the whole model would remove it. On request, seams are also measured along open "
+                  "borders that run along each other.</p>\n<nav><table>\n<tr><th>model</th><th "
+                  "class=\"r\">objects</th><th class=\"r\">largest seam [degrees]</th><th>limits</th></tr>\n" +
+                  contents_ + "</table></nav>\n<main>\n" + sections_ + "</main>\n</body>\n</html>\n");
 }
 
 }  // namespace rakelight

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/format_text.h"
 #include "tools/object_name.h"
 
 namespace rakelight {
@@ -17,7 +18,7 @@ std::uint64_t bad_normals(const SurfaceSummary& s) {
     return s.zero_normals + s.non_finite_normals + s.non_unit_normals;
 }
 
-/// Faults that are nobody's intention; open edges and mirrored charts often are.
+/// Faults that are never intended; open edges and mirrored charts often are.
 std::uint64_t fault_count(const SurfaceSummary& s) {
     return s.degenerate_faces + bad_normals(s) + s.inconsistent_edges + s.non_manifold_edges + s.t_junctions;
 }
@@ -28,22 +29,21 @@ std::vector<std::string> seams_lines(const Inspection& i) {
     const SeamTotals& s = i.seams;
     std::vector<std::string> lines = {counted(i.shared_positions, "position") + " shared by objects"};
     if (i.shared_positions == 0) return lines;
-    lines[0] += ", " + std::to_string(s.continuous) + " continuous (normals: " + s.normals_before + "), " +
-                std::to_string(s.joined) + " once smoothed over the model at " + number(s.crease_angle_deg) +
-                (s.crease_angle_most_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_most_deg) : "") +
-                " degrees";
+    lines[0] += format_text(", {} continuous (normals: {}), {} once smoothed over the model at {}{} degrees",
+                            s.continuous, s.normals_before, s.joined, number(s.crease_angle_deg),
+                            s.crease_angle_max_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_max_deg) : "");
     lines.push_back("largest seam " + degrees_text(s.seam_deg) + " degrees; angles at shared positions max " +
                     degrees_text(s.before.max_deg) + ", mean " + degrees_text(s.before.mean_deg) + ", 95% " +
                     degrees_text(s.before.p95_deg) + "; smoothed max " + degrees_text(s.after.max_deg) + ", mean " +
                     degrees_text(s.after.mean_deg) + ", 95% " + degrees_text(s.after.p95_deg));
     if (s.crowded_positions > 0)
         lines.push_back(counted(s.crowded_positions, "position") +
-                        " of more than 8 objects: " + counted(s.pairings_left_out, "pairing") + " there not looked at");
+                        " of more than 8 objects: " + counted(s.pairings_left_out, "pairing") + " there not inspected");
     if (s.inconsistent_edges > 0)
-        lines.push_back(counted(s.inconsistent_edges, "edge") + " between objects of which one is inside out, most (" +
-                        std::to_string(i.inconsistent_pairs[0].edges) + ") between " +
-                        quoted_name(i, i.inconsistent_pairs[0].object_a) + " and " +
-                        quoted_name(i, i.inconsistent_pairs[0].object_b));
+        lines.push_back(format_text("{} between objects of which one is inside out, most ({}) between {} and {}",
+                                    counted(s.inconsistent_edges, "edge"), i.inconsistent_pairs[0].edges,
+                                    quoted_name(i, i.inconsistent_pairs[0].object_a),
+                                    quoted_name(i, i.inconsistent_pairs[0].object_b)));
     return lines;
 }
 
@@ -65,7 +65,7 @@ Section t_junctions_section(const Inspection& i) {
         shown > 0 ? std::size_t(i.t_junctions) - shown : 0);
     if (i.edges_not_searched > 0)
         out.note += (out.note.empty() ? "" : "; ") + counted(i.edges_not_searched, "open edge") +
-                    " not searched for T-junctions: too many lie too close";
+                    " not searched for T-junctions: too many are too close together";
     return out;
 }
 

@@ -25,7 +25,7 @@ inline std::string counted(std::uint64_t count, const char* thing) {
 
 inline std::string position_text(dvec3 p) { return number(p.x) + " " + number(p.y) + " " + number(p.z); }
 
-/// A table under its title, and what has to be said below it.
+/// A table with its title and a note below it.
 struct Section {
     std::string title;
     TextTable table;   ///< may have no rows
@@ -44,7 +44,7 @@ Section section(const char* title, std::vector<std::string> head, const List& li
     return {title, std::move(table), more ? "... " + std::to_string(more) + " more, all of them in the JSON" : ""};
 }
 
-/// What is said above all tables: "3 objects, ...", bounds, "300 positions shared by objects, ..."; lines without their ends.
+/// The lines above all tables: "3 objects, ...", bounds, "300 positions shared by objects, ..."; without line ends.
 std::vector<std::string> summary_lines(const Inspection& inspection);
 std::vector<std::string> seams_lines(const Inspection& inspection);
 /// All tables, those that are empty left out.
@@ -57,7 +57,7 @@ Section t_junctions_section(const Inspection& inspection);
 Section inside_out_section(const Inspection& inspection);
 /// Pairs of objects, worst first.
 Section borders_section(const Inspection& inspection);
-/// Borders that run along each other: what is matched and its seams; or, where nobody asked, that there are some.
+/// Borders that run along each other: the matched ones and their seams; or, if not requested, that there are some.
 std::vector<std::string> matched_lines(const Inspection& inspection);
 inline constexpr const char* matched_title = "borders that run along each other (degrees)";
 Section matched_section(const Inspection& inspection);

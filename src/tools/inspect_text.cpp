@@ -6,11 +6,12 @@
 
 #include <algorithm>
 
+#include "base/format_text.h"
 #include "shading/choices.h"
 #include "tools/camera_extent.h"
 #include "tools/inspect_sections.h"
+#include "tools/material_names.h"
 #include "tools/object_name.h"
-#include "tools/texture_uses.h"
 #include "tools/whole_inspection.h"
 
 namespace rakelight {
@@ -49,7 +50,7 @@ Section materials_section(const Inspection& i) {
     return section("materials", {">#", "name", "objects", "model", "alpha", "sides", "textures"}, i.scene.materials,
                    [&](const Material& m, std::size_t n) {
                        std::string textures;
-                       for (const auto& [role, use] : texture_uses(m))
+                       for (const auto& [role, use] : named_texture_uses(m))
                            textures += (textures.empty() ? "" : ", ") + (role + (" " + std::to_string(use.texture)));
                        const bool two_sided = shading::is_two_sided(m);
                        const std::uint32_t objects = i.material_objects[n];
@@ -66,7 +67,7 @@ Section materials_section(const Inspection& i) {
 /// " (2 unused)" or nothing.
 std::string unused_text(const Inspection& i) {
     const auto unused = std::count(i.material_objects.begin(), i.material_objects.end(), 0u);
-    return unused > 0 ? " (" + std::to_string(unused) + " unused)" : "";
+    return unused > 0 ? format_text(" ({} unused)", unused) : "";
 }
 
 /// What pictures can be colored by.
@@ -81,7 +82,7 @@ Section arrays_section(const Inspection& i) {
 Section textures_section(const Scene& scene) {
     return section("textures", {">#", "image", "kind"}, scene.textures, [](const Texture& t, std::size_t n) {
         const bool embedded = t.image && t.image->bytes;
-        const std::string kind = embedded ? "embedded, " + std::to_string(t.image->bytes->size()) + " bytes" : "file";
+        const std::string kind = embedded ? format_text("embedded, {} bytes", t.image->bytes->size()) : "file";
         return std::vector<std::string>{std::to_string(n), t.image ? one_line(t.image->name, 80) : "-", kind};
     });
 }
@@ -111,7 +112,7 @@ Section cameras_section(const Scene& scene) {
     });
 }
 
-/// What --animation-index counts: a character has dozens, and one is asked for by its name.
+/// What --animation-index counts: a character has dozens, and one is requested by its name.
 constexpr std::size_t most_clips = 400;
 
 Section clips_section(const Scene& scene) {

@@ -5,6 +5,9 @@
 #include <memory>
 #include <span>
 
+#include <nlohmann/json.hpp>
+
+#include "base/format_text.h"
 #include "io/image_rows.h"
 #include "tools/report_json.h"
 #include "tools/window_bands.h"
@@ -23,13 +26,12 @@ struct Part {
 
 std::string quoted(const std::string& file) { return "'" + one_line(file, 80) + "'"; }
 
-std::string size_text(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
+std::string size_text(int width, int height) { return format_text("{} x {}", width, height); }
 
 std::string describe(const io::RowKind& kind) {
     if (kind.format == io::RowFormat::hdr) return "HDR";
     if (kind.format == io::RowFormat::png)
-        return "PNG of " + std::to_string(kind.channels) + " channels with " +
-               std::to_string(8 * size_of(kind.component)) + " bits";
+        return format_text("PNG of {} channels with {} bits", kind.channels, 8 * size_of(kind.component));
     std::string text = "EXR of ";
     for (const io::ExrChannel& channel : kind.exr_channels)
         text += (text.ends_with(' ') ? "" : ",") + channel.name +
@@ -42,12 +44,12 @@ std::string describe(const io::RowKind& kind) {
 void check_kind(const Part& part, const Part& first) {
     if (part.header.kind == first.header.kind) return;
     const std::string mine = describe(part.header.kind), other = describe(first.header.kind);
-    const std::string reason = mine == other ? "its comment is another than that of " + quoted(first.file)
+    const std::string reason = mine == other ? "its comment differs from that of " + quoted(first.file)
                                              : "is " + mine + ", and " + quoted(first.file) + " is " + other;
     throw Error(ErrorCode::bad_file, reason, {}, "join windows of one picture").with_file(part.file);
 }
 
-/// Where it lies: as the caller says, else as the file does. A file alone that says nothing is the whole picture.
+/// Its place: given by the caller, else recorded in the file. A single file without a place is the whole picture.
 void place(Part& part, const WindowPart& asked, bool is_alone) {
     io::ImagePlace& place = part.header.place;
     if (asked.x >= 0 && asked.y >= 0)
@@ -55,13 +57,13 @@ void place(Part& part, const WindowPart& asked, bool is_alone) {
     else if (place.width == 0 && is_alone)
         place = {0, 0, part.header.width, part.header.height};
     else if (place.width == 0)
-        throw Error(ErrorCode::usage, "does not say which window of a picture it is", {},
+        throw Error(ErrorCode::usage, "does not record which window of a picture it is", {},
                     "name its place, as " + one_line(part.file, 80) + "@X,Y")
             .with_file(part.file);
 }
 
 std::vector<Part> read_parts(const JoinRequest& request, Context& context) {
-    if (request.parts.empty()) throw Error(ErrorCode::usage, "no part is named");
+    if (request.parts.empty()) throw Error(ErrorCode::usage, "no window is named");
     std::vector<Part> parts;
     for (const WindowPart& asked : request.parts) {
         context.throw_if_cancelled();
@@ -80,7 +82,8 @@ void set_size(const JoinRequest& request, std::span<const Part> parts, JoinResul
     const auto first = std::ranges::find_if(parts, knows);
     if (result.width == 0) {
         if (first == parts.end())
-            throw Error(ErrorCode::usage, "the parts do not say how large the whole picture is").about("resolution");
+            throw Error(ErrorCode::usage, "the windows do not record how large the whole picture is")
+                .about("resolution");
         result.width = first->header.place.width, result.height = first->header.place.height;
     }
     constexpr int most = int(io::codec::max_row_side);
@@ -100,10 +103,9 @@ std::vector<Window> windows_of(std::span<const Part> parts, const JoinResult& wh
                                                  " pixels, not of " + size_text(whole.width, whole.height))
                 .with_file(part.file);
         if (x < 0 || y < 0 || x > whole.width - h.width || y > whole.height - h.height)
-            throw Error(ErrorCode::bad_file, "with its " + size_text(h.width, h.height) + " pixels at " +
-                                                 std::to_string(x) + "," + std::to_string(y) +
-                                                 " it reaches out of the picture of " +
-                                                 size_text(whole.width, whole.height))
+            throw Error(ErrorCode::bad_file,
+                        format_text("with its {} pixels at {},{} it extends beyond the picture of {}",
+                                    size_text(h.width, h.height), x, y, size_text(whole.width, whole.height)))
                 .with_file(part.file);
         windows.push_back({x, y, h.width, h.height});
     }
@@ -150,7 +152,7 @@ private:
         std::unique_ptr<io::RowReader> reader = io::read_rows(part.file, context);
         if (reader->header().kind != part.header.kind || reader->header().width != part.header.width ||
             reader->header().height != part.header.height)
-            throw Error(ErrorCode::bad_file, "was changed while it was read").with_file(part.file);
+            throw Error(ErrorCode::bad_file, "changed while it was read").with_file(part.file);
         readers_.emplace(number, std::move(reader));
     }
 
@@ -171,8 +173,8 @@ private:
     [[noreturn]] void refuse_difference(const BandPiece& piece, const Band& band, int x, int y) const {
         const auto other =
             std::ranges::find_if(band.pieces, [&](const BandPiece& p) { return x >= p.own && x < p.end; });
-        throw Error(ErrorCode::bad_file, "differs from " + quoted(parts_[other->window].file) + " at pixel " +
-                                             std::to_string(x) + "," + std::to_string(y) + ", which both cover")
+        throw Error(ErrorCode::bad_file, format_text("differs from {} at pixel {},{}, which both cover",
+                                                     quoted(parts_[other->window].file), x, y))
             .with_file(parts_[piece.window].file);
     }
 

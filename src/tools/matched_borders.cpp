@@ -33,8 +33,9 @@ std::vector<std::uint32_t> all_parts(const Surfaces& surfaces) {
 
 using ObjectPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Straight interpolation along an edge is off the other border's normals by up to an eighth of their turn (h^2/8 times the second
-/// derivative of the field of normals), and by twice that where an edge of one side spans a vertex of the other.
+/// Linear interpolation along an edge deviates from the other border's normals by up to an eighth of their turn (h^2/8
+/// times the second derivative of the normal field). It deviates by twice that if an edge of one side spans a vertex
+/// of the other.
 constexpr double interpolation_share = 1.0 / 4;
 
 /// [degrees] What of a sample's angle is a seam: all of it, or nothing.

@@ -13,7 +13,7 @@ namespace rakelight {
 /// Whether meshes could match at all: two of them have open edges.
 bool have_open_borders(const geometry::PlacedMeshes& placed, const geometry::EdgeCensus& census);
 
-/// Fills Inspection::matched, and appends the pieces with a seam to Inspection::seam_lines when these are asked for.
+/// Fills Inspection::matched, and appends the pieces with a seam to Inspection::seam_lines when these are requested.
 /// `normals.after` are joined along the borders.
 void look_at_matched_borders(Inspection& result, const Surfaces& surfaces, SeamNormals& normals,
                              const InspectOptions& options, Context& context);

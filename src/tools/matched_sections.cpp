@@ -54,11 +54,12 @@ std::vector<std::string> matched_lines(const Inspection& i) {
                         angles_text(m.after) + "; largest " + between_text(i, worst.object_a, worst.object_b) + " at " +
                         position_text(worst.seam_position));
         if (!(m.seam_deg > continuous_deg) && m.before.max_deg > continuous_deg)
-            lines.push_back("no seam: all of it is less than a quarter of what normals turn by along the edges there");
+            lines.push_back(
+                "no seam: the angles are less than a quarter of the angle between normals along the edges there");
     }
     if (m.edges_not_searched > 0)
         lines.push_back(counted(m.edges_not_searched, "open edge") +
-                        " not searched to the end: too many borders lie too close");
+                        " not fully searched: too many borders are too close together");
     return lines;
 }
 

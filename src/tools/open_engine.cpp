@@ -14,7 +14,8 @@ namespace {
 void require_surfaces(const RenderSettings& settings) {
     if (settings.edges || settings.points != PointShape::none || !settings.surfaces)
         throw Error(ErrorCode::usage,
-                    "only surfaces can be looked into: leave 'edges', 'wireframe', 'points' and 'point-sprites' out")
+                    "only surfaces can be explained or shown in stages: leave out 'edges', 'wireframe', 'points' and "
+                    "'point-sprites'")
             .naming({"edges", "wireframe", "points", "point-sprites"});
 }
 
@@ -40,7 +41,7 @@ std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, PictureReque
         session.set(ready.prepared);
         adjust_to_picture(request, session, ready.camera, context);
     }
-    keep_background(request.settings, request.tone);
+    separate_background(request.settings, request.tone);
     return std::make_unique<const raster::Inspection>(scene_of(*ready.prepared), ready.camera, request.settings,
                                                       context);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way of a picture up to the engine, for tools that look into it.
+// The steps of a picture up to the engine, for tools that inspect it.
 #pragma once
 #include <memory>
 
@@ -13,7 +13,7 @@ namespace rakelight {
 /// @throws Error as render_picture()
 std::unique_ptr<const raster::Inspection> open_engine(PictureRequest& request, Context& context);
 
-/// The first half of it. @throws Error usage: what is asked for is not made of surfaces
+/// The first half of it. @throws Error usage: what is requested is not made of surfaces
 Scene load_for_engine(PictureRequest& request, Context& context);
 /// The same for a scene that is there. @throws Error usage, as above and of settings; bad_file: see validate()
 Scene asked_for_engine(const Scene& scene, PictureRequest& request, Context& context);

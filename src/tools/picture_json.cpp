@@ -2,6 +2,8 @@
 // Pictures as the program's JSON, schema rakelight.render/1: fields are added, never renamed.
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include <rakelight/picture.h>
 #include <rakelight/tools/rows.h>
 
@@ -72,7 +74,7 @@ void add_result(Json& row, const PictureResult& r) {
     row["black_pixels"] = r.black_pixels;
     row["white_pixels"] = r.white_pixels;
     row["channel_files"] = r.channel_files;
-    const ViewRange& range = r.view_range;
+    const ChannelRange& range = r.channel_range;
     row["view_range"] = {
         {"depth_m", {range.depth_low, range.depth_high}},
         {"position_m", {{range.low.x, range.low.y, range.low.z}, {range.high.x, range.high.y, range.high.z}}}};

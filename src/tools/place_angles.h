@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far apart the normals of two objects are at one place.
+// The angles between the normals of two objects at one place.
 #pragma once
 #include <cstdint>
 #include <span>

@@ -3,6 +3,9 @@
 
 #include <cstdio>
 
+#include <nlohmann/json.hpp>
+
+#include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "io/glb_writer.h"
 #include "io/image_io.h"
@@ -32,9 +35,10 @@ Scene lightmapped(const ReadyScene& ready, const PictureRequest& request, const 
         with_lightmap(scene_of(*ready.prepared), request.settings.radiosity, options, result.report, report, context));
     add_note(result.report, request.input, context.report());
     if (report.overlapping > 0)
-        context.report().add(Remark::warning, request.input, {},
-                             std::to_string(report.overlapping) + " of " + std::to_string(report.charts) +
-                                 " charts lie on themselves: light may stand there that belongs elsewhere");
+        context.report().add(
+            Remark::warning, request.input, {},
+            format_text("{} of {} charts overlap themselves: they may show light that belongs elsewhere",
+                        report.overlapping, report.charts));
     return out;
 }
 
@@ -95,7 +99,7 @@ std::string to_json(std::span<const RadiosityRow> rows) {
                          {"emitted_w", r.emitted},
                          {"absorbed_w", r.absorbed},
                          {"unshot_w", r.unshot},
-                         {"left_w", r.left},
+                         {"left_w", r.escaped},
                          {"seconds", r.seconds}});
         if (!row.error && row.result.lightmap) json["lightmap"] = lightmap_json(*row.result.lightmap);
         json["remarks"] = remarks_json(row.remarks);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "base/format_text.h"
 #include "tools/compare_numbers.h"
 
 namespace rakelight {
@@ -54,7 +55,7 @@ Pixels read_reference(const std::string& picture, const ReferenceRequest& reques
     std::error_code ignored;
     if (!std::filesystem::exists(request.picture, ignored))
         throw Error(ErrorCode::not_found, "there is no such reference", {},
-                    "look at '" + one_line(picture, 160) + "', and where it is right copy it to '" +
+                    "look at '" + one_line(picture, 160) + "', and if it is right, copy it to '" +
                         one_line(request.picture, 160) + "'")
             .with_file(request.picture);
     try {
@@ -66,22 +67,21 @@ Pixels read_reference(const std::string& picture, const ReferenceRequest& reques
 
 std::string name_of(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-std::string size_of(const Pixels& p) { return std::to_string(p.width) + " x " + std::to_string(p.height); }
+std::string size_of(const Pixels& p) { return format_text("{} x {}", p.width, p.height); }
 
 }  // namespace
 
-double usual_threshold(ReferenceMeasure measure) { return row_of(measure).usual; }
+double default_threshold(ReferenceMeasure measure) { return row_of(measure).usual; }
 
 ReferenceResult compare_with_reference(const std::string& picture, const ReferenceRequest& request,
                                        ComparisonPage* page, Context& context) {
     context.progress("compare", 0);
     Pixels reference = read_reference(picture, request, context), made = read_picture(picture, context);
     if (made.width != reference.width || made.height != reference.height)
-        throw Error(
-            ErrorCode::check_failed,
-            "the picture has " + size_of(made) + " pixels, its reference '" + one_line(request.picture, 160) +
-                "' has " + size_of(reference),
-            {}, "draw it with 'resolution' " + std::to_string(reference.width) + "," + std::to_string(reference.height))
+        throw Error(ErrorCode::check_failed,
+                    "the picture has " + size_of(made) + " pixels, its reference '" + one_line(request.picture, 160) +
+                        "' has " + size_of(reference),
+                    {}, format_text("draw it with 'resolution' {},{}", reference.width, reference.height))
             .naming({"resolution"})
             .with_file(picture);
     const CompareOptions options;
@@ -90,7 +90,7 @@ ReferenceResult compare_with_reference(const std::string& picture, const Referen
     if (page) page->add({name_of(picture) + " and its reference", name_of(picture), base}, pictures, options, 10);
     ReferenceResult result{.reference = request.picture,
                            .measure = request.measure,
-                           .threshold = request.threshold.value_or(usual_threshold(request.measure)),
+                           .threshold = request.threshold.value_or(default_threshold(request.measure)),
                            .value = value_of(pictures.comparison(), request.measure),
                            .comparison = pictures.comparison()};
     if (!request.difference.empty()) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/report_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include <rakelight/tools/exit_code.h>
 
 namespace rakelight {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts that all JSON outputs share. Only for .cpp files: the JSON library is slow to compile.
+// Parts that all JSON outputs share. Files that build values include <nlohmann/json.hpp> themselves.
 #pragma once
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <rakelight/engine.h>
 #include <rakelight/error.h>
@@ -26,8 +26,8 @@ Json error_json(const Error& error);
 /// What the engine counted, every field of RenderStats by its name.
 Json stats_json(const RenderStats& stats);
 
-/// A document as text in ASCII: names of files may hold characters that turn a terminal's text around or are commands to
-/// it, and are escaped as all others beyond. A line feed at its end; invalid UTF-8 becomes U+FFFD.
+/// A document as ASCII text: all other characters are escaped, since file names may contain ones that reverse a
+/// terminal's text or are commands to it. It ends with a line feed; invalid UTF-8 becomes U+FFFD.
 std::string json_text(const Json& whole, int spaces_a_level = 2);
 
 /// The whole document, as json_text().

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is written on a heat map: the bar of colors with degrees, and where the largest seam is.
+// The legend of a heat map: the color bar in degrees, and the place of the largest seam.
 #pragma once
 #include <optional>
 

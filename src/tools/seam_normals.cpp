@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "base/format_text.h"
+
 namespace rakelight {
 namespace {
 
@@ -126,15 +128,15 @@ static std::string name_of_unjoined(const Surfaces& surfaces) {
     }
     if (missing == 0) return surfaces.meshes.empty() ? "smoothed per object" : "the file's";
     const Scope scope = *scopes.begin();
-    const std::string made = scopes.size() > 1        ? "made as the world says"
+    const std::string made = scopes.size() > 1        ? "computed as the world file says"
                              : scope == Scope::model  ? "smoothed over the model"
                              : scope == Scope::object ? "smoothed per object"
                                                       : "flat";
     if (missing == surfaces.meshes.size()) return made;
     const bool is_overruled = std::any_of(surfaces.rules.begin(), surfaces.rules.end(),
                                           [](const NormalRule& rule) { return !rule.keeps_given; });
-    return "the file's, " + made + (is_overruled ? " of others (" : " where it has none (") + std::to_string(missing) +
-           " of " + std::to_string(surfaces.meshes.size()) + " meshes)";
+    return format_text("the file's, {}{}{} of {} meshes)", made, is_overruled ? " of others (" : " where it has none (",
+                       missing, surfaces.meshes.size());
 }
 
 std::string name_of_source(const Surfaces& surfaces) {

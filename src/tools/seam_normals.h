@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The normals of a model as they are, and as they are after smoothing over all objects.
+// The normals of a model as they are, and after smoothing across all objects.
 #pragma once
 #include <span>
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace rakelight {
 
-/// The normals of one part: the file's, or made.
+/// The normals of one part: the file's, or computed.
 struct PartNormals {
     std::span<const vec3> given;         ///< [V] by the mesh's own indices; empty: `made` counts
     std::vector<vec3> made;              ///< [V'] else
@@ -51,8 +51,8 @@ MeshesWithNormals meshes_with_normals(const Surfaces& surfaces, std::span<const 
 void apply(const std::vector<MeshSeams>& turned, std::span<const std::uint32_t> parts,
            std::vector<PartNormals>& normals);
 
-/// Whose normals normals_before() gives, for people: "the file's, smoothed per object where it has none (2 of 5
-/// meshes)".
+/// The source of the normals of normals_before(), for people: "the file's, smoothed per object where it has none (2 of
+/// 5 meshes)".
 std::string name_of_source(const Surfaces& surfaces);
 
 }  // namespace rakelight

@@ -41,10 +41,9 @@ Way way_of(const std::string& input, const std::string& output) {
     if (to == ".ply") return Way::new_ply;
     const std::string name = one_line(std::filesystem::path(output).filename().string(), 80);
     if (to == ".stl")
-        throw Error(
-            ErrorCode::usage,
-            "cannot write '" + name + "': STL has no place for the normals of vertices, only for one a triangle", {},
-            "write .glb or .ply");
+        throw Error(ErrorCode::usage,
+                    "cannot write '" + name + "': STL cannot store vertex normals, only one normal per triangle", {},
+                    "write .glb or .ply");
     throw Error(ErrorCode::usage, "cannot write '" + name + "'", {}, "write .glb, .gltf, .obj or .ply");
 }
 
@@ -53,7 +52,7 @@ Change change_of(bool had, bool has, bool changed) {
     return !had ? Change::made : changed ? Change::replaced : Change::kept;
 }
 
-/// Of arrays that stay but for what turns.
+/// Of arrays that stay except for what turns.
 template <class T>
 Change change_of(const Block<T>& before, const Block<T>& after) {
     if (before == after) return before.empty() ? Change::none : Change::kept;
@@ -134,7 +133,7 @@ SmoothedFile smooth_file(const std::string& input, const std::string& wanted, co
                          Context& context) {
     std::error_code error;
     if (wanted.ends_with('/') || std::filesystem::is_directory(wanted, error))
-        throw Error(ErrorCode::usage, "'" + one_line(wanted, 80) + "' is a folder", {}, "name the file in it too");
+        throw Error(ErrorCode::usage, "'" + one_line(wanted, 80) + "' is a folder", {}, "add a file name");
     const std::string output = io::behind_links(wanted);  // data, materials and pictures go beside the file itself
     const Way way = way_of(input, output);
     SmoothedFile result{.file = input, .output = output};
@@ -149,7 +148,7 @@ SmoothedFile smooth_file(const std::string& input, const std::string& wanted, co
         if (options.attributes.weld_distance < 0) smoothing.attributes.weld_distance = world_rounding(before);
     }
     if (options.bitangents && way != Way::gltf_in_place && way != Way::new_gltf)
-        throw Error(ErrorCode::usage, "only glTF has a place for bitangents of their own", {}, "write .glb or .gltf");
+        throw Error(ErrorCode::usage, "only glTF can store separate bitangents", {}, "write .glb or .gltf");
     context.progress("smooth", 0);
     const auto [after, seams, borders] = smooth_for_file(before, smoothing, context);
     result.seams = seams, result.borders = borders;

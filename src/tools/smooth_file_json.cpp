@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
 #include <rakelight/smooth_file.h>
 #include <rakelight/tools/rows.h>
 
+#include "base/format_text.h"
 #include "prepare/repair_borders.h"
 #include "prepare/repair_seams.h"
 #include "tools/report_json.h"
@@ -86,18 +89,17 @@ std::string summary(const SmoothedFile& result) {
     const std::string borders = result.borders ? ", " + describe(*result.borders) : "";
     if (!result.changed)
         return result.output + ": nothing to change, " +
-               (result.seams ? seams + borders : "the normals and tangents are these already");
+               (result.seams ? seams + borders : "the normals and tangents are already the same");
     std::uint64_t normals = 0, tangents = 0;
     for (const SmoothedMesh& m : result.meshes) {
         normals += m.normals == Change::made || m.normals == Change::replaced;
         tangents += m.tangents == Change::made || m.tangents == Change::replaced;
     }
-    const std::string written = "normals of " + std::to_string(normals) + " meshes and tangents of " +
-                                std::to_string(tangents) + " written, " + std::to_string(split_of(result)) +
-                                " vertices split";
+    const std::string written = format_text("normals of {} meshes and tangents of {} written, {} vertices split",
+                                            normals, tangents, split_of(result));
     std::string text = result.output + ": " + (result.seams ? seams : written);
     if (result.seams && normals + tangents > 0) text += ", " + written;
-    return text + borders + ", " + std::to_string(result.meshes_added) + " meshes added";
+    return format_text("{}{}, {} meshes added", text, borders, result.meshes_added);
 }
 
 }  // namespace rakelight

@@ -14,11 +14,11 @@
 namespace rakelight {
 namespace {
 
-bool wants_tangents(const Scene& scene, const Mesh& mesh, TangentChoice choice) {
+bool needs_tangents(const Scene& scene, const Mesh& mesh, TangentChoice choice) {
     if (choice != TangentChoice::automatic) return choice == TangentChoice::always;
     if (!mesh.tangents.empty()) return true;
     if (mesh.material == no_index) return false;
-    return wants_tangents(scene.materials[mesh.material]);
+    return needs_tangents(scene.materials[mesh.material]);
 }
 
 /// The sets of `before`, with the vertices that were split off in `after` as copies.
@@ -49,18 +49,18 @@ Scene with_new_normals(const Scene& scene, const SmoothFileOptions& options, boo
     SmoothRequest request;
     request.attributes = options.attributes;
     request.attributes.normals = true;
-    request.tangents = TangentWish::everywhere;
+    request.tangents = TangentNeed::everywhere;
     request.only_missing = only_missing;
     Scene open =
         scene;  // without texture coordinates where no tangents are wanted: a mirrored chart then splits no vertex
     std::vector<bool> hidden(scene.meshes.size(), false);
     for (std::size_t i = 0; i < hidden.size(); ++i) {
         const Mesh& mesh = scene.meshes[i];
-        hidden[i] = (mesh.normals.empty() || !only_missing) && !wants_tangents(scene, mesh, options.tangents);
+        hidden[i] = (mesh.normals.empty() || !only_missing) && !needs_tangents(scene, mesh, options.tangents);
         if (hidden[i]) open.meshes[i].texcoords.clear();
     }
     Scene out = smooth_meshes(std::move(open), request, context);
-    // A copy stands for the mesh that its node showed in the same slot.
+    // A copy replaces the mesh in the same slot of its node.
     for (std::size_t n = 0; n < out.nodes.size(); ++n)
         for (std::size_t slot = 0; slot < out.nodes[n].meshes.size(); ++slot) {
             const std::uint32_t was = scene.nodes[n].meshes[slot];
@@ -89,7 +89,7 @@ SmoothedScene repaired(const Scene& scene, const SmoothFileOptions& options, Con
     if (options.tangents != TangentChoice::always) return out;
     SmoothRequest tangents;
     tangents.attributes = a;
-    tangents.tangents = TangentWish::everywhere;
+    tangents.tangents = TangentNeed::everywhere;
     out.scene = add_missing_tangents(std::move(out.scene), tangents, context);
     return out;
 }
@@ -102,7 +102,7 @@ Scene with_bitangents(Scene scene, const SmoothFileOptions& options, Context& co
     request.kept_tangents = TangentMode::published_no_handedness;
     request.bitangents = true;
     request.keep_instances = options.keep_instances;
-    if (options.tangents == TangentChoice::always) request.tangents = TangentWish::everywhere;
+    if (options.tangents == TangentChoice::always) request.tangents = TangentNeed::everywhere;
     return add_missing_tangents(std::move(scene), request, context);
 }
 

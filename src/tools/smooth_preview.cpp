@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "math/color.h"
 #include "prepare/repair_borders.h"
@@ -79,7 +80,7 @@ std::string totals_html(const SeamTotals& before, const SeamTotals& after) {
     };
     return "<div class=\"scroll\"><table>\n" +
            row_html("th", {"normals", "largest seam [deg]", "largest angle [deg]", "mean angle [deg]",
-                           "continuous of " + std::to_string(before.positions) + " shared positions"}) +
+                           format_text("continuous of {} shared positions", before.positions)}) +
            row("before", before) + row("after", after) + "</table></div>\n";
 }
 
@@ -104,7 +105,7 @@ std::string borders_html(const Inspection& before, const Inspection& after) {
            rows + "</table></div>\n";
 }
 
-/// Seams along open borders without shared vertices, before and after; nothing where nobody asked for them.
+/// Seams along open borders without shared vertices, before and after; nothing where they were not requested.
 std::string matched_html(const MatchedSeams& before, const MatchedSeams& after) {
     if (!(before.distance > 0)) return "";
     const auto row = [](const char* name, const CurveAngles& seam) {
@@ -155,7 +156,7 @@ SmoothedFile preview_smooth(const std::string& input, const PreviewPlace& place,
     if (!place.picture_before.empty()) save(seams_before, place.picture_before);
     if (!place.picture_after.empty()) save(seams_after, place.picture_after);
     const std::string name = std::filesystem::path(input).filename().string();
-    const std::string what = (after.seams ? describe(*after.seams) : "all normals are made anew") +
+    const std::string what = (after.seams ? describe(*after.seams) : "all normals are recomputed") +
                              (after.borders ? "; " + describe(*after.borders) : "");
     write_text(place.page, page_of(name, what,
                                    "<div class=\"pair\">\n" + figure_html("before", seams_before) +

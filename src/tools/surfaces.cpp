@@ -32,7 +32,7 @@ Surfaces collect_surfaces(const Scene& scene, std::span<const std::uint32_t> obj
         m.positions = mesh.positions;
         m.indices = mesh.indices;
         m.normals = mesh.normals;
-        const std::uint32_t set = tangent_set(scene, mesh, TangentWish::everywhere);
+        const std::uint32_t set = tangent_set(scene, mesh, TangentNeed::everywhere);
         if (set != no_index) m.texcoords = mesh.texcoords[set];
         m.smoothing = mesh.smoothing;
         if (!mesh.smoothing.empty())

@@ -8,7 +8,7 @@
 namespace rakelight {
 namespace {
 
-/// Characters, not bytes, so that names in any script line up (but for wide ones).
+/// Characters, not bytes, so that names in any script line up (except for wide ones).
 std::size_t width_of(const std::string& utf8) {
     return std::size_t(
         std::count_if(utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
@@ -25,7 +25,7 @@ TextTable::TextTable(std::vector<std::string> head) {
 }
 
 void TextTable::add(std::vector<std::string> cells) {
-    RL_ASSERT(cells.size() == to_the_right_.size(), "a row has another number of cells than the head");
+    RL_ASSERT(cells.size() == to_the_right_.size(), "a row and the head have different numbers of cells");
     rows_.push_back(std::move(cells));
 }
 

@@ -8,7 +8,7 @@ namespace rakelight {
 namespace {
 
 void require(bool is_fine, const char* what) {
-    if (!is_fine) throw Error(ErrorCode::usage, std::string("the inspection does not hold together: ") + what);
+    if (!is_fine) throw Error(ErrorCode::usage, std::string("the inspection is inconsistent: ") + what);
 }
 
 }  // namespace

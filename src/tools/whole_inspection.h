@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inspections are plain data: what comes back from a caller may not be what inspect() gave.
+// Inspections are plain data: a caller may pass one that differs from what inspect() returned.
 #pragma once
 #include <rakelight/inspect.h>
 

@@ -4,15 +4,16 @@
 #include <algorithm>
 #include <string>
 
+#include "base/format_text.h"
+
 namespace rakelight {
 namespace {
 
 [[noreturn]] void refuse_gap(const Band& band, int begin, int end) {
-    const auto range = [](int from, int to) { return std::to_string(from) + " to " + std::to_string(to - 1); };
-    const std::string window = std::to_string(begin) + "," + std::to_string(band.y) + "," +
-                               std::to_string(end - begin) + "," + std::to_string(band.end - band.y);
+    const auto range = [](int from, int to) { return format_text("{} to {}", from, to - 1); };
+    const std::string window = format_text("{},{},{},{}", begin, band.y, end - begin, band.end - band.y);
     throw Error(ErrorCode::bad_file,
-                "no part covers columns " + range(begin, end) + " of rows " + range(band.y, band.end), {},
+                "no window covers columns " + range(begin, end) + " of rows " + range(band.y, band.end), {},
                 "render them with --window " + window);
 }
 

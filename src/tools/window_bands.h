@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which windows give which columns of a picture's rows: the rows in bands that meet the same windows.
+// Which windows provide which columns of a picture's rows: rows are grouped in bands that intersect the same windows.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace rakelight {
 
-/// What a window gives to each row of a band. [px] columns of the picture
+/// What a window provides to each row of a band. [px] columns of the picture
 struct BandPiece {
     std::size_t window = 0;
     int begin = 0, own = 0, end = 0;  ///< begin..own is covered by pieces before it too, own..end is not

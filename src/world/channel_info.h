@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What files call the channels, and what kind of numbers they hold.
+// Names and data types of channels in files.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -23,14 +23,14 @@ struct ChannelInfo {
     std::uint32_t channel;  ///< one Channel bit
     const char* word;       ///< "face-normal": in options and file names
     const char* layer;      ///< "face_normal": in EXR files
-    const char* parts;      ///< a letter a component, "XYZ": layer.X, layer.Y, layer.Z
+    const char* parts;      ///< one letter per component, "XYZ": layer.X, layer.Y, layer.Z
     ChannelKind kind;
 
-    int components() const;  ///< of four bytes: floats, or std::uint32_t where is_integer()
+    int components() const;  ///< of four bytes: floats, or std::uint32_t if is_integer()
     bool is_integer() const { return kind == ChannelKind::number || kind == ChannelKind::count; }
 };
 
-/// All, in the order of the bits.
+/// All channels in the order of the bits.
 std::span<const ChannelInfo> all_channels();
 const ChannelInfo& info_of(std::uint32_t channel);
 

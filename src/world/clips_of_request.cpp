@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which clips a picture shows.
+// Selects the clips of a picture.
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -8,22 +8,23 @@
 #include <rakelight/request.h>
 #include <rakelight/tools/words.h>
 
+#include "base/format_text.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
 namespace {
 
-constexpr std::size_t most_listed = 6, most_alike = 6;
+constexpr std::size_t max_listed = 6, max_alike = 6;
 
 /// "0 'walk', 1 'run'"
 std::string list_of(const Scene& scene) {
     std::string text;
-    for (std::size_t i = 0; i < scene.animations.size() && i < most_listed; ++i)
-        text += (i > 0 ? ", " : "") + std::to_string(i) + " '" + one_line(scene.animations[i].name, 30) + "'";
-    return scene.animations.size() > most_listed ? text + ", ..." : text;
+    for (std::size_t i = 0; i < scene.animations.size() && i < max_listed; ++i)
+        text += format_text("{}{} '{}'", i > 0 ? ", " : "", i, one_line(scene.animations[i].name, 30));
+    return scene.animations.size() > max_listed ? text + ", ..." : text;
 }
 
-/// Names that begin alike or are spelt alike, else what there is.
+/// Clips with a similar name, else all clips.
 std::string advice_for(const Scene& scene, const std::string& name) {
     std::vector<std::string_view> names;
     std::string alike;
@@ -32,10 +33,9 @@ std::string advice_for(const Scene& scene, const std::string& name) {
         names.push_back(animation.name);
         const bool begins =
             animation.name.size() > name.size() && same_word(animation.name.substr(0, name.size()), name);
-        if (begins && ++count <= most_alike)
-            alike += (alike.empty() ? "'" : ", '") + one_line(animation.name, 40) + "'";
+        if (begins && ++count <= max_alike) alike += (alike.empty() ? "'" : ", '") + one_line(animation.name, 40) + "'";
     }
-    if (!alike.empty()) return "there are " + alike + (count > most_alike ? ", ..." : "");
+    if (!alike.empty()) return "there are " + alike + (count > max_alike ? ", ..." : "");
     if (const std::string nearest = nearest_word(name, names); !nearest.empty())
         return "did you mean '" + one_line(nearest, 40) + "'?";
     return "the scene has " + list_of(scene) + "; inspect lists them all";
@@ -46,7 +46,7 @@ std::uint32_t clip_named(const Scene& scene, const std::string& name) {
     for (const Animation& animation : scene.animations) names.push_back(animation.name);
     if (const auto same = std::ranges::find(names, name); same != names.end())
         return std::uint32_t(same - names.begin());
-    // Case means nothing where only one is meant.
+    // Case is ignored if the match is unique.
     const auto is_meant = [&](std::string_view other) { return same_word(other, name); };
     if (std::ranges::count_if(names, is_meant) == 1)
         return std::uint32_t(std::ranges::find_if(names, is_meant) - names.begin());
@@ -54,9 +54,9 @@ std::uint32_t clip_named(const Scene& scene, const std::string& name) {
         .about("animation-name", {"animation-index"});
 }
 
-bool is_of_world(const Animation& animation) { return animation.goes_with_all; }
+bool is_of_world(const Animation& animation) { return animation.plays_always; }
 
-/// The clips that are asked for. The first that is not the world's own where nothing says which.
+/// The requested clips; by default the first that is not the world's own.
 std::vector<std::uint32_t> chosen(const Scene& scene, const MotionRequest& motion) {
     const auto count = std::uint32_t(scene.animations.size());
     if (!motion.name.empty()) return {clip_named(scene, motion.name)};
@@ -71,7 +71,7 @@ std::vector<std::uint32_t> chosen(const Scene& scene, const MotionRequest& motio
     }
     if (std::size_t(*motion.index) >= count)
         throw Error(ErrorCode::usage,
-                    "there is no animation " + std::to_string(*motion.index) + "; the scene has " + list_of(scene))
+                    format_text("there is no animation {}; the scene has {}", *motion.index, list_of(scene)))
             .about("animation-index", {"animation-name"});
     return {std::uint32_t(*motion.index)};
 }
@@ -79,7 +79,7 @@ std::vector<std::uint32_t> chosen(const Scene& scene, const MotionRequest& motio
 }  // namespace
 
 std::vector<ClipTime> clips_of(const Scene& scene, const MotionRequest& motion) {
-    if (!motion.asks()) return {};
+    if (!motion.is_set()) return {};
     const std::size_t count = scene.animations.size();
     if (count == 0) {
         if (motion.autoplay && !motion.index && motion.name.empty() && !motion.time_s) return {};

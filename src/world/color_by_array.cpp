@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colors by the numbers of one array of the vertices.
+// Coloring by a vertex attribute.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -7,6 +7,7 @@
 
 #include <rakelight/tools/words.h>
 
+#include "base/format_text.h"
 #include "math/color.h"
 #include "world/coloring.h"
 
@@ -14,7 +15,7 @@ namespace rakelight {
 namespace {
 
 constexpr std::size_t vertices_per_task = 1 << 14;
-constexpr float without_value = 0.5f;  ///< display value of the gray of what has no number
+constexpr float without_value = 0.5f;  ///< display gray of vertices without a value
 
 const VertexArray* find_array(const Mesh& mesh, const std::string& name) {
     const auto found = std::ranges::find(mesh.arrays, name, &VertexArray::name);
@@ -47,8 +48,8 @@ void check_array(const Scene& scene, const Coloring& coloring) {
                                           "'; there are " + list_of_names(array_names(scene), 12, 60))
             .about("scalars");
     if (coloring.component && (*coloring.component < 0 || std::uint32_t(*coloring.component) >= most))
-        throw Error(ErrorCode::usage, "'" + one_line(coloring.array, 60) + "' has " + std::to_string(most) +
-                                          (most == 1 ? " component" : " components") + ", counted from 0")
+        throw Error(ErrorCode::usage, format_text("'{}' has {}{}, counted from 0", one_line(coloring.array, 60), most,
+                                                  most == 1 ? " component" : " components"))
             .about("coloring-component");
 }
 
@@ -100,7 +101,7 @@ Coloring completed(const Scene& scene, Coloring coloring) {
     if (coloring.array.empty()) coloring.array = names[0];
     if (std::ranges::find(names, coloring.array) == names.end() &&
         std::ranges::find(names, "_" + coloring.array) != names.end())
-        coloring.array.insert(0, "_");  // as glTF writes names of one's own
+        coloring.array.insert(0, "_");  // the glTF convention of custom attributes
     check_array(scene, coloring);
     if (!coloring.range) coloring.range = range_of(scene, coloring);
     if (!(coloring.range->x <= coloring.range->y))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colors, and fog that has one.
+// Parses colors and fog.
 #include <rakelight/tools/values.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace rakelight::values {
 namespace {
 
-/// By name or code; the '#' of a code may be left out.
+/// By name or code; the '#' of a code is optional.
 std::optional<std::array<std::uint8_t, 3>> codes_of(std::string_view text) {
     if (const auto codes = color_by_text(text)) return codes;
     return text.starts_with('#') ? std::nullopt : color_by_text("#" + std::string(text));

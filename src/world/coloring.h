@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which numbers of vertices a picture is colored by.
+// Resolves the coloring of a picture by a vertex attribute.
 #pragma once
 #include <rakelight/request.h>
 
 namespace rakelight {
 
-/// With the array's name and the range filled in where they were left open. @throws Error usage: as color_by_array()
+/// Fills in the array's name and the range if they are not given.
+/// @throws Error usage: as color_by_array()
 Coloring completed(const Scene& scene, Coloring coloring);
 
-/// A note of the numbers that a picture in other colors does not show, where there are any.
+/// Adds a note if the scene has attributes that the picture does not show.
 void note_arrays(const Scene& scene, Report& report);
 
 }  // namespace rakelight

@@ -5,6 +5,7 @@
 
 #include <rakelight/tools/words.h>
 
+#include "base/format_text.h"
 #include "world/scene_of_request.h"
 
 namespace rakelight {
@@ -14,8 +15,8 @@ std::string list_of_cameras(const Scene& scene) {
     if (scene.cameras.empty()) return "the model has none";
     std::vector<std::string> cameras;
     for (const Camera& camera : scene.cameras)
-        cameras.push_back(std::to_string(cameras.size()) + " '" + one_line(camera.name, 24) + "'");
-    return "the model has " + std::to_string(cameras.size()) + ": " + list_of_names(cameras);
+        cameras.push_back(format_text("{} '{}'", cameras.size(), one_line(camera.name, 24)));
+    return format_text("the model has {}: {}", cameras.size(), list_of_names(cameras));
 }
 
 }  // namespace

@@ -20,17 +20,17 @@ vec3 textbook_specular(vec3 normalized, float exponent) {
     return {std::min(center.x, 1.0f), std::min(center.y, 1.0f), std::min(center.z, 1.0f)};
 }
 
-/// One texture, k_a, k_d, k_s, an exponent and an emission.
+/// A fixed-function material: one texture, k_a, k_d, k_s, an exponent and an emission.
 Material fixed_material(const Material& material) {
     Material m = classical_from_metallic_roughness(material);
     if (m.model == MaterialModel::classical) {
         ClassicalParameters& p = m.classical;
-        p.shininess = std::min(p.shininess, most_fixed_shininess);
+        p.shininess = std::min(p.shininess, max_fixed_shininess);
         if (p.is_normalized) p.specular = textbook_specular(p.specular, p.shininess);
         p.is_normalized = false;
         p.specular_texture = {}, p.mirror = Mirror::none;
     }
-    if (m.emission_texture) m.emission = {}, m.emission_texture = {};  // it says where: there is no place for that
+    if (m.emission_texture) m.emission = {}, m.emission_texture = {};  // per-texel emission is not supported
     m.occlusion_texture = {};
     m.lighting = Lighting::automatic, m.specular_form = SpecularForm::automatic;
     return m;
@@ -40,7 +40,7 @@ bool has_place_or_direction(const Light& light) { return light.type != LightType
 
 }  // namespace
 
-bool is_of_preset(std::string_view key) {
+bool is_preset_key(std::string_view key) {
     constexpr std::string_view keys[] = {"shading",          "lighting",     "specular",    "multiple-scattering",
                                          "viewer-infinity",  "bump",         "shadows",     "ambient-occlusion",
                                          "bump-self-shadow", "hdri-ambient", "tone-mapping"};
@@ -75,14 +75,14 @@ Scene with_preset(Scene scene, const PictureRequest& request) {
 std::size_t lights_beyond_preset(const std::vector<Light>& lights, const PictureRequest& request) {
     if (request.preset == Preset::none) return 0;
     const std::size_t count = std::size_t(std::ranges::count_if(lights, has_place_or_direction));
-    return count > most_fixed_lights ? count - most_fixed_lights : 0;
+    return count > max_fixed_lights ? count - max_fixed_lights : 0;
 }
 
 std::vector<Light> within_preset(std::vector<Light> lights, const PictureRequest& request) {
     if (request.preset == Preset::none) return lights;
     std::size_t taken = 0;
     std::erase_if(lights,
-                  [&](const Light& light) { return has_place_or_direction(light) && ++taken > most_fixed_lights; });
+                  [&](const Light& light) { return has_place_or_direction(light) && ++taken > max_fixed_lights; });
     return lights;
 }
 

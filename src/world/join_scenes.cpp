@@ -7,7 +7,7 @@
 namespace rakelight {
 namespace {
 
-/// What only the format of the part's file means becomes a choice of its meshes.
+/// Stores format-specific defaults of a part in Mesh::normal_choice.
 void keep_normal_rule(const Scene& part, const MergeOffsets& by, Scene& whole) {
     if (!part.missing_normals_are_flat) return;
     for (std::size_t m = by.meshes; m < by.meshes + part.meshes.size(); ++m)

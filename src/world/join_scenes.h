@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several models as one scene.
+// Joins several models in one scene.
 #pragma once
 #include <vector>
 
@@ -8,8 +8,8 @@
 
 namespace rakelight {
 
-/// All of the scenes in one, each where its own coordinates say, in their order, with their lights and cameras. The first
-/// environment and the first fog that there are count. Meshes of a format that means flat faces say so themselves.
+/// Joins scenes in their order with their own coordinates, lights and cameras. Uses the first environment and the first
+/// fog. Mesh::normal_choice records formats whose missing normals are flat.
 /// @throws Error as merge_scenes()
 Scene join_scenes(const std::vector<Scene>& scenes, Context& context);
 

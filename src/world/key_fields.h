@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How keys of [render] read and write their fields: what the tables of keys_*.cpp are made of.
+// Macros and helpers for the tables of [render] keys in keys_*.cpp.
 #pragma once
 #include <rakelight/request.h>
 #include <rakelight/tools/values.h>
@@ -10,30 +10,30 @@ using Words = std::span<const std::string>;
 using Written = std::vector<std::string>;
 using Kind = RenderKey::Kind;
 
-/// What every field is by default.
+/// The default of every field.
 const PictureRequest& defaults();
-/// What they are beside the preset of a request: what is written is what differs from it.
+/// The defaults under the preset of a request; only differences are written.
 const PictureRequest& defaults_beside(const PictureRequest& of);
 
-/// The shortest text that is read as the same number.
+/// The shortest text that parses to the same number.
 std::string text_of(double number);
-/// Of a float that a double was read into.
+/// The same for a float parsed from a double.
 std::string text_of_float(float number);
-/// [deg] The shortest text whose radians are the same number.
+/// [deg] The shortest text whose value in radians is the same number.
 std::string degrees_of(double radians);
-/// The same of a float that a double was read into.
+/// The same for a float parsed from a double.
 std::string degrees_of_float(float radians);
 /// "1,2,3"
 std::string text_of(dvec3 v);
-/// A display color: "#rrggbb" where that is the same color, else "r,g,b".
+/// A display color: "#rrggbb" if exact, else "r,g,b".
 std::string color_of(vec3 linear);
 /// "photometric-spot"
 const char* name_of(const Light& light);
-/// "point:0,2,3:color=1,0.9,0.8": what values::light() reads; and fog.
+/// "point:0,2,3:color=1,0.9,0.8": the format of values::light(); and for fog.
 std::string text_of(const Light& light);
 std::string text_of(const Fog& fog);
 
-/// The name of a value in a table of words.
+/// The word of a value in a table.
 template <class T, std::size_t n>
 Written name_in(const Word<T> (&words)[n], const T& value) {
     for (const Word<T>& w : words)
@@ -55,10 +55,10 @@ inline Written on_or_off(bool value) { return {value ? "on" : "off"}; }
     {                                                                                                     \
         name, Kind::kind, [](PictureRequest& r, Words w) { (field) = reading; }, RL_WRITE(field, writing) \
     }
-/// A word out of a table.
+/// A key with a table of words.
 #define RL_WORD_KEY(name, field, words) \
     RL_KEY(name, value, field, values::word(name, w[0], words), (name_in(words, field)))
-#define RL_SWITCH_KEY(name, field) RL_KEY(name, switched, field, values::switched(name, w[0]), (on_or_off(field)))
+#define RL_SWITCH_KEY(name, field) RL_KEY(name, on_off, field, values::on_off(name, w[0]), (on_or_off(field)))
 #define RL_FLOAT_KEY(name, field, low, high) \
     RL_KEY(name, value, field, float(values::number(name, w[0], low, high)), {text_of_float(field)})
 #define RL_NUMBER_KEY(name, field, low, high) \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of fields as texts that are read as the same values.
+// Writes values as text that parses to the same values.
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -17,7 +17,7 @@ std::string shortest(T number) {
     return {text, std::to_chars(text, text + sizeof text, number).ptr};
 }
 
-/// The number with the fewest digits that is_same() takes for the value itself.
+/// The shortest text for which is_same() holds.
 template <class IsSame>
 std::string rounded(double number, const IsSame& is_same) {
     for (int digits = 1; digits < 17; ++digits) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys about colors by numbers of the vertices.
+// Keys of coloring by vertex attributes.
 #include "world/key_fields.h"
 
 namespace rakelight::keys {
@@ -9,7 +9,7 @@ constexpr Word<ColorMap> map_words[] = {{"viridis", ColorMap::viridis}, {"magma"
                                         {"inferno", ColorMap::inferno}, {"plasma", ColorMap::plasma},
                                         {"turbo", ColorMap::turbo},     {"coolwarm", ColorMap::coolwarm},
                                         {"gray", ColorMap::gray}};
-constexpr int length = -1;  ///< in place of a component
+constexpr int length = -1;  ///< magnitude instead of a component
 
 void read_scalars(PictureRequest& r, Words w) {
     if (w[0].empty()) throw values::wrong("scalars", "needs the name of an array");

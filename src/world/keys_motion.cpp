@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys about clips and moments.
+// Keys of clips and times.
 #include "world/key_fields.h"
 
 namespace rakelight::keys {
 namespace {
 
-constexpr int all_clips = -1, most_clips = 1'000'000;
+constexpr int all_clips = -1, max_clips = 1'000'000;
 constexpr double longest_s = 1e6;
 
 void read_name(PictureRequest& r, Words w) {
@@ -14,7 +14,7 @@ void read_name(PictureRequest& r, Words w) {
 }
 
 constexpr RenderKey table[] = {
-    RL_KEY("animation-index", value, r.motion.index, values::integer("animation-index", w[0], all_clips, most_clips),
+    RL_KEY("animation-index", value, r.motion.index, values::integer("animation-index", w[0], all_clips, max_clips),
            {std::to_string(*r.motion.index)}),
     {"animation-name", Kind::value, read_name, RL_WRITE(r.motion.name, {r.motion.name})},
     RL_KEY("animation-time", value, r.motion.time_s, values::number("animation-time", w[0], -longest_s, longest_s),

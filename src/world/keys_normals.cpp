@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys about what is made ready before an engine draws: normals, tangents, texture coordinates, subdivision, displacement.
+// Keys of preparation: normals, tangents, texture coordinates, subdivision, displacement.
 #include "world/key_fields.h"
 
 namespace rakelight::keys {
@@ -25,7 +25,7 @@ constexpr Word<std::optional<TangentMode>> tangent_words[] = {
 
 constexpr Word<bool> bitangent_words[] = {{"cross", false}, {"attribute", true}};
 
-/// Where tangents are made perpendicular to normals: once, at every pixel, nowhere.
+/// Where tangents are orthogonalized: per attribute, per pixel, nowhere.
 struct Orthogonal {
     Orthogonalize once;
     bool at_pixels;
@@ -39,7 +39,7 @@ void read_orthogonalize(PictureRequest& r, Words w) {
     const Orthogonal how = values::word("orthogonalize", w[0], orthogonalize_words);
     r.prepare.orthogonalize = how.once;
     r.settings.orthogonalize = how.at_pixels;
-    r.prepare.measure_orthogonality = true;  // who chooses wants to know what it costs
+    r.prepare.measure_orthogonality = true;  // a chosen mode is reported with its error
 }
 
 Written write_orthogonalize(const PictureRequest& r) {
@@ -61,7 +61,7 @@ double distance(const char* name, const std::string& text) {
 
 void read_subdivide_edge(PictureRequest& r, Words w) {
     r.prepare.subdivision.edge = values::number("subdivide-edge", w[0], 1e-6, 1e6);
-    r.prepare.subdivision.level = 8;  // `subdivide`, which is read behind it, may say less
+    r.prepare.subdivision.level = 8;  // `subdivide`, which is read later, may override it
 }
 
 Written write_subdivide(const PictureRequest& r) {
@@ -86,9 +86,9 @@ constexpr RenderKey table[] = {
     RL_KEY("keep-instances", flag, r.prepare.keep_instances, w[0] == "on", {"on"}),
     RL_WORD_KEY("uv", r.prepare.uv, uv_words),
     RL_NUMBER_KEY("displacement-edge", r.prepare.displacement.edge, 1e-6, 1e6),
-    RL_KEY("displacement-triangles", value, r.prepare.displacement.most_triangles,
+    RL_KEY("displacement-triangles", value, r.prepare.displacement.max_triangles,
            std::uint64_t(values::integer("displacement-triangles", w[0], 1, 100'000'000)),
-           {std::to_string(r.prepare.displacement.most_triangles)}),
+           {std::to_string(r.prepare.displacement.max_triangles)}),
     {"subdivide-edge", Kind::value, read_subdivide_edge,
      RL_WRITE(r.prepare.subdivision.edge, {text_of(r.prepare.subdivision.edge)})},
     {"subdivide", Kind::value,

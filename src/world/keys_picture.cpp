@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys about the picture itself: size, samples, data channels, engine, shading frequency, visibility, lines and points.
+// Keys of the picture: size, samples, data channels, engine, shading frequency, visibility, lines and points.
+#include "base/format_text.h"
 #include "world/channel_info.h"
 #include "world/fixed_function.h"
 #include "world/key_fields.h"
@@ -35,26 +36,26 @@ constexpr Word<PointShape> point_words[] = {
 
 constexpr Word<Preset> preset_words[] = {{"none", Preset::none}, {"fixed-function", Preset::fixed_function}};
 
-/// All keys that it decides are read behind it.
+/// Read before all keys that it sets.
 void read_preset(PictureRequest& r, Words w) {
     r.preset = values::word("preset", w[0], preset_words);
     set_preset(r.preset, r);
 }
 
-/// Rays have shadows by nature; `shadows`, which is read behind it, may say otherwise.
+/// Ray tracing has shadows by default; `shadows`, which is read later, may override it.
 void read_engine(PictureRequest& r, Words w) {
     r.engine = w[0];
     for (char& c : r.engine) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
     if (r.engine == "trace") r.settings.shadows = true;
 }
 
-/// One path a pixel shows nothing; where the error or the time end the picture the samples do not.
+/// One path per pixel is useless; with an error or time limit the samples do not end the picture.
 int plain_samples(const RenderSettings& s) {
     if (s.method != RayMethod::path) return defaults().settings.samples;
     return s.paths.noise > 0 || s.paths.max_seconds > 0 ? 65536 : 64;
 }
 
-/// `samples`, which is read behind them, may say otherwise.
+/// `samples`, which is read later, may override it.
 void set_plain_paths(RenderSettings& s) {
     if (s.method == RayMethod::path) s.samples = plain_samples(s);
 }
@@ -79,7 +80,7 @@ void read_resolution(PictureRequest& r, Words w) {
 Written write_resolution(const PictureRequest& r) {
     const RenderSettings &s = r.settings, &plain = defaults().settings;
     if (s.width == plain.width && s.height == plain.height) return {};
-    return {std::to_string(s.width) + "," + std::to_string(s.height)};
+    return {format_text("{},{}", s.width, s.height)};
 }
 
 void read_window(PictureRequest& r, Words w) {
@@ -88,10 +89,7 @@ void read_window(PictureRequest& r, Words w) {
     r.settings.window = {v[0], v[1], v[2], v[3]};
 }
 
-std::string text_of_window(const Window& w) {
-    return std::to_string(w.x) + "," + std::to_string(w.y) + "," + std::to_string(w.width) + "," +
-           std::to_string(w.height);
-}
+std::string text_of_window(const Window& w) { return format_text("{},{},{},{}", w.x, w.y, w.width, w.height); }
 
 void read_channels(PictureRequest& r, Words w) {
     r.settings.channels = 0;
@@ -176,7 +174,7 @@ void read_wireframe(PictureRequest& r, Words w) {
 
 void read_point_sprites(PictureRequest& r, Words w) {
     if (w[0] != "on") return;
-    r.settings.points = PointShape::disc;  // `points`, which is read behind it, may say squares
+    r.settings.points = PointShape::disc;  // `points`, which is read later, may select squares
     r.settings.surfaces = false;
 }
 
@@ -187,7 +185,7 @@ constexpr RenderKey table[] = {
     RL_INTEGER_KEY("max-depth", r.settings.max_depth, 0, 64),
     RL_KEY("naive", flag, r.settings.naive, w[0] == "on", {"on"}),
     RL_NUMBER_KEY("naive-limit", r.settings.naive_limit, 0, 1e18),
-    RL_INTEGER_KEY("radiosity-elements", r.settings.radiosity.elements, 1, most_radiosity_elements),
+    RL_INTEGER_KEY("radiosity-elements", r.settings.radiosity.elements, 1, max_radiosity_elements),
     RL_NUMBER_KEY("radiosity-unshot", r.settings.radiosity.unshot, 0.0001, 1),
     {"resolution", Kind::value, read_resolution, write_resolution},
     {"window", Kind::value, read_window, RL_WRITE(r.settings.window, {text_of_window(r.settings.window)})},
@@ -205,7 +203,7 @@ constexpr RenderKey table[] = {
      },
      RL_WRITE(r.settings.paths.noise, {text_of(r.settings.paths.noise)})},
     {"samples", Kind::value,
-     [](PictureRequest& r, Words w) { r.settings.samples = values::integer("samples", w[0], 1, most_paths_a_pixel); },
+     [](PictureRequest& r, Words w) { r.settings.samples = values::integer("samples", w[0], 1, max_paths_per_pixel); },
      write_samples},
     RL_NUMBER_KEY("clamp", r.settings.paths.clamp, 0, 1e18),
     RL_WORD_KEY("light-sampling", r.settings.paths.light_sampling, sampling_words),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys about materials, lights, surroundings and tone.
+// Keys of materials, lights, environment and tone.
 #include <algorithm>
 
 #include "world/key_fields.h"
@@ -77,9 +77,8 @@ constexpr RenderKey table[] = {
     {"light", Kind::list, read_lights, write_lights},
     RL_KEY("fog", value, r.fog, values::fog("fog", w[0]), {text_of(*r.fog)}),
     RL_KEY("hdri-file", file, r.hdri_file, w[0], {r.hdri_file}),
-    RL_KEY("hdri-ambient", switched, r.hdri_ambient, values::switched("hdri-ambient", w[0]),
-           (on_or_off(*r.hdri_ambient))),
-    RL_KEY("hdri-skybox", switched, r.hdri_skybox, values::switched("hdri-skybox", w[0]), (on_or_off(*r.hdri_skybox))),
+    RL_KEY("hdri-ambient", on_off, r.hdri_ambient, values::on_off("hdri-ambient", w[0]), (on_or_off(*r.hdri_ambient))),
+    RL_KEY("hdri-skybox", on_off, r.hdri_skybox, values::on_off("hdri-skybox", w[0]), (on_or_off(*r.hdri_skybox))),
     RL_KEY("hdri-intensity", value, r.hdri_intensity, values::number("hdri-intensity", w[0], 0, 1e6),
            {text_of(*r.hdri_intensity)}),
     RL_KEY("hdri-rotation", value, r.hdri_rotation_rad, radians(values::number("hdri-rotation", w[0], -360, 360)),

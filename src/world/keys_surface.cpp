@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys about how surfaces answer light: lighting models, bumps, shadows.
+// Keys of shading: lighting models, bumps, shadows.
+#include "base/format_text.h"
 #include "world/key_fields.h"
 #include "world/lighting_text.h"
 
@@ -21,10 +22,10 @@ void read_steps(PictureRequest& r, Words w) {
 Written write_steps(const PictureRequest& r) {
     const Relief &of = r.settings.relief, &plain = defaults().settings.relief;
     if (of.min_steps == plain.min_steps && of.max_steps == plain.max_steps) return {};
-    return {std::to_string(of.min_steps) + "," + std::to_string(of.max_steps)};
+    return {format_text("{},{}", of.min_steps, of.max_steps)};
 }
 
-/// A word, or a file with another model's text.
+/// A word, or a file with a user-defined model.
 void read_lighting(PictureRequest& r, Words w) {
     RenderSettings& s = r.settings;
     s.lighting_name.clear(), s.lighting_text.clear();
@@ -60,8 +61,7 @@ constexpr RenderKey table[] = {
     RL_SWITCH_KEY("bump-silhouette", r.settings.relief.limit_silhouette),
     RL_WORD_KEY("tangent-space", r.settings.tangent_space, tangent_space_words),
     RL_SWITCH_KEY("normalize-frames", r.settings.normalize_frames),
-    {"shadows", Kind::switched,
-     [](PictureRequest& r, Words w) { r.settings.shadows = values::switched("shadows", w[0]); },
+    {"shadows", Kind::on_off, [](PictureRequest& r, Words w) { r.settings.shadows = values::on_off("shadows", w[0]); },
      [](const PictureRequest& r) -> Written {
          const bool by_engine = r.engine == "trace";
          return r.settings.shadows == by_engine ? Written{} : on_or_off(r.settings.shadows);
@@ -71,8 +71,8 @@ constexpr RenderKey table[] = {
     RL_INTEGER_KEY("shadow-filter", r.settings.shadow_filter, 0, 4),
     RL_KEY("ambient-occlusion", flag, r.settings.ambient_occlusion, w[0] == "on", {"on"}),
     RL_NUMBER_KEY("ambient-occlusion-radius", r.settings.ambient_occlusion_radius, 0, 1e30),
-    RL_INTEGER_KEY("ambient-occlusion-samples", r.settings.ambient_occlusion_samples, least_occlusion_samples,
-                   most_occlusion_samples),
+    RL_INTEGER_KEY("ambient-occlusion-samples", r.settings.ambient_occlusion_samples, min_occlusion_samples,
+                   max_occlusion_samples),
 };
 
 }  // namespace

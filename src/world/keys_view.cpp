@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys about where the camera stands.
+// Keys of the camera's placement.
 #include "world/key_fields.h"
 
 namespace rakelight::keys {
@@ -9,7 +9,7 @@ constexpr Word<bool> side_words[] = {{"front", true},     {"back", true},    {"l
                                      {"right", true},     {"top", true},     {"bottom", true},
                                      {"isometric", true}, {"default", true}, {"file", true}};
 
-/// In the table's own case.
+/// In the case of the table.
 std::string side(const std::string& text) {
     std::vector<const char*> names;
     for (const Word<bool>& word : side_words) names.push_back(word.name);

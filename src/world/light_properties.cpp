@@ -22,20 +22,20 @@ void set_attenuation(const std::string& what, Light& light, std::string_view val
     const dvec3 given = vector3(what, value);
     if (given == dvec3{0, 0, 0} || given.x < 0 || given.y < 0 || given.z < 0)
         throw wrong(what, "attenuation must be three numbers >= 0, not all 0");
-    const vec3 a = light_color(what, value);  // within what floats hold
+    const vec3 a = light_color(what, value);  // within the float range
     light.constant = a.x, light.linear = a.y, light.quadratic = a.z;
 }
 
 void set_cone(const std::string& what, float& cone_rad, std::string_view value, bool may_be_zero) {
     const double degrees = number(what, value);
-    if (!(degrees >= (may_be_zero ? 0 : least_cone_deg) && degrees <= 90))
+    if (!(degrees >= (may_be_zero ? 0 : min_cone_deg) && degrees <= 90))
         throw wrong(what, std::string("the half angle must be ") + (may_be_zero ? "0" : "0.001") + " to 90 degrees");
     cone_rad = float(radians(degrees));
 }
 
 struct Property {
     const char* name;
-    unsigned kinds;  ///< that have it
+    unsigned kinds;  ///< kinds with the property
     bool classical, photometric;
     void (*set)(const std::string& what, Light& light, std::string_view value);
 };
@@ -71,11 +71,11 @@ constexpr Property properties[] = {
     {"range", placed, true, true,
      [](const std::string& what, Light& light, std::string_view value) {
          const double range = number(what, value);
-         if (!(range >= least_light_range && range <= 1e30)) throw wrong(what, "must be 1e-6 to 1e30 m");
+         if (!(range >= min_light_range && range <= 1e30)) throw wrong(what, "must be 1e-6 to 1e30 m");
          light.range = float(range);
      }},
     {"shadow", any, true, true,
-     [](const std::string& what, Light& l, std::string_view value) { l.casts_shadow = switched(what, value); }},
+     [](const std::string& what, Light& l, std::string_view value) { l.casts_shadow = on_off(what, value); }},
 };
 
 bool has(const Light& light, const Property& p) {
@@ -83,7 +83,7 @@ bool has(const Light& light, const Property& p) {
     return light.units == LightUnits::photometric ? p.photometric : p.classical;
 }
 
-/// What may follow a kind of light, as advice.
+/// The properties of a kind of light, as advice.
 std::string properties_of(const Light& light) {
     if (light.type == LightType::ambient) return "an ambient light has its color only: ambient:R,G,B";
     std::string all;

@@ -8,8 +8,9 @@
 
 namespace rakelight::values {
 
-/// Sets a property that this kind of light has. @param value  as the command line has it
-/// @throws Error usage: no such property, or a value out of its range
+/// Sets a property of a light.
+/// @param value as on the command line
+/// @throws Error usage: no such property, or a value out of range
 void set_light_property(const std::string& option, Light& light, std::string_view name, std::string_view value);
 
 }  // namespace rakelight::values

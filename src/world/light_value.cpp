@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights as people write them.
+// Parses lights.
 #include <rakelight/tools/values.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ Kind kind(const std::string& option, std::string_view text) {
                        {"photometric-spot", {LightType::spot, photometric}},
                        {"default", {}},
                        {"studio", {}},
-                       {"none", {}}});  // refused above: for the list in the message
+                       {"none", {}}});  // rejected above; here for the list in the message
 }
 
 }  // namespace

@@ -7,19 +7,20 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
+
 namespace rakelight {
 
 bool is_lighting_file(std::string_view word) { return word.ends_with(".glsl"); }
 
 std::string read_lighting_text(const std::string& path) {
-    constexpr std::uintmax_t most_bytes = 1 << 20;
+    constexpr std::uintmax_t max_bytes = 1 << 20;
     const std::string name = "'" + one_line(path, 80) + "'";
     std::error_code fault;
     if (!std::filesystem::is_regular_file(path, fault))
         throw Error(ErrorCode::not_found, name + ": there is no such file").about("lighting");
-    if (std::filesystem::file_size(path, fault) > most_bytes)
-        throw Error(ErrorCode::bad_file, name + " has more than " + std::to_string(most_bytes) + " bytes")
-            .about("lighting");
+    if (std::filesystem::file_size(path, fault) > max_bytes)
+        throw Error(ErrorCode::bad_file, format_text("{} has more than {} bytes", name, max_bytes)).about("lighting");
     std::ifstream file(path, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(file), {}};
     if (!file && !file.eof()) throw Error(ErrorCode::not_found, name + " cannot be read").about("lighting");

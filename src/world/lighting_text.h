@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lighting models of the user's own, as files in GLSL.
+// User-defined lighting models in GLSL files.
 #pragma once
 #include <string>
 #include <string_view>
 
 namespace rakelight {
 
-/// Whether a value of the key `lighting` names a file: "*.glsl".
+/// Whether a value of the key `lighting` is a file: "*.glsl".
 bool is_lighting_file(std::string_view word);
 
-/// @throws Error not_found; bad_file: more than 1 MiB, or no text that defines user_terms(); both about `lighting`
+/// @throws Error not_found; bad_file: more than 1 MiB, or user_terms() is not defined; both about `lighting`
 std::string read_lighting_text(const std::string& path);
 
 }  // namespace rakelight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a scene comes from.
+// Loading of scenes by name.
 #include <rakelight/load.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ Scene load_shape(const std::string& words, const std::string& path, Context& con
     }
 }
 
-/// The name of a file in memory; one without an ending gets that of its content.
+/// The name of a file in memory; without an ending it gets one by content.
 std::string named(const MemoryFile& file) {
     if (std::filesystem::path(file.name).has_extension()) return file.name;
     const std::string_view ending =

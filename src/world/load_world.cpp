@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_io.h"
 #include "io/reader.h"
@@ -19,7 +20,7 @@
 namespace rakelight {
 namespace {
 
-constexpr std::uint64_t bytes_beside_name = 32;  ///< what an allocation takes more than is asked for
+constexpr std::uint64_t bytes_beside_name = 32;  ///< overhead of an allocation
 
 dquat turn(dvec3 axis, double angle_rad) {
     const double s = math::sin(0.5 * angle_rad);
@@ -50,7 +51,7 @@ NormalSource normals_of(const std::string& word) {
     return word == "model" ? NormalSource::model : NormalSource::automatic;
 }
 
-/// What the part's normals are to be: the world's word, or what only the format of its file means.
+/// The normal options of a part: from the world file, or the defaults of its file's format.
 template <class Part>
 std::optional<NormalChoice> choice_of(const Part& part, bool missing_are_flat) {
     if (part.normals.empty() && !part.crease_angle_rad && !missing_are_flat) return std::nullopt;
@@ -59,7 +60,7 @@ std::optional<NormalChoice> choice_of(const Part& part, bool missing_are_flat) {
     return choice;
 }
 
-/// A fault of a file that the world names, with the place where it does.
+/// An error of a referenced file, with the place of the reference.
 Error at_place(const Error& error, const std::string& name, WorldPlace place) {
     const std::string file = error.file().empty() ? "" : "'" + one_line(name, 80) + "': ";
     const std::string inner = error.place().empty() ? "" : error.place() + ": ";
@@ -67,7 +68,7 @@ Error at_place(const Error& error, const std::string& name, WorldPlace place) {
     return Error(code, file + inner + error.reason(), to_text(place), error.advice()).naming(error.related());
 }
 
-/// Warns of names that stand twice where a name is what one asks by. Shapes without a name have their type's.
+/// Warns of duplicate names that identify parts. Shapes without a name have the name of their type.
 void warn_of_twins(const WorldFile& world, const std::string& path, Report& report) {
     std::set<std::string_view> cameras, shapes;
     for (const Camera& c : world.cameras)
@@ -80,8 +81,8 @@ void warn_of_twins(const WorldFile& world, const std::string& path, Report& repo
                        "two primitives are named '" + one_line(p.name, 40) + "': what goes by name goes to both");
 }
 
-/// What the world says of a part beside where it stands.
-struct PartWish {
+/// Options of a part besides its placement.
+struct PartOptions {
     const std::string& name;
     const std::string& material;
     const std::optional<Subdivision>& subdivision;
@@ -89,7 +90,7 @@ struct PartWish {
     const WorldPrimitive* shape = nullptr;  ///< null: a model
 };
 
-/// Gives a shape's nodes and meshes its name in place of its type's: 'tyre', or 'tyre 2' of one cut in pieces.
+/// Renames a shape's nodes and meshes from its type to its name: 'tyre', or 'tyre 2' for pieces.
 void rename(Scene& scene, const LoadedPart& part, const WorldPrimitive& shape, MemoryCharge& names) {
     if (shape.name == shape.type) return;
     const auto change = [&](std::string& name) {
@@ -101,7 +102,7 @@ void rename(Scene& scene, const LoadedPart& part, const WorldPrimitive& shape, M
     for (std::uint32_t i = part.first_mesh; i < part.end_mesh; ++i) change(scene.meshes[i].name);
 }
 
-/// The parts of a world, put together into one scene when all are known, so that what this takes is known before.
+/// Collects the parts of a world and merges them when all are known, so that the memory is known before.
 class Assembly {
 public:
     Assembly(const std::string& path, const LoadOptions& options, Context& context)
@@ -112,15 +113,15 @@ public:
     void add_primitive(const WorldPrimitive& shape) {
         try {
             add(make_shape(shape), shape, {true, true});
-        } catch (const Error& error) {  // lengths that do not fit together
+        } catch (const Error& error) {  // incompatible lengths
             const bool is_of_objects = error.reason().starts_with("the objects of ");
             throw Error(ErrorCode::bad_file, error.reason(), to_text(is_of_objects ? shape.objects_place : shape.place),
                         error.advice());
         }
-        wishes_.back().shape = &shape;
+        part_options_.back().shape = &shape;
     }
 
-    /// Cameras of the world stand before those of its models.
+    /// Cameras of the world precede those of its models.
     Scene finish(const WorldFile& world) {
         put_together();
         apply_materials(scene_, world, parts_, path_, options_, context_);
@@ -134,7 +135,7 @@ public:
     }
 
 private:
-    /// In front of those of the models, whose channels go on to mean them.
+    /// Inserted before those of the models, whose channels keep referring to them.
     void add_lights_and_cameras(const WorldFile& world) {
         for (Animation& animation : scene_.animations)
             for (AnimationChannel& channel : animation.channels) {
@@ -148,7 +149,7 @@ private:
         if (!own.channels.empty()) scene_.animations.push_back(std::move(own));
     }
 
-    /// A file that stands several times in the world is read once; its arrays are shared.
+    /// A file used several times in the world is read once; its arrays are shared.
     const Scene& load_file(const WorldModel& model) {
         const auto known = loaded_.find(model.file);
         if (known != loaded_.end()) return known->second;
@@ -180,7 +181,7 @@ private:
         bool lights, cameras;
     };
 
-    /// @param scene  stays where it is until all parts are put together
+    /// @param scene must stay valid until all parts are merged
     template <class Part>
     void warn_of_crease(const Part& of) {
         if (!of.crease_angle_rad || (of.normals != "flat" && of.normals != "file")) return;
@@ -194,7 +195,7 @@ private:
         Node root = root_node(of.name, of.placement);
         root.shading = of.shading;
         additions_.push_back({scene, std::move(root), taken.lights, taken.cameras});
-        wishes_.push_back({of.name, of.material, of.subdivision, choice_of(of, scene.missing_normals_are_flat)});
+        part_options_.push_back({of.name, of.material, of.subdivision, choice_of(of, scene.missing_normals_are_flat)});
     }
 
     void put_together() {
@@ -202,24 +203,24 @@ private:
         scene_ = std::move(merged.scene);
         scene_.source = path_;
         MemoryCharge names(context_.memory());
-        for (std::size_t i = 0; i < wishes_.size(); ++i) {
+        for (std::size_t i = 0; i < part_options_.size(); ++i) {
             const Scene& part = additions_[i].scene;
             const MergeOffsets& by = merged.offsets[i];
-            const PartWish& wish = wishes_[i];
+            const PartOptions& part_options = part_options_[i];
             const auto end = [](std::uint32_t first, std::size_t count) { return std::uint32_t(first + count); };
-            parts_.push_back({wish.name, by.materials, end(by.materials, part.materials.size()), by.meshes,
+            parts_.push_back({part_options.name, by.materials, end(by.materials, part.materials.size()), by.meshes,
                               end(by.meshes, part.meshes.size()), by.nodes - 1, end(by.nodes, part.nodes.size()),
-                              wish.material});
+                              part_options.material});
             for (std::uint32_t m = by.meshes; m < parts_.back().end_mesh; ++m) {
-                if (wish.subdivision) scene_.meshes[m].subdivision = wish.subdivision;
-                scene_.meshes[m].normal_choice = wish.normals;
+                if (part_options.subdivision) scene_.meshes[m].subdivision = part_options.subdivision;
+                scene_.meshes[m].normal_choice = part_options.normals;
             }
-            if (wish.shape) rename(scene_, parts_.back(), *wish.shape, names);
+            if (part_options.shape) rename(scene_, parts_.back(), *part_options.shape, names);
         }
         scene_.charges.push_back(share(std::move(names)));
     }
 
-    /// What [render] names is there: the camera and the pictures.
+    /// Checks that camera and pictures named in [render] exist.
     void check_render(const WorldFile& world) const {
         for (const WorldValue& value : world.render) {
             const std::vector<std::string>& others = options_.overridden;
@@ -244,10 +245,10 @@ private:
         std::pair<int, int> size;
         const std::string file = checked_picture(path_, from.file, from.place, options_, context_, &size);
         if (size.first != 2 * size.second)
-            context_.report().add(Remark::warning, path_, to_text(from.place),
-                                  "the environment is " + std::to_string(size.first) + " x " +
-                                      std::to_string(size.second) +
-                                      " pixels: equirectangular pictures are twice as wide as high");
+            context_.report().add(
+                Remark::warning, path_, to_text(from.place),
+                format_text("the environment is {} x {} pixels: equirectangular pictures are twice as wide as high",
+                            size.first, size.second));
         out.image = io::image_from_file(from.file, path_, file);
         return out;
     }
@@ -258,7 +259,7 @@ private:
     std::map<std::string, Scene> loaded_;
     std::map<ShapeRequest, Scene> shapes_;
     std::vector<ScenePart> additions_;
-    std::vector<PartWish> wishes_;  ///< [additions]
+    std::vector<PartOptions> part_options_;  ///< [additions]
     Scene scene_;
     std::vector<LoadedPart> parts_;  ///< [additions]
 };

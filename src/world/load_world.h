@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A world file as one scene.
+// Loads a world file as one scene.
 #pragma once
 #include <utility>
 
@@ -8,29 +8,29 @@
 
 namespace rakelight {
 
-/// Loads every model of a world and puts it together. What the world says of a part's normals stands in
-/// Mesh::normal_choice, and so does what formats that mean flat faces do.
-/// @param path  of the world file: names are resolved from its folder and stay in it unless `allow_outside`
-/// @throws Error not_found, bad_file: with the place in the world file, a model's faults too
+/// Loads every model of a world and assembles the scene. Mesh::normal_choice gets the normal options of each part, and
+/// whether missing normals are flat.
+/// @param path of the world file: names are relative to its folder and must stay in it unless `allow_outside`
+/// @throws Error not_found, bad_file: with the place in the world file, also for faults of models
 Scene load_world(const std::string& path, const WorldFile& world, const LoadOptions& options, Context& context);
 
-/// The path of a picture that a world names, which was decoded once.
+/// The path of a picture named in a world; it is decoded once as a check.
 /// @param path  of the world file
-/// @param size  [px] out: its width and height; null: not wanted
+/// @param size [px] out: its width and height; may be null
 /// @throws Error not_found, bad_file: with its name and place
 std::string checked_picture(const std::string& path, const std::string& name, WorldPlace place,
                             const LoadOptions& options, Context& context, std::pair<int, int>* size = nullptr);
 
-/// What became of one [[model]] or [[primitive]].
+/// The part of the scene from one [[model]] or [[primitive]].
 struct LoadedPart {
     const std::string& name;
-    std::uint32_t first_material = 0, end_material = 0;  ///< in the scene; those behind are the world's own
+    std::uint32_t first_material = 0, end_material = 0;  ///< in the scene; later ones are materials of the world
     std::uint32_t first_mesh = 0, end_mesh = 0;
     std::uint32_t first_node = 0, end_node = 0;
-    const std::string& material;  ///< for all of it, or empty
+    const std::string& material;  ///< for the whole part, or empty
 };
 
-/// Changes the models' materials as [[material]] says and makes the world's own.
+/// Applies [[material]] to the models' materials and creates materials of the world.
 /// @param path  of the world file
 void apply_materials(Scene& scene, const WorldFile& world, const std::vector<LoadedPart>& parts,
                      const std::string& path, const LoadOptions& options, Context& context);

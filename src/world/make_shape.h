@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A shape of a world or of a command line as a scene.
+// Creates a scene from a built-in shape of a world or the command line.
 #pragma once
 #include <rakelight/context.h>
 #include <rakelight/world.h>
@@ -8,9 +8,9 @@
 
 namespace rakelight {
 
-/// What makes one shape equal to another, but for place and material.
+/// The parameters of a shape without placement and material, for reuse of equal shapes.
 struct ShapeRequest {
-    PrimitiveRequest primitive;  ///< of the teapot only `divisions` and `tolerance` count
+    PrimitiveRequest primitive;  ///< the teapot uses only `divisions` and `tolerance`
     bool is_teapot = false;
 
     auto operator<=>(const ShapeRequest&) const = default;

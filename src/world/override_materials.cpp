@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures and factors from the command line in the place of the materials' own.
+// Overrides pictures and factors of materials.
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -7,6 +7,7 @@
 #include <rakelight/material_changes.h>
 #include <rakelight/request.h>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_io.h"
 #include "io/world/material_keys.h"
@@ -20,7 +21,7 @@ namespace {
 
 /// Adds a picture file as a repeating texture and returns its use.
 TextureUse add_texture(Scene& scene, const std::string& path, Context& context) {
-    try {  // what the caller asked for must not be left out silently; the engine decodes it again when it needs it
+    try {  // requested pictures must not be ignored silently; the engine decodes them again
         const io::Bytes bytes = io::read_file(path, context);
         io::decode_image(*bytes, context);
     } catch (const Error& error) {
@@ -39,14 +40,14 @@ void set_factors(Material& m, const MaterialOverrides& o) {
     if (o.metallic) m.metallic_roughness.metallic = float(*o.metallic);
     if (o.color) {
         m.base_color = {o.color->x, o.color->y, o.color->z, m.base_color.w};
-        m.classical.ambient = *o.color;  // as loaders have it where a file gives no k_a
+        m.classical.ambient = *o.color;  // as loaders do for files without k_a
     }
     if (!o.opacity) return;
     m.base_color.w = float(*o.opacity);
     if (*o.opacity < 1) m.alpha_mode = AlphaMode::blend;
 }
 
-/// The values as their words say, with the checks of a command line's: a caller may have made them otherwise.
+/// Re-parses the words of values, because a caller may have created inconsistent ones.
 std::vector<WorldValue> checked(const std::vector<WorldValue>& values) {
     std::vector<std::string> words;
     for (const WorldValue& value : values) {
@@ -56,7 +57,7 @@ std::vector<WorldValue> checked(const std::vector<WorldValue>& values) {
     return material_values(words);
 }
 
-/// Textures of pictures by their names, each made once.
+/// Textures by picture name, each created once.
 class Pictures {
 public:
     Pictures(Scene& scene, Context& context) : scene_(scene), context_(context) {}
@@ -104,7 +105,7 @@ Scene with_material_changes(Scene scene, std::span<const MaterialChanges> change
     for (const MaterialChanges& change : changes) {
         if (change.target.node == no_index) continue;
         if (change.target.node >= scene.nodes.size())
-            throw Error(ErrorCode::usage, "there is no node " + std::to_string(change.target.node));
+            throw Error(ErrorCode::usage, format_text("there is no node {}", change.target.node));
         const std::vector<WorldValue> values = checked(change.values);
         for (const std::uint32_t m : own.of(change.target.node, change.target.name))
             change_material(scene.materials[m], values, std::ref(pictures));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials of single objects: a node gets meshes and materials of its own, whose arrays are shared still.
+// Materials of single objects: a node gets its own meshes and materials; arrays stay shared.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,13 +11,13 @@ namespace rakelight {
 
 class OwnMaterials {
 public:
-    /// @param scene  whose meshes have materials all; see name_default_material()
+    /// @param scene all meshes have materials; see name_default_material()
     OwnMaterials(Scene& scene, Context& context)
         : scene_(scene), first_own_(std::uint32_t(scene.materials.size())), charge_(context.memory()) {}
 
-    /// The materials of that name ("*": all) of a node's meshes, from now on the node's alone.
+    /// The materials with a name ("*": all) of a node's meshes, copied for this node.
     std::vector<std::uint32_t> of(std::uint32_t node, const std::string& name);
-    /// The scene keeps what pays for them.
+    /// The scene gets their memory charges.
     void finish();
 
 private:

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// All keys of [render], and what only several of them together can get wrong.
+// All keys of [render], and checks of their combinations.
 #include <algorithm>
 #include <filesystem>
 
+#include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "world/key_fields.h"
 
@@ -18,12 +19,12 @@ std::vector<RenderKey> all_keys() {
     return all;
 }
 
-/// The keys that were given.
+/// The given keys.
 class Given {
 public:
     explicit Given(std::span<const WorldValue> values) : values_(values) {}
     bool has(std::string_view key) const { return std::ranges::find(values_, key, &WorldValue::key) != values_.end(); }
-    /// The first of some keys that was; null: none.
+    /// The first of some keys that was given, or null.
     const char* first_of(std::initializer_list<const char*> names) const {
         for (const char* name : names)
             if (has(name)) return name;
@@ -43,11 +44,12 @@ void check_picture(const PictureRequest& r, const Given& given) {
     const RenderSettings& s = r.settings;
     const Window& w = s.window;
     if (given.has("window") && (w.x < 0 || w.y < 0 || w.x > s.width - w.width || w.y > s.height - w.height))
-        throw Error(ErrorCode::usage, "does not lie inside the picture of " + std::to_string(s.width) + " x " +
-                                          std::to_string(s.height) + " pixels that 'resolution' asks for")
+        throw Error(ErrorCode::usage,
+                    format_text("does not lie inside the picture of {} x {} pixels that 'resolution' asks for", s.width,
+                                s.height))
             .about("window", {"resolution"});
     if (has_pixel_samples(s) && s.visibility != Visibility::z_reversed)
-        throw Error(ErrorCode::usage, std::to_string(s.samples) + " samples need 'visibility' z-reversed, the default")
+        throw Error(ErrorCode::usage, format_text("{} samples need 'visibility' z-reversed, the default", s.samples))
             .about("samples", {"visibility"});
     if (given.has("point-sprites") && !s.surfaces && s.points == PointShape::none) exclude("point-sprites", "points");
     if (given.has("channel-files") && s.channels == 0)
@@ -95,10 +97,10 @@ void check_coloring(const PictureRequest& r, const Given& given) {
 /// The words of a value; those of flags are "on" or "off".
 std::vector<std::string> words_of(const RenderKey& key, const WorldValue& value) {
     if (value.words.empty()) throw values::wrong(key.name, "a value is needed");
-    const bool is_flag = key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::switched;
+    const bool is_flag = key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::on_off;
     if (!is_flag) return value.words;
     if (value.words.size() > 1) throw values::wrong(key.name, "must be on or off");
-    return {values::switched(key.name, value.words[0]) ? "on" : "off"};
+    return {values::on_off(key.name, value.words[0]) ? "on" : "off"};
 }
 
 void check_once(std::span<const WorldValue> values) {
@@ -107,7 +109,7 @@ void check_once(std::span<const WorldValue> values) {
             if (values[i].key == values[k].key) throw values::wrong(values[i].key, "is given more than once");
 }
 
-/// A list of a world file as the command line has it: "1280,720".
+/// A list of a world file in the form of the command line: "1280,720".
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
@@ -151,7 +153,7 @@ void read_render_keys(std::span<const WorldValue> values, PictureRequest& to) {
             const std::string one = joined(words);
             key.read(to, key.kind == RenderKey::Kind::list ? words : std::span(&one, 1));
         }
-    for (const WorldValue& value : values) to.named.push_back(value.key);
+    for (const WorldValue& value : values) to.given_keys.push_back(value.key);
     const Given given(values);
     check_picture(to, given);
     check_view(to, given);
@@ -163,7 +165,7 @@ void read_render_keys(std::span<const WorldValue> values, PictureRequest& to) {
 
 namespace {
 
-/// Without name, direction (words round it) and the numbers that lights of its type and units do not have.
+/// A light without name, direction (rounded by words) and numbers unused by its type and units.
 Light comparable(Light light) {
     const Light plain{.type = light.type, .units = light.units, .node = light.node};
     light.name.clear();
@@ -185,7 +187,7 @@ Light comparable(Light light) {
     return light;
 }
 
-/// What no key has is left out of a comparison: files and what words round.
+/// Removes fields without a key, and rounding of words, from a comparison.
 PictureRequest comparable(PictureRequest r) {
     r.input.clear(), r.output.clear(), r.load = {};
     for (vec4* const color : {&r.settings.background, &r.settings.line_color})
@@ -201,7 +203,7 @@ PictureRequest comparable(PictureRequest r) {
 void check_written(const std::vector<WorldValue>& values, const PictureRequest& of) {
     PictureRequest back;
     read_render_keys(values, back);
-    back.named = of.named;
+    back.given_keys = of.given_keys;
     if (!(comparable(back) == comparable(of)))
         throw Error(ErrorCode::usage, "the request asks for something that no key of [render] says");
 }

@@ -17,14 +17,14 @@ bool has(std::span<const WorldValue> values, std::string_view key) {
     return std::ranges::find(values, key, &WorldValue::key) != values.end();
 }
 
-/// A setting that is given takes the place of one of the file: the same, another that says where the camera stands, or a preset.
+/// Whether a given setting overrides one of the file: the same key, another camera placement, or a preset.
 bool is_overridden(std::span<const WorldValue> given, std::string_view key) {
-    if (is_of_preset(key) && asks_for_preset(given)) return true;
+    if (is_preset_key(key) && sets_preset(given)) return true;
     if (!places_camera(key)) return has(given, key);
     return std::ranges::any_of(given, [](const WorldValue& value) { return places_camera(value.key); });
 }
 
-/// Names of files count from the world's folder.
+/// File names are relative to the world's folder.
 void resolve(WorldValue& value, const std::string& world, bool allow_outside) {
     for (std::string& word : value.words) {
         std::string file = resolve_in_world(world, word, allow_outside);
@@ -40,14 +40,14 @@ const RenderKey& known(const WorldValue& value) {
     throw Error(ErrorCode::bad_file, "'material' is no key of [render]", {}, "[[material]] changes materials");
 }
 
-/// In a file flags are no words.
+/// Flags in files must be booleans, not words.
 void check_flag(const WorldValue& value, const RenderKey& key) {
-    const bool is_flag = key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::switched;
+    const bool is_flag = key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::on_off;
     if (is_flag && value.words != std::vector<std::string>{"on"} && value.words != std::vector<std::string>{"off"})
         throw Error(ErrorCode::bad_file, "'" + value.key + "' must be true or false");
 }
 
-/// Sorts the file's settings into those that are taken and those that others override.
+/// Separates the file's settings into applied and overridden ones.
 class Taking {
 public:
     Taking(const std::string& path, const RenderOverrides& overrides, bool allow_outside)
@@ -55,7 +55,7 @@ public:
 
     void take(WorldValue value) {
         try {
-            const bool is_wanted = !overrides_.takes || overrides_.takes(value.key);
+            const bool is_wanted = !overrides_.accepts || overrides_.accepts(value.key);
             const RenderKey& key = known(value);
             if (is_overridden(overrides_.values, value.key)) return overridden.push_back(value.key);
             if (!is_wanted) return;
@@ -77,21 +77,21 @@ private:
     bool allow_outside_;
 };
 
-/// The settings that an error is about: the first word of the one, then the others.
+/// The settings of an error: the first word of the main one, then the related ones.
 std::vector<std::string> settings_of(const Error& error) {
     std::vector<std::string> all = error.related();
     if (!error.setting().empty()) all.insert(all.begin(), error.setting().substr(0, error.setting().find(' ')));
     return all;
 }
 
-/// A setting that is given and one of the file that exclude each other: names both.
+/// The error for a given setting that conflicts with one of the file: names both.
 std::optional<Error> disagreement(const Error& error, const WorldRequest& world, std::span<const WorldValue> given) {
     std::string of_caller, of_world;
     for (const std::string& setting : settings_of(error)) {
-        const auto value = std::ranges::find(world.taken, setting, &WorldValue::key);
+        const auto value = std::ranges::find(world.applied, setting, &WorldValue::key);
         if (has(given, setting))
             of_caller = "'" + setting + "' is given";
-        else if (value != world.taken.end())
+        else if (value != world.applied.end())
             of_world = "'" + setting + "' is of " + one_line(world.picture.input, 80) + ", " + to_text(value->place);
     }
     if (of_caller.empty() || of_world.empty()) return {};
@@ -107,12 +107,12 @@ bool names_files(const WorldValue& value) {
            (value.key == "lighting" && !value.words.empty() && is_lighting_file(value.words[0]));
 }
 
-bool asks_for_preset(std::span<const WorldValue> settings) {
+bool sets_preset(std::span<const WorldValue> settings) {
     const auto preset = std::ranges::find(settings, "preset", &WorldValue::key);
     return preset != settings.end() && !preset->words.empty() && !same_word(preset->words[0], "none");
 }
 
-bool shades_the_whole(std::span<const WorldValue> settings) {
+bool sets_shading(std::span<const WorldValue> settings) {
     const auto shading = std::ranges::find(settings, "shading", &WorldValue::key);
     return shading != settings.end() && std::ranges::any_of(shading->words, [](const std::string& word) {
                return !word.starts_with("material:") && !word.starts_with("object:");
@@ -121,7 +121,8 @@ bool shades_the_whole(std::span<const WorldValue> settings) {
 
 Error at_world_value(const Error& error, const WorldRequest& world) {
     for (const std::string& setting : settings_of(error))
-        if (const auto value = std::ranges::find(world.taken, setting, &WorldValue::key); value != world.taken.end())
+        if (const auto value = std::ranges::find(world.applied, setting, &WorldValue::key);
+            value != world.applied.end())
             return error.as(ErrorCode::bad_file).at(to_text(value->place)).with_file(world.picture.input);
     return error;
 }
@@ -135,8 +136,8 @@ WorldRequest request_of(std::vector<WorldValue> render, const std::string& path,
     WorldRequest world;
     world.picture.input = path;
     world.picture.load = options;
-    world.taken = std::move(taking.taken);
-    std::vector<WorldValue> all = world.taken;
+    world.applied = std::move(taking.taken);
+    std::vector<WorldValue> all = world.applied;
     all.insert(all.end(), overrides.values.begin(), overrides.values.end());
     try {
         read_render_keys(all, world.picture);
@@ -144,7 +145,7 @@ WorldRequest request_of(std::vector<WorldValue> render, const std::string& path,
         if (const auto both = disagreement(error, world, overrides.values)) throw Error(*both);
         throw at_world_value(error, world);
     }
-    world.picture.settings.own_shading = !shades_the_whole(overrides.values);
+    world.picture.settings.material_shading = !sets_shading(overrides.values);
     std::vector<std::string>& overridden = world.picture.load.overridden;
     overridden.insert(overridden.end(), taking.overridden.begin(), taking.overridden.end());
     return world;

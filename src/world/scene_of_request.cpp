@@ -11,15 +11,15 @@ namespace rakelight {
 
 Scene scene_of_request(const PictureRequest& request, Context& context) {
     check_settings(request.settings);
-    return as_asked(moved_as_asked(load(request.input, request.load, context), request), request, context);
+    return as_requested(with_requested_clips(load(request.input, request.load, context), request), request, context);
 }
 
-Scene moved_as_asked(Scene scene, const PictureRequest& request) {
+Scene with_requested_clips(Scene scene, const PictureRequest& request) {
     const std::vector<ClipTime> clips = clips_of(scene, request.motion);
     return scene_at(std::move(scene), clips);
 }
 
-Scene as_asked(Scene scene, const PictureRequest& request, Context& context) {
+Scene as_requested(Scene scene, const PictureRequest& request, Context& context) {
     if (!(request.materials == MaterialOverrides{}))
         scene = valid::override_materials(std::move(scene), request.materials, context);
     if (request.coloring.is_on)

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/format_text.h"
+
 namespace rakelight::values {
 namespace {
 
@@ -49,7 +51,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 }
 
 std::vector<double> numbers(const std::string& option, std::string_view text, std::size_t count) {
-    const std::string expected = count == 1 ? "a number" : std::to_string(count) + " numbers separated by commas";
+    const std::string expected = count == 1 ? "a number" : format_text("{} numbers separated by commas", count);
     const std::vector<std::string_view> parts = split(text, ',');
     if (parts.size() != count) refuse(option, text, expected);
     std::vector<double> values(count);
@@ -73,7 +75,7 @@ double number(const std::string& option, std::string_view text, double low, doub
     throw wrong(option, limits);
 }
 
-bool switched(const std::string& option, std::string_view text) {
+bool on_off(const std::string& option, std::string_view text) {
     for (const char* const word : {"on", "true", "1"})
         if (same_word(text, word)) return true;
     for (const char* const word : {"off", "false", "0"})
@@ -89,7 +91,7 @@ dvec3 vector3(const std::string& option, std::string_view text) {
 int integer(const std::string& option, std::string_view text, int low, int high) {
     int value = 0;
     if (!parse(text, value) || value < low || value > high)
-        refuse(option, text, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+        refuse(option, text, format_text("a whole number from {} to {}", low, high));
     return value;
 }
 
@@ -97,7 +99,7 @@ std::vector<int> integers(const std::string& option, std::string_view text, std:
     const char separator = count == 2 && text.find(',') == std::string_view::npos ? 'x' : ',';
     const std::vector<std::string_view> parts = split(text, separator);
     const std::string expected =
-        std::to_string(count) + " whole numbers separated by " + (count == 2 ? "a comma or x" : "commas");
+        format_text("{} whole numbers separated by {}", count, count == 2 ? "a comma or x" : "commas");
     if (parts.size() != count) refuse(option, text, expected);
     std::vector<int> values(count);
     for (std::size_t i = 0; i < count; ++i)

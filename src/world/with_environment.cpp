@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The environment of a picture's scene.
+// Applies the environment of a request.
 #include <rakelight/linear.h>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_io.h"
 #include "world/scene_of_request.h"
@@ -9,19 +10,20 @@
 namespace rakelight {
 namespace {
 
-/// Of the built-in studio, so that a white surface that faces it and its key light (studio_lights()) is not above 1.
+/// Intensity of the built-in studio, so that a white surface lit by it and its key light (studio_lights()) does not
+/// exceed 1.
 constexpr double beside_key = 0.75;
 
-/// Decoded once, so that what the caller asked for is not left out silently; the engine decodes it again.
+/// Decoded once as a check, so that it is not ignored silently; the engine decodes it again.
 ImageHandle environment_file(const std::string& path, Context& context) {
     try {
         const io::Bytes bytes = io::read_file(path, context);
         const Pixels pixels = io::decode_image(*bytes, context);
         if (pixels.width != 2 * pixels.height)
-            context.report().add(Remark::warning, path, {},
-                                 "the environment is " + std::to_string(pixels.width) + " x " +
-                                     std::to_string(pixels.height) +
-                                     " pixels: equirectangular pictures are twice as wide as high");
+            context.report().add(
+                Remark::warning, path, {},
+                format_text("the environment is {} x {} pixels: equirectangular pictures are twice as wide as high",
+                            pixels.width, pixels.height));
     } catch (const Error& error) {
         throw error.with_file(path);
     }

@@ -12,7 +12,7 @@ namespace {
 
 using Between = WorldTrack::Between;
 
-/// One of the numbers of a track, over its keys.
+/// One component of a track over its keys.
 struct Curve {
     const WorldTrack& track;
     std::size_t width, number;
@@ -22,12 +22,12 @@ struct Curve {
     double seconds(std::size_t k) const { return double(track.times[k + 1]) - track.times[k]; }
     double slope(std::size_t k) const { return (value(k + 1) - value(k)) / seconds(k); }
 
-    /// Of the parabola through the keys before, at and behind k.
+    /// Slope of the parabola through the keys k - 1, k and k + 1.
     double middle_tangent(std::size_t k) const {
         const double before = seconds(k - 1), behind = seconds(k);
         return (behind * slope(k - 1) + before * slope(k)) / (before + behind);
     }
-    /// @pre three keys at least
+    /// @pre at least three keys
     double tangent(std::size_t k) const {
         const std::size_t last = track.times.size() - 1;
         if (k == 0) return 2 * slope(0) - middle_tangent(1);
@@ -68,7 +68,7 @@ AnimationChannel channel_of(const WorldTrack& track, std::size_t width) {
 
 Animation world_clip(const WorldFile& world) {
     Animation clip;
-    clip.name = world_clip_name, clip.goes_with_all = true;
+    clip.name = world_clip_name, clip.plays_always = true;
     for (const WorldTrack& track : world.tracks) {
         const std::size_t count = track.path == AnimationPath::camera ? world.cameras.size() : world.lights.size();
         const AnimatedProperty* const property = animated_property(track.path, track.property);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// [[material]] of world files: changes to the models' materials, and materials of the world's own.
+// [[material]] of world files: changes to the models' materials, and new materials.
 #include <algorithm>
 #include <charconv>
 #include <map>
@@ -34,15 +34,15 @@ public:
         change_material(m, by.values, [this](const WorldValue& value) { return picture(value); });
     }
 
-    /// Says what is wrong with the pictures of a [[material]] that nothing has.
+    /// Checks the pictures of an unused [[material]].
     void check(const WorldMaterial& unused) {
         for (const WorldValue& value : unused.values)
             if (find_material_key(value.key)->key.kind == Kind::file) checked(value);
     }
 
 private:
-    /// The texture of a file, made once: but once more as a normal and as a height map, so that what is said of those
-    /// has the place where they are named as such.
+    /// The texture of a file, created once, but separately for normal and height maps, so that remarks on them have the
+    /// right place.
     TextureUse picture(const WorldValue& value) {
         const std::string& name = value.words[0];
         const bool is_looked_at = value.key == "normal_texture" || value.key == "height_texture";
@@ -67,7 +67,7 @@ private:
     std::map<std::pair<std::string, std::string>, std::uint32_t> textures_;  ///< file and, of some, key
 };
 
-/// A material of the world's own before its values: white, of no metal.
+/// The initial material of the world: white, not metallic.
 Material new_material(const WorldMaterial& from) {
     Material m;
     m.name = from.name;
@@ -78,7 +78,7 @@ Material new_material(const WorldMaterial& from) {
     return m;
 }
 
-/// Material colors are linear and reflect at most all light; numbers like 255 are meant for a display.
+/// Material colors are linear and at most 1; numbers like 255 are display values.
 void warn_of_display_colors(const WorldMaterial& from, const std::string& path, Report& report) {
     for (const WorldValue& value : from.values) {
         const bool is_color = find_material_key(value.key)->key.kind == Kind::color && value.key != "emission";
@@ -88,13 +88,13 @@ void warn_of_display_colors(const WorldMaterial& from, const std::string& path, 
     }
 }
 
-/// A [[material]] and the materials of the scene that it acted on.
+/// A [[material]] and the materials it changed.
 struct Changed {
     const WorldMaterial* by;
     std::vector<std::uint32_t> materials;
 };
 
-/// A picture shows nothing where what it multiplies is 0, as it is unless said: there or in another [[material]].
+/// A texture has no effect if its factor is 0, which is the default unless [[material]] sets it.
 /// @param scene  after all of them
 void warn_of_idle_pictures(const Scene& scene, const Changed& changed, const std::string& path, Report& report) {
     if (changed.materials.empty()) return;
@@ -112,7 +112,7 @@ void warn_of_idle_pictures(const Scene& scene, const Changed& changed, const std
         }
 }
 
-/// @param covered  a part that has such materials under one of the world's own; null: none
+/// @param covered a part whose such materials are replaced by one of the world; null: none
 std::string why_unused(const WorldMaterial& from, const LoadedPart* covered, const Scene& scene) {
     const std::string name = one_line(from.name, 40);
     if (covered)
@@ -160,7 +160,7 @@ std::string checked_picture(const std::string& path, const std::string& name, Wo
 
 namespace {
 
-/// Changes the materials of the models that a [[material]] names, and makes the world's own.
+/// Changes the materials of models named in [[material]], and creates the world's materials.
 void apply_to_models(Scene& scene, const WorldFile& world, const std::vector<LoadedPart>& parts, MaterialWork& work,
                      std::vector<Changed>& all_changed, const std::string& path, Report& report) {
     std::map<std::string, std::uint32_t> own;
@@ -199,7 +199,7 @@ void apply_to_models(Scene& scene, const WorldFile& world, const std::vector<Loa
             for (std::uint32_t i = part.first_mesh; i < part.end_mesh; ++i) scene.meshes[i].material = material->second;
 }
 
-/// The nodes that a [[material]] calls its object, by name or by number in their part.
+/// The nodes of a [[material]]'s object, by name or by index in their part.
 std::vector<std::uint32_t> objects_of(const Scene& scene, const WorldMaterial& from,
                                       const std::vector<LoadedPart>& parts) {
     const std::string& wanted = from.object;
@@ -209,7 +209,7 @@ std::vector<std::uint32_t> objects_of(const Scene& scene, const WorldMaterial& f
     std::vector<std::uint32_t> nodes;
     for (const LoadedPart& part : parts) {
         if (!from.model.empty() && from.model != part.name) continue;
-        const std::uint32_t first = part.first_node + 1;  // behind the one that places the part
+        const std::uint32_t first = part.first_node + 1;  // after the node that places the part
         for (std::uint32_t n = first; n < part.end_node; ++n)
             if (!scene.nodes[n].meshes.empty() && (is_number ? n - first == number : scene.nodes[n].name == wanted))
                 nodes.push_back(n);
@@ -227,7 +227,7 @@ std::string why_unused(const WorldMaterial& from, const Scene& scene, const std:
     return "no model has an object " + object + (near.empty() ? "" : "; did you mean '" + one_line(near, 40) + "'?");
 }
 
-/// Changes materials of single objects, which get materials of their own.
+/// Changes materials of single objects, which get their own copies.
 void apply_to_objects(Scene& scene, const WorldFile& world, const std::vector<LoadedPart>& parts, MaterialWork& work,
                       std::vector<Changed>& all_changed, const std::string& path, Context& context) {
     OwnMaterials own(scene, context);

@@ -14,7 +14,7 @@ namespace {
 
 using io::world::MovingKey;
 
-/// A track and the key that says it.
+/// A track and its key.
 struct KeyedTrack {
     const WorldTrack* track;
     const MovingKey* key;
@@ -31,7 +31,7 @@ const MovingKey& key_of(const WorldFile& world, const WorldTrack& track) {
     throw Error(ErrorCode::usage, "no key of a world file moves '" + one_line(track.property, 40) + "'");
 }
 
-/// Lights may have become of another type than their tracks were read for.
+/// Lights may have another type than when their tracks were read.
 bool is_had(const WorldFile& world, const WorldTrack& track, const MovingKey& key) {
     if (track.path == AnimationPath::camera) return true;
     return std::ranges::any_of(io::world::keys_of(world.lights[track.element]),

@@ -6,9 +6,9 @@
 
 namespace rakelight {
 
-/// `keys` and `interpolation` of a camera or light of a world, as lines of its section; empty: it does not move.
-/// What a light of its type has no key for is left out.
-/// @throws Error usage: a track that no key says
+/// The lines `keys` and `interpolation` of a camera or light in a world file; empty: not animated. Properties without a
+/// key are skipped.
+/// @throws Error usage: a track without a key
 std::string text_of_tracks(const WorldFile& world, AnimationPath path, std::size_t element);
 
 }  // namespace rakelight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way back: what a world says as the text of a world file.
+// Writes a world as the text of a world file.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -189,7 +189,7 @@ void write_camera(Writer& to, const Camera& camera) {
     to.put("far", text_of(camera.z_far));
 }
 
-/// A number where the word is one as it would be written, else a text.
+/// A number if the word is its canonical form, else a string.
 std::string bare_or_quoted(const std::string& word) {
     double number = 0;
     const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
@@ -242,7 +242,7 @@ void write_render(Writer& to, const std::vector<WorldValue>& values) {
     to.section("[render]");
     for (const WorldValue& value : values) {
         const RenderKey* const key = find_render_key(value.key);
-        const bool is_flag = key && (key->kind == RenderKey::Kind::flag || key->kind == RenderKey::Kind::switched);
+        const bool is_flag = key && (key->kind == RenderKey::Kind::flag || key->kind == RenderKey::Kind::on_off);
         std::vector<std::string> items;
         for (const std::string& word : value.words)
             items.push_back(is_flag && (word == "on" || word == "off") ? flag(word == "on") : bare_or_quoted(word));
@@ -265,7 +265,7 @@ void check(const WorldTrack& track) {
                     "the track of '" + one_line(track.property, 40) + "' has no keys in ascending order");
 }
 
-/// What the sections below cannot say.
+/// Checks for data that the sections below cannot express.
 void check(const WorldFile& world) {
     const auto check_shading = [](const auto& part) {
         if (part.shading && !exists(*part.shading, Shading::automatic))
@@ -285,7 +285,7 @@ void check(const WorldFile& world) {
     if (std::ranges::find(world.render, "material", &WorldValue::key) != world.render.end())
         throw Error(ErrorCode::usage, "'material' is no key of [render]", {}, "WorldFile::materials says it");
     std::vector<WorldValue> render = world.render;
-    std::erase_if(render, [](const WorldValue& value) {  // read from the folder of the world that is to be
+    std::erase_if(render, [](const WorldValue& value) {  // relative to the folder of the new world file
         return value.key == "lighting" && names_files(value);
     });
     PictureRequest ignored;
@@ -312,7 +312,7 @@ std::string to_toml(const WorldFile& world) {
     if (world.environment) write_environment(to, *world.environment);
     write_render(to, world.render);
     std::string text = to.take();
-    parse_world(text);  // what a file would be refused for
+    parse_world(text);  // checks that reading the file would fail on
     return text;
 }
 

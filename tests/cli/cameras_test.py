@@ -38,15 +38,15 @@ class Cameras(program.Case):
             self.assertAlmostEqual(self.covered(result), outline * whole, delta=0.12 * whole)
         self.assertLess(self.covered(self.render(*view, "--near", "3.9", "--cull", "none")), 0.3 * whole)
         for words, message in ((("--near", "0"), "--near: must be more than 0"), (("--far=-1",), "--far: must be more than 0"), (("--near", "x"), "--near"),
-                               (("--near", "2", "--far", "2"), "--near: must be less than --far"), (("--near", "50"), "near, 50 m, is not less than the far"),
-                               (("--far", "1"), "far, 1 m, is not more than the near")):
+                               (("--near", "2", "--far", "2"), "--near: must be less than --far"), (("--near", "50"), "near, 50 m, is not less than this camera's far"),
+                               (("--far", "1"), "far, 1 m, is not more than this camera's near")):
             (self.folder / "a.png").unlink(missing_ok=True)
             self.check_no_picture(self.render(*view, *words), message)
 
     def test_a_camera_too_far_for_its_far_plane_is_replaced_and_the_plane_is_named(self):
         self.write("w.scene.toml", '[[primitive]]\ntype = "sphere"\n[[camera]]\nposition = [0, 0, 4301]\n')
         result = self.render("w.scene.toml")
-        self.assertIn("all of it is 4300 m away or more, and far is 1000 m; the default view is used instead", result.out)
+        self.assertIn("all of it is 4300 m away or more, but the far plane is at 1000 m; the default view is used instead", result.out)
         result = self.render("w.scene.toml", "--far", "5000")
         self.assertEqual((result.code, "default view" in result.out), (0, False))
 

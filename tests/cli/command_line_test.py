@@ -280,8 +280,8 @@ class CommandLine(program.Case):
         self.assertEqual((png(self.folder / "a.png")[:2], self.corner()), ((10, 8), (0, 0, 255)))
         self.fine("inspect", "a.obj", "--config", "looks/look.toml")
         for text, place, word in (("[render]\nsamples = 3\n", "line 2, column 1", "samples"), ("[render]\nsample = 4\n", "line 2", "did you mean 'samples'?"),
-                                  ("[render]\nthreads = 4\n", "line 2", "command line alone"), ("[render\n", "line 1", ""),
-                                  ("[[model]]\nfile = 'a.obj'\n", "", "[render] alone")):
+                                  ("[render]\nthreads = 4\n", "line 2", "of the command line only"), ("[render\n", "line 1", ""),
+                                  ("[[model]]\nfile = 'a.obj'\n", "", "only [render]")):
             self.write("bad.toml", text)
             self.check_refused(self.run_program("render", "a.obj", "-o", "b.png", "--config", "bad.toml"), 4, "bad.toml", place, word)
         self.check_refused(self.run_program("render", "a.obj", "-o", "b.png", "--config", "gone.toml"), 3, "gone.toml")
@@ -379,11 +379,11 @@ class CommandLine(program.Case):
         self.check_refused(self.run_program("check", "model/a.gltf"), 4, "model/a.gltf", "'../a.bin' leaves the model's folder", "--allow-outside")
         triangle["buffers"][0]["uri"] = "C:\\work\\a.bin"
         self.write("model/a.gltf", json.dumps(triangle))
-        self.check_refused(self.run_program("check", "model/a.gltf"), 4, "'C:\\work\\a.bin' is a path of another machine", "put 'a.bin' beside the model")
+        self.check_refused(self.run_program("check", "model/a.gltf"), 4, "'C:\\work\\a.bin' is a path on another machine", "put 'a.bin' beside the model")
         for words in (("check", "C:\\models\\a.glb"), ("C:\\models\\a.glb", "-o", "a.png"), ("render", "a/b.obj", "C:/models/a.glb", "-o", "{n}.png")):
             result = self.run_program(*words)
             self.assertEqual(result.code, 3)
-            self.assertRegex(result.err, r"C:.models.a\.glb: is a path of another machine; say where 'a\.glb' lies on this one\n")
+            self.assertRegex(result.err, r"C:.models.a\.glb: is a path on another machine; give the path of 'a\.glb' on this one\n")
 
     # --- the manual ---
 

@@ -211,7 +211,7 @@ class Explain(program.Case):
         self.assertEqual(found, {(0, 0): [1, 0, 0, 1], (1, 0): [0, 1, 0, 1], (0, 1): [0, 0, 1, 1], (1, 1): [1, 1, 1, 1]})
         self.assertEqual({t["level"] for t in texels}, {0})
         text = self.run_program("explain", "texel.obj", "--pixel", "48,32", "--resolution", "96,64", "--view", "front").out
-        self.assertIn("Texels that they came from", text)
+        self.assertIn("Source texels", text)
 
     def test_every_instruction_set_says_the_same(self):
         rows = []

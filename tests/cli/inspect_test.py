@@ -305,7 +305,7 @@ class Inspect(program.Case):
         self.assertEqual(text.count('src="data:image/png;base64,'), 4)  # of two models two each
         self.assertNotRegex(text, r'(src|href)="(?!data:|#)')
         self.assertNotIn("<script", text)
-        for word in ("max-seam: seam of ", "The largest seam, ", "borders (degrees)", "surfaces", "cannot be read", "All limits are kept", "fails 1 limit"):
+        for word in ("max-seam: seam of ", "The largest seam, ", "borders (degrees)", "surfaces", "cannot be read", "No limit is exceeded", "fails 1 limit"):
             self.assertIn(word, text)
 
     def test_junit_has_a_case_for_each_limit_and_model(self):

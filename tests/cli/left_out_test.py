@@ -53,7 +53,7 @@ class LeftOut(program.Case):
 
     def test_draco(self):
         self.write("packed.gltf", packed_model("KHR_draco_mesh_compression"))
-        self.check("draco", "-DRAKELIGHT_DRACO=ON", ["packed.gltf", "-o", "a.png", *SMALL], "is no Draco mesh")
+        self.check("draco", "-DRAKELIGHT_DRACO=ON", ["packed.gltf", "-o", "a.png", *SMALL], "is not a Draco mesh")
 
     def test_meshopt(self):
         self.write("packed.gltf", packed_model("EXT_meshopt_compression"))

@@ -69,7 +69,7 @@ class Looks(program.Case):
         self.assertEqual(picture, self.render(far, "--background", "#000000", "--view", "file")[0])
         near = self.model(camera=[0.5, 0.5, 0.4])
         picture, notes = self.render(near, "--background", "#000000")
-        self.assertIn("the fitted view is used; 'view' file takes the file's camera", notes)
+        self.assertIn("the fitted view is used; 'view' file uses the file's camera", notes)
         self.assertEqual(picture, self.render(near, "--background", "#000000", "--view", "default")[0])
         self.check_refused(self.run_program("render", self.model(), "-o", "b.png", "--view", "file"), 2, "the file has no camera")
 

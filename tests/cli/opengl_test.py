@@ -53,7 +53,7 @@ class OpenGl(program.Case):
     def test_what_the_engine_cannot_do_is_refused_before_anything_is_drawn(self):
         self.require_opengl()
         (self.folder / "a.png").unlink()
-        self.check_refused(self.draw("--visibility", "painter"), 2, "engine gl cannot remove hidden surfaces")
+        self.check_refused(self.draw("--visibility", "painter"), 2, "engine gl cannot use another method of hidden-surface removal")
         self.assertEqual(self.files(), ["a.obj"])
 
     def with_library(self, text):
@@ -83,7 +83,7 @@ class OpenGl(program.Case):
         folder = self.with_library(None)
         result = self.draw("--verbose", engine="auto", LD_LIBRARY_PATH=folder)
         self.assertEqual(result.code, 0, result.err)
-        self.assertIn("engine auto: it takes engine soft: there is no libEGL", result.err)
+        self.assertIn("engine auto: it uses engine soft: libEGL is missing", result.err)
         self.assertEqual(self.draw(engine="soft", LD_LIBRARY_PATH=folder).code, 0)
 
 

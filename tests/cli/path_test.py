@@ -102,7 +102,7 @@ class Paths(program.Case):
         run = self.run_program("render", "w.scene.toml", "-o", "out.png", *SIZE, "--denoise")
         self.assertEqual((run.code, run.err), (0, ""))
         run = self.run_program("render", "w.scene.toml", "-o", "out.png", *SIZE, "--visibility", "painter")
-        self.check_refused(run, 2, "hidden surfaces")
+        self.check_refused(run, 2, "hidden-surface removal")
 
     def test_a_progress_line_says_how_long_it_takes(self):
         parent, child = pty.openpty()

@@ -81,7 +81,7 @@ class References(program.Case):
 
     def test_a_missing_reference_says_how_to_make_it(self):
         result = self.render("--ref", "none.png")
-        self.check_refused(result, 3, "none.png: there is no such reference; look at 'a.png', and where it is right copy it to 'none.png'")
+        self.check_refused(result, 3, "none.png: there is no such reference; look at 'a.png', and if it is right, copy it to 'none.png'")
         self.assertIn("a.png", self.files())
 
     def test_sizes_that_differ_are_said(self):

@@ -48,10 +48,10 @@ class Samples(program.Case):
         for n in ("0", "2", "3", "16", "-4", "4.0", "many", ""):
             self.check_refused(self.run_program("render", "builtin:teapot", "-o", "out.png", f"--samples={n}"), 2, "--samples")
         run = self.run_program("render", "builtin:teapot", "-o", "out.png", "--samples", "16")  # not: did you mean '1'?
-        self.check_refused(run, 2, "--samples: the samples of a pixel must be 1, 4 or 8 but for the method path\n")
+        self.check_refused(run, 2, "--samples: the samples of a pixel must be 1, 4 or 8, except for the method path\n")
         self.write("w.scene.toml", "[[model]]\nfile = 'builtin:teapot'\n[render]\nsamples = 3\n")
         run = self.run_program("render", "w.scene.toml", "-o", "out.png")
-        self.check_refused(run, 4, "w.scene.toml: line 4, column 1: samples: the samples of a pixel must be 1, 4 or 8 but for the method path\n")
+        self.check_refused(run, 4, "w.scene.toml: line 4, column 1: samples: the samples of a pixel must be 1, 4 or 8, except for the method path\n")
         (self.folder / "w.scene.toml").unlink()
         run = self.run_program("render", "builtin:teapot", "-o", "out.png", "--samples", "4", "--visibility", "painter")
         self.check_refused(run, 2, "--samples: 4 samples need --visibility", "z-reversed")

@@ -102,7 +102,7 @@ class Smooth(program.Case):
             done = self.run_program("smooth", "parts.obj", *more)
             self.assertEqual(done.returncode, 2, more)
             self.assertEqual(len(done.stderr.splitlines()), 1, more)
-        self.assertIn("STL has no place for the normals of vertices", self.run_program("smooth", "parts.obj", "-o", "x.stl").stderr)
+        self.assertIn("STL cannot store vertex normals", self.run_program("smooth", "parts.obj", "-o", "x.stl").stderr)
         self.assertEqual(os.listdir(self.dir), ["parts.obj"])
 
     def test_an_output_that_cannot_be_written_leaves_nothing(self):

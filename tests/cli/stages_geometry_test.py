@@ -18,7 +18,7 @@ class Geometry(Case):
         self.assertIn('<section id="displacement">', (self.out / "index.html").read_text())
         numbers = self.table("displacement")["numbers"]
         self.assertEqual(numbers["triangles after"], self.table("culled")["numbers"]["triangles in"])
-        self.assertGreater(numbers["triangles after"], 4 * numbers["triangles before, of what is displaced"])
+        self.assertGreater(numbers["triangles after"], 4 * numbers["triangles before, of displaced meshes"])
         self.assertEqual(numbers["highest, from the base [m]"], 0)
         base = self.folder / "base.png"
         run = self.run_program("render", "builtin:sphere", "-o", base, "--resolution", SIZE, "--bump", "none")
@@ -122,7 +122,7 @@ class Geometry(Case):
             self.assertAlmostEqual(zero_one, (distance - near) / (far - near), 12)
             self.assertAlmostEqual(minus_one, 2 * zero_one - 1, 12)
             self.assertAlmostEqual(key, 1 - zero_one, 12)
-        self.assertIn("nothing can wrap round", self.table("wrap-round")["text"])
+        self.assertIn("nothing can wrap around", self.table("wrap-round")["text"])
 
     def test_each_plane_cuts_what_passes_it(self):
         # Seen from (0, 0, 0) along -z with 90 degrees: behind the eye, through the left, through the right and top plane, inside.
@@ -143,7 +143,7 @@ class Geometry(Case):
         (self.folder / "a.obj").write_text("v -1 -1 -5\nv 1 -1 -5\nv 0 -1 5\nf 1 2 3\n")
         self.stages("--camera-position", "0,0,0", "--camera-focal-point", "0,0,-3", model="a.obj")
         table = self.table("wrap-round")
-        self.assertEqual(table["numbers"], {"triangles": 1, "through the eye's plane": 1, "wholly behind the eye": 0})
+        self.assertEqual(table["numbers"], {"triangles": 1, "through the eye's plane": 1, "entirely behind the eye": 0})
         wrong, right = (png(self.out / name)[3] for name in ("wrap-round.png", "wrap-round-clipped.png"))
         ground = wrong[0][:3]
 
@@ -165,7 +165,7 @@ class Geometry(Case):
         self.stages("--camera-position", "0,1,0", "--camera-focal-point", "0,0,-3", model="a.obj")
         table = self.table("clipped")
         self.assertEqual(table["numbers"]["triangles clipped"], 1)
-        self.assertEqual(table["numbers"]["passing, not wholly outside: near"], 1)
+        self.assertEqual(table["numbers"]["crossing, not entirely outside: near"], 1)
         self.assertEqual(table["rows"][0][2], 4)
         self.assertTrue(all(corner[2] > 0 for corner in table["rows"][0][3]))
 

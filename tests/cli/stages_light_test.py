@@ -48,7 +48,7 @@ class Light(Case):
             self.assertTrue((self.out / f"{picture}.png").is_file())
         clear = self.sum_of_terms_is_the_mean_of_the_picture()
         foggy = self.sum_of_terms_is_the_mean_of_the_picture("--fog", "exp:0.3:color=#ffffff")
-        share = self.table("lighting")["numbers"]["share that is seen through the fog, mean of opaque pixels"]
+        share = self.table("lighting")["numbers"]["fraction seen through the fog, mean of opaque pixels"]
         self.assertAlmostEqual(foggy["Fog"], 1 - share, 5)
         lit = [name for name in clear if clear[name] > 0]
         self.assertEqual(len(lit), 5)  # an ambient term, and two of each of two lights

@@ -56,7 +56,7 @@ class SurfaceOptions(program.Case):
         self.assertEqual(self.files(), ["a.obj"])
 
     def test_keys_of_materials_are_of_one_kind_and_given_once(self):
-        for words, message in ((("specular=1,1,1", "roughness=0.5"), "a material is one of them"), (("ior=2", "ior=3"), "given twice")):
+        for words, message in ((("specular=1,1,1", "roughness=0.5"), "a material must be one or the other"), (("ior=2", "ior=3"), "given twice")):
             keys = [part for word in words for part in ("--material", word)]
             self.check_refused(self.run_program(*self.render, *keys), 2, "--material: ", message)
         self.check_refused(self.run_program(*self.render, "--material", "clearcot=1"), 2, "unknown key 'clearcot'; did you mean 'clearcoat'?")
@@ -108,7 +108,7 @@ class SurfaceOptions(program.Case):
     def test_a_measurement_of_pictures_takes_the_options_of_surfaces_and_one_of_normals_does_not(self):
         small = ("bench", "render", "--triangles", "100", "--resolution", "16,16", "--frames", "1")
         self.assertEqual(self.run_program(*small, "--lighting", "lambert", "--bump", "none", "--shadows").code, 0)
-        self.check_refused(self.run_program("bench", "smooth", "--lighting", "pbr"), 2, "--lighting is not for bench smooth")
+        self.check_refused(self.run_program("bench", "smooth", "--lighting", "pbr"), 2, "--lighting does not apply to bench smooth")
 
 
 if __name__ == "__main__":

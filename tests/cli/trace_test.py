@@ -88,7 +88,7 @@ class Trace(program.Case):
     def test_rasterizers_say_what_they_do_not_show(self):
         run = self.run_program("render", "w.scene.toml", "-o", "a.png", *SIZE, "--engine", "soft", "--verbose")
         self.assertEqual(run.code, 0, run.err)
-        self.assertIn("light goes through 1 material:", run.err)
+        self.assertIn("light passes through 1 material:", run.err)
         self.assertIn("1 material mirrors:", run.err)
         self.check_refused(self.run_program("render", "w.scene.toml", "-o", "out.png", *SIZE, "--engine", "soft", "--method", "whitted"),
                            2, "engine soft cannot follow rays")

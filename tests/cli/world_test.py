@@ -42,7 +42,7 @@ BROKEN = [
     (WALL + "[render]\nresolution = 8\n", 4, 1, "line 4, column 1: resolution: "),
     (WALL + "[render]\nlighting = 'shiny'\n", 4, 1, "line 4, column 1: lighting: "),
     (WALL + "[render]\nedges = 'maybe'\n", 4, 1, "true or false"),
-    (WALL + "[render]\noutput = 'b.png'\n", 4, 1, "for the command line alone"),
+    (WALL + "[render]\noutput = 'b.png'\n", 4, 1, "an option of the command line only"),
     (WALL + "[render]\nheight-map = '../secret.png'\n", 4, 1, "secret.png"),
     (WALL + "[render]\nbump = 'paralax'\n", 4, 1, "did you mean 'parallax'?"),
     (WALL + "[render]\ncamera-index = 'frnt'\n[[camera]]\nname = 'front'\nposition = [0, 0, 9]\n", 4, 1, "did you mean 'front'?"),
@@ -296,8 +296,8 @@ class Worlds(program.Case):
             return json.loads(self.run_program("inspect", name + ".scene.toml", "--json", *options).out)["rows"][0]["seams"]["seam_deg"]
 
         for scope in ("model", "object"):
-            as_asked = picture("silent", "--normals", scope, "--crease-angle", "180")
-            self.assertEqual(picture(scope), as_asked, scope)
+            as_requested = picture("silent", "--normals", scope, "--crease-angle", "180")
+            self.assertEqual(picture(scope), as_requested, scope)
         self.assertNotEqual(picture("model"), picture("object"))
         self.assertLess(seam("model"), 1e-6)
         self.assertGreater(seam("object"), 60)

@@ -78,7 +78,7 @@ class Command(unittest.TestCase):
             done = self.run_tool("s1-large-face", "--out", folder)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             self.assertEqual(sorted(p.name for p in pathlib.Path(folder).iterdir()), ["numbers.json", "s1-large-face.png"])
-            self.assertIn("spot light, phong: middle less side", done.stdout)
+            self.assertIn("spot light, phong: middle minus side", done.stdout)
 
     def test_an_unknown_name_is_refused(self):
         done = self.run_tool("s9")
@@ -86,7 +86,7 @@ class Command(unittest.TestCase):
 
     def test_a_claim_that_fails_gives_exit_code_1(self):
         entry = reproduce.ENTRIES["s3-fig11"]
-        self.assertNotEqual(reproduce.faults(entry.name, {"objects": 5, "teapot with a map and --bump none beside no map [% of pixels]": 0}), [])
+        self.assertNotEqual(reproduce.faults(entry.name, {"objects": 5, "teapot with a map and --bump none vs. no map [% of pixels]": 0}), [])
 
 
 if __name__ == "__main__":

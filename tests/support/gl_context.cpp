@@ -110,7 +110,7 @@ GlContext::GlContext(std::unique_ptr<State> state) : state_(std::move(state)) {}
 GlContext::~GlContext() = default;
 
 std::unique_ptr<GlContext> GlContext::make(GlFlavour flavour, std::string& why) {
-    if (!epoxy_has_egl()) return why = "there is no libEGL", nullptr;  // any other call would end the process
+    if (!epoxy_has_egl()) return why = "libEGL is missing", nullptr;  // any other call would end the process
     auto state = std::make_unique<State>();
     state->flavour = flavour;
     state->display = find_display();

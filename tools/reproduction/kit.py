@@ -52,7 +52,7 @@ class Failure(Exception):
 
 
 class Kit:
-    """Runs of the program for one entry. `scale` makes its pictures smaller: 1 in the book, less in the tests."""
+    """Runs of the program for one entry. `scale` makes its pictures smaller: 1 for the page, less in the tests."""
 
     def __init__(self, program, folder, scale=1.0):
         self.program, self.folder, self.scale = pathlib.Path(program).resolve(), pathlib.Path(folder).resolve(), scale
@@ -152,6 +152,12 @@ def unit(a):
 def angle(a, b):
     """[degrees] between two directions."""
     return math.degrees(math.atan2(math.sqrt(dot(cross(a, b), cross(a, b))), dot(a, b)))
+
+
+def linear(code):
+    """Light of a code from 0 to 255 (IEC 61966-2-1)."""
+    value = code / 255
+    return value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
 
 
 def brightness(color):

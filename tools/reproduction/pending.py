@@ -16,7 +16,7 @@ SHEARED = bumps.SHEARED
 SQUARE = ("data/maps/wall.obj", *bumps.SHEARED[1:])
 ROUGH = ("builtin:sphere", "--color", "#c04030", "--roughness", "1", "--camera-position", "0,0,4.5", "--camera-focal-point", "0,0,0", "--camera-view-angle", "29",
          "--light", "directional:1,-0.3,-0.4")
-RAYS = ("s2-rays", "s3-fig1")
+RAYS = ("s1-sum", "s1-pbr", "s1-radiosity", "s2-rays", "s2-waves", "s3-fig1")
 
 
 def lacks(kit, name):
@@ -39,8 +39,8 @@ def measure_table(kit):
     bare = ("data/maps/wall.obj", "--camera-position", "1.2,0.4,3.1", "--camera-focal-point", "0,0,0", "--camera-view-angle", "36", *ONE)  # a classical material
     words = ("--shading", "gouraud", "--lighting", "blinn-phong", "--specular", "textbook", "--viewer-infinity", "--bump", "none", "--shadows", "off")
     eight, eleven = ((*TEAPOT, *lamps(n), *FIXED) for n in (8, 11))
-    return {"a classical material: preset beside its options one by one [1/255]": kit.rmse((*bare, *FIXED), (*bare, *words)),
-            "preset beside the programmable pipeline [1/255]": kit.rmse(fixed, FULL),
+    return {"a classical material: preset vs. its options one by one [1/255]": kit.rmse((*bare, *FIXED), (*bare, *words)),
+            "preset vs. the programmable pipeline [1/255]": kit.rmse(fixed, FULL),
             "evaluations, programmable over preset": kit.stats(FULL, *size)["lighting_evaluations"] / kit.stats(fixed, *size)["lighting_evaluations"],
             "a ninth to eleventh light: change with the preset [1/255]": kit.rmse(eight, eleven),
             "a normal map: change with the preset [1/255]": kit.rmse(fixed, (*(w for w in fixed if "normal" not in w),))}
@@ -66,8 +66,8 @@ def measure_slopes(kit):
     slope = a["depth_plane"]["slope"]
     return {"triangles": len(rows), "largest difference, all visible triangles [depth key]": numbers["largest difference, all visible triangles"],
             "largest change of the depth key by the steps": max(abs(row[7] - row[3]) for row in rows),
-            "floor, ten pixels on and six down: key less the slopes' [depth key]": b["depth_key"] - a["depth_key"] - 10 * slope[0] - 6 * slope[1],
-            "floor: change of the key on that way [depth key]": abs(b["depth_key"] - a["depth_key"])}
+            "floor, ten pixels on and six down: key minus that of the slopes [depth key]": b["depth_key"] - a["depth_key"] - 10 * slope[0] - 6 * slope[1],
+            "floor: change of the key on that path [depth key]": abs(b["depth_key"] - a["depth_key"])}
 
 
 def draw_slopes(kit, path):
@@ -78,7 +78,7 @@ def draw_slopes(kit, path):
 def measure_bitangents(kit):
     """Sheared texture coordinates: v is not across u, so the cross product is not its direction."""
     own = (*SHEARED, "--bitangents", "attribute")
-    return {"bitangents of their own beside the cross product [1/255]": kit.rmse(SHEARED, own, 208, 208), "pixels that differ [%]": kit.differing(SHEARED, own, 208, 208),
+    return {"bitangents of their own vs. the cross product [1/255]": kit.rmse(SHEARED, own, 208, 208), "pixels that differ [%]": kit.differing(SHEARED, own, 208, 208),
             "a square that is not sheared: pixels that differ [%]": kit.differing(SQUARE, (*SQUARE, "--bitangents", "attribute"), 208, 208)}
 
 
@@ -95,7 +95,7 @@ def measure_rough(kit):
         side = kit.explain((*ROUGH, "--lighting", model), [(0.42, 0.45)])[0]["color"]
         found[f"{model}, lit from the viewer: light at the rim over that of the middle"], color[model] = rim[0] / middle[0], side[0] / side[1]
     found["red over green, full over qualitative"] = color["oren-nayar-full"] / color["oren-nayar"]
-    found["full beside qualitative [1/255]"] = kit.rmse((*ROUGH, "--lighting", "oren-nayar"), (*ROUGH, "--lighting", "oren-nayar-full"))
+    found["full vs. qualitative [1/255]"] = kit.rmse((*ROUGH, "--lighting", "oren-nayar"), (*ROUGH, "--lighting", "oren-nayar-full"))
     return found
 
 
@@ -106,8 +106,8 @@ def draw_rough(kit, path):
 
 
 ENTRIES = (
-    Entry("s1-table1", "S1 table 1", "The fixed-function pipeline beside the programmable one", measure_table, draw_table, time_table),
+    Entry("s1-table1", "S1 table 1", "The fixed-function pipeline compared with the programmable one", measure_table, draw_table, time_table),
     Entry("s1-oren-nayar", "S1 section 2.1", "The model of Oren and Nayar is for rough matte surfaces", measure_rough, draw_rough),
-    Entry("s1-bitangents", "S1 section 5.2, S3", "The smoothed bitangent is an attribute of its own", measure_bitangents, draw_bitangents),
-    Entry("s2-slopes", "S2, incremental principle", "The slopes of a triangle's depth are used from pixel to pixel", measure_slopes, draw_slopes),
+    Entry("s1-bitangents", "S1 section 5.2, S3", "The smoothed bitangent is a separate attribute", measure_bitangents, draw_bitangents),
+    Entry("s2-slopes", "S2, incremental principle", "The slopes of a triangle's depth are reused from pixel to pixel", measure_slopes, draw_slopes),
 )

@@ -29,7 +29,7 @@ def measure_normals(kit):
     for name, scene in (("without the map", BARE), ("with the map", MAPPED)):
         picture = Picture(*read_rgb(kit.channel(scene, "normal", 180, 180)))
         pixels = picture.part(0.3, 0.3, 0.7, 0.7)
-        found[f"pixels whose normal leans, {name} [%]"] = 100 * sum(codes_apart(p, (127, 127, 255)) > 8 for p in pixels) / len(pixels)
+        found[f"pixels with a tilted normal, {name} [%]"] = 100 * sum(codes_apart(p, (127, 127, 255)) > 8 for p in pixels) / len(pixels)
     return found
 
 
@@ -49,7 +49,7 @@ def measure_wall(kit):
             if is_green != is_next_green:
                 (bricks if is_green else joints).append(next_y - y)
     blue = sum(picture.pixels[2::3]) / (picture.width * picture.height)
-    return {"mean blue of the map [1/255]": blue, "down from green to dark over down from dark to green": sum(bricks) / len(bricks) / (sum(joints) / len(joints)),
+    return {"mean blue of the map [1/255]": blue, "distance from green down to dark over dark down to green": sum(bricks) / len(bricks) / (sum(joints) / len(joints)),
             "difference with and without [1/255]": kit.rmse(BARE, MAPPED, 180, 180)}
 
 
@@ -81,7 +81,7 @@ def measure_tangents(kit):
         worst = max(worst, angle(along_u, a["tangent"]))
         bitangent = [a["handedness"] * x for x in cross(a["normal_interpolated"], a["tangent"])]
         ups.append(dot(bitangent, along_v) < 0)  # v is stored downwards
-    return {"places": len(ups), "largest angle of the tangent to U [degrees]": worst, "bitangents that go up in the texture [%]": 100 * sum(ups) / len(ups)}
+    return {"sampled pixels": len(ups), "largest angle of the tangent to U [degrees]": worst, "bitangents that go up in the texture [%]": 100 * sum(ups) / len(ups)}
 
 
 def draw_tangents(kit, path):
@@ -129,7 +129,7 @@ def draw_faces(kit, path):
 
 ENTRIES = (
     Entry("s1-fig4", "S1 fig. 4", "A normal map gives each pixel its own normal", measure_normals, draw_normals),
-    Entry("s1-fig5", "S1 fig. 5", "A flat wall of bricks gets depth by its map; the map is bluish, the bricks' tops are green", measure_wall, draw_wall),
-    Entry("s1-fig6-8", "S1 fig. 6, 7, 8", "Of all directions across the normal the tangent is the one in which U grows", measure_tangents, draw_tangents),
+    Entry("s1-fig5", "S1 fig. 5", "A flat wall of bricks looks deep with a normal map; the map is bluish, the top edges of bricks are green", measure_wall, draw_wall),
+    Entry("s1-fig6-8", "S1 fig. 6, 7, 8", "The tangent is the direction perpendicular to the normal in which U grows", measure_tangents, draw_tangents),
     Entry("s1-fig10", "S1 fig. 10", "A vertex normal that leans to one face changes the light over the faces", measure_faces, draw_faces),
 )

@@ -61,7 +61,7 @@ def measure_face(kit):
     for name, scene in (("spot light", SPOT), ("highlight", SHINE)):
         for shading in ("gouraud", "phong"):
             middle, side = kit.explain((*scene, "--shading", shading), [(0.5, 0.5), (0.3, 0.5)])
-            found[f"{name}, {shading}: middle less side [linear]"] = brightness(middle["color"]) - brightness(side["color"])
+            found[f"{name}, {shading}: middle minus side [linear]"] = brightness(middle["color"]) - brightness(side["color"])
     return found
 
 
@@ -79,7 +79,7 @@ def same_places(kit):
         names = [row["shows"]["object"] if row["shows"] else None for row in rows["mixed"]]
         of_part = [k for k, name in enumerate(names) if name and (name == part or part == "other parts" and name not in ("part0", "part2"))]
         for how in hows:
-            found[f"{part}: places as all {how} [%]"] = 100 * sum(rows["mixed"][k]["codes"] == rows[how][k]["codes"] for k in of_part) / len(of_part)
+            found[f"{part}: sampled pixels equal to all {how} [%]"] = 100 * sum(rows["mixed"][k]["codes"] == rows[how][k]["codes"] for k in of_part) / len(of_part)
     return found
 
 
@@ -101,8 +101,8 @@ def draw_mixed(kit, path):
 
 
 ENTRIES = (
-    Entry("s1-fig3", "S1 fig. 3, section 2.3", "Lighting by vertices fails on coarse meshes and blurs highlights; by pixels it costs more", measure_spheres, draw_spheres,
+    Entry("s1-fig3", "S1 fig. 3, section 2.3", "Per-vertex lighting fails on coarse meshes and blurs highlights; per-pixel lighting costs more", measure_spheres, draw_spheres,
           time_spheres),
-    Entry("s1-large-face", "S1 section 2.3, S2", "Lighting by vertices shows no sharp reflections, spot lights or fine detail; none of it inside of a large face", measure_face, draw_face),
-    Entry("s1-mixed", "S1 section 2.3.3", "Engines mix lighting by vertices and by pixels", measure_mixed, draw_mixed),
+    Entry("s1-large-face", "S1 section 2.3, S2", "Per-vertex lighting shows no sharp reflections, spot lights or fine detail, and no highlight inside a large face", measure_face, draw_face),
+    Entry("s1-mixed", "S1 section 2.3.3", "Engines mix per-vertex and per-pixel lighting", measure_mixed, draw_mixed),
 )

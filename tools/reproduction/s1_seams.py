@@ -41,9 +41,9 @@ def measure_head(kit):
     for name, word in SCOPES.items():
         seams = kit.row("inspect", head(kit), "--normals", word, "--crease-angle", "180", "--weight", "uniform")["seams"]
         found[f"largest seam between objects, {name} [degrees]"] = seams["before"]["max_deg"]
-    found["picture by face beside whole model [1/255]"] = kit.rmse(shown["face"], shown["model"], 420, 420)
-    found["picture by object beside whole model [1/255]"] = kit.rmse(shown["object"], shown["model"], 420, 420)
-    found["pixels that object and whole model differ in [%]"] = kit.differing(shown["object"], shown["model"], 420, 420)
+    found["per face vs. whole model [1/255]"] = kit.rmse(shown["face"], shown["model"], 420, 420)
+    found["per object vs. whole model [1/255]"] = kit.rmse(shown["object"], shown["model"], 420, 420)
+    found["per object vs. whole model: pixels that differ [%]"] = kit.differing(shown["object"], shown["model"], 420, 420)
     found["objects"] = len(kit.row("inspect", head(kit))["objects"])
     return found
 
@@ -65,7 +65,7 @@ def measure_stored(kit):
     kit.run("smooth", SPOT, "-o", stored, "--normals", "model", "--quiet")
     loaded, own = (SPOT, *scene, "--normals", "model"), (stored, *scene, "--normals", "file")
     return {"largest difference of the pictures [1/255]": 255 * kit.compare(loaded, own)["max_error"],
-            "picture of the file without stored normals beside it [1/255]": kit.rmse((SPOT, *scene, "--normals", "flat"), own)}
+            "without stored normals vs. with them [1/255]": kit.rmse((SPOT, *scene, "--normals", "flat"), own)}
 
 
 def draw_stored(kit, path):
@@ -82,6 +82,6 @@ def time_attributes(kit):
 
 
 ENTRIES = (
-    Entry("s1-fig9-12", "S1 fig. 9, 11, 12", "A head of many objects: facets at face level, seams per object, none over the whole model", measure_head, draw_head),
-    Entry("s1-stored", "S1 section 3.1", "Attributes computed at load can take seconds, so store them", measure_stored, draw_stored, time_attributes),
+    Entry("s1-fig9-12", "S1 fig. 9, 11, 12", "A head of many objects: facets with attributes per face, seams per object, no seams over the whole model", measure_head, draw_head),
+    Entry("s1-stored", "S1 section 3.1", "Attributes computed at load can take seconds, so they are stored", measure_stored, draw_stored, time_attributes),
 )

@@ -35,10 +35,10 @@ def measure_stages(kit):
     width, height = kit.size(320, 240)
     f = 1 / math.tan(math.radians(16))
     return {"stages of the lecture that have a table": sum((folder / f"{s}.json").exists() for s in STAGES),
-            "camera space off the lecture's formula [m]": largest((camera_of(p[2:5]), q[2:5]) for p, q in zip(world, camera)),
-            "clip space off the projection of it [1]": largest(((f * c[2] * height / width, f * c[3], -c[4]), (q[2], q[3], q[4])) for c, q in zip(camera, clip)),
-            "device space off x / w, y / w [1]": largest(((c[2] / c[4], c[3] / c[4]), d[2:4]) for c, d in zip(clip, device)),
-            "screen off width (x + 1) / 2, height (1 - y) / 2 [px]": largest(((width * (d[2] + 1) / 2, height * (1 - d[3]) / 2), s[2:4]) for d, s in zip(device, screen))}
+            "camera space: error to the lecture's formula [m]": largest((camera_of(p[2:5]), q[2:5]) for p, q in zip(world, camera)),
+            "clip space: error to the projection of camera space [1]": largest(((f * c[2] * height / width, f * c[3], -c[4]), (q[2], q[3], q[4])) for c, q in zip(camera, clip)),
+            "device space: error to x / w, y / w [1]": largest(((c[2] / c[4], c[3] / c[4]), d[2:4]) for c, d in zip(clip, device)),
+            "screen: error to width (x + 1) / 2, height (1 - y) / 2 [px]": largest(((width * (d[2] + 1) / 2, height * (1 - d[3]) / 2), s[2:4]) for d, s in zip(device, screen))}
 
 
 def draw_stages(kit, path):
@@ -67,9 +67,9 @@ def measure_projection(kit):
     twice = [times(printed, (0, 0, -depth[p], depth[p])) for p in ("near", "far")]  # after step 2 with its own last row, w = distance
     return {"corner of the view after step 1, x / -z": corner[0] / -corner[2], "corner of the view after step 1, y / -z": corner[1] / -corner[2],
             "depth of the near plane": planes[0][2] / planes[0][3], "depth of the far plane": planes[1][2] / planes[1][3],
-            "three steps beside the engine, x, y, w [1]": largest(((c[0], c[1], c[3]), (q[2], q[3], q[4])) for c, q in zip(chain, table("clip-space")["rows"])),
-            "three steps beside the engine, depth [1]": largest(((c[2] / c[3],), k) for c, k in zip(chain, keys)),
-            "all three multiplied as printed: depth of the far plane less that of the near one": twice[1][2] / twice[1][3] - twice[0][2] / twice[0][3]}
+            "three steps vs. the engine, x, y, w [1]": largest(((c[0], c[1], c[3]), (q[2], q[3], q[4])) for c, q in zip(chain, table("clip-space")["rows"])),
+            "three steps vs. the engine, depth [1]": largest(((c[2] / c[3],), k) for c, k in zip(chain, keys)),
+            "all three multiplied as printed: depth of the far plane minus that of the near one": twice[1][2] / twice[1][3] - twice[0][2] / twice[0][3]}
 
 
 def measure_parallel(kit):
@@ -78,6 +78,12 @@ def measure_parallel(kit):
     for name, words in (("parallel", ("--camera-orthographic",)), ("central", ())):
         near, far = (kit.stats((*boxes, "--camera-position", f"0,0,{z}", "--camera-focal-point", f"0,0,{z - 4}", *words))["pixels_covered"] for z in (4, 6))
         found[f"{name} projection: pixels of a sphere at 6 m over those at 4 m"] = far / near
+    w, h = kit.size(320, 240)
+    for name, words in (("parallel", ("--camera-orthographic",)), ("central", ())):
+        _, table = kit.stages((*NARROW, *words))
+        pairs = zip(table("camera")["rows"], table("device")["rows"])
+        scales = [s for c, d in pairs for s in (d[2] / c[2] * w / h, d[3] / c[3]) if min(abs(c[2]), abs(c[3])) > 0.01]
+        found[f"{name} projection: x and y of the box over those of the camera, largest over smallest"] = max(scales) / min(scales)
     return found
 
 
@@ -121,9 +127,9 @@ def measure_clipping(kit):
     _, table = kit.stages(CLOSE)
     rows = {row[0]: row for row in table("clip-planes")["rows"]}
     everything, beside = kit.stats(NARROW), kit.stats(BESIDE)
-    return {"polygons cut at the four sides": sum(rows[p][2] for p in ("left", "right", "bottom", "top")), "polygons wholly outside": sum(row[3] for row in rows.values()),
-            "objects dropped whole, teapot in view": everything["objects_outside"], "objects dropped whole, close view of a table": beside["objects_outside"],
-            "close view beside the middle of a wide one: pixels that differ [%]": middle(kit)}
+    return {"polygons cut at the four sides": sum(rows[p][2] for p in ("left", "right", "bottom", "top")), "polygons completely outside": sum(row[3] for row in rows.values()),
+            "objects dropped, teapot in view": everything["objects_outside"], "objects dropped, close view of a table": beside["objects_outside"],
+            "close view vs. the middle of a wide one: pixels that differ [%]": middle(kit)}
 
 
 def draw_clipping(kit, path):
@@ -133,9 +139,9 @@ def draw_clipping(kit, path):
 
 
 ENTRIES = (
-    Entry("s2-stages", "S2, the pipeline", "Model, world, camera, clip, device and screen space, one after the other, by the printed matrices", measure_stages, draw_stages),
-    Entry("s2-projection", "S2, projective transformation", "Frustum to 90 degrees, central projection, depth to a fixed range", measure_projection, draw_projection),
-    Entry("s2-parallel", "S2, parallel projection", "Parallel projection, x and y as they are", measure_parallel, draw_parallel),
-    Entry("s2-wrap-round", "S2, wrap-round", "Divided before it is clipped, what lies behind the eye comes out in front", measure_wrap, draw_wrap),
-    Entry("s2-clipping", "S2, clipping", "Objects wholly outside are dropped first, those partly visible are clipped by -h <= x, y, z <= h", measure_clipping, draw_clipping),
+    Entry("s2-stages", "S2, the pipeline", "The printed matrices lead from model to world, camera, clip, device and screen space", measure_stages, draw_stages),
+    Entry("s2-projection", "S2, projective transformation", "The frustum is normalized to 90 degrees, projected, and its depth mapped to a fixed range", measure_projection, draw_projection),
+    Entry("s2-parallel", "S2, parallel projection", "Parallel projection does not change x and y", measure_parallel, draw_parallel),
+    Entry("s2-wrap-round", "S2, wrap-round", "Without clipping before the division, points behind the eye appear in front of it", measure_wrap, draw_wrap),
+    Entry("s2-clipping", "S2, clipping", "Objects outside of the view are dropped first; those partly visible are clipped by -h <= x, y, z <= h", measure_clipping, draw_clipping),
 )

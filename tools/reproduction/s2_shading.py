@@ -8,7 +8,7 @@ TEAPOT = ("builtin:teapot", "--camera-position", "0.9,1.4,2.6", "--camera-focal-
 COARSE = ("builtin:teapot:divisions=4", *TEAPOT[1:])
 FINEST = "builtin:teapot:divisions=48"
 LAMP = ("--light", "point:3,4,5:color=0.9,0.9,0.9", "--light", "ambient:0.15,0.15,0.16", "--color", "#c8a878")
-BALL = ("builtin:sphere:tolerance=0.05", *LAMP)
+BALL, FINE = (("builtin:sphere:tolerance=" + off, *LAMP) for off in ("0.05", "0.0005"))
 GLASS = ("data/rays/glass.scene.toml",)
 TRACE, CAST, NAIVE = ("--engine", "trace"), ("--engine", "trace", "--method", "cast"), ("--engine", "trace", "--method", "cast", "--naive")
 CYCLIC = ("data/visibility/cyclic.obj", "--shading", "unlit", "--camera-position", "0,0,5", "--camera-focal-point", "0,0,0", "--camera-view-angle", "46")
@@ -20,7 +20,7 @@ def measure_shading(kit):
     for shading in SHADINGS:
         small, large = (kit.stats((*COARSE, "--shading", shading), w, h)["lighting_evaluations"] for w, h in ((320, 240), (640, 480)))
         found[f"{shading}: evaluations at 320 x 240"] = small
-        found[f"{shading}: evaluations, twice as wide and high over that"] = large / small if small else 1
+        found[f"{shading}: evaluations, twice as wide and high over 320 x 240"] = large / small if small else 1
     truth = (FINEST, *TEAPOT[1:], "--shading", "flat")
     for shading in SHADINGS:
         found[f"{shading}, 4 divisions: inside, difference to faces as small as pixels [1/255]"] = inside(kit, (*COARSE, "--shading", shading), truth)
@@ -65,12 +65,13 @@ def measure_rays(kit):
     shadowed, plain = (*SHADOW, "--shadows"), (*SHADOW, "--shadows", "off")
     return {"tests of the naive loop over pixels x triangles": held["stats"]["rays"]["triangle_tests"] / (64 * 48 * held["triangles"]),
             "pixels of the naive loop that differ from the tree's [%]": kit.differing((*BALL, *NAIVE, "--tessellate"), cut, codes=0),
-            "sphere by its formula beside its triangles: pixels that differ [%]": kit.differing(exact, cut),
-            "triangles by rays beside incremental synthesis: pixels that differ [%]": kit.differing(cut, (*BALL, "--tessellate")),
+            "sphere by its formula vs. its triangles: pixels that differ [%]": kit.differing(exact, cut),
+            "the same, triangles with a hundredth of the error: pixels that differ [%]": kit.differing((*FINE, *CAST), (*FINE, *CAST, "--tessellate")),
+            "triangles by rays vs. incremental synthesis: pixels that differ [%]": kit.differing(cut, (*BALL, "--tessellate")),
             "reflected rays": rays["reflected"], "refracted rays": rays["refracted"],
-            "glass and mirrors beside local light [1/255]": kit.rmse(traced, drawn, 240, 160),
+            "glass and mirrors vs. local light [1/255]": kit.rmse(traced, drawn, 240, 160),
             "raster: pixels that an algorithm for shadows changes [%]": kit.differing(shadowed, plain),
-            "rays beside the z-buffer, cyclic overlap: pixels that differ [%]": kit.differing((*CYCLIC, *CAST), CYCLIC)}
+            "rays vs. the z-buffer, cyclic overlap: pixels that differ [%]": kit.differing((*CYCLIC, *CAST), CYCLIC)}
 
 
 def draw_rays(kit, path):
@@ -96,6 +97,6 @@ def time_rays(kit):
 
 
 ENTRIES = (
-    Entry("s2-shading", "S2, local illumination", "Own color, flat, Gouraud and Phong shading: ever better, ever more evaluations", measure_shading, draw_shading, time_shading),
-    Entry("s2-rays", "S2, comparison", "Rays: per pixel, anything that can be met, mirrors, refraction, shadows and occlusion of themselves; slow", measure_rays, draw_rays, time_rays),
+    Entry("s2-shading", "S2, local illumination", "Own color, flat, Gouraud and Phong shading: each is better than the one before and needs more evaluations", measure_shading, draw_shading, time_shading),
+    Entry("s2-rays", "S2, comparison", "Rays work per pixel, draw anything they can hit, have mirrors, refraction, shadows and visibility, and are slow", measure_rays, draw_rays, time_rays),
 )

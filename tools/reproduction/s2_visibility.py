@@ -25,7 +25,7 @@ def measure_culling(kit):
     return {"faces of a closed sphere that culling drops [%]": 100 * stats["culled_back"] / stats["triangles_in"],
             "pixels of it that change [%]": kit.differing((*BALL, *none), (*BALL, *back), codes=0),
             "pixels of an open box that change [%]": kit.differing((*BOX, *none), (*BOX, *back)),
-            "the box taken for clockwise, cull back, beside cull front [% of pixels]":
+            "box treated as clockwise: cull back vs. cull front [% of pixels]":
                 kit.differing((*BOX, *back, "--front-face", "cw", "--shading", "unlit"), (*BOX, *front, "--shading", "unlit"), codes=0)}
 
 
@@ -99,8 +99,8 @@ def draw_precision(kit, path):
 
 
 ENTRIES = (
-    Entry("s2-culling", "S2, back-face culling", "Back faces of closed objects may be dropped, by CW or CCW; of open ones they are missed", measure_culling, draw_culling),
-    Entry("s2-painter", "S2, painter's algorithm", "A few triangles suffice for which no order of painting is right", measure_painter, draw_painter),
-    Entry("s2-z-buffer", "S2, z-buffer", "A depth for each pixel answers it, in 16 to 32 bits", measure_buffer, draw_buffer),
+    Entry("s2-culling", "S2, back-face culling", "Back faces of closed objects can be dropped by the order of their corners; open objects need them", measure_culling, draw_culling),
+    Entry("s2-painter", "S2, painter's algorithm", "A few triangles are enough for which no order of painting is right", measure_painter, draw_painter),
+    Entry("s2-z-buffer", "S2, z-buffer", "One depth for each pixel, of 16 to 32 bits, solves visibility", measure_buffer, draw_buffer),
     Entry("s2-depth-precision", "S2, z-buffer", "With far = 1000 near, 98 % of the values describe the first 2 % of the range", measure_precision, draw_precision),
 )

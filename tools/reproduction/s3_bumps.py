@@ -45,7 +45,7 @@ def measure_methods(kit):
     for view in ANGLES:
         for method in METHODS[1:]:
             found[f"{method} at {view} degrees: difference to displacement [1/255]"] = kit.rmse(at(view, method), at(view, "displacement"), *size)
-    found["error at 73 degrees that parallax-limited takes away [%]"] = 100 - 100 * found["parallax-limited at 73 degrees: difference to displacement [1/255]"] / found[
+    found["error at 73 degrees that parallax-limited removes [%]"] = 100 - 100 * found["parallax-limited at 73 degrees: difference to displacement [1/255]"] / found[
         "normal at 73 degrees: difference to displacement [1/255]"]
     for depth in DEPTHS:
         for method in ("none", "parallax-limited", "parallax", "steep", "displacement"):
@@ -65,7 +65,7 @@ def measure_parallax(kit):
     found = {}
     normal = at(48, "normal")
     for method in ("parallax-limited", "parallax", "steep"):
-        found[f"{method} beside normal mapping [1/255]"] = kit.rmse(normal, at(48, method), *WIDE)
+        found[f"{method} vs. normal mapping [1/255]"] = kit.rmse(normal, at(48, method), *WIDE)
     for view in ANGLES:
         numbers = kit.stages(at(view, "parallax-limited"), *WIDE)[1]("relief")["numbers"]
         found[f"mean shift at {view} degrees [% of the texture]"] = next(100 * value for name, value in numbers.items() if "mean" in name and "shift" in name)
@@ -89,7 +89,7 @@ def measure_depth(kit):
         normal, parallax, true = (bumpy(method, depth) for method in ("normal", "parallax", "displacement"))
         found[f"depth {depth}, normal: difference to displacement [1/255]"] = kit.rmse(normal, true, *size)
         found[f"depth {depth}, parallax: difference to displacement [1/255]"] = kit.rmse(parallax, true, *size)
-        found[f"depth {depth}: parallax beside normal mapping [1/255]"] = kit.rmse(normal, parallax, *size)
+        found[f"depth {depth}: parallax vs. normal mapping [1/255]"] = kit.rmse(normal, parallax, *size)
     found["steep: pixels that shadows of bumps change [%]"] = kit.differing(at(48, "steep"), at(48, "steep", "--bump-self-shadow"), *size)
     wall = (MAPS_WALL, *bumps.maps("brick"), *bumps.LAMP, "--lighting", "lambert", "--camera-focal-point", "0.1,0.1,0", "--camera-view-angle", "20", "--bump")
     for method in ("normal", "parallax"):
@@ -131,20 +131,20 @@ def draw_border(kit, path):
 
 
 def time_methods(kit):
-    """A wall that fills 640 x 360 pixels, one thread: shading [ns a pixel], processor time of all [ms]."""
+    """A wall that fills 640 x 360 pixels, one thread: shading [ns per pixel], processor time of all [ms]."""
     found = {}
     for method in (*METHODS, "displacement"):
         row = kit.row("bench", "render", "data/maps/wall.obj", "--look", "plain", *bumps.maps("brick"), "--camera-position", "0,0,1", "--camera-focal-point", "0,0,0", "--bump", method,
                       "--resolution", "640,360", "--frames", "5", "--threads", "1", "--lighting", "blinn-phong")
-        found[f"{method} [ns a pixel]"] = row["stages_ms"]["shading"] * 1e6 / row["stats"]["pixels_shaded"]
+        found[f"{method} [ns per pixel]"] = row["stages_ms"]["shading"] * 1e6 / row["stats"]["pixels_shaded"]
         found[f"{method}, the whole picture [ms]"] = row["cpu_ms"]
     return found
 
 
 ENTRIES = (
-    Entry("s3-fig9", "S3 fig. 9", "Normal map and depth map together shift the texture, the more the lower the view", measure_parallax, draw_parallax),
-    Entry("s3-fig10", "S3 fig. 10", "Normal mapping is wrong at grazing angles, parallax repairs it, steep parallax lets parts hide parts", measure_methods, draw_methods, time_methods),
+    Entry("s3-fig9", "S3 fig. 9", "A depth map with the normal map shifts the texture, the more the lower the view", measure_parallax, draw_parallax),
+    Entry("s3-fig10", "S3 fig. 10", "Normal mapping is wrong at grazing angles, parallax repairs it, steep parallax can hide parts of the texture", measure_methods, draw_methods, time_methods),
     Entry("s3-depth", "S3, parallax mapping", "On small detail parallax and normal mapping hardly differ; parallax gets artifacts as depth grows", measure_depth, draw_depth),
-    Entry("s3-outline", "S3, bump mapping", "Fake bumps leave the outline smooth, real ones do not", measure_outline, draw_outline),
+    Entry("s3-outline", "S3, bump mapping", "Simulated bumps leave the outline smooth, real ones do not", measure_outline, draw_outline),
     Entry("s3-border", "S3, parallax mapping", "No parallax method shows bumps beyond the border of the texture", measure_border, draw_border),
 )

@@ -18,7 +18,7 @@ LIGHT = ("--lighting", "lambert", "--light", "directional:-0.6,-0.5,-1:color=0.9
 
 
 def measure_smooth(kit):
-    return {"teapot with a map and --bump none beside no map [% of pixels]": kit.differing((*LEATHER, "--bump", "none"), TEAPOT, codes=0),
+    return {"teapot with a map and --bump none vs. no map [% of pixels]": kit.differing((*LEATHER, "--bump", "none"), TEAPOT, codes=0),
             "objects": kit.render(TEAPOT)[1]["objects"]}
 
 
@@ -88,8 +88,8 @@ def measure_motion(kit):
             "detail of one picture, strong bumps over smooth": still["strong"] / still["none"],
             "change of detail from picture to picture, bumpy over smooth": moving["normal"] / moving["none"],
             "change of detail from picture to picture, strong bumps over smooth": moving["strong"] / moving["none"],
-            "what motion adds to mild bumps, times": moving["normal"] / moving["none"] / (still["normal"] / still["none"]),
-            "what motion adds to strong bumps, times": moving["strong"] / moving["none"] / (still["strong"] / still["none"]),
+            "mild bumps: gain from motion, factor": moving["normal"] / moving["none"] / (still["normal"] / still["none"]),
+            "strong bumps: gain from motion, factor": moving["strong"] / moving["none"] / (still["strong"] / still["none"]),
             "change of detail, smooth [1/255]": moving["none"], "change of detail, bumpy [1/255]": moving["normal"]}
 
 
@@ -115,7 +115,13 @@ def measure_phong(kit):
     shine = max((kit.explain((*scene, *front, *lamp), [(0.3 + 0.02 * i, 0.2 + 0.02 * i)])[0]["layers"][0]["lights"][0]["specular"] for i in range(12)), key=sum)
     near, far = (kit.explain(("builtin:plane", "--lighting", "phong", "--camera-position", "0,3,0.1", "--camera-focal-point", "0,0,0", "--light", f"point:0,{d},0:attenuation=0,0,1"),
                              [(0.5, 0.5)])[0]["layers"][0]["lights"][0]["diffuse"][0] for d in (1, 2))
-    return {"no ambient term, face turned away: light [linear]": brightness(behind[0]), "with it: light [linear]": brightness(behind[1]),
+    spread = {}
+    for name, more in (("nearby", ()), ("infinitely far", ("--viewer-infinity",))):
+        floor = kit.explain(("builtin:plane", "--lighting", "phong", "--roughness", "0.4", *lamp, "--camera-position", "1.4,1.8,-1.6", "--camera-focal-point", "0,0,0", *more),
+                            [(0.4 + 0.05 * i, 0.5) for i in range(5)])
+        shine_there = [row["layers"][0]["lights"][0]["specular"][0] for row in floor]
+        spread[f"a floor, viewer {name}: specular term, largest minus smallest [linear]"] = max(shine_there) - min(shine_there)
+    return {**spread, "no ambient term, face turned away: light [linear]": brightness(behind[0]), "ambient term, face turned away: light [linear]": brightness(behind[1]),
             "viewer moved: change of the diffuse term [linear]": max(abs(a - b) for a, b in zip(terms[0]["diffuse"], terms[1]["diffuse"])),
             "viewer moved: change of the specular term [linear]": max(abs(a - b) for a, b in zip(terms[0]["specular"], terms[1]["specular"])),
             "highlight of a red sphere, red over green, lamp 0.8, 0.8, 0.3": shine[0] / shine[1], "the same, red over blue": shine[0] / shine[2],
@@ -159,7 +165,7 @@ def measure_baked(kit):
     high, low, mapped = baked(kit)
     triangles = [kit.render(scene, 280, 300)[1]["triangles"] for scene in (high, low)]
     bare, with_map = kit.rmse(high, low, 280, 300), kit.rmse(high, mapped, 280, 300)
-    return {"triangles, detailed over coarse": triangles[0] / triangles[1], "coarse beside detailed [1/255]": bare, "coarse with the map beside detailed [1/255]": with_map,
+    return {"triangles, detailed over coarse": triangles[0] / triangles[1], "coarse vs. detailed [1/255]": bare, "coarse with the map vs. detailed [1/255]": with_map,
             "error that the map leaves [%]": 100 * with_map / bare}
 
 
@@ -172,7 +178,7 @@ ENTRIES = (
     Entry("s3-fig1", "S3 fig. 1", "A coarse mesh with a normal map looks like the detailed one", measure_baked, draw_baked),
     Entry("s3-phong", "S3, Phong's model", "Without the ambient term faces turned away are black; diffuse light does not depend on the viewer; highlights have the light's color; 1 / d^2", measure_phong, draw_phong),
     Entry("s3-fig11", "S3 fig. 11", "The teapot without bumps is smooth", measure_smooth, draw_smooth),
-    Entry("s3-fig12", "S3 fig. 12", "Diffuse bumps under a smooth highlight look unnatural; without highlight they suit walls, paper, cotton, wood", measure_terms, draw_terms),
+    Entry("s3-fig12", "S3 fig. 12", "Bumps in the diffuse term under a smooth highlight look unnatural; without highlight they suit walls, paper, cotton, wood", measure_terms, draw_terms),
     Entry("s3-fig13", "S3 fig. 13", "Teapots with mild and with strong bumps", measure_row, draw_row),
-    Entry("s3-motion", "S3, practical part", "Bumps show much better in motion than in still pictures, unless they are strong", measure_motion, draw_motion),
+    Entry("s3-motion", "S3, practical part", "Bumps are much easier to see in motion than in still pictures, unless they are strong", measure_motion, draw_motion),
 )

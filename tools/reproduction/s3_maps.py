@@ -5,6 +5,7 @@ from png8 import read_rgb, write_rgb
 
 from sheet import ROOT
 
+from .arrows import line
 from .kit import Entry, Picture, angle, dot, unit
 
 MAPS = ROOT / "data/maps"
@@ -32,8 +33,8 @@ def measure_normals(kit):
             worst = max(worst, angle(mixed, pixel["layers"][0]["normal_interpolated"]))
             count += 1
     flat, smooth = (len({bytes(p) for p in Picture(*read_rgb(kit.channel(scene, "normal"))).part(0, 0, 1, 1)}) for scene in (FLAT, PHONG))
-    return {"places": count, "normal off the mixed one of the corners [degrees]": worst, "normals of a phong picture over those of a flat one": smooth / flat,
-            "flat beside phong [1/255]": kit.rmse(FLAT, PHONG)}
+    return {"sampled pixels": count, "normal: error to the interpolated one of the corners [degrees]": worst, "number of normals, phong over flat": smooth / flat,
+            "flat vs. phong [1/255]": kit.rmse(FLAT, PHONG)}
 
 
 def draw_normals(kit, path):
@@ -42,7 +43,7 @@ def draw_normals(kit, path):
 
 def measure_combination(kit):
     bare, mapped = (*HEAD, "--bump", "none"), (*HEAD, "--bump", "normal")
-    return {"texture and map beside texture alone [1/255]": kit.rmse(bare, mapped), "pixels that the map changes [%]": kit.differing(bare, mapped)}
+    return {"texture and map vs. texture alone [1/255]": kit.rmse(bare, mapped), "pixels that the map changes [%]": kit.differing(bare, mapped)}
 
 
 def head_part(kit, name):
@@ -73,16 +74,47 @@ def measure_colors(kit):
         found[f"{name}: red at its left side, over 128"] = lean(picture, x - 0.12, 0.5)[0]
         found[f"{name}: green at its top, over 128"] = lean(picture, x, 0.38)[1]
         found[f"{name}: green at its bottom, over 128"] = lean(picture, x, 0.62)[1]
-    found["least blue of the map"] = min(picture.pixels[2::3])
+    found["section: steep texels whose red points downhill [%]"] = downhill()
+    found["smallest blue of the map"] = min(picture.pixels[2::3])
     codes = ((*bumps.ZERO, "--normal-map-zero", zero) for zero in ("127.5", "128"))
     for zero, scene in zip(("127.5", "128"), codes):
         texel = kit.explain(scene, [(0.5, 0.15)], 192, 192)[0]["layers"][0]["normal_texel"]
-        found[f"code 128 with zero at {zero}: leaning of the normal [degrees]"] = angle(texel, (0, 0, 1))
+        found[f"code 128 with zero at {zero}: tilt of the normal [degrees]"] = angle(texel, (0, 0, 1))
     return found
 
 
+def section():
+    """Row of heights through the middle of bump and dent, from 0 to 1, and of the map's colors."""
+    heights, normals = (Picture(*read_rgb(MAPS / f"dents_{name}.png")) for name in ("height", "normal"))
+    places = [(x + 0.5) / heights.width for x in range(heights.width)]
+    return [heights.at(x, 0.5)[0] / 255 for x in places], [normals.at(x, 0.5) for x in places]
+
+
+def downhill():
+    """[%] of the steep places of the section whose red leans downhill: more than 128 where the surface falls to the right."""
+    heights, colors = section()
+    slopes = [(heights[i + 1] - heights[i - 1], colors[i][0] - 128) for i in range(1, len(heights) - 1)]
+    steep = [slope * red < 0 for slope, red in slopes if abs(slope) > 0.02]
+    return 100 * sum(steep) / len(steep)
+
+
+def write_section(path, side):
+    """The section as a picture, with the normals of the map as arrows in its colors."""
+    heights, colors = section()
+    picture = bytearray(bytes((24, 24, 28)) * side * side)
+    points = [(round(x * side / len(heights)), round(side * (0.75 - 0.3 * h))) for x, h in enumerate(heights)]
+    for one, other in zip(points, points[1:]):
+        line(picture, side, side, one, other, (200, 200, 200))
+    for (x, y), color in list(zip(points, colors))[4::7]:
+        leaning = [2 * c / 255 - 1 for c in color]
+        line(picture, side, side, (x, y), (x + 38 * leaning[0], y - 38 * leaning[2]), color)
+    write_rgb(path, side, side, bytes(picture))
+    return path
+
+
 def draw_colors(kit, path):
-    kit.sheet(path, [[MAPS / "dents_height.png", MAPS / "dents_normal.png", DENTS]], 240, 240, below=[["heights: bump, dent", "normal map", "lit from the upper left"]], colors=0)
+    parts = [MAPS / "dents_height.png", MAPS / "dents_normal.png", write_section(kit.folder / "section.png", 200), DENTS]
+    kit.sheet(path, [parts], 200, 200, below=[["heights: bump, dent", "normal map", "section, normals in their colors", "lit from the upper left"]], colors=0)
 
 
 def inward(kit):
@@ -102,8 +134,8 @@ def measure_blue(kit):
     scene = inward(kit)
     lit = kit.explain(scene, [(0.5, 0.5), (0.5, 0.12)], 180, 180)
     normals = [row["layers"][0]["normal"] for row in lit]
-    return {"lines that warn of it": sum("into the surface" in line for line in kit.render(scene, 180, 180)[2].splitlines()),
-            "normal of the part, along the face's": normals[0][2], "normal of the rest, along the face's": normals[1][2],
+    return {"warnings": sum("into the surface" in line for line in kit.render(scene, 180, 180)[2].splitlines()),
+            "normal of the part, component along that of the face": normals[0][2], "normal of the rest, component along that of the face": normals[1][2],
             "light of the part over that of the rest": lit[0]["color"][1] / lit[1]["color"][1]}
 
 
@@ -113,11 +145,11 @@ def draw_blue(kit, path):
 
 
 def measure_frames(kit):
-    found = {"leaning frames: pixel beside world [1/255]": kit.rmse(LEANING, (*LEANING, *FRAMES["pixel"])),
-             "orthonormal frames: pixel beside world [1/255]": kit.rmse(STRAIGHT, (*STRAIGHT, *FRAMES["pixel"]))}
+    found = {"leaning frames: pixel vs. world [1/255]": kit.rmse(LEANING, (*LEANING, *FRAMES["pixel"])),
+             "orthonormal frames: pixel vs. world [1/255]": kit.rmse(STRAIGHT, (*STRAIGHT, *FRAMES["pixel"]))}
     for name, scene in (("leaning", LEANING), ("faces' own", FACES)):
-        found[f"{name} frames: transposed beside inverse, both at the vertices [1/255]"] = kit.rmse((*scene, *FRAMES["vertex"]), (*scene, *FRAMES["transposed"]))
-    found["leaning frames: light at vertices beside world, pixels that differ [%]"] = kit.differing(LEANING, (*LEANING, *FRAMES["vertex"]))
+        found[f"{name} frames: transposed vs. inverse, both at the vertices [1/255]"] = kit.rmse((*scene, *FRAMES["vertex"]), (*scene, *FRAMES["transposed"]))
+    found["leaning frames: light at vertices vs. world, pixels that differ [%]"] = kit.differing(LEANING, (*LEANING, *FRAMES["vertex"]))
     return found
 
 
@@ -131,9 +163,9 @@ def draw_frames(kit, path):
 
 
 ENTRIES = (
-    Entry("s3-fig2-3", "S3 fig. 2, 3", "Normals between the vertices are interpolated; so Phong shading of flat polygons looks curved", measure_normals, draw_normals),
-    Entry("s3-fig4", "S3 fig. 4", "Texture and normal map together make an uneven surface", measure_combination, draw_combination),
+    Entry("s3-fig2-3", "S3 fig. 2, 3", "Normals between the vertices are interpolated, so flat polygons look curved with Phong shading", measure_normals, draw_normals),
+    Entry("s3-fig4", "S3 fig. 4", "A texture and a normal map together look uneven", measure_combination, draw_combination),
     Entry("s3-fig5-7", "S3 fig. 5, 6, 7", "Red is x, green is y, blue is z, 128 is 0; dents and bumps have opposite colors on opposite sides", measure_colors, draw_colors),
-    Entry("s3-blue", "S3, normal mapping", "Blue below one half would point into the surface and make artifacts", measure_blue, draw_blue),
-    Entry("s3-fig8", "S3 fig. 8, normal mapping", "Light is taken into tangent space by the inverse of TBN; the transposed matrix suffices where T and B are orthogonal", measure_frames, draw_frames),
+    Entry("s3-blue", "S3, normal mapping", "Blue below one half would point into the surface and cause artifacts", measure_blue, draw_blue),
+    Entry("s3-fig8", "S3 fig. 8, normal mapping", "The inverse of TBN transforms light to tangent space; the transposed matrix is enough where T and B are orthogonal", measure_frames, draw_frames),
 )

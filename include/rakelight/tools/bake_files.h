@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Baking from model file to model file: maps as pictures, and the model that they fit.
+// Baking with files: writes maps as pictures, and the matching model.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,38 +10,39 @@
 
 namespace rakelight {
 
-/// What bake_files() bakes.
+/// Options of bake_files().
 struct BakeRequest {
-    std::string high{}, low{};  ///< what load() takes
-    std::string output{};       ///< name of the pictures; {map} stands for the map's. PNG or EXR
-    std::string model{};        ///< .glb or .gltf; empty: none is written
+    std::string high{}, low{};  ///< inputs of load()
+    std::string output{};       ///< name of the pictures, PNG or EXR; {map} becomes the name of the map
+    std::string model{};        ///< output model, .glb or .gltf; empty: none
     int bits = 0;               ///< PNG: 8 or 16; 0: 16 for heights, else 8
     BakeOptions options{};
     LoadOptions load{};
 };
 
-/// A picture that was written.
+/// A written picture.
 struct BakedFile {
     BakeMap map = BakeMap::normal;
-    std::string file{};  ///< that was written
+    std::string file{};
 };
 
-/// What bake_files() wrote.
+/// Result of bake_files().
 struct BakeFilesResult {
     std::string high{}, low{};  ///< as they were named
     std::vector<BakedFile> files{};
-    std::string model{};        ///< that was written, or empty
+    std::string model{};        ///< the written model, or empty
     int width = 0, height = 0;  ///< [px]
     BakeReport report{};
 };
 
-/// Bakes, and writes the pictures; to `model` LOW with the coordinates, normals and tangents that the maps fit, and with the maps
-/// of normals (tangent space) and occlusion in its materials, 8 bits, in place of those it had. Outputs appear whole.
-/// @throws Error usage: no picture that can hold a map, one name for several maps; what load() and bake_maps() throw;
-///         failed: cannot write
+/// Bakes and writes the pictures. `model` gets LOW with matching texture coordinates, normals and tangents. Its
+/// materials get the baked 8-bit maps of normals (tangent space) and occlusion in place of their own. Outputs appear
+/// complete or not at all.
+/// @throws Error usage: a format that cannot hold a map, one name for several maps; as load() and bake_maps(); failed:
+///         cannot write
 RL_API BakeFilesResult bake_files(const BakeRequest& request, Context& context);
 
-/// For people: what was written, and how far the cage stands off.
+/// One line: the written files and the cage distance.
 RL_API std::string summary(const BakeFilesResult& result);
 
 }  // namespace rakelight

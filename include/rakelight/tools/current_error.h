@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For the last handler of a program: what is said of an exception, whatever it is.
+// Converts any exception to an Error, for the outermost handler of a program.
 #pragma once
 #include <string>
 
@@ -8,9 +8,9 @@
 
 namespace rakelight {
 
-/// The exception that is being handled, as an Error in words for people: an Error as it is, a lack of memory, what the
-/// system or a library says. What the standard library says of itself is left out. Only to be called from a handler.
-/// @param out_of_memory  what is said when memory ran out; such an error has the code `failed`
+/// The currently handled exception as an Error with a readable message: an Error itself, out of memory, or the message
+/// of the system or a library. Texts of the standard library are dropped. Only for exception handlers.
+/// @param out_of_memory message for std::bad_alloc, with the code `failed`
 RL_API Error current_error(const std::string& out_of_memory = "out of memory");
 
 }  // namespace rakelight

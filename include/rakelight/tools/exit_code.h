@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a program ends that ran into an error.
+// Exit codes of programs.
 #pragma once
 #include <rakelight/error.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Windows of one picture, rendered apart, put together to the whole.
+// Joins separately rendered windows of one picture.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -14,31 +14,30 @@ namespace rakelight {
 struct WindowPart {
     /// PNG, EXR or HDR
     std::string file{};
-    int x = -1, y = -1;  ///< [px] of its top left pixel in the whole picture; -1: the file says it
+    int x = -1, y = -1;  ///< [px] its top left pixel in the whole picture; -1: from the file
 };
 
-/// What join_windows() joins.
+/// Options of join_windows().
 struct JoinRequest {
     std::vector<WindowPart> parts{};
-    std::string output{};       ///< to be written
-    int width = 0, height = 0;  ///< [px] of the whole picture; 0: the parts say it
+    std::string output{};       ///< the file to write
+    int width = 0, height = 0;  ///< [px] of the whole picture; 0: from the parts
 };
 
-/// What join_windows() wrote.
+/// Result of join_windows().
 struct JoinResult {
-    std::string output{};       ///< that was written
+    std::string output{};       ///< the written file
     int width = 0, height = 0;  ///< [px]
-    std::size_t parts = 0;      ///< how many
+    std::size_t parts = 0;      ///< number of parts
 };
 
-/// Writes the picture of which the parts are windows: PNG (8 or 16 bits a component), EXR (any channels) or HDR, all of one
-/// kind, the output of the same. The numbers are those of the parts; what they cover several times has to be equal. Of
-/// parts that render_picture() wrote, the file has the bytes of the whole picture written at once.
-/// The pixels go row by row: memory is asked for a few rows of each part that a row meets. The output appears whole or not
-/// at all.
-/// @throws Error usage: no parts, a part or all do not say where they lie, the output is of another format; not_found;
-///         bad_file: parts of different kinds or pictures, a part that reaches out of the picture, pixels that no part
-///         covers, parts that differ where they overlap, a broken part; failed: the output cannot be written, cancelled
+/// Writes the whole picture of the parts: PNG (8 or 16 bits per component), EXR (any channels) or HDR. Parts and output
+/// have the same format. Pixel values are copied; overlapping parts must be equal. For parts written by
+/// render_picture(), the file equals the whole picture byte by byte. Works row by row, with memory for a few rows of
+/// each part. The output appears complete or not at all.
+/// @throws Error usage: no parts, unknown position of a part, another format of the output; not_found; bad_file: parts
+///         of different formats or pictures, a part outside of the picture, uncovered pixels, different overlapping
+///         parts, a broken part; failed: the output cannot be written, cancelled
 RL_API JoinResult join_windows(const JoinRequest& request, Context& context);
 
 }  // namespace rakelight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene with its light as the colors of its surfaces, as a file that any viewer of glTF shows.
+// Writes a radiosity solution as a glTF file for any viewer.
 #pragma once
 #include <optional>
 #include <span>
@@ -13,19 +13,19 @@
 
 namespace rakelight {
 
-/// What radiosity_file() wrote.
+/// Result of radiosity_file().
 struct RadiosityFile {
     std::string file{}, output{};  ///< as they were named
     RadiosityReport report{};
     std::optional<LightmapReport> lightmap{};
 };
 
-/// Loads a model or world as a picture of it would, lights it by with_radiosity() and writes glTF 2.0 (.glb or .gltf):
-/// unlit materials (KHR_materials_unlit) and COLOR_0 in float, which may exceed 1; or its own triangles with a lightmap as
-/// the emission texture: with_lightmap().
-/// @param request  input, output, lights, normals, the moment of a clip and settings.radiosity count
-/// @param lightmap  none: colors of vertices
-/// @throws Error usage: the output has another ending; what loading, with_radiosity() and writing throw
+/// Loads a model or world as render_picture() does, lights it by with_radiosity() and writes glTF 2.0 (.glb or .gltf).
+/// The file has unlit materials (KHR_materials_unlit) and COLOR_0 in float, which may exceed 1. With `lightmap` it has
+/// the original triangles and a lightmap as emission texture: with_lightmap().
+/// @param request uses input, output, lights, normals, the time of a clip and settings.radiosity
+/// @param lightmap absent: vertex colors
+/// @throws Error usage: another ending of the output; as load(), with_radiosity() and save()
 RL_API RadiosityFile radiosity_file(const PictureRequest& request, const std::optional<LightmapOptions>& lightmap,
                                     Context& context);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture held against a reference picture after it was made: `rakelight render --ref`.
+// Comparison of a rendered picture with a reference picture: `rakelight render --ref`.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -11,42 +11,43 @@
 
 namespace rakelight {
 
-/// Which number of PictureComparison decides.
+/// The decisive metric of PictureComparison.
 enum class ReferenceMeasure : std::uint8_t { flip, psnr, rmse, ssim };
 inline constexpr Word<ReferenceMeasure> reference_measure_words[] = {{"flip", ReferenceMeasure::flip},
                                                                      {"psnr", ReferenceMeasure::psnr},
                                                                      {"rmse", ReferenceMeasure::rmse},
                                                                      {"ssim", ReferenceMeasure::ssim}};
 
-/// What passes where nobody says: a mean FLIP or an RMSE of at most 0.01, a PSNR of at least 40 dB, an SSIM of at least 0.99.
-RL_API double usual_threshold(ReferenceMeasure measure);
+/// Default thresholds: mean FLIP and RMSE at most 0.01, PSNR at least 40 dB, SSIM at least 0.99.
+RL_API double default_threshold(ReferenceMeasure measure);
 
-/// What a picture is held against.
+/// Options of a comparison with a reference.
 struct ReferenceRequest {
     std::string picture{};  ///< file of the reference
     ReferenceMeasure measure = ReferenceMeasure::flip;
-    std::optional<double> threshold{};  ///< most of flip and rmse, least of psnr and ssim; absent: the usual one
-    std::string difference{};           ///< picture file for the FLIP of each pixel; empty: none
+    std::optional<double>
+        threshold{};           ///< maximum for flip and rmse, minimum for psnr and ssim; absent: default_threshold()
+    std::string difference{};  ///< picture file for the FLIP per pixel; empty: none
 };
 
-/// What came of it.
+/// Result of compare_with_reference().
 struct ReferenceResult {
     std::string reference{};  ///< file of the reference
     ReferenceMeasure measure = ReferenceMeasure::flip;
-    double threshold = 0;           ///< that was held
-    std::optional<double> value{};  ///< absent: ssim of pictures with a side under 11 pixels
-    bool passed = false;            ///< the value is within it
-    std::string difference{};       ///< file that was written, or empty
+    double threshold = 0;           ///< the applied threshold
+    std::optional<double> value{};  ///< absent: ssim of pictures with a side of fewer than 11 pixels
+    bool passed = false;            ///< the value is within the threshold
+    std::string difference{};       ///< the written file, or empty
     PictureComparison comparison{};
 };
 
 /// Compares a picture file with its reference.
-/// @param page  takes the comparison up where it is not null
-/// @throws Error not_found: no such reference, with the advice how to make it; check_failed: their sizes differ; bad_file, failed
+/// @param page not null: gets the comparison
+/// @throws Error not_found: no such reference, with advice; check_failed: different sizes; bad_file, failed
 RL_API ReferenceResult compare_with_reference(const std::string& picture, const ReferenceRequest& request,
                                               ComparisonPage* page, Context& context);
 
-/// "FLIP 0.0312, more than 0.01": a line without its end. @return what is said of a result, whether it passed or not
+/// The result as text without line feed: "FLIP 0.0312, more than 0.01".
 RL_API std::string to_text(const ReferenceResult& result);
 
 }  // namespace rakelight

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The JSON reports of the program: one row a file, with what was made of it and the remarks, or the error instead. All are UTF-8,
-// foreign bytes replaced, with a line feed at the end.
+// The JSON reports of the program: one row per file, with the result and remarks, or the error. All are UTF-8 with
+// invalid bytes replaced, and end with a line feed.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -25,7 +25,7 @@
 
 namespace rakelight {
 
-/// What rows of all kinds have.
+/// Common members of all rows.
 struct ReportRow {
     std::vector<ReportEntry> remarks{};
     /// Report::left_out()
@@ -33,19 +33,19 @@ struct ReportRow {
     std::optional<Error> error{};
 };
 
-/// What a picture is in a sequence.
+/// The position of a picture in a sequence.
 struct FrameRow {
     std::int64_t frame = 0;   ///< its number
     double time_s = 0;        ///< [s] of the clip
-    bool is_skipped = false;  ///< it was there: only its names are known
+    bool is_skipped = false;  ///< the file existed: only its names are known
 };
 
 /// A row of `render --json`.
 struct PictureRow : ReportRow {
     PictureResult result{};                      ///< at least `file` and `output`
-    std::optional<ReferenceResult> reference{};  ///< when it was held against one
+    std::optional<ReferenceResult> reference{};  ///< if it was compared with one
     std::optional<FrameRow> frame{};             ///< of a sequence
-    std::size_t movie_pictures = 0;              ///< of the movie that the output is; 0: it is a picture
+    std::size_t movie_pictures = 0;              ///< number of pictures of a movie; 0: the output is a picture
 };
 
 /// A row of `check --json`.
@@ -58,8 +58,8 @@ struct CheckRow : ReportRow {
 struct InspectionRow : ReportRow {
     std::string file{};  ///< as it was named
     std::optional<Inspection> inspection{};
-    std::optional<std::vector<CheckFailure>> check{};  ///< when limits were checked
-    std::string heat_map{};                            ///< the picture that was written, or empty
+    std::optional<std::vector<CheckFailure>> check{};  ///< if limits were checked
+    std::string heat_map{};                            ///< the written picture, or empty
 };
 
 /// A row of `compare --json`.
@@ -68,8 +68,8 @@ struct ComparisonRow : ReportRow {
     std::string engine_a{}, engine_b{};  ///< of scenes; empty: pictures
     CompareOptions options{};
     std::optional<PictureComparison> comparison{};
-    std::vector<CheckFailure> failures{};  ///< limits that were passed
-    std::string output{};                  ///< the difference picture or page that was written, or empty
+    std::vector<CheckFailure> failures{};  ///< violated limits
+    std::string output{};                  ///< the written difference picture or page, or empty
 };
 
 /// A row of `explain --json`.
@@ -121,9 +121,9 @@ RL_API std::string to_json(std::span<const JoinRow> rows);
 /// {"schema": "rakelight.bake/1", "rows": [...]}
 RL_API std::string to_json(std::span<const BakeRow> rows);
 
-/// A table for people; rows with an error are left out. Empty: there are none.
+/// A readable table; rows with an error are omitted. Empty: no rows.
 RL_API std::string to_text(std::span<const ComparisonRow> rows);
-/// "NAME", or "NAME (ENGINE)" where an engine is named.
+/// "NAME", or "NAME (ENGINE)" if the engine is given.
 RL_API std::string title_of(const std::string& name, const std::string& engine);
 
 }  // namespace rakelight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Configurations: TOML files with [render] alone, whose settings are for any model.
+// Configuration files: TOML files with only [render], for any model.
 #pragma once
 #include <string>
 
@@ -8,9 +8,9 @@
 
 namespace rakelight {
 
-/// What a configuration says, as read_world_request() reads a world: `taken` are the settings that `overrides` leave, and
+/// Reads a configuration file like read_world_request(). `applied` has the settings that `overrides` do not replace;
 /// at_world_value() finds their places.
-/// @throws Error not_found, bad_file: with the file, line and column of what is wrong; usage: as read_world_request()
+/// @throws Error not_found, bad_file: with file, line and column; usage: as read_world_request()
 RL_API WorldRequest read_settings_file(const std::string& path, const LoadOptions& options,
                                        const RenderOverrides& overrides, Context& context);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sink for pictures that go to a file: it need not hold the whole picture, and takes display values. Engines that know
-// it serve it so; to all others it is a plain sink, and has to hold the whole window.
+// A sink for picture files that does not store the whole picture and accepts display values. Engines that support it
+// deliver strips. For other engines it is a plain sink that must store the whole window.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -11,37 +11,36 @@
 
 namespace rakelight {
 
-/// Rows of display values in a sink's own memory: R in the low byte, straight alpha.
+/// Rows of display values in the sink's memory: R in the low byte, straight alpha.
 struct DisplayRows {
-    std::uint32_t* first = nullptr;  ///< null: there are none
+    std::uint32_t* first = nullptr;  ///< null: none
     std::size_t stride = 0;          ///< [px] from row to row
 };
 
-/// A sink that takes the picture in strips of rows.
+/// A sink that receives the picture in strips of rows.
 class RL_API StripSink : public Sink {
 public:
-    /// How many rows this sink holds at once: 0 all of the window, else 64 or more. Asked after begin(). Engines
-    /// deliver the window in strips of at most so many rows, from the top: all tiles of a strip, rows_done(), then the
-    /// next strip.
+    /// Number of rows that this sink can store: 0: the whole window, else at least 64. Called after begin(). Engines
+    /// deliver strips of at most this many rows, from the top: all tiles of a strip, rows_done(), then the next strip.
     virtual int rows_at_once() const { return 0; }
-    /// After all tiles of a strip, from the thread that called render(): `rows` rows of the picture from row `first`
-    /// are there.
+    /// Called after all tiles of a strip, from the thread that called render(): `rows` rows from row `first` are
+    /// complete.
     virtual void rows_done(int first, int rows) { (void)first, (void)rows; }
 
-    /// Whether a cancelled picture is wanted as far as it is. Engines that go over the picture several times finish it then.
-    virtual bool takes_partial() const { return false; }
+    /// Whether a cancelled picture should be delivered. Engines with several passes then deliver the finished ones.
+    virtual bool wants_partial() const { return false; }
 
-    /// Whether tiles should come as 8-bit display values, clamped and correctly rounded, in place of linear colors.
-    virtual bool takes_srgb8() const { return false; }
-    /// Where display values of a rectangle may be made (written, and read again), by sinks that take them. From any
-    /// thread, for rectangles as in tile().
+    /// Whether to deliver tiles as 8-bit display values, clamped and correctly rounded, instead of linear colors.
+    virtual bool wants_srgb8() const { return false; }
+    /// Memory in which the engine may compute the display values of a rectangle (read and write). From any thread, for
+    /// rectangles as in tile().
     virtual DisplayRows display_rows(const Window& area) {
         (void)area;
         return {};
     }
-    /// In place of tile(), to sinks that take display values. From any thread, as tile().
+    /// Replaces tile() for sinks that want display values. From any thread, as tile().
     /// @param tile   without colors
-    /// @param srgb8  [width * height] R in the low byte, straight alpha; empty: they were made in display_rows()
+    /// @param srgb8 [width * height] R in the low byte, straight alpha; empty: they are in display_rows()
     virtual void display_tile(const Tile& tile, std::span<const std::uint32_t> srgb8) { (void)tile, (void)srgb8; }
 };
 

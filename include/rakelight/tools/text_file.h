@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text that goes to a file: it appears under its name when it is whole.
+// Writes text files atomically: a file appears when it is complete.
 #pragma once
 #include <string>
 
@@ -7,7 +7,8 @@
 
 namespace rakelight {
 
-/// What is in the way of a file, before any work. @throws Error failed, with the file
+/// Checks that a file can be written, before any work.
+/// @throws Error failed, with the file
 RL_API void check_text_output(const std::string& path);
 
 /// @throws Error failed, with the file

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values as people write them, for programs and for [render] of world files: numbers, lists, sizes, colors, lights. All throw
-// Error usage about `setting` that says what was expected; numbers go by std::from_chars, so no locale changes them.
+// Parsers of textual values for options and [render] of world files: numbers, lists, sizes, colors, lights. All throw
+// Error usage about `setting` with the expected form. Numbers use std::from_chars, independent of the locale.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -14,7 +14,7 @@
 
 namespace rakelight::values {
 
-/// Error usage about a setting.
+/// An Error usage about a setting.
 RL_API Error wrong(const std::string& setting, std::string reason, std::string advice = {});
 
 /// Finite numbers separated by commas, exactly `count` of them.
@@ -36,13 +36,13 @@ RL_API std::uint64_t byte_size(const std::string& setting, std::string_view text
 
 /// Display color "0.2,0.2,0.2", "#ff8000", "ff8000", "#f80", a name of CSS ("white"), or "transparent": linear RGB and alpha.
 RL_API vec4 background(const std::string& setting, std::string_view text);
-/// The same without "transparent". `advice` says what may be written.
+/// The same without "transparent". `advice` is part of the error message.
 RL_API vec4 display_color(const std::string& setting, std::string_view text,
                           const char* advice = "write r,g,b from 0 to 1, '#rrggbb' or a name such as white");
 
-/// Linear light "1,0.9,0.8", none of it negative, or a display color by code or name.
+/// Linear light "1,0.9,0.8", not negative, or a display color by code or name.
 RL_API vec3 light_color(const std::string& setting, std::string_view text);
-/// A direction of length 1.
+/// The normalized direction.
 RL_API dvec3 unit(const std::string& setting, dvec3 direction);
 
 /// "point:0,2,3:color=1,0.9,0.8:attenuation=1,0,0.1", "directional:0,-1,-1", "spot:...", "ambient:0.1,0.1,0.1";
@@ -53,15 +53,16 @@ RL_API Light light(const std::string& setting, std::string_view text);
 RL_API Fog fog(const std::string& setting, std::string_view text);
 
 /// "on", "off"; also "true", "false", "1", "0".
-RL_API bool switched(const std::string& setting, std::string_view text);
+RL_API bool on_off(const std::string& setting, std::string_view text);
 
-/// Whether a text is meant as a number, for which no word is near.
+/// Whether a text is meant as a number; for these no similar word is proposed.
 RL_API bool is_number(std::string_view text);
 
-/// Which of some words a text is. @throws Error usage with the nearest, and all of them
+/// The index of a text in a list of words.
+/// @throws Error usage with the nearest word and all words
 RL_API std::size_t word_number(const std::string& setting, std::string_view text, std::span<const char* const> names);
 
-/// The value of a word out of a fixed list.
+/// The value of a word in a fixed list.
 template <class T>
 T word(const std::string& setting, std::string_view text, std::span<const Word<T>> words) {
     std::vector<const char*> names;
@@ -79,7 +80,7 @@ T word(const std::string& setting, std::string_view text, std::initializer_list<
     return word<T>(setting, text, std::span(words.begin(), words.size()));
 }
 
-/// Parts between separators; "a,,b" has an empty one.
+/// The parts between separators; "a,,b" has an empty part.
 RL_API std::vector<std::string_view> split(std::string_view text, char separator);
 
 }  // namespace rakelight::values

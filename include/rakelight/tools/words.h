@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words by which people name choices, in settings and in world files.
+// The words for enumerators in settings and world files.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -11,11 +11,11 @@
 
 namespace rakelight {
 
-/// A value with the word that people write for it.
+/// A value with its word.
 template <class T>
 struct Word {
-    const char* name;  ///< as it is written
-    T value{};         ///< what it means
+    const char* name;  ///< the word
+    T value{};         ///< its value
 };
 
 inline constexpr Word<Lighting> lighting_words[] = {
@@ -63,18 +63,18 @@ inline constexpr Word<ToneMapping> tone_mapping_words[] = {{"none", ToneMapping:
                                                            {"aces", ToneMapping::aces},
                                                            {"agx", ToneMapping::agx}};
 
-/// Whether two words are equal but for the case of ASCII letters, which means nothing in words that name choices.
+/// Whether two words are equal, ignoring the case of ASCII letters.
 RL_API bool same_word(std::string_view a, std::string_view b);
 
-/// How many letters have to be put in, left out, replaced or swapped with their neighbor to make one word the other.
-/// Source: Damerau 1964, "A technique for computer detection and correction of spelling errors".
+/// Damerau-Levenshtein distance: insertions, deletions, replacements and swaps of adjacent letters. Source: Damerau
+/// 1964, "A technique for computer detection and correction of spelling errors".
 RL_API std::size_t spelling_distance(std::string_view a, std::string_view b);
 
-/// The word that a misspelt one is likely to mean; empty: none is near, or the misspelt one is longer than 64 bytes.
+/// The most similar word to a misspelled one; empty: none is similar, or `word` is longer than 64 bytes.
 RL_API std::string nearest_word(std::string_view word, const std::vector<std::string_view>& words);
 
-/// "a, b, c, d, e and 4 more": names of a file in a message, each once, in the order given and through one_line().
-/// @param most       so many are written, the others counted
+/// "a, b, c, d, e and 4 more": names for a message, each once, in the given order, through one_line().
+/// @param most number of listed names; the others are counted
 /// @param max_bytes  of each name
 RL_API std::string list_of_names(const std::vector<std::string>& names, std::size_t most = 5,
                                  std::size_t max_bytes = 40);

@@ -46,7 +46,7 @@ inline MaterialTexels material_texels(const Job<Kind>& job, const ShadingPoint& 
     return t;
 }
 
-/// Something keeps light from all around away.
+/// Something keeps light from the environment away.
 template <class Kind>
 inline bool is_occluded(const Job<Kind>& job) {
     return job.material().map[role_occlusion].view != nullptr || job.of.openness != nullptr;
@@ -162,7 +162,7 @@ inline void set_slopes(const MaterialView& m, vec3 facet_color, lit::MaterialSur
     lit::set_oren_nayar(s, m.sigma >= 0.0f ? real(m.sigma) : lit::sigma_of_roughness(s.roughness), facet_color);
 }
 
-/// Lambert, Phong, Blinn-Phong; but for metals by Lambert, which show their base color.
+/// Lambert, Phong, Blinn-Phong; except for metals by Lambert, which show their base color.
 template <class Kind>
 inline bool has_classical_sum(const Job<Kind>& job) {
     if constexpr (Kind::models == Models::classical) return true;

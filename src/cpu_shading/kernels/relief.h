@@ -59,7 +59,7 @@ inline HeightPlace height_place(const MaterialJob& job, const TexCoords& c, real
 }
 
 /// @param from_viewer  to the point
-/// Moves the texture coordinates to where the ray meets the relief.
+/// Moves the texture coordinates to where the ray hits the relief.
 inline void enter_relief(const MaterialJob& job, vec3 from_viewer, ShadingPoint& p, Bumps& bumps) {
     const TextureSlot& slot = job.material->map[role_height];
     const int32_t set = slot.texcoord_set == 0 ? 0 : 1;
@@ -80,7 +80,7 @@ inline void enter_relief(const MaterialJob& job, vec3 from_viewer, ShadingPoint&
 
 /// Alpha, < 0 where the relief ends at its texture's edge; there opaque materials are masked, too.
 template <class Kind>
-inline real shown_alpha(const Job<Kind>& job, const Bumps& bumps, real alpha) {
+inline real alpha_in_silhouette(const Job<Kind>& job, const Bumps& bumps, real alpha) {
     if (!job.has_relief() || job.of.relief.limit_silhouette == 0) return alpha;
     const MaterialView& m = job.material();
     return lit::silhouette_alpha(alpha, bumps.point.is_outside, m.alpha_cutoff < 0 && m.blend == 0);

@@ -213,10 +213,10 @@ inline Texels filtered_codes(const TextureView& t, const Footprint& f) {
     return t.rgba16 != nullptr ? filtered(ColorTexels{t.rgba16}, f) : filtered(DataTexels{t.rgba8}, f);
 }
 
-/// Formats of texels that a kernel reads: 8 and 15 bits a channel, or floats too.
+/// Formats of texels that a kernel reads: 8 and 15 bits per channel, or floats too.
 enum class TexelFormats { codes, every };
 
-/// 0..1 but for floats, times a power of two. Inline, so that channels which nobody reads cost nothing.
+/// 0..1 except for floats, times a power of two. Inline, so that channels which nobody reads cost nothing.
 template <TexelFormats formats = TexelFormats::every>
 [[gnu::always_inline]] inline vec4 sample(const TextureView& t, const Footprint& f, float times = 1.0f) {
     if (formats == TexelFormats::every && t.rgba32f != nullptr)

@@ -70,7 +70,7 @@ inline void find_texcoords(const MaterialView& m, const Source& source, int32_t 
     if (m.uses_texcoords[1] != 0) source.texcoords(k, 1, p.texcoords[1]);
 }
 
-/// Position, texture coordinates, and where the ray meets the relief.
+/// Position, texture coordinates, and where the ray hits the relief.
 template <class Kind, int32_t most, class Source>
 inline void find_places(const Job<Kind>& job, Source& source, Points<Kind, most>& b) {
     for (int32_t k = 0; k < b.count; ++k) source.place(k, b.of[k].point);
@@ -236,7 +236,7 @@ inline void for_each_light(const Job<Kind>& job, const Source& source, const Poi
 }
 
 /// Calls add(k, terms) for all that falls on the surfaces: the lights in their order, then the environment, then what is
-/// seen through them. What comes from all around is found at the points in flat and Gouraud pictures too.
+/// seen through them. What comes from the environment is found at the points in flat and Gouraud pictures too.
 template <class Kind, int32_t most, class Source, class Seen, class Add>
 inline void add_light(const Job<Kind>& job, const Source& source, const Points<Kind, most>& b, const Seen& seen,
                       const Add& add) {
@@ -280,7 +280,7 @@ inline void find_radiance(const Job<Kind>& job, const Source& source, const Poin
 template <class Kind>
 inline real alpha_of(const Job<Kind>& job, const PointState<Kind>& s) {
     if constexpr (Kind::has_bump_choices)
-        return shown_alpha(job, s.bumps, s.base.color.w);
+        return alpha_in_silhouette(job, s.bumps, s.base.color.w);
     else
         return s.alpha;
 }

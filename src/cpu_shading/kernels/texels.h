@@ -32,7 +32,7 @@ inline vec4 texel(const Job<Kind>& job, int role, const ShadingPoint& p) {
     return p.anisotropy > 1 ? sample_anisotropic<Kind::formats>(slot, c, p.anisotropy) : sample<Kind::formats>(slot, c);
 }
 
-/// The neutral texel of a map that is not there.
+/// The neutral texel of a map that does not exist.
 template <class Kind>
 inline vec4 texel_or_white(const Job<Kind>& job, int role, const ShadingPoint& p) {
     return job.material().map[role].view != nullptr ? texel(job, role, p) : vec4(real(1.0f));

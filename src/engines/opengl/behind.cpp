@@ -31,7 +31,7 @@ void set_levels(GLint first, GLint last) {
 
 }  // namespace
 
-Target& BehindPicture::begin(const shading::View& view, int samples) {
+Target& BehindPicture::begin(const shading::PictureCamera& view, int samples) {
     reserve(view.width, view.height);
     target_.reserve(view.width, view.height, samples);
     return target_;

@@ -2,14 +2,14 @@
 // The picture of what is behind transmissive surfaces (shading/behind.h) on the GPU: drawn into a target, then made a mip chain.
 #pragma once
 #include "engines/opengl/target.h"
-#include "shading/view.h"
+#include "shading/picture_camera.h"
 
 namespace rakelight::opengl {
 
 class BehindPicture {
 public:
     /// To be drawn into and resolved. @throws Error failed: no memory on the GPU
-    Target& begin(const shading::View& view, int samples);
+    Target& begin(const shading::PictureCamera& view, int samples);
     /// The chain of what was drawn: each smaller level by the filter 1 3 3 1, as cpu_shading/behind_picture.h makes it.
     void finish(const Driver& driver);
     void forget();

@@ -18,7 +18,7 @@ struct Layer {
 /// Nearness of a vertex, within what the view keeps of it; < 0: it is not finite.
 class Keys {
 public:
-    Keys(const shading::DrawList& list, const shading::View& view, const shading::Draw& draw)
+    Keys(const shading::DrawList& list, const shading::PictureCamera& view, const shading::Draw& draw)
         : mesh_(list.scene.meshes[draw.mesh]), view_(view), to_camera_(view.world_to_camera * draw.to_world) {}
 
     float of(std::uint32_t vertex) const {
@@ -32,11 +32,11 @@ public:
 
 private:
     const Mesh& mesh_;
-    const shading::View& view_;
+    const shading::PictureCamera& view_;
     const dmat4 to_camera_;
 };
 
-void add_layers(const shading::DrawList& list, const shading::View& view, std::uint32_t number,
+void add_layers(const shading::DrawList& list, const shading::PictureCamera& view, std::uint32_t number,
                 std::vector<Layer>& to) {
     const shading::Draw& draw = list.draws[number];
     const Mesh& mesh = list.scene.meshes[draw.mesh];
@@ -53,7 +53,7 @@ void add_layers(const shading::DrawList& list, const shading::View& view, std::u
 
 }  // namespace
 
-std::vector<BlendedRun> blending_order(const shading::DrawList& list, const shading::View& view,
+std::vector<BlendedRun> blending_order(const shading::DrawList& list, const shading::PictureCamera& view,
                                        const std::vector<std::uint32_t>& draws, Context& context) {
     std::vector<Layer> layers;
     for (const std::uint32_t draw : draws) {

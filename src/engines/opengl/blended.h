@@ -7,7 +7,7 @@
 #include <rakelight/context.h>
 
 #include "shading/draw_list.h"
-#include "shading/view.h"
+#include "shading/picture_camera.h"
 
 namespace rakelight::opengl {
 
@@ -18,7 +18,7 @@ struct BlendedRun {
 };
 
 /// @param draws  those that are blended and may be seen
-std::vector<BlendedRun> blending_order(const shading::DrawList& list, const shading::View& view,
+std::vector<BlendedRun> blending_order(const shading::DrawList& list, const shading::PictureCamera& view,
                                        const std::vector<std::uint32_t>& draws, Context& context);
 
 }  // namespace rakelight::opengl

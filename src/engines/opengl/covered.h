@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many pixels of a picture something opaque covers. By a program: OpenGL ES reads no depth.
+// Counts the pixels of a picture that something opaque covers. By a program, since OpenGL ES cannot read back depth.
 #pragma once
 #include <cstdint>
 

@@ -9,7 +9,7 @@ namespace rakelight::opengl {
 void Renderer::draw_behind(Context& context) {
     has_behind_ = false;  // not on its own picture
     if (!shading::needs_behind(list_, settings_)) return behind_.forget();
-    const shading::View view = shading::view_behind(view_);
+    const shading::PictureCamera view = shading::camera_behind(view_);
     const RenderSettings settings = shading::settings_behind(settings_, view);
     const Window whole{0, 0, view.width, view.height};
     lights_.set(light_parameters_, light_shadows_, view, whole);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one draw of a picture is drawn with: the features of its program, the numbers of its material, its textures.
+// The state of one draw of a picture: the features of its program, the numbers of its material, its textures.
 #pragma once
 #include <vector>
 
@@ -13,7 +13,7 @@
 #include "shading/draw_choices.h"
 #include "shading/draw_list.h"
 #include "shading/lit_side.h"
-#include "shading/view.h"
+#include "shading/picture_camera.h"
 
 namespace rakelight::opengl {
 
@@ -38,7 +38,7 @@ struct PictureState {
     const shading::TextureCache& cache;
     TextureStore& textures;
     const RenderSettings& settings;
-    const shading::View& view;
+    const shading::PictureCamera& view;
     const std::vector<Shading>& shading;  ///< [draws] never automatic
     const LightTable& lights;
     bool has_environment = false, has_shadows = false;

@@ -9,6 +9,8 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
+
 namespace rakelight::opengl {
 namespace {
 
@@ -63,8 +65,8 @@ Driver ask_driver() {
     const int version = epoxy_gl_version();
     if (version < (d.is_es ? 30 : 33))
         throw Error(ErrorCode::failed,
-                    "the OpenGL driver has version " + std::to_string(version / 10) + "." +
-                        std::to_string(version % 10) + (d.is_es ? " ES; 3.0 is needed" : "; 3.3 is needed"),
+                    format_text("the OpenGL driver has version {}.{}{}", version / 10, version % 10,
+                                d.is_es ? " ES; 3.0 is needed" : "; 3.3 is needed"),
                     {}, "render with engine soft");
     d.renderer = text(GL_RENDERER);
     d.identity = text(GL_VENDOR) + "\n" + d.renderer + "\n" + text(GL_VERSION);
@@ -88,8 +90,8 @@ Driver ask_driver() {
     return d;
 }
 
-EngineAbilities abilities_of(const Driver& driver) {
-    EngineAbilities can;
+EngineCapabilities abilities_of(const Driver& driver) {
+    EngineCapabilities can;
     can.channels = channels_all;
     for (const int samples : {4, 8})
         if (driver.samples >= samples) can.samples.push_back(samples);

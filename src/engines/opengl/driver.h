@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the driver of the current context is and can do. Asked once a context.
+// What the driver of the current context is and can do. Queried once per context.
 #pragma once
 #include <string>
 
@@ -28,7 +28,7 @@ struct Driver {
 Driver ask_driver();
 
 /// What pictures of this driver can show.
-EngineAbilities abilities_of(const Driver& driver);
+EngineCapabilities abilities_of(const Driver& driver);
 
 /// @throws Error failed: what GL_OUT_OF_MEMORY or another error of the calls before says of `what`
 void check_gl(const char* what);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a program is made for: choices that are constants in its text (RL_...), so that the driver takes away what they
-// leave out. Draws of equal features share a program.
+// The features of a program: choices that are constants in its text (RL_...), so that the driver removes unused code.
+// Draws with equal features share a program.
 #pragma once
 #include <compare>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A thread of its own for what may be used from one thread alone.
+// A dedicated thread for things that only one thread may use.
 #pragma once
 #include <condition_variable>
 #include <exception>
@@ -21,7 +21,7 @@ public:
     GlThread(const GlThread&) = delete;
     GlThread& operator=(const GlThread&) = delete;
 
-    /// What `work` throws is thrown here.
+    /// Rethrows what `work` throws.
     void call(const std::function<void()>& work) {
         const std::lock_guard one_at_a_time(calls_);
         std::unique_lock lock(mutex_);

@@ -17,10 +17,10 @@ namespace {
     throw Error(ErrorCode::failed, reason, {}, "render with engine soft");
 }
 
-/// libepoxy ends the process where libEGL lacks a function that it is asked for: so that is looked at first.
+/// libepoxy ends the process if libEGL lacks a function that is called, so this is checked first.
 void require_egl() {
     void* const library = dlopen("libEGL.so.1", RTLD_LAZY | RTLD_LOCAL);  // stays open: epoxy opens it again
-    if (!library || !epoxy_has_egl()) fail("there is no libEGL: OpenGL cannot be used without a window");
+    if (!library || !epoxy_has_egl()) fail("libEGL is missing: OpenGL cannot be used without a window");
     for (const char* const name :
          {"eglGetDisplay", "eglInitialize", "eglBindAPI", "eglChooseConfig", "eglCreateContext", "eglMakeCurrent",
           "eglQueryString", "eglGetProcAddress", "eglTerminate"})

@@ -42,7 +42,7 @@ void add_light(const lighting::LightParameters& p, const LightShadow* shadow, st
 }  // namespace
 
 void LightTable::set(const std::vector<lighting::LightParameters>& lights, const std::vector<LightShadow>& shadows,
-                     const shading::View& view, Window pixels) {
+                     const shading::PictureCamera& view, Window pixels) {
     count_ = int(lights.size());
     texels_.clear();
     for (const lighting::LightParameters& p : lights)
@@ -66,7 +66,7 @@ void LightTable::set(const std::vector<lighting::LightParameters>& lights, const
 }
 
 /// Texels (first, end) of each square, numbers of lights counted in quarters of texels; then the numbers, four a texel.
-void LightTable::add_lists(const std::vector<lighting::LightParameters>& lights, const shading::View& view,
+void LightTable::add_lists(const std::vector<lighting::LightParameters>& lights, const shading::PictureCamera& view,
                            Window pixels) {
     const shading::LightReach reach(lights);
     if (!reach.is_worth_it()) return;

@@ -9,8 +9,8 @@
 
 #include "engines/opengl/gl_objects.h"
 #include "lighting/light_parameters.h"
+#include "shading/picture_camera.h"
 #include "shading/shadow_factors.h"
-#include "shading/view.h"
 
 namespace rakelight::opengl {
 
@@ -25,7 +25,7 @@ public:
     /// @param lights   about the eye; `shadow` numbers `shadows`
     /// @param pixels   what is drawn of the picture: lists are of its squares
     void set(const std::vector<lighting::LightParameters>& lights, const std::vector<LightShadow>& shadows,
-             const shading::View& view, Window pixels);
+             const shading::PictureCamera& view, Window pixels);
     /// Few lights are uniforms, the others a texture; both hold the same texels.
     bool are_near() const { return count_ <= most_near; }
     bool has_lists() const { return has_lists_; }
@@ -41,7 +41,8 @@ public:
     static constexpr int most_near = 8, square = 64;  ///< [px] side of a square with a list
 
 private:
-    void add_lists(const std::vector<lighting::LightParameters>& lights, const shading::View& view, Window pixels);
+    void add_lists(const std::vector<lighting::LightParameters>& lights, const shading::PictureCamera& view,
+                   Window pixels);
 
     int count_ = 0;
     bool has_lists_ = false;

@@ -69,7 +69,7 @@ void set_attributes() {
 
 }  // namespace
 
-void LinePass::draw(std::span<const Line> lines, const shading::View& view, const Screen& screen, GLuint depth,
+void LinePass::draw(std::span<const Line> lines, const shading::PictureCamera& view, const Screen& screen, GLuint depth,
                     const Driver& driver) {
     const DepthRange::Row nearness = DepthRange::nearness(view);
     const dmat4 to_clip =

@@ -8,14 +8,14 @@
 #include "engines/opengl/driver.h"
 #include "engines/opengl/gl_objects.h"
 #include "engines/opengl/screen.h"
-#include "shading/view.h"
+#include "shading/picture_camera.h"
 
 namespace rakelight::opengl {
 
 class LinePass {
 public:
     /// @param depth  texture of what hides them, as large as the screen, row 0 on top; 0: nothing does
-    void draw(std::span<const Line> lines, const shading::View& view, const Screen& screen, GLuint depth,
+    void draw(std::span<const Line> lines, const shading::PictureCamera& view, const Screen& screen, GLuint depth,
               const Driver& driver);
 
 private:

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/assert.h"
+#include "base/format_text.h"
 
 namespace rakelight::opengl {
 namespace {
@@ -17,7 +18,7 @@ struct Number {
     std::size_t place = 0;  ///< [floats] in the packed array
 };
 
-/// Four floats a row, a name never over two rows.
+/// Four floats per row, a name never over two rows.
 std::vector<Number> placed(std::vector<Number> numbers) {
     std::stable_sort(numbers.begin(), numbers.end(),
                      [](const Number& a, const Number& b) { return a.components > b.components; });
@@ -102,9 +103,9 @@ PackedMaterial pack(const MaterialNumbers& from) {
 
 const std::string& material_text() {
     static const std::string text = [] {
-        std::string t = "uniform vec4 rl_material[" + std::to_string(material_vectors) + "];\n";
+        std::string t = format_text("uniform vec4 rl_material[{}];\n", material_vectors);
         for (const Number& n : numbers()) {
-            t += "#define " + n.name + " rl_material[" + std::to_string(n.place / 4) + "]";
+            t += format_text("#define {} rl_material[{}]", n.name, n.place / 4);
             if (n.components < 4) t += "." + std::string("xyzw").substr(n.place % 4, n.components);
             t += "\n";
         }

@@ -15,7 +15,7 @@
 
 namespace rakelight::opengl {
 
-/// A mesh whose triangles a vertex stage can look up.
+/// A mesh whose triangles per vertex stage can look up.
 struct TriangleTable {
     GlTexture indices, vertices;
     std::int32_t against = -1;  ///< [texels] where its bits begin; -1: none
@@ -37,7 +37,7 @@ public:
     GLuint vertex_array(const Mesh& mesh, PosedBuffers* posed);
     /// Whether all its buffers hold their arrays. @param pose  its influences go with them; null: none
     bool is_there(const Mesh& mesh, const geometry::MeshPose* pose = nullptr) const;
-    /// A part of an array that is not there yet, at most so many bytes.
+    /// A part of an array that does not exist yet, at most so many bytes.
     void upload_piece(const Mesh& mesh, const geometry::MeshPose* pose = nullptr);
     /// The places 0 to 2 of the vertex array that is bound. What they read is there.
     void set_vertices(const Mesh& mesh, const PosedBuffers* posed = nullptr);
@@ -48,7 +48,7 @@ public:
     static constexpr std::size_t piece_bytes = 8 << 20;
     std::uint64_t bytes() const;                     ///< of all buffers that it holds
     GLuint no_arrays() { return no_arrays_.get(); }  ///< a vertex array without any
-    /// @param against  [triangles] LitSide::against(), the same for all draws of a mesh; null: none is asked for
+    /// @param against  [triangles] LitSide::against(), the same for all draws of a mesh; null: none is requested
     const TriangleTable& table(const Mesh& mesh, const std::int32_t* against);
 
 private:

@@ -46,7 +46,7 @@ public:
     const Driver& driver() const { return renderer_->driver(); }
 
     std::string name() const override { return "gl"; }
-    EngineAbilities abilities() const override { return abilities_of(driver()); }
+    EngineCapabilities capabilities() const override { return abilities_of(driver()); }
     void prepare(Scene scene, Context& context) override { prepare_unposed(std::move(scene), nullptr, context); }
     void prepare_unposed(Scene scene, std::shared_ptr<const geometry::MeshPoses> poses, Context& context) override {
         thread_.call([&] { renderer_->prepare({std::move(scene), std::move(poses)}, context); });
@@ -137,7 +137,7 @@ std::unique_ptr<Engine> make_gpu_engine(std::string& why) {
     try {
         auto engine = std::make_unique<OpenGlEngine>();
         if (!engine->driver().is_software) return engine;
-        why = "there is no GPU (" + engine->driver().renderer + " draws by the processor)";
+        why = "there is no GPU (" + engine->driver().renderer + " draws on the processor)";
     } catch (const Error& error) {
         why = error.reason();
     }

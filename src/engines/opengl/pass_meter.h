@@ -30,7 +30,7 @@ public:
     };
     /// Forgets what was asked and not fetched.
     void reset() { asked_.clear(); }
-    /// Fetches all answers and begins anew; passes of one name are summed, in the order in which they came first.
+    /// Fetches all answers and begins again; passes of one name are summed, in the order in which they came first.
     void finish(std::vector<GpuPass>& to);
     /// Samples that passes of that name drew, after finish(). 0 in OpenGL ES, which does not count them.
     std::uint64_t samples(const std::string& name) const;

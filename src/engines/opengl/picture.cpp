@@ -33,19 +33,19 @@ void put_vec3(dvec3 v, float w, float* to) { to[0] = float(v.x), to[1] = float(v
 
 }  // namespace
 
-DepthRange::Row DepthRange::nearness(const shading::View& view) {
+DepthRange::Row DepthRange::nearness(const shading::PictureCamera& view) {
     const double near = view.z_near, far = view.z_far, length = far - near;
     if (view.orthographic) return {-1 / length, far / length, 0};
     if (!std::isfinite(far)) return {0, near, 0};
     return {-near / length, near * far / length, 0};
 }
 
-DepthRange::Row DepthRange::row(const shading::View& view) const {
+DepthRange::Row DepthRange::row(const shading::PictureCamera& view) const {
     const Row r = nearness(view);
     return is_reversed ? r : Row{-2 * r.scale, -2 * r.offset, 1};
 }
 
-dmat4 clip_matrix(const shading::View& view, Window pixels, const DepthRange::Row& depth, double y_sign) {
+dmat4 clip_matrix(const shading::PictureCamera& view, Window pixels, const DepthRange::Row& depth, double y_sign) {
     const double wide = double(view.width) / pixels.width, high = double(view.height) / pixels.height;
     const double x = (view.width - 2.0 * pixels.x) / pixels.width - 1,
                  y = -y_sign * ((view.height - 2.0 * pixels.y) / pixels.height - 1);
@@ -100,7 +100,7 @@ bool PictureDrawer::is_outside(std::uint32_t number) const {
 void PictureDrawer::set_picture(const Program& p) const {
     if (p.picture == number_) return;
     p.picture = number_;
-    const shading::View& view = state_.view;
+    const shading::PictureCamera& view = state_.view;
     const dvec3 back = view.camera_to_world[2].xyz();
     glUniform3f(p.view_direction, float(back.x), float(back.y), float(back.z));
     if (p.lights >= 0) glUniform4fv(p.lights, GLsizei(state_.lights.count()) * light_texels, state_.lights.numbers());
@@ -246,7 +246,7 @@ void PictureDrawer::draw_marks(const shading::Draw& draw, const Mark& mark, Outp
     bind_table(program, mesh, nullptr);
     glActiveTexture(GL_TEXTURE0 + unit_shadows);
     glBindTexture(GL_TEXTURE_2D, depth);
-    const shading::View& view = state_.view;
+    const shading::PictureCamera& view = state_.view;
     const shading::Culling culling = shading::culling_of(state_.list, draw, state_.settings);
     glUniform4f(program.mark, mark.size, float(mark.kind), float(mark.shape + 4 * mark.fills),
                 view.orthographic ? 0.5f : float(view.z_near));

@@ -25,14 +25,14 @@ struct DepthRange {
         double scale, offset, per_w;
     };
     /// 1 at the near plane, 0 at the far one: what reversed depth holds; 1 minus it: what the other depth does.
-    static Row nearness(const shading::View& view);
+    static Row nearness(const shading::PictureCamera& view);
     /// Clip-space depth.
-    Row row(const shading::View& view) const;
+    Row row(const shading::PictureCamera& view) const;
 };
 
 /// Camera axes -> clip space of a part of the picture. @param depth  what comes as z: z * w
 /// @param y_sign  -1: upside down, as pictures are drawn
-dmat4 clip_matrix(const shading::View& view, Window pixels, const DepthRange::Row& depth, double y_sign);
+dmat4 clip_matrix(const shading::PictureCamera& view, Window pixels, const DepthRange::Row& depth, double y_sign);
 
 /// What draws of a picture share on the GPU.
 struct PictureTools {

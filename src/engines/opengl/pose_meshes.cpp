@@ -5,8 +5,8 @@
 
 namespace rakelight::opengl {
 
-/// Lines and points, edges, vertices and channels that ask for triangles are drawn from tables of triangles, and so are flat
-/// shading and what else DrawStateMaker::set_vertices() names; blended triangles are put in order by the processor.
+/// Lines and points, edges, vertices and channels of triangles are drawn from tables of triangles. So are flat shading
+/// and the other cases that DrawStateMaker::set_vertices() names. Blended triangles are sorted on the processor.
 std::set<std::uint32_t> Renderer::meshes_read_by_processor() {
     bool reads_all = settings_.edges || settings_.points != PointShape::none;
     for_each_group(settings_.channels, [&](Output, bool wants_triangles) { reads_all = reads_all || wants_triangles; });
@@ -23,9 +23,9 @@ std::set<std::uint32_t> Renderer::meshes_read_by_processor() {
     return meshes;
 }
 
-/// Here it is decided who poses a mesh for this moment: the processor, where it reads the vertices or the driver's textures
-/// are too small, else the driver. (OpenGL 3.3 and ES 3.0 have transform feedback. Whose vertices prepare needed, come
-/// posed: Preparing::finish_unposed() of prepare_scene.cpp.)
+/// Decides what poses a mesh at this moment: the processor if it reads the vertices or the driver's textures are too
+/// small, else the driver. (OpenGL 3.3 and ES 3.0 have transform feedback. Whose vertices prepare needed, come posed:
+/// Preparing::finish_unposed() of prepare_scene.cpp.)
 void Renderer::pose_meshes(Context& context) {
     if (unposed_.empty()) return;
     const std::set<std::uint32_t> read = meshes_read_by_processor();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Skins and morph targets on the GPU: transform feedback writes vertices as they stand into the buffers that programs read.
-// Bind pose, influences and offsets stay there from moment to moment, and so do the buffers; joints and weights come anew.
+// Bind pose, influences and offsets stay there from moment to moment, and so do the buffers; joints and weights come again.
 #pragma once
 #include <cstdint>
 #include <map>

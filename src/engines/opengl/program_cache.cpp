@@ -10,6 +10,8 @@
 #include <fstream>
 #include <vector>
 
+#include "base/format_text.h"
+
 namespace rakelight::opengl {
 namespace {
 
@@ -84,8 +86,7 @@ void ProgramCache::store(GLuint program) const {
     static std::atomic<unsigned> count{0};
     std::error_code fault;
     std::filesystem::create_directories(file_.parent_path(), fault);
-    const std::filesystem::path part =
-        file_.string() + "." + std::to_string(getpid()) + "." + std::to_string(++count) + ".part";
+    const std::filesystem::path part = format_text("{}.{}.{}.part", file_.string(), getpid(), ++count);
     {
         std::ofstream file(part, std::ios::binary);
         file.write(reinterpret_cast<const char*>(&header), sizeof header);

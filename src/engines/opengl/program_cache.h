@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Linked programs as files, so that the next run need not compile them: in $XDG_CACHE_HOME/rakelight/gl (~/.cache). A file is
-// named by driver and text; one that is broken or that the driver refuses is made anew. RAKELIGHT_GL_CACHE=off: none.
+// named by driver and text; one that is broken or that the driver refuses is recomputed. RAKELIGHT_GL_CACHE=off: none.
 #pragma once
 #include <epoxy/gl.h>
 
@@ -16,7 +16,7 @@ public:
     ProgramCache(const Driver& driver, const ProgramText& text);
     bool load(GLuint program) const;     ///< false: there is none that the driver takes
     void prepare(GLuint program) const;  ///< before it is linked
-    void store(GLuint program) const;    ///< faults are nobody's concern: the program is there
+    void store(GLuint program) const;    ///< errors are ignored: the program exists
 
 private:
     std::filesystem::path file_;  ///< empty: no cache

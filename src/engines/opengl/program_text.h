@@ -42,7 +42,7 @@ struct PoseFeatures {
 };
 ProgramText pose_text(const PoseFeatures& features, const Driver& driver);
 
-/// A compiler's words with the files' names in place of their numbers.
+/// A compiler's words with the files' names instead of their numbers.
 std::string with_file_names(const std::string& log, const std::vector<std::string>& files);
 
 /// A file of the text by its path in src/, as it was when the program was built.

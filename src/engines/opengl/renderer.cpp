@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "base/format_text.h"
 #include "engines/channel_arrays.h"
 #include "engines/empty_pixel.h"
 #include "engines/opengl/blended.h"
@@ -110,7 +111,7 @@ void Renderer::begin_picture(const Camera& camera, const RenderSettings& setting
     seen_.assign(list_.draws.size(), false);
     meter_.reset();
     programs_.set_user({settings.lighting_name, settings.lighting_text});
-    view_ = shading::view_of(list_, camera, settings);
+    view_ = shading::picture_camera_of(list_, camera, settings);
     shading_ = shading::choose_shading(list_, settings, nullptr, context);
     pose_meshes(context);
     const dvec3 eye = view_.camera_to_world[3].xyz();
@@ -134,7 +135,7 @@ std::vector<Renderer::KeptMaps> Renderer::draw_shadow_maps(const RenderSettings&
     for (std::size_t m = 0; m < maps.size(); ++m) {
         maps[m].place = places[m];
         for (std::size_t f = 0; f < maps[m].cameras.size(); ++f) {
-            maps[m].view = shading::view_of(list_, maps[m].cameras[f].camera, of_map);
+            maps[m].view = shading::picture_camera_of(list_, maps[m].cameras[f].camera, of_map);
             draw_shadow_map(maps[m].view, of_map, places[m], int(f), context);
         }
     }
@@ -162,8 +163,8 @@ void Renderer::update_shadows(const RenderSettings& settings, dvec3 eye, std::ve
     }
 }
 
-void Renderer::draw_shadow_map(const shading::View& view, const RenderSettings& settings, ShadowAtlas::Place place,
-                               int face, Context& context) {
+void Renderer::draw_shadow_map(const shading::PictureCamera& view, const RenderSettings& settings,
+                               ShadowAtlas::Place place, int face, Context& context) {
     const std::vector<Shading> unlit(list_.draws.size(), Shading::unlit);
     const PictureState state = picture_state();
     const LightTable no_lights;
@@ -314,8 +315,8 @@ void Renderer::remark_dropped_maps(Report& report) const {
     for (const TextureRole& role : texture_roles())
         if ((dropped_maps_ >> role.number & 1u) != 0) names += (names.empty() ? "" : ", ") + std::string(role.name);
     report.add(Remark::warning, list_.scene.source, list_.scene_material(list_.material(list_.draws[dropped_of_])).name,
-               "textures left out: " + names + ": this OpenGL driver samples " + std::to_string(driver_.texture_units) +
-                   " textures at once");
+               format_text("textures left out: {}: this OpenGL driver samples {} textures at once", names,
+                           driver_.texture_units));
 }
 
 void Renderer::end_picture(RenderStats& stats, Context& context) {
@@ -343,7 +344,7 @@ void Renderer::end_picture(RenderStats& stats, Context& context) {
     stats.pixels_marked = meter_.samples(Marks::pass_name);
     if (not_finite_ > 0)
         context.report().add(Remark::warning, list_.scene.source, {},
-                             std::to_string(not_finite_) + " color values came out not finite and are shown black");
+                             std::to_string(not_finite_) + " color values were not finite and are shown black");
 }
 
 }  // namespace rakelight::opengl

@@ -61,8 +61,8 @@ public:
     void end_picture(RenderStats& stats, Context& context);
     /// Data channels of a part of the picture, which are filled. After its colors.
     void draw_channels(Window pixels, ChannelArrays& to, Context& context);
-    shading::View view_of(const Camera& camera, const RenderSettings& settings) const {
-        return shading::view_of(list_, camera, settings);
+    shading::PictureCamera picture_camera_of(const Camera& camera, const RenderSettings& settings) const {
+        return shading::picture_camera_of(list_, camera, settings);
     }
     float far_depth() const { return DepthRange(driver_).far_depth(); }
 
@@ -70,7 +70,7 @@ private:
     struct KeptMaps {
         std::size_t light;
         std::vector<shading::MapCamera> cameras;
-        shading::View view;
+        shading::PictureCamera view;
         ShadowAtlas::Place place;
     };
     PictureState picture_state();
@@ -81,8 +81,8 @@ private:
     void update_shadows(const RenderSettings& settings, dvec3 eye, std::vector<lighting::LightParameters>& lights,
                         RenderStats& stats, Context& context);
     std::vector<KeptMaps> draw_shadow_maps(const RenderSettings& settings, Context& context);
-    void draw_shadow_map(const shading::View& view, const RenderSettings& settings, ShadowAtlas::Place place, int face,
-                         Context& context);
+    void draw_shadow_map(const shading::PictureCamera& view, const RenderSettings& settings, ShadowAtlas::Place place,
+                         int face, Context& context);
     void draw_behind(Context& context);
     void make_albedos();
     void note_dropped(std::uint32_t draw, const DrawState& state);
@@ -124,7 +124,7 @@ private:
     std::vector<bool> seen_;                           ///< [draws] not outside of the picture
     std::uint32_t dropped_maps_ = 0, dropped_of_ = 0;  ///< DrawState::dropped of the first draw with any
     RenderSettings settings_;
-    shading::View view_;
+    shading::PictureCamera view_;
     shading::BehindFactors behind_factors_{};
     bool has_behind_ = false;
     std::vector<Shading> shading_;
@@ -132,7 +132,7 @@ private:
     std::vector<LightShadow> light_shadows_;
     LightTable lights_;
 
-    // Shadow maps that are there: of the list, for these settings.
+    // Shadow maps that exist: of the list, for these settings.
     std::vector<KeptMaps> maps_;
     int map_size_ = 0, map_filter_ = 0;
 };

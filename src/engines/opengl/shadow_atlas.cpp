@@ -6,6 +6,7 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "shading/shadow_factors.h"
 
 namespace rakelight::opengl {
@@ -37,9 +38,9 @@ std::vector<ShadowAtlas::Place> ShadowAtlas::reserve(const std::vector<int>& fac
             if (faces[i] == kind) places[i] = kind == 6 ? shelves.put(cube_columns, cube_rows) : shelves.put(1, 1);
     if (shelves.columns > shelves.most || shelves.rows() > shelves.most)
         throw Error(ErrorCode::failed,
-                    "shadow maps of " + std::to_string(size) + " x " + std::to_string(size) + " texels for " +
-                        std::to_string(faces.size()) + " lights do not fit into a texture of this OpenGL driver, " +
-                        std::to_string(driver_.picture_size) + " a side",
+                    format_text("shadow maps of {} x {} texels for {} lights do not fit into a texture of this OpenGL "
+                                "driver, {} per side",
+                                size, size, faces.size(), driver_.picture_size),
                     {}, "make them smaller")
             .about("shadow-size");
     allocate(shelves.columns, shelves.rows(), size);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shadow maps of all lights in one texture, two numbers a texel: nearness, and the codes of the slopes
+// Shadow maps of all lights in one texture, two numbers per texel: nearness, and the codes of the slopes
 // (lighting/shadow/shadow_map.glsl; lighting/maps.glsl says where the faces of a cube stand).
 #pragma once
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a picture is drawn into: half floats, premultiplied, with depth; multisampled where it is asked for. Upside down: row 0
-// of the picture is row 0 of OpenGL's memory, so samples lie as the soft engine's do.
+// The target that a picture is drawn into: half floats, premultiplied, with depth; multisampled if requested. Upside
+// down: row 0 of the picture is row 0 of OpenGL's memory, so sample positions match the soft engine's.
 #pragma once
 #include <cstdint>
 #include <span>

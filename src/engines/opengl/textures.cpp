@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "base/format_text.h"
+
 namespace rakelight::opengl {
 namespace {
 
@@ -75,9 +77,8 @@ std::size_t levels_beyond(const std::vector<MipLevel>& levels, int texture_size)
 }
 
 std::string drawn_smaller(const MipLevel& whole, const Driver& driver) {
-    return "of " + std::to_string(whole.width) + " x " + std::to_string(whole.height) +
-           " is drawn with fewer texels: the OpenGL driver has at most " + std::to_string(driver.texture_size) +
-           " a side";
+    return format_text("of {} x {} is drawn with fewer texels: the OpenGL driver has at most {} per side", whole.width,
+                       whole.height, driver.texture_size);
 }
 
 void upload_levels(const std::vector<MipLevel>& levels, std::size_t skipped, bool is_srgb) {

@@ -65,7 +65,7 @@ private:
     std::map<std::array<int, 5>, GlSampler> samplers_;
 };
 
-/// Of a mip chain: the first levels that have more texels a side than the driver takes.
+/// Of a mip chain: the first levels that have more texels per side than the driver takes.
 std::size_t levels_beyond(const std::vector<MipLevel>& levels, int texture_size);
 /// "of ... is drawn with fewer texels ..."
 std::string drawn_smaller(const MipLevel& whole, const Driver& driver);

@@ -10,6 +10,7 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "engines/opengl/line_pass.h"
 #include "engines/opengl/renderer.h"
 #include "engines/opengl/screen.h"
@@ -39,7 +40,7 @@ struct WindowView::State {
     void draw_display(const Screen& screen, GLuint picture_name, int tone, float gain, vec4 behind = {});
 };
 
-EngineAbilities WindowView::abilities() const { return abilities_of(state_->driver()); }
+EngineCapabilities WindowView::capabilities() const { return abilities_of(state_->driver()); }
 double WindowView::aspect() const {
     const Screen screen = Screen::current();
     return double(std::max(screen.viewport[2], 1)) / double(std::max(screen.viewport[3], 1));
@@ -139,7 +140,7 @@ RenderStats WindowView::draw(const Camera& camera, const RenderSettings& setting
     RenderStats stats;
     if (std::max(settings.width, settings.height) > s.driver().picture_size)
         throw Error(ErrorCode::failed,
-                    "this OpenGL driver draws at most " + std::to_string(s.driver().picture_size) + " pixels a side");
+                    format_text("this OpenGL driver draws at most {} pixels per side", s.driver().picture_size));
     // Of the picture before: what is asked of this one would have to be waited for.
     s.renderer.end_picture(s.stats, context);
     stats.gpu_passes = std::move(s.stats.gpu_passes);
@@ -154,8 +155,8 @@ RenderStats WindowView::draw(const Camera& camera, const RenderSettings& setting
 
 void WindowView::show(int width, int height, std::span<const std::uint32_t> srgb8, bool smooth) {
     if (width <= 0 || height <= 0 || srgb8.size() != std::size_t(width) * std::size_t(height))
-        throw Error(ErrorCode::usage, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                                          " pixels does not have " + std::to_string(srgb8.size()) + " of them");
+        throw Error(ErrorCode::usage,
+                    format_text("a picture of {} x {} pixels does not have {} of them", width, height, srgb8.size()));
     State& s = *state_;
     const Screen screen = Screen::with_own_state(s.driver().is_es);
     s.has_depth = false;
@@ -187,7 +188,8 @@ void WindowView::lines(const Camera& camera, std::span<const Line> lines) {
     RenderSettings settings;
     settings.width = screen.width(), settings.height = screen.height();
     const bool hides = s.has_depth && s.target.width() == settings.width && s.target.height() == settings.height;
-    s.lines.draw(lines, s.renderer.view_of(camera, settings), screen, hides ? s.target.depth_texture() : 0, s.driver());
+    s.lines.draw(lines, s.renderer.picture_camera_of(camera, settings), screen, hides ? s.target.depth_texture() : 0,
+                 s.driver());
 }
 
 }  // namespace rakelight::opengl

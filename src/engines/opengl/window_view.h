@@ -18,7 +18,7 @@ public:
     WindowView();  ///< @throws Error failed: the context is too old
     ~WindowView();
 
-    EngineAbilities abilities() const;
+    EngineCapabilities capabilities() const;
     double aspect() const;  ///< of the viewport that is set
     std::string renderer() const;
     bool has_gpu() const;

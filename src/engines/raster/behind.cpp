@@ -28,7 +28,7 @@ std::unique_ptr<const cpu_shading::BehindPicture> picture_behind(const BehindJob
     if (!shading::needs_behind(of.list, of.settings)) return nullptr;
     // Its remarks are the picture's.
     Context quiet({.threads = context.threads(), .max_memory = context.memory().limit(), .parent = &context});
-    const View view = shading::view_behind(of.view);
+    const PictureCamera view = shading::camera_behind(of.view);
     const RenderSettings settings = shading::settings_behind(of.settings, view);
     auto picture = std::make_unique<cpu_shading::BehindPicture>(view, context);
     const TileGrid grid(settings.width, settings.height, {});

@@ -12,7 +12,7 @@ namespace rakelight::raster {
 /// What it is drawn of: that of the picture.
 struct BehindJob {
     const DrawList& list;
-    const View& view;
+    const PictureCamera& view;
     const RenderSettings& settings;
     const std::vector<lighting::LightParameters>& lights;  ///< about the eye, with their shadows
     const ShadowView* shadows;                             ///< null: none
@@ -20,7 +20,7 @@ struct BehindJob {
     const GeometryKernels& geometry_kernels;
 };
 
-/// Null where nothing asks for it. Of the whole view, whatever the window. @throws Error over the memory budget, cancelled
+/// Null if unused. Of the whole view, not only the window. @throws Error over the memory budget, cancelled
 std::unique_ptr<const cpu_shading::BehindPicture> picture_behind(const BehindJob& job, Context& context);
 
 }  // namespace rakelight::raster

@@ -9,7 +9,7 @@
 namespace rakelight::raster {
 namespace {
 
-/// The rows of a whole tile that lie in the window; a tile that does so wholly is handed on as it stands.
+/// The rows of a whole tile that are in the window; a tile entirely inside is passed on unchanged.
 template <class T>
 std::span<const T> part(const std::vector<T>& whole, const Window& in_tile, std::vector<T>& copy) {
     if (in_tile.width == tile_size)

@@ -11,7 +11,7 @@ namespace rakelight::raster {
 /// Who takes the picture.
 struct Taker {
     explicit Taker(Sink& taking) : sink(taking), strips(dynamic_cast<StripSink*>(&taking)) {}
-    bool takes_srgb8() const { return strips && strips->takes_srgb8(); }
+    bool wants_srgb8() const { return strips && strips->wants_srgb8(); }
     Sink& sink;
     StripSink* strips;  ///< null: it takes whole pictures of linear colors
 };

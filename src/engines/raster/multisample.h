@@ -53,14 +53,14 @@ inline ScreenTriangle seen_from(SamplePosition at, const ScreenTriangle& s) {
     return moved;
 }
 
-/// The pixels of a batch are looked at where a sample lies.
+/// Evaluates the pixels of a batch at the place of a sample.
 void move_to(SamplePosition at, std::size_t count, ShadeJob& batch, TileScratch& scratch);
-/// Each pixel of a batch is looked at in the middle of those of its samples that show the triangle.
+/// Evaluates a pixel of a batch at the centroid of its samples that show the triangle.
 /// @param samples  1 << sample for each; all of them: the center
-void move_to_middle(int samples, std::uint32_t shown, std::size_t i, TileScratch& scratch);
+void move_to_middle(int samples, std::uint32_t sample_mask, std::size_t i, TileScratch& scratch);
 /// [px] the same for one pixel, from its center.
-vec2 middle_of(int samples, std::uint32_t shown);
-/// Makes `batch` look at the offsets that move_to_middle() wrote.
+vec2 middle_of(int samples, std::uint32_t sample_mask);
+/// Makes `batch` use the offsets that move_to_middle() wrote.
 void use_offsets(ShadeJob& batch, TileScratch& scratch);
 
 /// find_visible() at one place of every pixel.

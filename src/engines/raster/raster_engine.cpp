@@ -23,35 +23,12 @@
 #include "shading/open_surfaces.h"
 
 namespace rakelight::raster {
+
+namespace avx512 {
+[[maybe_unused]] static const Kernels* kernels() { return avx512x2::kernels(); }  // pairs of vectors are faster there
+}  // namespace avx512
+
 namespace {
-
-const Kernels* kernels_for(Isa isa) {
-    switch (isa) {
-        case Isa::scalar:
-            return scalar::kernels();
-        case Isa::sse2:
-            return sse2::kernels();
-        case Isa::avx2:
-            return avx2::kernels();
-        case Isa::avx512:
-            return avx512x2::kernels();
-    }
-    return scalar::kernels();
-}
-
-const GeometryKernels* geometry_kernels_for(Isa isa) {
-    switch (isa) {
-        case Isa::scalar:
-            return scalar::geometry_kernels();
-        case Isa::sse2:
-            return sse2::geometry_kernels();
-        case Isa::avx2:
-            return avx2::geometry_kernels();
-        case Isa::avx512:
-            return avx512::geometry_kernels();
-    }
-    return scalar::geometry_kernels();
-}
 
 /// What the tiles of this picture took, and begins anew. When no scratch is out.
 void add_times(cpu_shading::ScratchPool<TileScratch>& pool, StageTimes& sum) {
@@ -88,12 +65,12 @@ int strip_end(const TileGrid& grid, int first, int rows) {
 class SoftEngine final : public Engine {
 public:
     SoftEngine()
-        : kernels_(kernels_for(isa_from_environment())),
-          geometry_kernels_(geometry_kernels_for(isa_from_environment())) {}
+        : kernels_(RL_BY_ISA(isa_from_environment(), kernels())),
+          geometry_kernels_(RL_BY_ISA(isa_from_environment(), geometry_kernels())) {}
 
     std::string name() const override { return "soft"; }
 
-    EngineAbilities abilities() const override {
+    EngineCapabilities capabilities() const override {
         return {.channels = channels_all | channel_ambient_occlusion,
                 .samples = {1, 4, 8},
                 .visibility_methods = true,
@@ -124,9 +101,9 @@ public:
 
     RenderStats render(const Camera& camera, const RenderSettings& wanted, Sink& sink, Context& context) override {
         const RenderSettings settings = settings_for_method(wanted);
-        const View view = view_of(list_, camera, settings);
+        const PictureCamera view = picture_camera_of(list_, camera, settings);
         StageClock clock;
-        kept_ = {};  // counted anew
+        kept_ = {};  // counted again
         const TileGrid grid(settings.width, settings.height, settings.window);
         FrontEnd front{list_,
                        view,
@@ -159,7 +136,7 @@ public:
         std::optional<AmbientOcclusion> occlusion;
         if (settings.ambient_occlusion && settings.surfaces) occlusion.emplace(front, binned, grid, *kernels_, context);
         const double waited = draw_tiles(
-            {front, binned, grid, lights, *kernels_, has_blended, points, taker.takes_srgb8(),
+            {front, binned, grid, lights, *kernels_, has_blended, points, taker.wants_srgb8(),
              (settings.channels & channel_uv1) != 0, &marks, &context, reach.is_worth_it() ? &reach : nullptr,
              shadows_.data() ? &shadow_texels : nullptr, occlusion ? &*occlusion : nullptr},
             taker, occlusion, context, front.stats);
@@ -227,7 +204,7 @@ private:
         stats.samples_covered = samples_covered;
         if (not_finite > 0)
             context.report().add(Remark::warning, list_.scene.source, {},
-                                 std::to_string(not_finite) + " color values came out not finite and are shown black");
+                                 std::to_string(not_finite) + " color values were not finite and are shown black");
         return waited;
     }
 

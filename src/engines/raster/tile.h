@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One tile of the picture: visibility first, so that each pixel is shaded once whatever the overdraw, then shading.
+// One tile of the picture: visibility first, then shading, so each pixel is shaded once despite overdraw.
 #pragma once
 #include <functional>
 #include <memory>
@@ -32,7 +32,7 @@ struct TileJob {
     bool to_srgb8 = false;              ///< the sink takes display values
     bool whole_records = false;         ///< records have what no texture of their material needs, too: for inspection
     const Marks* marks = nullptr;       ///< lines and points; null: none
-    const Context* context = nullptr;   ///< null: nobody cancels
+    const Context* context = nullptr;   ///< null: not cancellable
     const LightReach* reach = nullptr;  ///< null: every pixel is lit by all lights; else `tile_lights` holds the tile's
     ShadowTexels* shadow_texels = nullptr;        ///< null: no shadows
     const AmbientOcclusion* occlusion = nullptr;  ///< null: none
@@ -75,15 +75,15 @@ public:
     std::vector<CornerFrame> frames;       ///< beside `triangles` where lighting is in the vertices' tangent space
     std::vector<const TriangleRow*> rows;  ///< of the records that are made, padded
     std::vector<std::int32_t> record;      ///< [list] position in the list -> in `triangles`, -1: not wanted
-    std::vector<std::int32_t> shown = batch<std::int32_t>();    ///< position in the list that each pixel shows
-    std::vector<std::int32_t> numbers = batch<std::int32_t>();  ///< number of a record -> position in the list
-    std::vector<const ScreenTriangle*> wanted;                  ///< whose records are to be made
+    std::vector<std::int32_t> list_position = batch<std::int32_t>();  ///< position in the list that each pixel shows
+    std::vector<std::int32_t> numbers = batch<std::int32_t>();        ///< number of a record -> position in the list
+    std::vector<const ScreenTriangle*> wanted;                        ///< whose records are to be made
     std::vector<std::int32_t> sorted;  ///< covered pixels of tiles with very many draws, those of one draw together
     // The result, [tile_pixels], row by row of the whole tile; channels in ChannelArrays: the first four always have
-    // room, the others when they are asked for.
+    // room, the others when they are requested.
     std::vector<vec4> color = std::vector<vec4>(tile_pixels);
     std::vector<std::uint32_t> srgb8 =
-        std::vector<std::uint32_t>(tile_pixels);  ///< in place of `color` where the sink takes display values
+        std::vector<std::uint32_t>(tile_pixels);  ///< instead of `color` where the sink takes display values
     DisplayRows display;                          ///< where those go: `srgb8`, or the sink's memory of a whole tile
     std::vector<PendingMark> pending;  ///< [tile_pixels] in pictures with lines or points; between tiles nothing waits
     std::vector<std::uint32_t> tile_lights;         ///< of many lights, those that may reach the tile
@@ -142,7 +142,7 @@ void encode_tile(TileScratch& scratch);
 void make_records(const TileJob& job, std::uint32_t draw, std::span<const ScreenTriangle* const> triangles, int tile_x,
                   int tile_y, TileScratch& scratch);
 /// Where the pixels' rays lead in a perspective or parallel view: ShadeJob::ray.
-void set_ray(const View& view, int tile_x, int tile_y, float (&ray)[3][3]);
+void set_ray(const PictureCamera& view, int tile_x, int tile_y, float (&ray)[3][3]);
 /// A job for `count` pixels of the batch arrays, all of one draw; pads the arrays.
 ShadeJob make_job(const TileJob& job, std::uint32_t draw, int tile_x, int tile_y, std::size_t count,
                   TileScratch& scratch);

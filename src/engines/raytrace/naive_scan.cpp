@@ -8,7 +8,7 @@
 namespace rakelight::raytrace {
 namespace {
 
-/// Where a ray meets a triangle; NaN: nowhere. Möller & Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection".
+/// Where a ray hits a triangle; NaN: nowhere. Möller & Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection".
 /// @param normal  out: by the order of the corners, of any length
 double meet_triangle(const vec3* corner, dvec3 origin, dvec3 direction, dvec3& normal) {
     const dvec3 a = cast<double>(corner[0]), e1 = cast<double>(corner[1]) - a, e2 = cast<double>(corner[2]) - a;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ray casting as the textbook's first program has it: every ray is held against every triangle. The measure of what a tree of boxes is
-// worth, and a second opinion on what rays meet.
+// worth, and a second opinion on what rays hit.
 #pragma once
 #include <atomic>
 #include <vector>

@@ -39,7 +39,7 @@ public:
     vec3 direct(std::size_t pixel) const { return mean(pixel, sums_[pixel].direct) * per_alpha(pixel); }
     vec3 indirect(std::size_t pixel) const;
     vec3 albedo(std::size_t pixel) const { return guides_[pixel].albedo; }
-    /// The colors again, from what is times alpha, in place of the sums: those of denoise_into().
+    /// The colors again, from what is times alpha, instead of the sums: those of denoise_into().
     void replace_colors(std::vector<vec3> colors) { replaced_ = std::move(colors); }
     /// What a denoiser asks for, all [pixels]; colors times alpha.
     struct Guided {

@@ -89,7 +89,7 @@ void ask(const StepView& hit, std::size_t ray, vec3 weight, PathScratch& s) {
     s.emitter_rays.push_back(out);
 }
 
-/// Where the path goes on. @param chance  [0, 1) random
+/// Where the path continues. @param chance  [0, 1) random
 void go_on(const PathPicture& picture, const StepView& hit, int depth, std::size_t ray, vec3 weight, float chance,
            PathScratch& s) {
     vec3 own = weight * hit.vector(out_weight);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surfaces that the paths of a wave meet: their light, the emitters that they ask, and where the paths go on.
+// The surfaces that the paths of a wave hit: their light, the emitters that they sample, and where the paths continue.
 #pragma once
 #include "engines/raytrace/path_tile.h"
 
@@ -19,7 +19,7 @@ inline void add_light(vec3 light, bool is_direct, const RenderSettings& settings
     if (is_direct) to.direct = to.direct + light;
 }
 
-/// What of the light counts that a ray meets by chance: the balance heuristic.
+/// What of the light counts that a ray hits by chance: the balance heuristic.
 /// @param density  [1/sr] with which that light would have been chosen
 inline float share_by_chance(const PathPicture& picture, const PathState& state, float density) {
     if (!(state.pdf > 0) || !(density > 0)) return 1;
@@ -27,7 +27,7 @@ inline float share_by_chance(const PathPicture& picture, const PathState& state,
     return state.pdf / (state.pdf + density);
 }
 
-/// Follows the rays of s.wave to the surfaces where they stay; what goes on is in s.next and s.next_states.
+/// Follows the rays of s.wave to the surfaces where they stay; what continues is in s.next and s.next_states.
 void walk_wave(const PathPicture& picture, int depth, std::uint32_t sample, const Context& context, PathScratch& s);
 
 /// Whether some of the emitter's light arrives; then the weight has what is left of it.

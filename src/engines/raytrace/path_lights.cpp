@@ -13,7 +13,7 @@ constexpr std::size_t most_lights_each = 8;  ///< asked by every point
 
 double luminance(const float (&c)[3]) { return shading::luminance_of(vec3{c[0], c[1], c[2]}); }
 
-/// What a light sends, whatever the distance.
+/// The intensity of a light, without distance attenuation.
 double power_of(const lighting::LightParameters& light) {
     const double power = light.is_photometric ? luminance(light.intensity)
                                               : std::max(luminance(light.diffuse), luminance(light.specular));

@@ -64,9 +64,9 @@ public:
         }
         stats_.samples = film_.samples(), stats_.noise = film_.noise();
         if (film_.samples() > 0 && !context_.cancelled()) finish(context_);
-        if (film_.samples() > 0 && context_.cancelled() && is_of_strips() && strips_->takes_partial()) {
+        if (film_.samples() > 0 && context_.cancelled() && is_of_strips() && strips_->wants_partial()) {
             char text[120];
-            std::snprintf(text, sizeof text, "stopped after %d of %d samples a pixel, estimated error %.3g",
+            std::snprintf(text, sizeof text, "stopped after %d of %d samples per pixel, estimated error %.3g",
                           stats_.samples, settings_.samples, stats_.noise);
             context_.report().add(Remark::warning, picture_.trace.list.scene.source, {}, text);
             Context rest({.threads = context_.threads()});

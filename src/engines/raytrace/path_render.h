@@ -7,7 +7,7 @@
 
 namespace rakelight::raytrace {
 
-/// What the settings are for paths: what is not physical about lighting does not hold.
+/// The settings as paths use them: without the parts of lighting that are not physical.
 RenderSettings path_settings(RenderSettings settings);
 
 /// Follows paths until samples, time or noise say so, and delivers each pass; sinks of strips get the last one alone. After a cancel

@@ -15,7 +15,7 @@ namespace {
 /// Rays through a random place of every pixel, without differentials: maps are read at their finest, and the pixel's mean is that of
 /// its paths.
 void make_path_rays(const TracePicture& picture, const Window& area, std::uint32_t sample, PathScratch& s) {
-    const shading::View& view = picture.view;
+    const shading::PictureCamera& view = picture.view;
     const shading::PixelRays rays = shading::pixel_rays(view, area.x, area.y);
     RayWave& wave = s.wave;
     wave.count = std::size_t(area.width) * std::size_t(area.height), wave.stride = plane_stride;
@@ -126,7 +126,7 @@ bool is_sound(const PathSample& p) { return is_finite(p.color) && is_finite(p.di
 
 void follow_paths(const PathPicture& picture, const Window& area, int first, int last, const Context& context,
                   PathScratch& s, PathFilm& film) {
-    s.filled_for = 0;  // the planes are made anew
+    s.filled_for = 0;  // the planes are recomputed
     s.numbers.clear();
     for (int y = area.y; y < area.y + area.height; ++y)
         for (int x = area.x; x < area.x + area.width; ++x)

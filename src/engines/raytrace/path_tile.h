@@ -10,7 +10,7 @@
 
 namespace rakelight::raytrace {
 
-/// What a path is beside its ray.
+/// The state of a path besides its ray.
 struct PathState {
     float pdf = 0;            ///< [1/sr] of the ray's direction; 0: emitters that it meets count whole
     std::uint32_t met = 0;    ///< surfaces so far, those too that alpha let it through

@@ -28,7 +28,7 @@ void find_bounds(const RTCBoundsFunctionArguments* args) {
 
 }  // namespace
 
-/// What Embree hands on to meet().
+/// The data that Embree passes to meet().
 struct RayPoints::Ray {
     RTCIntersectContext embree;  // first: Embree hands a pointer to it
     const std::vector<Cloud>* clouds;
@@ -39,7 +39,7 @@ struct RayPoints::Ray {
     static void meet(const RTCIntersectFunctionNArguments* args);
 };
 
-/// By the place where the ray meets the disc's plane; ray.tfar is where its paraboloid is, the hit's u the former.
+/// By the place where the ray hits the disc's plane; ray.tfar is where its paraboloid is, the hit's u the former.
 void RayPoints::Ray::meet(const RTCIntersectFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     const Ray& asked = *reinterpret_cast<const Ray*>(args->context);
@@ -67,8 +67,8 @@ void RayPoints::Ray::meet(const RTCIntersectFunctionNArguments* args) {
     both.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
 }
 
-RayPoints::RayPoints(const RayScene& rays, const shading::DrawList& list, const shading::View& view, float size_px,
-                     Context& context)
+RayPoints::RayPoints(const RayScene& rays, const shading::DrawList& list, const shading::PictureCamera& view,
+                     float size_px, Context& context)
     : rays_(rays), list_(list), ahead_(-view.camera_to_world[2].xyz()) {
     std::uint64_t points = 0;
     for (const shading::Draw& draw : list.line_draws) {
@@ -85,7 +85,7 @@ RayPoints::~RayPoints() {
     if (scene_) embree().ReleaseScene(scene_);
 }
 
-void RayPoints::add(std::uint32_t number, const shading::View& view, float size_px, Context& context) {
+void RayPoints::add(std::uint32_t number, const shading::PictureCamera& view, float size_px, Context& context) {
     const shading::Draw& draw = list_.line_draws[number];
     const Mesh& mesh = list_.scene.meshes[draw.mesh];
     if (mesh.topology != Topology::points || mesh.indices.empty()) return;

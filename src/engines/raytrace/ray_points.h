@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene's points as rays meet them: discs that face the eye, of as many pixels as the other engines draw, in their own colors. They
-// throw no shadows.
+// A scene's points as rays hit them: discs that face the eye, of as many pixels as the other engines draw, in their own colors. They
+// cast no shadows.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,7 +8,7 @@
 #include <rakelight/context.h>
 
 #include "engines/raytrace/ray_scene.h"
-#include "shading/view.h"
+#include "shading/picture_camera.h"
 
 namespace rakelight::raytrace {
 
@@ -22,19 +22,19 @@ public:
     struct Meeting {
         std::uint32_t draw = no_index;  ///< into DrawList::line_draws; no_index: none
         std::uint32_t point = 0;        ///< into the mesh's indices
-        float t = 0;                    ///< where the ray meets the plane of the disc
+        float t = 0;                    ///< where the ray hits the plane of the disc
     };
 
     /// @param rays, list  must outlive this
     /// @throws Error bad_file: over the memory budget; failed: cancelled
-    RayPoints(const RayScene& rays, const shading::DrawList& list, const shading::View& view, float size_px,
+    RayPoints(const RayScene& rays, const shading::DrawList& list, const shading::PictureCamera& view, float size_px,
               Context& context);
     ~RayPoints();
     RayPoints(const RayPoints&) = delete;
     RayPoints& operator=(const RayPoints&) = delete;
 
     bool is_empty() const { return !scene_; }
-    /// Of the discs whose planes a ray meets between `from` and `to` the one whose paraboloid is nearest, as the other engines have it
+    /// Of the discs whose planes a ray hits between `from` and `to` the one whose paraboloid is nearest, as the other engines have it
     /// (PointParaboloid of engines/raster/marks/tile_marks.h); of equal ones the first.
     /// @param origin      about the eye
     /// @param is_primary  the discs stand across the view axis; else across the ray
@@ -50,7 +50,7 @@ private:
         std::uint32_t draw;  ///< into DrawList::line_draws
     };
     struct Ray;
-    void add(std::uint32_t draw, const shading::View& view, float size_px, Context& context);
+    void add(std::uint32_t draw, const shading::PictureCamera& view, float size_px, Context& context);
     void build(Context& context);
 
     const RayScene& rays_;

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/format_text.h"
 #include "math/linear.h"
 #include "shading/emitters.h"
 
@@ -30,11 +31,11 @@ struct RayContext {
     const RayScene* scene;
 };
 
-/// Meshes that have no more triangles than that, in all places together, are for the crowd: a scene of Embree's own for each
-/// costs more than they do.
+/// Meshes with at most this many triangles, over all their placements, go into the shared scene: an Embree scene for
+/// each would cost more.
 constexpr std::uint64_t most_in_crowd = 4096;
-/// Meshes at one place are for it, too, while they have no more than that together: rays through one tree are up to a third faster than
-/// through instances, and it is built in less than a second.
+/// Meshes with a single placement go into it too, up to this total: rays through one tree are up to a third faster
+/// than through instances, and it is built in less than a second.
 constexpr std::uint64_t most_single_in_crowd = 1'000'000;
 
 }  // namespace
@@ -146,7 +147,7 @@ public:
         throw Error(error == RTC_ERROR_OUT_OF_MEMORY ? ErrorCode::bad_file : ErrorCode::failed,
                     error == RTC_ERROR_OUT_OF_MEMORY
                         ? "there is not enough memory to trace rays through the scene"
-                        : "Embree cannot build the scene (error " + std::to_string(int(error)) + ")");
+                        : format_text("Embree cannot build the scene (error {})", int(error)));
     }
 
 private:
@@ -261,7 +262,7 @@ void RayScene::add_crowd(RTCScene top, const shading::DrawList& list, const std:
         vertices += mesh.positions.size(), triangles += mesh.triangle_count();
     }
     if (vertices > 0xffffffffu || triangles > 0xffffffffu)
-        throw Error(ErrorCode::bad_file, "more small surfaces than rays can tell apart").with_file(list.scene.source);
+        throw Error(ErrorCode::bad_file, "more small surfaces than rays can distinguish").with_file(list.scene.source);
     crowd->charge =
         MemoryCharge(context.memory(), 12 * (vertices + 1) + (12 + tree_bytes) * triangles + 8 * draws.size(), "rays");
     crowd->positions.reserve(3 * vertices + 1), crowd->indices.reserve(3 * triangles);
@@ -349,7 +350,7 @@ void RayScene::meet_nearest(const RTCIntersectFunctionNArguments* args) {
     if (meeting.draw == no_index) return;
     both.ray.tfar = meeting.t;
     both.hit.u = float(meeting.triangle), both.hit.v = 0;
-    // Ng tells which side is met, no more.
+    // Ng only tells which side is hit.
     const float sign = meeting.is_against ? -1.0f : 1.0f;
     both.hit.Ng_x = sign * both.ray.dir_x, both.hit.Ng_y = sign * both.ray.dir_y, both.hit.Ng_z = sign * both.ray.dir_z;
     both.hit.geomID = args->geomID, both.hit.primID = args->primID;

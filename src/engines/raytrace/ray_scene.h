@@ -18,7 +18,7 @@
 
 namespace rakelight::raytrace {
 
-/// Where a ray meets a surface first.
+/// Where a ray hits a surface first.
 struct Meeting {
     std::uint32_t draw = no_index;  ///< into DrawList::draws; no_index: nowhere
     std::uint32_t triangle = 0;     ///< of shapes: ShapeFaceNumber

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/format_text.h"
 #include "cpu_shading/environment_maps.h"
 #include "cpu_shading/scratch_pool.h"
 #include "cpu_shading/textures.h"
@@ -19,20 +20,6 @@
 
 namespace rakelight::raytrace {
 namespace {
-
-const Kernels* kernels_for(Isa isa) {
-    switch (isa) {
-        case Isa::scalar:
-            return scalar::kernels();
-        case Isa::sse2:
-            return sse2::kernels();
-        case Isa::avx2:
-            return avx2::kernels();
-        case Isa::avx512:
-            return avx512::kernels();
-    }
-    return scalar::kernels();
-}
 
 void add(const RayStats& from, RayStats& to) {
     to.primary += from.primary, to.shadow += from.shadow;
@@ -66,10 +53,10 @@ Window whole(const RenderSettings& s) { return s.window == Window{} ? Window{0, 
 
 class RaytraceEngine final : public Engine {
 public:
-    RaytraceEngine() : isa_(isa_from_environment()), kernels_(*kernels_for(isa_)), rays_(isa_) {}
+    RaytraceEngine() : isa_(isa_from_environment()), kernels_(*RL_BY_ISA(isa_, kernels())), rays_(isa_) {}
 
     std::string name() const override { return "trace"; }
-    EngineAbilities abilities() const override {
+    EngineCapabilities capabilities() const override {
         return {.channels = channels_all,
                 .samples = {1, 4, 8},
                 .shadows = true,
@@ -101,7 +88,7 @@ public:
     RenderStats render(const Camera& camera, const RenderSettings& asked, Sink& sink, Context& context) override {
         const bool is_path = asked.method == RayMethod::path;
         const RenderSettings settings = is_path ? path_settings(asked) : asked;
-        const shading::View view = shading::view_of(list_, camera, settings);
+        const shading::PictureCamera view = shading::picture_camera_of(list_, camera, settings);
         TracePicture picture(list_, rays_, view, settings, kernels_, context);
         const Window window = whole(settings);
         std::optional<NaiveScan> naive;
@@ -114,7 +101,7 @@ public:
             return list_.scene.meshes[draw.mesh].topology == Topology::lines;
         };
         if (std::ranges::any_of(list_.line_draws, is_of_lines) && settings.surfaces)
-            context.report().add(Remark::warning, list_.scene.source, {}, "lines are not drawn: rays do not meet them");
+            context.report().add(Remark::warning, list_.scene.source, {}, "lines are not drawn: rays cannot hit them");
         if (!is_path) note_rough_glass(settings, context.report());
         sink.begin(settings.width, settings.height, window, settings.channels);
         const auto begin = std::chrono::steady_clock::now();
@@ -155,7 +142,7 @@ private:
                        {"max-depth"});
         if (counts.not_finite > 0)
             report.add(Remark::warning, list_.scene.source, {},
-                       std::to_string(counts.not_finite) + " color values came out not finite and are shown black");
+                       std::to_string(counts.not_finite) + " color values were not finite and are shown black");
         return stats;
     }
 
@@ -166,7 +153,7 @@ private:
             return m.is_drawn && f.metallic_roughness && f.transmission > 0 && f.roughness > shading::widest_mirror;
         };
         if (std::ranges::any_of(list_.materials, is_rough))
-            report.add(Remark::note, list_.scene.source, {}, "rough glass lets light through unspread");
+            report.add(Remark::note, list_.scene.source, {}, "light is not scattered by rough glass");
     }
 
     /// In strips of as many rows as the sink takes.
@@ -213,7 +200,7 @@ private:
         if (!paths.shines && std::ranges::all_of(list_.scene.lights, is_dark))
             context.report().add(
                 Remark::warning, list_.scene.source, {},
-                "nothing shines: there are no lights, no surfaces that emit, and no environment that gives light");
+                "there is no source of light: no lights, no emissive surfaces, and no environment lighting");
         const RayStats stats = render_paths(paths, window, sink, context, path_pool_);
         const PathSettings& asked = picture.settings.paths;
         if (asked.noise > 0 && asked.max_seconds == 0 && stats.noise > asked.noise) {
@@ -231,20 +218,19 @@ private:
         };
         if (std::ranges::any_of(list_.scene.lights, is_ambient))
             report.add(Remark::note, list_.scene.source, {},
-                       "ambient light is left out: paths bring the light that it stands for");
+                       "ambient light is left out: paths compute the light that it approximates");
         const auto has_occlusion = [](const Material& m) { return m.occlusion_texture && m.occlusion_strength > 0; };
         if (std::ranges::any_of(list_.scene.materials, has_occlusion))
-            report.add(Remark::note, list_.scene.source, {},
-                       "occlusion maps are left out: paths find what is occluded");
+            report.add(Remark::note, list_.scene.source, {}, "occlusion maps are left out: paths compute occlusion");
         std::vector<bool> is_too_bright(list_.materials.size());
         for (std::uint32_t d = 0; d < list_.draws.size(); ++d)
             if (may_reflect_too_much(picture.hit_job(d))) is_too_bright[list_.draws[d].material] = true;
         const auto count = std::ranges::count(is_too_bright, true);
         if (count > 0)
             report.add(Remark::note, list_.scene.source, {},
-                       "where the classical colors of " + std::to_string(count) +
-                           (count == 1 ? " material" : " materials") +
-                           " would send on more light than arrives they are divided by their sum");
+                       format_text("where the classical colors of {}{} would reflect more light than arrives, they are "
+                                   "divided by their sum",
+                                   count, count == 1 ? " material" : " materials"));
     }
 
     static bool may_reflect_too_much(const HitJob& job) {

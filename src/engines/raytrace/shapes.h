@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where rays meet surfaces that are given by their formulas, in double.
+// Where rays hit surfaces that are given by their formulas, in double.
 #pragma once
 #include <array>
 

@@ -11,7 +11,7 @@
 
 namespace rakelight::raytrace {
 
-/// Where a ray meets a triangle first.
+/// Where a ray hits a triangle first.
 struct SurfaceHit {
     std::uint32_t draw = 0;      ///< into SurfaceRays::list().draws
     std::uint32_t triangle = 0;  ///< of the draw's mesh
@@ -19,7 +19,7 @@ struct SurfaceHit {
     double weight[3] = {};       ///< of the triangle's corners at the place, sum 1
 };
 
-/// Immutable once made; from any thread. The same hits whatever RAKELIGHT_ISA says.
+/// Immutable once made; from any thread. The same hits for any RAKELIGHT_ISA.
 class SurfaceRays {
 public:
     /// @param scene  valid, posed and prepared; shapes are met as their triangles
@@ -33,7 +33,7 @@ public:
     /// @param from       [m] world
     /// @param direction  not 0; `least` and `most` count in it. Both sides of a triangle count
     std::optional<SurfaceHit> first(dvec3 from, dvec3 direction, double least, double most) const;
-    /// Whether something stands between two places in the world: from a share `margin` of the way to 1 - `margin`.
+    /// Whether something is between two places in the world: from a fraction `margin` of the way to 1 - `margin`.
     bool is_blocked(dvec3 from, dvec3 to, double margin = 1e-4) const;
 
 private:

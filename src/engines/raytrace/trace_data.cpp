@@ -34,7 +34,7 @@ void take_values(const TracePicture& picture, const Context& context, std::size_
     static_cast<cpu_shading::ChannelValues&>(job) =
         cpu_shading::channel_values(channels, s.channel_values.data(), stride);
     job.hits = &hits;
-    // What comes of the hit's place alone is cheap, what kernels for the material give is not.
+    // Channels that need only the hit's position are cheap; those that need the material's kernels are not.
     constexpr std::uint32_t own_channels = channel_depth | channel_normal | channel_object | channel_material |
                                            channel_mesh | channel_triangle | channel_face_normal | channel_overdraw;
     job.needs_values = (channels & ~own_channels) != 0;

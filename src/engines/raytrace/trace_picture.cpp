@@ -16,7 +16,7 @@
 namespace rakelight::raytrace {
 namespace {
 
-/// Surfaces that throw shadows: blended ones do not, as in shadow maps, but on paths.
+/// Surfaces that cast shadows: blended ones do not, as in shadow maps, but on paths.
 class ShadowFilter final : public RayFilter {
 public:
     /// @param origin  about the eye
@@ -77,7 +77,7 @@ bool mirrors(const cpu_shading::MaterialView& m) {
            (m.clearcoat > 0 && may_mirror(m.clearcoat_roughness, role_clearcoat_roughness));
 }
 
-/// Light from all around comes along paths, and lighting is found where they meet surfaces.
+/// Light from the environment comes along paths, and lighting is found where they meet surfaces.
 void make_path_job(HitJob& job) {
     job.environment = nullptr;
     job.has_light_around = 1;  // the albedos that lobes are chosen by
@@ -100,8 +100,9 @@ ShapeView shape_view(const PlacedShape* placed, vec3 eye) {
 
 }  // namespace
 
-TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene& of_rays, const shading::View& of_view,
-                           const RenderSettings& of_settings, const Kernels& of_kernels, Context& context)
+TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene& of_rays,
+                           const shading::PictureCamera& of_view, const RenderSettings& of_settings,
+                           const Kernels& of_kernels, Context& context)
     : number(++last_number),
       list(of_list),
       rays(of_rays),
@@ -214,7 +215,7 @@ vec3 TracePicture::light_through(const RayView& ray, float to, const RayFilter& 
         if (surface.is_body == 0) continue;
         if (meets_front(m, direction)) {
             media.enter(body);
-        } else if (!media.holds(body)) {  // it began in there, and nobody knew
+        } else if (!media.holds(body)) {  // the ray started inside, which was unknown
             light = light * absorbed(surface, std::exchange(outside, 0.0f));
         } else {
             media.leave(body);

@@ -11,17 +11,17 @@
 #include "engines/raytrace/ray_scene.h"
 #include "shading/draw_choices.h"
 #include "shading/draw_frame.h"
-#include "shading/view.h"
+#include "shading/picture_camera.h"
 
 namespace rakelight::raytrace {
 
-inline constexpr float step_behind = 1 + 4e-6f;  ///< where a ray goes on behind what it met
+inline constexpr float step_behind = 1 + 4e-6f;  ///< where a ray continues behind what it met
 
 /// Not to be copied or moved: its parts refer to each other.
 class TracePicture {
 public:
     /// @param list, rays, view, settings, kernels  must outlive this; the settings are checked
-    TracePicture(const cpu_shading::DrawList& list, const RayScene& rays, const shading::View& view,
+    TracePicture(const cpu_shading::DrawList& list, const RayScene& rays, const shading::PictureCamera& view,
                  const RenderSettings& settings, const Kernels& kernels, Context& context);
     TracePicture(const TracePicture&) = delete;
     TracePicture& operator=(const TracePicture&) = delete;
@@ -37,7 +37,7 @@ public:
 
     /// A job without hits and results.
     HitJob hit_job(std::uint32_t draw) const;
-    /// The same for rays that come from a surface, or of hits that rays go on from. @param goes_on  HitJob::next will be set
+    /// The same for rays that come from a surface, or of hits that rays continue from. @param goes_on  HitJob::next will be set
     HitJob hit_job(std::uint32_t draw, bool is_from_surface, bool goes_on) const;
     /// About the coordinates of the ray scene.
     vec3 in_rays(vec3 about_eye) const { return about_eye + eye_; }
@@ -60,9 +60,9 @@ public:
     bool is_opened_by_alpha(std::uint32_t draw) const {
         return lets_through_[draw] && is_blended(draw) && list.view(draw).metallic_roughness == 0;
     }
-    /// Whether culling leaves out the side that a ray meets.
+    /// Whether culling leaves out the side that a ray hits.
     bool is_culled(const Meeting& meeting) const;
-    /// Whether a ray meets the front. @param direction  in world axes
+    /// Whether a ray hits the front. @param direction  in world axes
     bool meets_front(const Meeting& meeting, vec3 direction) const;
     /// What surfaces that light goes through, and the bodies behind them, leave of it.
     /// @param media  that the ray begins in
@@ -79,7 +79,7 @@ public:
     const cpu_shading::DrawList& list;
     const RayScene& rays;
     const NaiveScan* naive = nullptr;  ///< every ray is held against every triangle
-    const shading::View& view;
+    const shading::PictureCamera& view;
     const RenderSettings& settings;
     const Kernels& kernels;
     const RayPoints points;
@@ -87,7 +87,7 @@ public:
     const bool is_path;         ///< light goes along paths: it is refracted by bodies, and blended surfaces shade
     bool has_filtered = false;  ///< some draw is culled, or has holes
     bool has_masked = false;    ///< some draw is masked
-    bool has_holes = false;     ///< some draw is masked or blended: not all of it throws shadows
+    bool has_holes = false;     ///< some draw is masked or blended: not all of it casts shadows
     bool has_filters = false;   ///< light goes through some draw
     int max_depth = 0;          ///< of reflections and refractions
 

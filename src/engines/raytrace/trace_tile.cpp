@@ -16,7 +16,7 @@ void fill(RayWave& wave, std::int32_t number, dvec3 v) {
     for (std::size_t c = 0; c < 3; ++c) std::fill_n(wave.plane(number + std::int32_t(c)), plane_stride, float(v[c]));
 }
 
-/// The colors of what rays of the wave meet when they meet no surface, into red, green and blue. @return false: `background` is there
+/// The colors of rays of the wave that hit no surface, into red, green and blue. @return false: `background` is there
 bool find_sky(const TracePicture& picture, WaveScratch& s) {
     if (!picture.list.views.environment) return false;
     if (s.wave.is_primary() && !picture.list.scene.environment->is_background) return false;
@@ -24,7 +24,7 @@ bool find_sky(const TracePicture& picture, WaveScratch& s) {
     return true;
 }
 
-/// What is behind everything that primary rays meet.
+/// What is behind everything that primary rays hit.
 void lay_background(const TracePicture& picture, TileScratch& s) {
     const vec4 behind = empty_pixel(picture.settings);
     const bool has_sky = find_sky(picture, s);
@@ -37,7 +37,7 @@ void lay_background(const TracePicture& picture, TileScratch& s) {
     }
 }
 
-/// What the rays of a wave bring that meet nothing: the environment wherever there is one, else the background.
+/// The light of rays that hit nothing: the environment if there is one, else the background.
 void lay_surroundings(const TracePicture& picture, TileScratch& s) {
     const vec3 behind = light_of_background(picture.settings) * picture.settings.background.w;
     const bool has_sky = find_sky(picture, s);
@@ -104,7 +104,7 @@ void trace_sample(const TracePicture& picture, const Window& area, shading::Samp
 }  // namespace
 
 void make_primary(const TracePicture& picture, const Window& area, shading::SamplePosition at, TileScratch& s) {
-    const shading::View& view = picture.view;
+    const shading::PictureCamera& view = picture.view;
     const shading::PixelRays rays = shading::pixel_rays(view, area.x, area.y);
     std::swap(s.wave, s.primary);
     RayWave& wave = s.wave;

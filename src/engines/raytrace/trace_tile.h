@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A rectangle of pixels: rays through its samples, what they meet, where they go on, and how it is lit.
+// A rectangle of pixels: rays through its samples, their hits, where they continue, and the lighting.
 #pragma once
 #include <span>
 #include <vector>

@@ -9,7 +9,7 @@
 namespace rakelight::raytrace {
 namespace {
 
-constexpr float least_weight = 1e-3f;  ///< of rays that go on: a quarter of a step of an 8-bit picture
+constexpr float least_weight = 1e-3f;  ///< of rays that continue: a quarter of a step of an 8-bit picture
 
 /// What a ray shows: sides that are not culled, where masks leave something. Culling is for primary rays.
 class SeenFilter final : public RayFilter {
@@ -76,7 +76,7 @@ void send_on(const TracePicture& picture, const NextView& hit, std::int32_t lobe
     s.next.push_back(out);
 }
 
-/// Adds what one ray gets of a hit; where that is not opaque the ray goes on behind it.
+/// Adds what one ray gets of a hit; where that is not opaque the ray continues behind it.
 void lay(const TracePicture& picture, std::size_t ray, vec3 color, float alpha, WaveScratch& s) {
     vec3& sum = s.sum[s.wave.pixel_of(ray)];
     sum = sum + weight_of(picture, s, ray) * color * (s.rest[ray] * alpha);

@@ -43,13 +43,14 @@ struct RayCounts {
 /// What following rays needs, and gives.
 struct WaveScratch {
     RayWave wave;
-    /// Planes of rays through the pixels' centers, where a pixel has more samples than one: what is shaded once a triangle and pixel,
+    /// Planes of rays through the pixels' centers, where a pixel has more samples than one: what is shaded once per triangle and pixel,
     /// as by rasterizers, is shaded there.
     std::vector<float> centers;
-    std::vector<Meeting> meetings;          ///< [rays]
-    std::vector<float> from;                ///< [rays] where they begin
-    std::vector<float> rest;                ///< [rays] what is not covered yet
-    std::vector<std::int32_t> live, going;  ///< rays that go on behind something blended; those that are followed now
+    std::vector<Meeting> meetings;  ///< [rays]
+    std::vector<float> from;        ///< [rays] where they begin
+    std::vector<float> rest;        ///< [rays] what is not covered yet
+    std::vector<std::int32_t> live,
+        going;  ///< rays that continue behind something blended; those that are followed now
     std::vector<std::int32_t> order, hit_ray, hit_triangle;  ///< hits by draw; those of one draw
     std::vector<float> hit_t, eta_front, eta_back;
     std::vector<std::int8_t> hit_color;  ///< [hits] of light of one color, 0 to 2; < 0, or empty: of all
@@ -59,8 +60,8 @@ struct WaveScratch {
     RayCounts counts;
 };
 
-/// Follows the rays of s.wave from s.from until they meet something opaque, or nothing; what they bring goes into s.sum, what
-/// goes on into s.next. @param depth  of reflections and refractions before
+/// Follows the rays of s.wave from s.from until they hit something opaque, or nothing. Their light goes into s.sum,
+/// continuing rays into s.next. @param depth of reflections and refractions before
 void follow(const TracePicture& picture, const Context& context, int depth, WaveScratch& s);
 
 /// The environment's picture in the directions of s.wave's rays, into red, green and blue.
@@ -102,8 +103,8 @@ void for_each_run(WaveScratch& s, const Run& run) {
     }
 }
 
-/// Finds what the rays of s.wave meet from s.from on, and calls run(begin, end) for the hits of each draw, until no ray is in s.live:
-/// `run` puts those there that go on behind what they have met.
+/// Finds the hits of the rays of s.wave from s.from on and calls run(begin, end) for the hits of each draw, until no
+/// ray is in s.live. `run` puts rays there that continue behind their hit.
 template <class Run>
 void meet_wave(const TracePicture& picture, const Context& context, WaveScratch& s, const Run& run) {
     const std::size_t count = s.wave.count;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two inner loops of the fast path, per instruction set. A block of faces is staged as structures of arrays, computed
-// `lanes` at a time, turned into rows and added corner by corner, in the order of the faces: the same bits in every flavour.
+// The two inner loops of the fast path, per instruction set. A block of faces is staged as structures of arrays,
+// computed `lanes` at a time, turned into rows and added corner by corner, in the order of the faces: bit-identical in
+// every flavor.
 #include "geometry/fast_kernel_types.h"
 #include "math/wide_rows.h"
 
@@ -29,8 +30,8 @@ static inline mask is_safe(real cross_square, real square1, real square2) {
            cross_square < real(1e34f);
 }
 
-// Where a block's corners are read. Vectors are read four floats at a time, so a block that uses the last vertex of its mesh,
-// or has less faces than a block, reads from a copy.
+// Source of a block's corners. Vectors are loaded as four floats, so incomplete blocks, and blocks that use the last
+// vertex of the mesh, read from a copy.
 struct BlockCopy {
     float position[3 * 3 * face_block + 4], texcoord[2 * 3 * face_block + 4];
     uint32_t index[3 * face_block];
@@ -58,7 +59,7 @@ static inline vec2 corner_texcoord(const float* texcoords, const uint32_t* corne
     return vec2(v[0], v[1]);
 }
 
-// Rows of the block's faces; returns a bit for each face that is not safe.
+// Computes rows of the block's faces; returns a bit for each unsafe face.
 template <bool textured, int floats>
 static inline uint32_t face_rows(const float* positions, const float* texcoords, const uint32_t* index, float* rows) {
     uint32_t odd = 0;
@@ -102,7 +103,7 @@ static inline uint32_t face_rows(const float* positions, const float* texcoords,
     return odd;
 }
 
-// Most blocks have only vertices of their own piece, and no odd face.
+// Common case: only vertices of the own piece, and no unsafe face.
 template <int floats>
 static inline void add_own_block(float* own, const uint32_t* index, const float* rows) {
     using Row = typename RowOf<floats>::type;

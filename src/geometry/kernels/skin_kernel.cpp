@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linear blend skinning, per instruction set: matrices are blended vertex by vertex, all that follows goes by lanes.
+// Linear blend skinning, per instruction set: matrices are blended per vertex, everything else is vectorized.
 #include "geometry/skin_kernel_types.h"
 #include "math/wide_rows.h"
 
@@ -9,9 +9,9 @@ using rakelight::wide::RL_ISA::load_rows4, rakelight::wide::RL_ISA::load_rows4_a
     rakelight::wide::RL_ISA::load_vectors;
 using rakelight::wide::RL_ISA::store_rows4;
 
-constexpr uint32_t block = 16;  // vertices at a time, of every flavour
+constexpr uint32_t block = 16;  // vertices at a time, in every flavor
 
-/// A matrix at once: as many instructions as the set needs for it.
+/// One matrix, in as many vectors as the instruction set needs.
 typedef float matrix __attribute__((vector_size(joint_floats * sizeof(float)), aligned(16)));
 
 alignas(64) static constexpr uint32_t order[block] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
@@ -21,7 +21,7 @@ static inline bool has_weight(const KernelInfluence& i) {
 }
 
 static inline const matrix& joint_of(const float* joints, const KernelInfluence& i, int k) {
-    // A joint of weight 0 need not be there.
+    // Joints with weight 0 need not exist.
     return *reinterpret_cast<const matrix*>(joints + joint_floats * uint64_t(i.weights[k] != 0 ? i.joints[k] : 0));
 }
 
@@ -73,15 +73,17 @@ static inline vec3 load_threes(const float* from) {
     return {v[0], v[1], v[2]};
 }
 
-/// Of length 1. @param odd  gets the lanes in which the square may have under- or overflown
+/// Normalizes.
+/// @param odd gets lanes whose square may under- or overflow
 static inline vec3 unit(vec3 v, mask& odd) {
     const real squared = v.x * v.x + v.y * v.y + v.z * v.z;
-    odd = odd | !((squared > real(least_square)) & (squared < real(greatest_square)));
+    odd = odd | !((squared > real(min_square)) & (squared < real(greatest_square)));
     const real inverse = real(1.0f) / sqrt(squared);
     return {v.x * inverse, v.y * inverse, v.z * inverse};
 }
 
-/// Threes one after another. @param to  not a float beyond the last one is written
+/// Stores packed triples.
+/// @param to nothing is written beyond the last one
 static inline void store_threes(const float* rows, float* to) {
     for (uint32_t i = 0; i + 1 < block; ++i) __builtin_memcpy(to + 3 * i, rows + 4 * i, 4 * sizeof(float));
     __builtin_memcpy(to + 3 * (block - 1), rows + 4 * (block - 1), 3 * sizeof(float));
@@ -100,7 +102,7 @@ static inline void skin_block(SkinJob& job, uint32_t first) {
         const vec3 yz = cross(m.y, m.z);
         const real side = select(dot(m.x, yz) < real(0.0f), real(-1.0f), real(1.0f));
         mask odd = real(0.0f) > real(1.0f);
-        if (job.normals) {  // the cofactor matrix turns normals over where m mirrors
+        if (job.normals) {  // the cofactor matrix negates normals for mirroring m
             const vec3 n = turned(yz, cross(m.z, m.x), cross(m.x, m.y), load_threes(job.normals + 3 * v));
             const vec3 u = unit({n.x * side, n.y * side, n.z * side}, odd);
             const real out[4] = {u.x, u.y, u.z, real(0.0f)};
@@ -121,7 +123,7 @@ static inline void skin_block(SkinJob& job, uint32_t first) {
     if (job.normals) store_threes(normals, job.out_normals + 3 * uint64_t(first));
 }
 
-/// The last vertices, and those that are fewer than a block, padded.
+/// The remaining vertices, padded to a block.
 static void skin_rest(SkinJob& job, uint32_t first) {
     const uint32_t count = job.count - first;
     KernelInfluence influences[block] = {}, more[block] = {};
@@ -152,7 +154,7 @@ static void skin_rest(SkinJob& job, uint32_t first) {
 
 static void skin(SkinJob& job) {
     uint32_t v = 0;
-    for (; v + block < job.count; v += block) skin_block(job, v);  // reads a float beyond its block
+    for (; v + block < job.count; v += block) skin_block(job, v);  // reads one float beyond its block
     if (v < job.count) skin_rest(job, v);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The votes of faces, several at a time in double, per instruction set: what face_vote.h says of one face, operation by
+// The votes of faces, several at a time in double, per instruction set: the vote of face_vote.h, operation by
 // operation, so that the bits are the same.
 #include "geometry/vote_kernel_types.h"
 
@@ -12,7 +12,7 @@ constexpr uint32_t lanes = 4;
 #else
 constexpr uint32_t lanes = 2;
 #endif
-/// Numbers of as many faces as go together.
+/// Values of one vector of faces.
 typedef double numbers __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long bits __attribute__((vector_size(lanes * sizeof(double))));
 #define RL_INLINE static inline __attribute__((always_inline))
@@ -40,7 +40,8 @@ RL_INLINE numbers square_root(numbers v) {
     return v;
 }
 
-/// direction_of(): unit and length. @param odd  gets what that function does in another way
+/// direction_of(): unit and length.
+/// @param odd gets lanes for the scalar function
 RL_INLINE Three unit(const Three& v, numbers& length, bits& odd) {
     const numbers square = dot(v, v);
     odd |= ~((square > all(1e-280)) & (square < all(1e280)));
@@ -163,7 +164,7 @@ static void vote(const VoteJob& job, VoteBlock& out) {
     uint32_t f = 0;
     for (; f + lanes <= job.count; f += lanes) vote_some(job, job.indices + 3 * f, f, out);
     if (f == job.count) return;
-    uint32_t last[3 * lanes];  // the rest, padded by repeating the first one of it
+    uint32_t last[3 * lanes];  // the rest, padded with copies of its first face
     for (uint32_t i = 0; i < 3 * lanes; ++i) last[i] = job.indices[3 * f + (i < 3 * (job.count - f) ? i : i % 3)];
     vote_some(job, last, f, out);
 }

@@ -9,7 +9,7 @@ using rakelight::wide::RL_ISA::load_vectors;
 
 constexpr uint32_t block = 16;
 
-// Folded, since coordinates on a grid have no low bits; -0 is +0.
+// Folded, because grid coordinates have no low bits; -0 becomes +0.
 static inline uint32_t folded_bits(float p) {
     const uint32_t bits = __builtin_bit_cast(uint32_t, p + 0.0f);
     return bits ^ bits >> 16;
@@ -37,7 +37,7 @@ static inline void hash_block(const float* positions, uint32_t seed, uint32_t* h
 static void hash(const float* positions, uint32_t count, uint32_t seed, uint32_t* hashes) {
     uint32_t v = 0;
     for (; v + block < count; v += block)
-        hash_block(positions + 3 * uint64_t(v), seed, hashes + v);  // reads a float beyond its block
+        hash_block(positions + 3 * uint64_t(v), seed, hashes + v);  // reads one float beyond its block
     float copy[3 * block + 4] = {};
     uint32_t last[block];
     for (uint32_t i = 0; i < 3 * (count - v); ++i) copy[i] = positions[3 * uint64_t(v) + i];

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The denoiser's sums (image/denoise.h has the equations). All pixels of a tile meet their neighbor at one offset, then at the
-// next: the distances of single pixels are shared by the patches. Each lane adds in an order that no tile or lane count changes.
+// The denoiser's sums (image/denoise.h has the equations). All pixels of a tile are compared with their neighbor at one
+// offset, then at the next, so that patches share the distances of single pixels. The order of each lane's sums is
+// independent of tile and lane counts.
 #include "image/denoise_tile.h"
 #include "math/wide.h"
 
 namespace rakelight::denoise::RL_ISA {
 RL_USE_WIDE;
 
-static_assert(lanes <= most_lanes && tile_width % lanes == 0);
+static_assert(lanes <= max_lanes && tile_width % lanes == 0);
 
 static inline int at(int x, int y) { return (y + margin) * stride + x + margin; }
 static inline real square(real x) { return x * x; }
@@ -21,7 +22,7 @@ static inline real pixel_distance(const Tile& t, int p, int q) {
         const real difference = load(t.light[c] + p) - load(t.light[c] + q);
         sum += (square(difference) - (v_p + min(v_p, v_q))) / ((v_p + v_q) * real(k2) + real(least));
     }
-    // Bounded, because infinity times 0 would be NaN; 1e4 / 75 makes a weight of 0 by itself.
+    // Clamped, because infinity times 0 would be NaN; 1e4 / 75 gives a weight of 0 anyway.
     return min(sum, real(1e4f)) * (load(t.valid + p) * load(t.valid + q));
 }
 
@@ -38,12 +39,12 @@ static inline real feature_distance(const Tile& t, int p, int q) {
         from_q += n_q * way;
         length2 += square(way);
     }
-    constexpr float unit = normal_bandwidth * normal_bandwidth;  // the plane's normal, too, is divided by its bandwidth
+    constexpr float unit = normal_bandwidth * normal_bandwidth;  // the stored normal is divided by its bandwidth
     const real to_plane = min(square(from_p), square(from_q)) * real(unit);
     return max(max(to_plane / (length2 * real(plane_bandwidth2) + real(least)), normals), albedos);
 }
 
-/// The variance of each pixel that a patch can hold, averaged over similar pixels around.
+/// The variance of each pixel of the patches, averaged over similar neighbors.
 static void smooth_variance(Tile& t) {
     constexpr int reach = search_radius + patch_radius;
     for (int y = -reach; y < t.height + reach; ++y)

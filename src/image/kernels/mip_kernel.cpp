@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One row of a smaller mip level: averages of rows above each other first, then of columns, in the order that mip_chain.h tells;
-// each lane is a texel.
+// One row of a smaller mip level: averages of rows first, then of columns, in the order of mip_chain.h; each lane is a
+// texel.
 #include "image/mip_rows.h"
 #include "image/srgb_table.h"
 #include "math/wide.h"
@@ -37,7 +37,7 @@ inline void add(Texel& sum, const Texel& t, float weight, bool is_first) {
     }
 }
 
-/// Texels at, at + 1 and at + 2 of a row, as far as `columns` needs them.
+/// Texels at, at + 1 and at + 2 of a row, as many as `columns` needs.
 struct Three {
     Texel t[3];
 };

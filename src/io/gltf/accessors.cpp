@@ -3,6 +3,8 @@
 
 #include <cstring>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::gltf {
 namespace {
 
@@ -11,7 +13,7 @@ constexpr std::uint64_t max_invented_bytes = 64u << 20;
 
 ComponentType component_type(const Value& part) {
     const std::uint64_t type = part.required_count("componentType");
-    if (type < 5120 || type > 5126 || type == 5124) part.fail("componentType " + std::to_string(type) + " is unknown");
+    if (type < 5120 || type > 5126 || type == 5124) part.fail(format_text("componentType {} is unknown", type));
     return ComponentType(type);
 }
 
@@ -36,9 +38,9 @@ bool fits(std::uint64_t count, std::uint64_t offset, std::uint32_t stride, std::
 
 [[noreturn]] void fail_past_end(const Value& part, std::uint64_t count, std::uint64_t offset,
                                 std::uint32_t element_bytes, std::uint64_t available) {
-    part.fail("reads past the end of its bufferView (" + std::to_string(count) + " elements of " +
-              std::to_string(element_bytes) + " bytes from byte " + std::to_string(offset) + ", the view has " +
-              std::to_string(available) + ")");
+    part.fail(
+        format_text("reads past the end of its bufferView ({} elements of {} bytes from byte {}, the view has {})",
+                    count, element_bytes, offset, available));
 }
 
 }  // namespace
@@ -54,8 +56,7 @@ Elements Accessors::description(std::uint32_t index, const Expected& expected, c
     if (!(expected.components >> elements.components & 1u))
         accessor.fail("its type '" + accessor.text("type") + "' cannot be used as " + expected.use);
     if (!(expected.types & type_bit(elements.type)))
-        accessor.fail("its componentType " + std::to_string(unsigned(elements.type)) + " cannot be used as " +
-                      expected.use);
+        accessor.fail(format_text("its componentType {} cannot be used as {}", unsigned(elements.type), expected.use));
     return elements;
 }
 
@@ -72,15 +73,15 @@ void Accessors::attach_view(Elements& elements, const Value& accessor) {
     const std::uint32_t view_index = accessor.index("bufferView");
     if (view_index == no_index) {
         if (elements.count > max_invented_bytes / bytes)
-            accessor.fail("it has no bufferView; " + std::to_string(elements.count) + " zeros are too many");
+            accessor.fail(format_text("it has no bufferView; {} zeros are too many", elements.count));
         return;
     }
     const Region region = buffers_.view(view_index, accessor);
     const std::uint64_t offset = accessor.count("byteOffset", 0);
     if (region.stride != 0) elements.stride = region.stride;
     if (elements.stride < bytes)
-        accessor.fail("the byteStride " + std::to_string(elements.stride) +
-                      " of its bufferView is less than its elements' " + std::to_string(bytes) + " bytes");
+        accessor.fail(format_text("the byteStride {} of its bufferView is less than its elements' {} bytes",
+                                  elements.stride, bytes));
     if (!fits(elements.count, offset, elements.stride, bytes, region.bytes.size()))
         fail_past_end(accessor, elements.count, offset, bytes, region.bytes.size());
     elements.data = region.bytes.data() + offset;
@@ -91,8 +92,7 @@ void Accessors::apply_sparse(Elements& elements, const Value& accessor, const Va
     // 1. the replacements, checked
     const std::uint64_t count = sparse.required_count("count");
     if (count > elements.count)
-        accessor.fail("sparse.count " + std::to_string(count) + " is more than its count " +
-                      std::to_string(elements.count));
+        accessor.fail(format_text("sparse.count {} is more than its count {}", count, elements.count));
     const Value at = sparse.object("indices"), with = sparse.object("values");
     if (!at || !with) accessor.fail("sparse has no indices or no values");
     Elements indices;
@@ -124,8 +124,8 @@ void Accessors::apply_sparse(Elements& elements, const Value& accessor, const Va
     const std::vector<std::uint32_t> targets = to_integers(indices);
     for (std::size_t k = 0; k < targets.size(); ++k) {
         if (targets[k] < least || targets[k] >= elements.count)
-            accessor.fail("sparse index " + std::to_string(targets[k]) + " at " + std::to_string(k) +
-                          " does not ascend or exceeds the count " + std::to_string(elements.count));
+            accessor.fail(format_text("sparse index {} at {} does not ascend or exceeds the count {}", targets[k], k,
+                                      elements.count));
         least = std::uint64_t(targets[k]) + 1;
         std::memcpy(packed.data() + targets[k] * std::uint64_t(bytes),
                     value_bytes.bytes.data() + value_offset + k * bytes, bytes);

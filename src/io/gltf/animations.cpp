@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "base/format_text.h"
 #include "scene/sample_channel.h"
 
 namespace rakelight::io::gltf {
@@ -22,7 +23,7 @@ public:
         const Value channels = source.list("channels");
         for (std::size_t c = 0; c < channels.size(); ++c)
             read_or_drop(document(), "an animation channel", [&] {
-                const Value channel = channels.element(c, source.place() + ", channel " + std::to_string(c));
+                const Value channel = channels.element(c, format_text("{}, channel {}", source.place(), c));
                 read_channel(source, channel, animation.channels);
             });
         scene_.animations.push_back(std::move(animation));  // an empty one, too: others keep their numbers
@@ -38,7 +39,7 @@ private:
         result.path = target.path, result.property = target.property;
         const Value samplers = animation.list("samplers");
         const std::uint32_t index = channel.required_index("sampler");
-        if (index >= samplers.size()) channel.fail("sampler " + std::to_string(index) + " does not exist");
+        if (index >= samplers.size()) channel.fail(format_text("sampler {} does not exist", index));
         const Value sampler = samplers.element(index, channel.place());
         result.interpolation = interpolation_of(sampler);
         result.times = numbers(times_, sampler.required_index("input"), {"key times", components(1), float_only},
@@ -108,8 +109,8 @@ private:
         const std::size_t per_key = width * (channel.interpolation == Interpolation::cubic_spline ? 3 : 1);
         if (per_key == 0 || channel.values.size() / per_key != channel.times.size() ||
             channel.values.size() % per_key != 0)
-            sampler.fail("it has " + std::to_string(channel.times.size()) + " keys of " + std::to_string(per_key) +
-                         " numbers, but " + std::to_string(channel.values.size()) + " numbers");
+            sampler.fail(format_text("it has {} keys of {} numbers, but {} numbers", channel.times.size(), per_key,
+                                     channel.values.size()));
     }
 
     Accessors& accessors_;

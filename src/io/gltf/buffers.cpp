@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/buffers.h"
 
+#include "base/format_text.h"
 #include "io/gltf/meshopt.h"
 
 namespace rakelight::io::gltf {
@@ -14,7 +15,7 @@ std::string last_part(const std::string& uri) {
 /// 4..252 and a multiple of 4 by the specification; only what the arithmetic needs is insisted on.
 std::uint32_t checked_stride(const Value& view) {
     const std::uint64_t stride = view.count("byteStride", 0);
-    if (stride > 65536) view.fail("byteStride " + std::to_string(stride) + " is more than 252");
+    if (stride > 65536) view.fail(format_text("byteStride {} is more than 252", stride));
     return std::uint32_t(stride);
 }
 
@@ -78,8 +79,7 @@ Region Buffers::load_buffer(std::uint32_t index, const Value& buffer) {
         }
     }
     if (length > region.bytes.size())
-        buffer.fail("byteLength says " + std::to_string(length) + " bytes, but there are " +
-                    std::to_string(region.bytes.size()));
+        buffer.fail(format_text("byteLength says {} bytes, but there are {}", length, region.bytes.size()));
     region.bytes = region.bytes.first(std::size_t(length));
     return region;
 }
@@ -89,8 +89,8 @@ Region Buffers::slice(const Value& view) {
     const std::uint64_t offset = view.count("byteOffset", 0), length = view.required_count("byteLength");
     Region region = buffer(index, view);
     if (offset > region.bytes.size() || length > region.bytes.size() - offset)
-        view.fail("reads past the end of buffer " + std::to_string(index) + " (bytes " + std::to_string(offset) +
-                  " to " + std::to_string(offset + length) + " of " + std::to_string(region.bytes.size()) + ")");
+        view.fail(format_text("reads past the end of buffer {} (bytes {} to {} of {})", index, offset, offset + length,
+                              region.bytes.size()));
     region.bytes = region.bytes.subspan(std::size_t(offset), std::size_t(length));
     return region;
 }

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <optional>
 
+#include "base/format_text.h"
 #include "io/gltf/pointer_table.h"
 
 namespace rakelight::io::gltf {
@@ -36,7 +37,7 @@ std::uint32_t width_of(AnimationPath path) {
             kind += c;
         }
     }
-    channel.fail("what its pointer '" + kind + "' names cannot be moved");
+    channel.fail("the property that its pointer '" + kind + "' names cannot be animated");
 }
 
 /// "/materials/12/alphaCutoff" behind "/materials/": the number, and what follows it.
@@ -131,12 +132,12 @@ ChannelTarget ChannelTargets::of_element(AnimationPath path, std::uint32_t index
         (void)document_.element(camera_kind, index, channel);
         target.elements = elements_in(cameras_, index);
         if (!target.elements.empty() && scene_.cameras[target.elements[0]].projection != row->projection)
-            channel.fail("camera " + std::to_string(index) + " has no " + place);
+            channel.fail(format_text("camera {} has no {}", index, place));
     } else {
         const Value material = document_.element(material_kind, index, channel);
         if (const std::uint32_t made = materials_.scene_index(index); made != no_index) target.elements = {made};
         if (place.starts_with("pbrMetallicRoughness/") && material.extension("KHR_materials_pbrSpecularGlossiness"))
-            channel.fail("material " + std::to_string(index) + " is shown by its specular-glossiness parameters");
+            channel.fail(format_text("material {} uses its specular-glossiness parameters instead", index));
         if (target.property == "emission") set_emission(material, !row, target);
     }
     return target;

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::gltf {
 namespace {
 
@@ -16,7 +18,7 @@ std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
     return word;
 }
 
-/// JSON may stand after white space and a byte order mark; anything else is some other kind of file.
+/// JSON may follow white space and a byte order mark; anything else is another kind of file.
 bool looks_like_json(std::span<const std::byte> file) {
     for (const std::byte b : file) {
         const auto c = static_cast<unsigned char>(b);
@@ -37,14 +39,12 @@ std::span<const std::byte> checked_length(std::span<const std::byte> file, const
         throw Error(ErrorCode::bad_file,
                     "cut short: the GLB header needs 12 bytes, the file has " + std::to_string(file.size()));
     const std::uint32_t version = word_at(file, 4), length = word_at(file, 8);
-    if (version != 2)
-        throw Error(ErrorCode::bad_file, "GLB version " + std::to_string(version) + " is not supported, only 2");
+    if (version != 2) throw Error(ErrorCode::bad_file, format_text("GLB version {} is not supported, only 2", version));
     if (length > file.size())
-        throw Error(ErrorCode::bad_file, "cut short: the GLB header says " + std::to_string(length) +
-                                             " bytes, the file has " + std::to_string(file.size()));
-    if (length < header_bytes + chunk_header_bytes)
         throw Error(ErrorCode::bad_file,
-                    "the GLB header says " + std::to_string(length) + " bytes: too few for a chunk");
+                    format_text("cut short: the GLB header says {} bytes, the file has {}", length, file.size()));
+    if (length < header_bytes + chunk_header_bytes)
+        throw Error(ErrorCode::bad_file, format_text("the GLB header says {} bytes: too few for a chunk", length));
     if (length < file.size())
         context.report().add(Remark::warning, path, {},
                              "the file is longer than its GLB header says; the rest is ignored");
@@ -68,10 +68,8 @@ Container open_container(std::span<const std::byte> file, const std::string& pat
         const std::uint32_t size = word_at(whole, at), type = word_at(whole, at + 4);
         at += chunk_header_bytes;
         if (size > whole.size() - at)
-            throw Error(
-                ErrorCode::bad_file,
-                "needs " + std::to_string(size) + " bytes, but only " + std::to_string(whole.size() - at) + " are left",
-                place);
+            throw Error(ErrorCode::bad_file,
+                        format_text("needs {} bytes, but only {} are left", size, whole.size() - at), place);
         const auto bytes = whole.subspan(at, size);
         at += size;
         if (chunk == 0) {

@@ -16,7 +16,7 @@ struct Container {
 };
 
 /// Finds the parts of a file: a GLB container by its magic, else the whole file is JSON.
-/// Bytes after the stated length, unknown chunks and second BIN chunks are left out and said in the report.
+/// Bytes after the stated length, unknown chunks and second BIN chunks are left out and reported.
 /// @throws Error bad_file: neither kind; a wrong version; a length or chunk that reaches past the end; JSON not first.
 Container open_container(std::span<const std::byte> file, const std::string& path, Context& context);
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <string_view>
 
+#include "base/format_text.h"
 #include "io/gltf/container.h"
 #include "scene/material_table.h"
 
@@ -65,7 +66,7 @@ Document::Document(const std::string& path, Bytes file, const ReadOptions& optio
     binary_ = parts.binary;
     has_binary_ = parts.has_binary;
     tree_ = std::make_shared<const Json>(parse_json(parts.json, path, tree_charge_, context));
-    if (!tree_->is_object()) throw Error(ErrorCode::bad_file, "not a glTF file: its JSON is no object");
+    if (!tree_->is_object()) throw Error(ErrorCode::bad_file, "not a glTF file: its JSON is not an object");
     root_ = Value(tree_.get(), {});
     check_version();
     check_extensions();
@@ -74,9 +75,8 @@ Document::Document(const std::string& path, Bytes file, const ReadOptions& optio
 Value Document::element_of(const Value& owner, Kind kind, std::uint32_t index, const Value& from) const {
     const Value list = owner.list(kind.list);
     if (index >= list.size())
-        from.fail(std::string(kind.word) + " " + std::to_string(index) + " does not exist (the file has " +
-                  std::to_string(list.size()) + ")");
-    std::string place = std::string(kind.word) + " " + std::to_string(index);
+        from.fail(format_text("{} {} does not exist (the file has {})", kind.word, index, list.size()));
+    std::string place = format_text("{} {}", kind.word, index);
     const Value element = list.element(index, place);
     const std::string* name = element.has("name") ? element.text_pointer("name") : nullptr;
     if (!name || name->empty()) return element;
@@ -85,7 +85,7 @@ Value Document::element_of(const Value& owner, Kind kind, std::uint32_t index, c
 
 std::string Document::name_of(const Value& element, Kind kind, std::uint32_t index) {
     std::string name = element.text("name");
-    return name.empty() ? std::string(kind.word) + " " + std::to_string(index) : name;
+    return name.empty() ? format_text("{} {}", kind.word, index) : name;
 }
 
 void Document::remark(Remark kind, const std::string& place, std::string message) const {
@@ -113,7 +113,7 @@ void Document::check_extensions() {
         const std::string what =
             "the file requires the glTF extension " + one_line(name, 80) + ", which is not supported";
         if (!is_visual(name)) throw Error(ErrorCode::bad_file, what);
-        remark(Remark::warning, {}, what + ": pictures lack what it says");
+        remark(Remark::warning, {}, what + ": pictures lack its effect");
         without.push_back(name);
     }
     const Value used = root_.list("extensionsUsed");
@@ -122,7 +122,7 @@ void Document::check_extensions() {
         uses_quantization_ = uses_quantization_ || name == "KHR_mesh_quantization";
         if (is_supported(name) || contains(without, name)) continue;
         remark(contains(harmless, name) ? Remark::note : Remark::dropped, {},
-               "the glTF extension " + one_line(name, 80) + " is not supported; what it says is left out");
+               "the glTF extension " + one_line(name, 80) + " is not supported; it is ignored");
     }
 }
 

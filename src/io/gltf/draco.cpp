@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/gltf/draco_header.h"
 
@@ -20,8 +21,7 @@ namespace {
 /// What the library takes while it decodes (corner table, traversal, attributes), measured on real meshes and rounded
 /// up.
 constexpr std::uint64_t working_bytes_per_face = 64, working_bytes_per_point = 96;
-/// Faces or points for which a byte of compressed data can stand; a regular grid under the valence code reaches about
-/// 200.
+/// The most faces or points per byte of compressed data; a regular grid under the valence code reaches about 200.
 constexpr std::uint64_t densest = 1024, slack = 65536;
 
 std::optional<ComponentType> component_type(draco::DataType type) {
@@ -75,15 +75,13 @@ void narrow(std::vector<std::byte>& bytes, ComponentType type, const Value& from
 
 void check_header(std::span<const std::byte> data, const Value& from, Context& context) {
     const auto header = read_draco_header(data);
-    if (!header || !header->is_mesh) from.fail("its Draco data is no Draco mesh");
+    if (!header || !header->is_mesh) from.fail("its Draco data is not a Draco mesh");
     if (header->major != 2 || header->minor != 2)
-        from.fail("its Draco data has version " + std::to_string(header->major) + "." + std::to_string(header->minor) +
-                  "; glTF allows 2.2 only");
+        from.fail(format_text("its Draco data has version {}.{}; glTF allows 2.2 only", header->major, header->minor));
     const std::uint64_t most = densest * data.size() + slack;
     if (header->faces > most || header->points > most)
-        from.fail("its Draco data announces " + std::to_string(header->faces) + " triangles and " +
-                  std::to_string(header->points) + " vertices, more than " + std::to_string(data.size()) +
-                  " bytes can hold");
+        from.fail(format_text("its Draco data announces {} triangles and {} vertices, more than {} bytes can hold",
+                              header->faces, header->points, data.size()));
     context.memory().check(header->faces * working_bytes_per_face + header->points * working_bytes_per_point,
                            "decoding a Draco mesh");
 }
@@ -150,8 +148,8 @@ DracoMesh::DracoMesh(std::span<const std::byte> data, const Value& from, Context
     for (draco::FaceIndex f(0); f < impl_->mesh->num_faces(); ++f)
         for (const draco::PointIndex& corner : impl_->mesh->face(f))
             if (corner.value() >= impl_->mesh->num_points())
-                from.fail("its Draco data has a corner " + std::to_string(corner.value()) + " of " +
-                          std::to_string(impl_->mesh->num_points()) + " vertices");
+                from.fail(format_text("its Draco data has a corner {} of {} vertices", corner.value(),
+                                      impl_->mesh->num_points()));
 }
 
 DracoMesh::~DracoMesh() = default;
@@ -178,7 +176,7 @@ Elements DracoMesh::attribute(std::uint32_t id, const Elements& description, con
     const auto type = component_type(attribute->data_type());
     const std::uint32_t width = std::uint32_t(attribute->num_components());
     if (!type || width != description.components)
-        from.fail("Draco attribute " + std::to_string(id) + " has another type than its accessor");
+        from.fail(format_text("Draco attribute {} has another type than its accessor", id));
     Elements elements = description;
     elements.type = *type;
     elements.count = vertex_count();
@@ -191,8 +189,7 @@ Elements DracoMesh::attribute(std::uint32_t id, const Elements& description, con
     for (draco::PointIndex p(0); p < impl_->mesh->num_points(); ++p) {
         const std::uint64_t value = attribute->mapped_index(p).value();
         if (!values || step < bytes || value >= attribute->size() || start + value * step + bytes > values->data_size())
-            from.fail("Draco attribute " + std::to_string(id) + " has no value for vertex " +
-                      std::to_string(p.value()));
+            from.fail(format_text("Draco attribute {} has no value for vertex {}", id, p.value()));
         std::memcpy(packed.data() + p.value() * bytes, values->data() + start + value * step, std::size_t(bytes));
     }
     if (attribute->data_type() == draco::DT_INT32) {

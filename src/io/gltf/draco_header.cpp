@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint8_t mesh_geometry = 1, sequential_method = 0, edgebreaker_method = 1;
 constexpr unsigned metadata_flag = 0x8000;
 
-/// Reads on while the data lasts; `good` falls for ever at its end.
+/// Reads on while the data lasts; `good` falls forever at its end.
 struct Cursor {
     std::span<const std::byte> data;
     bool good = true;

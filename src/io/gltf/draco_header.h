@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The head of a Draco buffer, read before the library sees it: the library allocates by the counts that stand there.
+// The head of a Draco buffer, read before the library sees it: the library allocates by its counts.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::gltf {
 namespace {
 
@@ -55,13 +57,13 @@ Strongest strongest(std::vector<Weighted>& all, Counts& counts) {
 
 void report(const Counts& counts, const Document& document, const Value& primitive) {
     const auto say = [&](Remark kind, std::uint64_t n, const char* what) {
-        if (n) document.remark(kind, primitive.place(), std::to_string(n) + " vertices " + what);
+        if (n) document.remark(kind, primitive.place(), format_text("{} vertices {}", n, what));
     };
     say(Remark::dropped, counts.surplus, "have more than eight joints; the strongest eight are kept");
     say(Remark::changed, counts.bad_weights, "have negative or non-finite joint weights, taken as 0");
     say(Remark::changed, counts.bad_sums, "have joint weights that do not sum to 1; scaled");
     say(Remark::changed, counts.no_sums,
-        "have joint weights without a sum; they follow the first joint, where others follow any");
+        "have joint weights whose sum is zero; they follow their first joint (other programs may choose another)");
 }
 
 struct Set {

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <vector>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::gltf {
 namespace {
 
@@ -40,7 +42,7 @@ public:
         if (!is_new)
             context_.report().add(
                 Remark::warning, file_, {},
-                "the JSON name '" + one_line(name, 60) + "' stands twice in one object; the last counts");
+                "the JSON name '" + one_line(name, 60) + "' occurs twice in one object; the last one counts");
         member_ = &member->second;
         return true;
     }
@@ -63,7 +65,7 @@ private:
     bool open(Json container) {
         if (stack_.size() >= max_json_depth)
             throw Error(ErrorCode::bad_file,
-                        "the JSON is nested more than " + std::to_string(max_json_depth) + " levels deep");
+                        format_text("the JSON is nested more than {} levels deep", max_json_depth));
         stack_.push_back(place(std::move(container)));
         return true;
     }

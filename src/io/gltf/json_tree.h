@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 inline constexpr std::size_t max_json_depth = 256;
 
 /// Parses UTF-8 JSON. A byte order mark is skipped and a name that an object holds twice keeps its last value; both are
-/// said in the report.
+/// reported.
 /// @param charge  grows by the tree's memory
 /// @throws Error bad_file: not JSON (NaN tokens, UTF-16 and text after the end too), a number beyond double, too deep.
 Json parse_json(std::span<const std::byte> text, const std::string& file, MemoryCharge& charge, Context& context);

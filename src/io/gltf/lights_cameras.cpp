@@ -72,7 +72,7 @@ Light read_light(const Value& source, std::uint32_t index) {
     if (light.color.x < 0 || light.color.y < 0 || light.color.z < 0) source.fail("its color must not be negative");
     light.intensity = source.real("intensity", 1);
     if (light.intensity < 0) source.fail("its intensity must not be negative");
-    if (source.has("range")) light.range = std::max(float(positive(source, "range")), float(least_light_range));
+    if (source.has("range")) light.range = std::max(float(positive(source, "range")), float(min_light_range));
     if (light.type != LightType::spot) return light;
     const Value spot = source.object("spot");
     light.inner_cone_rad = spot.real("innerConeAngle", 0);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double rounding = 1e-4;  // exporters write 1.0000001
 
-/// A factor within its range; one outside is moved to the nearest end and said.
+/// A factor within its range; one outside is moved to the nearest end and reported.
 float within(const Document& document, const Value& source, const char* name, double value, double high) {
     const double kept = std::clamp(value, 0.0, high);
     if (kept < value - rounding || kept > value + rounding)

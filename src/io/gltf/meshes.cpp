@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/format_text.h"
 #include "io/gltf/influences.h"
 #include "io/gltf/plausibility.h"
 #include "io/gltf/topology.h"
@@ -11,13 +12,13 @@ namespace rakelight::io::gltf {
 namespace {
 
 constexpr std::uint32_t max_texcoord_sets = 8;
-/// What later stages (normals, tangents, engines) ask for a vertex or a corner. Charged for every mesh, so that many
-/// primitives over one large array cannot make them ask for more than the budget.
+/// Bytes that later stages (normals, tangents, engines) need per vertex or corner. Charged for every mesh, so that
+/// many primitives over one large array cannot exceed the budget.
 constexpr std::uint64_t later_bytes_per_vertex = 48, later_bytes_per_corner = 8;
 
 PrimitiveMode mode_of(const Value& primitive) {
     const std::uint64_t mode = primitive.count("mode", 4);
-    if (mode > 6) primitive.fail("mode " + std::to_string(mode) + " is unknown");
+    if (mode > 6) primitive.fail(format_text("mode {} is unknown", mode));
     return PrimitiveMode(mode);
 }
 
@@ -36,7 +37,7 @@ const LoadedMesh& Meshes::load(std::uint32_t index, const Value& from) {
     const Value primitives = mesh.list("primitives");
     LoadedMesh loaded;
     for (std::size_t p = 0; p < primitives.size(); ++p) {
-        const Value primitive = primitives.element(p, mesh.place() + ", primitive " + std::to_string(p));
+        const Value primitive = primitives.element(p, format_text("{}, primitive {}", mesh.place(), p));
         Mesh result;
         result.name = Document::name_of(mesh, mesh_kind, index);
         document().scene_charge().grow(sizeof(Mesh) + result.name.size(), "meshes");  // each has its own copy
@@ -125,7 +126,7 @@ void Meshes::read_texcoords(VertexData& vertices, const Value& primitive, Mesh& 
     for (std::size_t set = 0; set < result.texcoords.size(); ++set) {
         if (!result.texcoords[set].empty()) continue;
         document().remark(Remark::guessed, primitive.place(),
-                          "TEXCOORD_" + std::to_string(set) + " is missing below a higher set; taken as 0");
+                          format_text("TEXCOORD_{} is missing below a higher set; taken as 0", set));
         MemoryCharge charge(document().context().memory(), vertices.vertex_count() * sizeof(vec2), "vertex data");
         result.texcoords[set] = {std::vector<vec2>(std::size_t(vertices.vertex_count())), std::move(charge)};
     }
@@ -137,7 +138,7 @@ void Meshes::read_targets(VertexData& vertices, const Value& mesh, const Value& 
     const Value names =
         extras.is_object() && extras.part("targetNames").is_list() ? extras.list("targetNames") : Value();
     for (std::size_t t = 0; t < targets.size(); ++t) {
-        const Value target = targets.element(t, primitive.place() + ", target " + std::to_string(t));
+        const Value target = targets.element(t, format_text("{}, target {}", primitive.place(), t));
         MorphTarget morph;
         morph.name = t < names.size() && names.is_text_at(t) ? names.text_at(t) : "target " + std::to_string(t);
         morph.positions = vertices.offsets(target, "POSITION");

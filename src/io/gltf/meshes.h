@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glTF meshes to scene meshes: one a primitive, made when a node first asks.
+// glTF meshes to scene meshes: one per primitive, made when a node first asks.
 #pragma once
 #include <map>
 

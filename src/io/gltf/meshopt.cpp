@@ -3,6 +3,8 @@
 
 #include <meshoptimizer.h>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::gltf {
 namespace {
 
@@ -20,16 +22,15 @@ Mode mode_of(const Value& packed) {
 void check_sizes(const Value& packed, Mode mode, std::uint64_t count, std::uint64_t stride, std::uint64_t data_bytes) {
     const bool fits =
         mode == Mode::attributes ? stride >= 4 && stride <= 256 && stride % 4 == 0 : stride == 2 || stride == 4;
-    if (!fits) packed.fail("the meshopt byteStride " + std::to_string(stride) + " does not fit its mode");
+    if (!fits) packed.fail(format_text("the meshopt byteStride {} does not fit its mode", stride));
     if (mode == Mode::triangles && count % 3 != 0)
-        packed.fail("the meshopt count " + std::to_string(count) + " is not a multiple of 3");
-    // The densest codes: triangles take a byte each, other indices a byte each, and attributes two bits for 16 bytes.
+        packed.fail(format_text("the meshopt count {} is not a multiple of 3", count));
+    // The densest codes: triangles take a byte each, other indices per byte each, and attributes two bits for 16 bytes.
     const std::uint64_t most = mode == Mode::triangles ? 3 * data_bytes
                                : mode == Mode::indices ? data_bytes
                                                        : 64 * data_bytes / stride + 256;
     if (count > most)
-        packed.fail("the meshopt count " + std::to_string(count) + " is more than " + std::to_string(data_bytes) +
-                    " compressed bytes can hold");
+        packed.fail(format_text("the meshopt count {} is more than {} compressed bytes can hold", count, data_bytes));
 }
 
 void apply_filter(const Value& packed, Mode mode, void* data, std::size_t count, std::size_t stride) {
@@ -63,8 +64,7 @@ Bytes decode_meshopt(const Value& packed, std::span<const std::byte> data, Conte
         mode == Mode::attributes  ? meshopt_decodeVertexBuffer(unpacked.data(), n, size, source, data.size())
         : mode == Mode::triangles ? meshopt_decodeIndexBuffer(unpacked.data(), n, size, source, data.size())
                                   : meshopt_decodeIndexSequence(unpacked.data(), n, size, source, data.size());
-    if (result != 0)
-        packed.fail("its meshopt data is broken or of a newer version (code " + std::to_string(result) + ")");
+    if (result != 0) packed.fail(format_text("its meshopt data is broken or of a newer version (code {})", result));
     apply_filter(packed, mode, unpacked.data(), n, size);
     return charged_bytes(std::move(unpacked), std::move(charge));
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/format_text.h"
 #include "io/gltf/transform.h"
 
 namespace rakelight::io::gltf {
@@ -129,7 +130,7 @@ void Nodes::add_instances(const Value& source, const Value& extension, std::uint
     document().scene_charge().grow(*count * each, "instances");
     for (std::size_t i = 0; i < *count; ++i) {
         Node instance;
-        instance.name = group.name + " instance " + std::to_string(i);
+        instance.name = format_text("{} instance {}", group.name, i);
         instance.parent = node;
         instance.meshes = group.meshes;
         instance.morph_weights = group.morph_weights;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Remarks on data that could be read but is not as the specification has it. What a mesh's numbers are like (not finite,
-// zero, too large) is not looked at here: prepare says that when it repairs them, for every format.
+// Remarks on data that is readable but violates the specification. The numbers of a mesh (not finite, zero, too large)
+// are not checked here: prepare reports them when it repairs them, for every format.
 #pragma once
 #include "io/gltf/accessors.h"
 

@@ -24,7 +24,7 @@ struct PointerRow {
 std::span<const PointerRow> pointer_rows();
 /// Null: there is none.
 const PointerRow* row_at(AnimationPath path, std::string_view place);
-/// @param projection  of a camera  @return null: glTF has no place for it
+/// @param projection  of a camera  @return null: glTF cannot store it
 const PointerRow* row_of(AnimationPath path, std::string_view property, std::optional<Projection> projection = {});
 
 /// In front of the number of an element: "/materials/".

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// glTF 2.0: the way of the data from the file to a scene. Everything is read from the nodes of the default scene
-// downwards, so that what is not drawn is not looked at.
+// glTF 2.0: from the file to a scene. Everything is read from the nodes of the default scene downward, so parts that
+// are not drawn are not read.
 #include "io/gltf/read_gltf.h"
 
 #include <algorithm>

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include <nlohmann/json.hpp>
+
 #include "io/gltf/save_uses.h"
 
 namespace rakelight::io::gltf {
@@ -14,9 +16,9 @@ struct Range {
 };
 
 /// Bytes of buffer 0 that a view, or the extension that holds it compressed, lies in.
-class ViewRange {
+class ChannelRange {
 public:
-    explicit ViewRange(std::uint64_t size) : size_(size) {}
+    explicit ChannelRange(std::uint64_t size) : size_(size) {}
 
     /// Adds the range of `place`, if it is one. False: it cannot be made out.
     bool add(const OrderedJson& place, std::vector<Range>& ranges) const {
@@ -94,7 +96,7 @@ std::uint64_t drop_dead_views(OrderedJson& tree, std::vector<std::byte>& binary)
     if (!uses.are_all_known() || !tree.contains("bufferViews") || binary.empty()) return 0;
     OrderedJson& views = tree["bufferViews"];
     const std::vector<bool> is_live = live_views(tree, uses);
-    const ViewRange range(binary.size());
+    const ChannelRange range(binary.size());
     std::vector<Range> dead, live;
     for (std::size_t v = 0; v < views.size(); ++v) {
         std::vector<Range>& ranges = is_live[v] ? live : dead;

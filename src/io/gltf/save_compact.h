@@ -9,10 +9,10 @@
 
 namespace rakelight::io::gltf {
 
-/// Takes the bytes of dead views out of buffer 0, but for those that lie in a live view too; offsets of the others move by
-/// multiples of 4. Views and accessors keep their numbers: a dead view is left with one byte at the start of the buffer, and
-/// a dead accessor in it with no view (glTF 2.0, section 3.6.2: its elements are zeros). Where the file has an extension of which
-/// is not known whether it refers to views or accessors, nothing is done.
+/// Takes the bytes of dead views out of buffer 0, except for those that lie in a live view too; offsets of the others
+/// move by multiples of 4. Views and accessors keep their numbers. A dead view keeps one byte at the start of the
+/// buffer; a dead accessor keeps no view, so its elements are zeros (glTF 2.0, section 3.6.2). Where the file has an
+/// extension of which is not known whether it refers to views or accessors, nothing is done.
 /// @param binary  all of buffer 0
 /// @return [bytes] taken out
 std::uint64_t drop_dead_views(OrderedJson& tree, std::vector<std::byte>& binary);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include <nlohmann/json.hpp>
+
 #include "io/gltf/save_meshopt.h"
 #include "io/gltf/save_storage.h"
 

@@ -14,7 +14,7 @@
 
 namespace rakelight::io::gltf {
 
-/// Appends data. Equal contents are stored once, so primitives that share an array go on sharing it.
+/// Appends data. Equal contents are stored once, so primitives that share an array continue sharing it.
 class NewData {
 public:
     /// @param buffer  the number of the buffer that the region will be part of

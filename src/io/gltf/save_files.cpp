@@ -7,6 +7,8 @@
 #include <set>
 #include <system_error>
 
+#include <nlohmann/json.hpp>
+
 #include "io/beside.h"
 #include "io/file.h"
 #include "io/gltf/container.h"
@@ -243,7 +245,7 @@ void OutputModel::write_glb(std::span<const std::byte> new_data, bool keep_unuse
 void OutputModel::write_gltf(std::span<const std::byte> new_data, Context& context) {
     std::vector<std::byte> binary = base_;
     add(binary, new_data);
-    // Both are whole before one takes the place of an older file: else a full disk leaves an old model with new data.
+    // Both are whole before one replaces an older file: else a full disk leaves an old model with new data.
     std::optional<OutputFile> data;
     if (!binary.empty()) {
         const std::string name = free_name(context);

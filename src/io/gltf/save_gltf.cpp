@@ -5,6 +5,9 @@
 #include <cmath>
 #include <map>
 
+#include <nlohmann/json.hpp>
+
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/gltf/container.h"
 #include "io/gltf/save_files.h"
@@ -81,7 +84,7 @@ private:
         return std::equal(a.begin(), a.end(), b.begin(), b.end(), each);
     }
 
-    /// Those that are to be written, if any are, are among the numbers of the file's vertices, but for rounding.
+    /// Those that are to be written, if any are, are among the numbers of the file's vertices, except for rounding.
     static bool has_bitangents_of(const Mesh& a, const Mesh& b) {
         if (b.bitangents.empty()) return true;
         for (const VertexArray& array : a.arrays)
@@ -140,7 +143,7 @@ private:
         if (const auto known = edited_.find(m); known != edited_.end()) return known->second;
         const Mesh& mesh = after_.meshes[m];
         const Value source_mesh = document_.element(mesh_kind, mesh.source_mesh, document_.root());
-        const std::string place = source_mesh.place() + ", primitive " + std::to_string(mesh.source_primitive);
+        const std::string place = format_text("{}, primitive {}", source_mesh.place(), mesh.source_primitive);
         const Value source = source_mesh.list("primitives").element(mesh.source_primitive, place);
         OrderedJson json = originals_.at(mesh.source_mesh)["primitives"][mesh.source_primitive];
         const PrimitiveEdit done =
@@ -155,19 +158,18 @@ private:
             report.add(Remark::changed, before_.source, place, "Draco compression was undone where normals changed");
         if (done.tangents_removed)
             report.add(Remark::dropped, before_.source, place,
-                       "tangents that belong to the old normals were removed (unwanted, or no texture coordinates to "
-                       "make new ones from)");
+                       "tangents that belong to the old normals were removed (not wanted, or there are no texture "
+                       "coordinates to compute new ones from)");
         if (done.keeps_target_normals)
             report.add(Remark::warning, before_.source, place,
                        "the normals of morph targets are kept: they are offsets from the old normals");
         if (done.widened)
-            report.add(
-                Remark::changed, before_.source, place,
-                "normals or tangents of 8 bits became float: what meets them is stored or turned otherwise, and would "
-                "differ by a step");
+            report.add(Remark::changed, before_.source, place,
+                       "8-bit normals or tangents were converted to float: neighbors that are stored or rotated "
+                       "otherwise would differ by a rounding step");
         if (done.plain)
             report.add(Remark::changed, before_.source, place,
-                       "the arrays that changed are written without meshopt compression");
+                       "the changed arrays are written without meshopt compression");
     }
 
     void say_what_is_unused(const AccessorUses& before) {
@@ -230,7 +232,7 @@ GltfSaveResult save_gltf(const std::string& source, const Scene& before, const S
         throw error.with_file(source);
     } catch (const gltf::OrderedJson::exception&) {  // parts that are not drawn are not checked when a file is read
         throw Error(ErrorCode::bad_file,
-                    "a part of the file is of another kind than glTF says, so that it cannot be edited")
+                    "a part of the file has another type than glTF requires, so it cannot be edited")
             .with_file(source);
     }
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A glTF file written back with new normals and tangents; everything else of it stays as it is.
+// Writes a glTF file back with new normals and tangents; everything else in it is kept.
 //
-// Changed are only: NORMAL and TANGENT of drawn triangle primitives; indices, and the other attributes by copies of
-// elements as they are, where a vertex had to be split; primitives in Draco form, which are taken apart; nodes whose
-// placement needs normals of its own, which get a copy of their mesh. New data goes to the end of the binary chunk
-// (GLB) or to a new buffer file.
+// Only these change: NORMAL and TANGENT of drawn triangle primitives; indices and the other attributes where a vertex
+// was split (elements are copied as they are); Draco primitives, which are decompressed; nodes whose placement needs
+// different normals, which get a copy of their mesh. New data goes to the end of the binary chunk (GLB) or to a new
+// buffer file.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -19,7 +19,7 @@ namespace rakelight::io {
 struct GltfSaveOptions {
     ReadOptions read;
     bool keep_instances =
-        false;                 ///< placements of one mesh go on sharing it: with the attributes of the first placement
+        false;  ///< placements of one mesh continue sharing it: with the attributes of the first placement
     bool keep_unused = false;  ///< GLB: bytes of views that nothing refers to stay
 };
 

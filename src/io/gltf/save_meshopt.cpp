@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include <nlohmann/json.hpp>
+
 #include <rakelight/vector.h>
 
 namespace rakelight::io::gltf {

@@ -39,7 +39,7 @@ std::vector<MeshVersion> mesh_versions(const Scene& before, const Scene& after, 
             version = known.begin();
         }
         if (version == known.end()) {
-            // The first result of smooth_scene() stands in the place of the mesh that it came from.
+            // The first result of smooth_scene() replaces the mesh that it came from.
             versions.push_back({mesh, wanted, {}, known.empty()});
             version = known.emplace(wanted, versions.size() - 1).first;
         }
@@ -48,13 +48,13 @@ std::vector<MeshVersion> mesh_versions(const Scene& before, const Scene& after, 
     }
     Report& report = context.report();
     if (is_kept)
-        report.add(
-            Remark::warning, before.source, {},
-            "instances that touch different things share one mesh: its normals are right at the first of them only");
+        report.add(Remark::warning, before.source, {},
+                   "instances that touch different objects share one mesh: its normals are correct only for the first "
+                   "of them");
     if (is_stuck)
-        report.add(
-            Remark::warning, before.source, {},
-            "the instances of EXT_mesh_gpu_instancing share one mesh: its normals are right at the first of them only");
+        report.add(Remark::warning, before.source, {},
+                   "the instances of EXT_mesh_gpu_instancing share one mesh: its normals are correct only for the "
+                   "first of them");
     return versions;
 }
 

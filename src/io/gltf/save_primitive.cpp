@@ -5,6 +5,8 @@
 #include <map>
 #include <string_view>
 
+#include <nlohmann/json.hpp>
+
 #include "io/gltf/save_meshopt.h"
 
 namespace rakelight::io::gltf {
@@ -112,8 +114,8 @@ std::string PrimitiveEditor::compression_of(const OrderedJson& accessor) const {
     return view ? meshopt_extension(*view) : std::string();
 }
 
-/// Some attribute that was compressed is not any more. An ordered object looks a name up by comparing it with all
-/// before it: sorted once, a primitive of many attributes costs no more than reading it.
+/// Whether an attribute that was compressed no longer is. An ordered object searches names linearly, so they are
+/// sorted once: the cost of many attributes stays that of reading them.
 bool PrimitiveEditor::is_plain_now(const OrderedJson& before, const OrderedJson& now) const {
     std::map<std::string_view, const OrderedJson*> accessors;
     for (const auto& [name, accessor] : now.get_ref<const OrderedJson::object_t&>()) accessors.emplace(name, &accessor);
@@ -138,12 +140,12 @@ PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, cons
     const Value targets = source.list("targets");
     const std::vector<MorphTarget> fresh = new_targets(before, after);
     if (fresh.size() != targets.size() || before.targets.size() != targets.size())
-        source.fail("the file changed while it was worked on");
+        source.fail("the file changed while it was being processed");
     if (!copied.empty() || result.unpacked) {
         VertexData vertices(accessors_, cache_, source);
         const auto positions = vertices.elements("POSITION", any_components, any_type);
         if (!positions || positions->count != before.positions.size())
-            source.fail("the file changed while it was worked on");
+            source.fail("the file changed while it was being processed");
         extend(attributes, source.object("attributes"), vertices, copied, nullptr);
         if (!copied.empty())
             for (std::size_t t = 0; t < targets.size(); ++t)
@@ -171,7 +173,7 @@ PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, cons
             result.keeps_target_normals || (targets.element(t).has("NORMAL") && fresh[t].normals.empty());
     }
 
-    // 3. corners; strips and fans become lists, since their corners cannot be told apart
+    // 3. corners; strips and fans become lists, since their corners cannot be distinguished
     if (!same_indices(before, after) || result.unpacked) {
         data_.compress_as(compression_of(old.value("indices", OrderedJson())));
         json["indices"] = data_.indices(after.indices, index_type(source));

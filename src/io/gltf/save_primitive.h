@@ -17,7 +17,7 @@ struct PrimitiveEdit {
     bool tangents_removed = false;      ///< the file's tangents went: nothing to make new ones from, or not wanted
     bool keeps_target_normals = false;  ///< of morph targets without new ones: offsets from normals that are no more
     bool widened = false;               ///< integers of 8 bits became float
-    bool plain = false;                 ///< arrays that took the place of meshopt-compressed ones are not compressed
+    bool plain = false;                 ///< arrays that replaced meshopt-compressed ones are not compressed
 };
 
 class PrimitiveEditor {

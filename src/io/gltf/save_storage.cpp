@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "base/format_text.h"
 #include "math/linear.h"
 #include "scene/scene_tools.h"
 
@@ -19,7 +20,7 @@ int code_of(float x, ComponentType type) {
     return int(std::clamp(std::floor(double(x) * largest + 0.5), -largest, largest));
 }
 
-/// What a matrix does to normals, but for their length.
+/// What a matrix does to normals, except for their length.
 dmat3 turn_of(const dmat4& place) {
     const dmat3 linear = upper_left(place);
     dmat3 turn = cofactor(linear);
@@ -77,7 +78,7 @@ std::vector<std::byte> stored_bytes(std::span<const float> numbers, std::uint32_
 Value primitive_of(const Document& document, const Mesh& mesh) {
     const Value owner = document.element(mesh_kind, mesh.source_mesh, document.root());
     return owner.list("primitives")
-        .element(mesh.source_primitive, owner.place() + ", primitive " + std::to_string(mesh.source_primitive));
+        .element(mesh.source_primitive, format_text("{}, primitive {}", owner.place(), mesh.source_primitive));
 }
 
 DirectionStorage::DirectionStorage(const Accessors& accessors, const Scene& scene) : accessors_(accessors) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include <nlohmann/json.hpp>
+
 #include <rakelight/error.h>
 
 #include "io/gltf/json_tree.h"
@@ -114,6 +116,22 @@ std::string to_text(const OrderedJson& tree, std::span<const std::byte> model) {
     const std::size_t width = end - line - 1;
     const bool is_tab = width > 0 && text[line + 1] == '\t';
     return tree.dump(width == 0 ? 2 : int(std::min<std::size_t>(width, 8)), is_tab ? '\t' : ' ') + "\n";
+}
+
+void for_each_member(OrderedJson& root, const std::function<void(const std::string&, OrderedJson&)>& visit) {
+    std::vector<OrderedJson*> waiting{&root};
+    while (!waiting.empty()) {
+        OrderedJson& at = *waiting.back();
+        waiting.pop_back();
+        if (at.is_object()) {
+            for (auto& [name, value] : at.get_ref<OrderedJson::object_t&>()) {
+                visit(name, value);
+                waiting.push_back(&value);
+            }
+        } else if (at.is_array()) {
+            for (OrderedJson& value : at) waiting.push_back(&value);
+        }
+    }
 }
 
 }  // namespace rakelight::io::gltf

@@ -2,10 +2,11 @@
 // The JSON of a glTF file as a tree that keeps the order of its names, for editing and writing back.
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace rakelight::io::gltf {
 
@@ -20,21 +21,6 @@ OrderedJson parse_ordered(std::span<const std::byte> text);
 std::string to_text(const OrderedJson& tree, std::span<const std::byte> model);
 
 /// Calls `visit(name, value)` for every member of every object in the tree; without recursion.
-template <class Visit>
-void for_each_member(OrderedJson& root, Visit visit) {
-    std::vector<OrderedJson*> waiting{&root};
-    while (!waiting.empty()) {
-        OrderedJson& at = *waiting.back();
-        waiting.pop_back();
-        if (at.is_object()) {
-            for (auto& [name, value] : at.get_ref<OrderedJson::object_t&>()) {
-                visit(name, value);
-                waiting.push_back(&value);
-            }
-        } else if (at.is_array()) {
-            for (OrderedJson& value : at) waiting.push_back(&value);
-        }
-    }
-}
+void for_each_member(OrderedJson& root, const std::function<void(const std::string&, OrderedJson&)>& visit);
 
 }  // namespace rakelight::io::gltf

@@ -9,6 +9,8 @@
 #include <optional>
 #include <string_view>
 
+#include <nlohmann/json.hpp>
+
 #include "io/gltf/save_storage.h"
 
 namespace rakelight::io::gltf {
@@ -42,7 +44,7 @@ std::uint64_t whole_or(const OrderedJson& owner, const char* name, std::uint64_t
     return owner.is_object() && owner.contains(name) ? whole(owner, name).value_or(~0ull) : fallback;
 }
 
-/// Extensions whose references to accessors are looked at here, or that have none.
+/// Extensions whose references to accessors are known here, or that have none.
 bool is_known_extension(std::string_view name) {
     for (const std::string_view family :
          {"KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_", "KHR_xmp"})

@@ -28,7 +28,7 @@ private:
     bool are_all_known_ = true;
 };
 
-/// The arrays of a binary chunk that nobody but one attribute of one primitive uses.
+/// The arrays of a binary chunk that only one attribute of one primitive uses.
 class OwnArrays {
 public:
     /// @param binary  what buffer 0 holds so far; a part of it is overwritten by replace()

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/format_text.h"
 #include "io/gltf/nodes.h"
 
 namespace rakelight::io::gltf {
@@ -18,15 +19,14 @@ std::vector<dmat4> inverse_bind_matrices(Accessors& accessors, const Value& skin
     const Elements elements =
         accessors.elements(accessor, {"inverseBindMatrices", components(matrix_components), float_only}, skin);
     if (elements.count < joints)
-        skin.fail("it has " + std::to_string(joints) + " joints but " + std::to_string(elements.count) +
-                  " inverse bind matrices");
+        skin.fail(format_text("it has {} joints but {} inverse bind matrices", joints, elements.count));
     const MemoryCharge charge(accessors.document().context().memory(),
                               elements.count * matrix_components * sizeof(float), "inverse bind matrices");
     const std::vector<float> values = to_scalars(elements);
     for (std::size_t j = 0; j < joints; ++j)
         for (std::size_t k = 0; k < matrix_components; ++k) {
             const float value = values[matrix_components * j + k];
-            if (!std::isfinite(value)) skin.fail("inverse bind matrix " + std::to_string(j) + " is not finite");
+            if (!std::isfinite(value)) skin.fail(format_text("inverse bind matrix {} is not finite", j));
             result[j][k / 4][k % 4] = value;
         }
     return result;
@@ -39,8 +39,7 @@ Skin read_skin(Accessors& accessors, const Nodes& nodes, const Value& source, st
     accessors.document().scene_charge().grow(joints.size() * (sizeof(dmat4) + sizeof(std::uint32_t)), "skins");
     for (std::size_t j = 0; j < joints.size(); ++j) {
         const std::uint32_t node = nodes.scene_index(joints.index_at(j));
-        if (node == no_index)
-            source.fail("its joint " + std::to_string(joints.index_at(j)) + " is no node of the scene");
+        if (node == no_index) source.fail(format_text("its joint {} is not a node of the scene", joints.index_at(j)));
         skin.joints.push_back(node);
     }
     skin.inverse_bind = inverse_bind_matrices(accessors, source, skin.joints.size());
@@ -69,8 +68,8 @@ void read_skins(Accessors& accessors, Meshes& meshes, const Nodes& nodes, Scene&
         const std::uint32_t skin = loaded[index];
         if (skin == no_index || scene.nodes[placed.scene].meshes.empty()) continue;
         if (joints_used > scene.skins[skin].joints.size())
-            node.fail("its mesh follows joint " + std::to_string(joints_used - 1) + ", but its skin has " +
-                      std::to_string(scene.skins[skin].joints.size()));
+            node.fail(format_text("its mesh refers to joint {}, but its skin has {}", joints_used - 1,
+                                  scene.skins[skin].joints.size()));
         scene.nodes[placed.scene].skin = skin;
     }
 }

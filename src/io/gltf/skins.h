@@ -11,7 +11,7 @@ class Meshes;
 class Nodes;
 
 /// Gives skinned nodes their skins. A skin whose joints are not part of the scene or whose data is broken is left out
-/// with a remark; its meshes are then shown where their node stands.
+/// with a remark; its meshes are then placed by their node.
 void read_skins(Accessors& accessors, Meshes& meshes, const Nodes& nodes, Scene& scene);
 
 }  // namespace rakelight::io::gltf

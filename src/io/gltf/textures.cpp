@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/textures.h"
 
+#include "base/format_text.h"
 #include "io/image_io.h"
 
 namespace rakelight::io::gltf {
@@ -66,7 +67,7 @@ TextureUse Textures::use(const Value& owner, const char* name) {
             use.transform = transform_of(transform);
             set = transform.count("texCoord", set);
         }
-        if (set > max_texcoord_set) info.fail("texture coordinate set " + std::to_string(set) + " is more than 7");
+        if (set > max_texcoord_set) info.fail(format_text("texture coordinate set {} is more than 7", set));
         use.texcoord_set = std::uint32_t(set);
         use.texture = load(info.required_index("index"), info);
         result = use;
@@ -95,7 +96,7 @@ std::uint32_t Textures::load(std::uint32_t index, const Value& from) {
 
 ImageHandle Textures::image(std::uint32_t index, const Value& from) {
     if (const auto known = images_.find(index); known != images_.end()) {
-        if (!known->second) from.fail("image " + std::to_string(index) + " could not be used");
+        if (!known->second) from.fail(format_text("image {} could not be used", index));
         return known->second;
     }
     images_[index] = nullptr;

@@ -7,8 +7,8 @@
 
 namespace rakelight::io::gltf {
 
-/// matrix, or translation, rotation and scale. Says where a rotation has no length, is not a unit quaternion, where a
-/// scale or matrix flattens, and where a matrix is not affine (its last row is then taken as 0 0 0 1).
+/// matrix, or translation, rotation and scale. Reports rotations of zero length or that are not unit quaternions,
+/// scales and matrices that flatten, and matrices that are not affine (their last row is replaced by 0 0 0 1).
 /// @throws Error: wrong kinds or numbers of values, numbers beyond 1e38.
 Transform read_transform(const Document& document, const Value& node);
 

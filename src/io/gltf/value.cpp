@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::gltf {
 namespace {
 
@@ -25,7 +27,7 @@ std::optional<std::uint64_t> as_count(const Json& value) {
     return std::uint64_t(d);
 }
 
-std::string shown(const Json& value) {
+std::string described(const Json& value) {
     if (value.is_number()) return value.dump();
     return std::string("a JSON ") + value.type_name();
 }
@@ -42,13 +44,13 @@ const Json* Value::find(const char* name) const {
 
 Value Value::object(const char* name) const {
     const Json* part = find(name);
-    if (part && !part->is_object()) fail(std::string(name) + " must be an object, not " + shown(*part));
+    if (part && !part->is_object()) fail(std::string(name) + " must be an object, not " + described(*part));
     return {part, place_, name};
 }
 
 Value Value::list(const char* name) const {
     const Json* part = find(name);
-    if (part && !part->is_array()) fail(std::string(name) + " must be a list, not " + shown(*part));
+    if (part && !part->is_array()) fail(std::string(name) + " must be a list, not " + described(*part));
     return {part, place_, name};
 }
 
@@ -66,37 +68,37 @@ std::vector<std::string> Value::names() const {
 std::size_t Value::size() const { return json_ && json_->is_array() ? json_->size() : 0; }
 
 Value Value::element(std::size_t i) const {
-    return element(i, (place_.empty() ? std::string() : place_ + ", ") + name_ + " " + std::to_string(i));
+    return element(i, format_text("{}{} {}", place_.empty() ? std::string() : place_ + ", ", name_, i));
 }
 
 Value Value::element(std::size_t i, std::string place) const {
     const Value part(&(*json_)[i], std::move(place));
-    if (!part.json_->is_object()) part.fail("must be an object, not " + shown(*part.json_));
+    if (!part.json_->is_object()) part.fail("must be an object, not " + described(*part.json_));
     return part;
 }
 
 std::uint32_t Value::index_at(std::size_t i) const {
     const auto n = as_count((*json_)[i]);
-    if (!n || *n >= no_index) fail(name_ + " must hold indices, not " + shown((*json_)[i]));
+    if (!n || *n >= no_index) fail(name_ + " must hold indices, not " + described((*json_)[i]));
     return std::uint32_t(*n);
 }
 
 std::string Value::text_at(std::size_t i) const {
-    if (!(*json_)[i].is_string()) fail(name_ + " must hold strings, not " + shown((*json_)[i]));
+    if (!(*json_)[i].is_string()) fail(name_ + " must hold strings, not " + described((*json_)[i]));
     return (*json_)[i].get<std::string>();
 }
 
 bool Value::boolean(const char* name, bool fallback) const {
     const Json* part = find(name);
     if (!part) return fallback;
-    if (!part->is_boolean()) fail(std::string(name) + " must be true or false, not " + shown(*part));
+    if (!part->is_boolean()) fail(std::string(name) + " must be true or false, not " + described(*part));
     return part->get<bool>();
 }
 
 std::optional<double> Value::optional_number(const char* name) const {
     const Json* part = find(name);
     if (!part) return std::nullopt;
-    if (!part->is_number()) fail(std::string(name) + " must be a number, not " + shown(*part));
+    if (!part->is_number()) fail(std::string(name) + " must be a number, not " + described(*part));
     return part->get<double>();
 }
 
@@ -116,7 +118,7 @@ std::uint64_t Value::required_count(const char* name) const {
     const Json* part = find(name);
     if (!part) fail(std::string(name) + " is missing");
     const auto n = as_count(*part);
-    if (!n) fail(std::string(name) + " must be a whole number that is not negative, not " + shown(*part));
+    if (!n) fail(std::string(name) + " must be a non-negative whole number, not " + described(*part));
     return *n;
 }
 
@@ -124,14 +126,14 @@ std::uint32_t Value::index(const char* name) const { return find(name) ? require
 
 std::uint32_t Value::required_index(const char* name) const {
     const std::uint64_t n = required_count(name);
-    if (n >= no_index) fail(std::string(name) + " " + std::to_string(n) + " is no index");
+    if (n >= no_index) fail(format_text("{} {} is not an index", name, n));
     return std::uint32_t(n);
 }
 
 const std::string* Value::text_pointer(const char* name) const {
     const Json* part = find(name);
     if (!part) return nullptr;
-    if (!part->is_string()) fail(std::string(name) + " must be a string, not " + shown(*part));
+    if (!part->is_string()) fail(std::string(name) + " must be a string, not " + described(*part));
     return part->get_ptr<const std::string*>();
 }
 
@@ -143,11 +145,10 @@ std::string Value::text(const char* name, const std::string& fallback) const {
 bool Value::read_numbers(const char* name, double* out, std::size_t n) const {
     const Value values = list(name);
     if (!values) return false;
-    if (values.size() != n)
-        fail(std::string(name) + " must hold " + std::to_string(n) + " numbers, not " + std::to_string(values.size()));
+    if (values.size() != n) fail(format_text("{} must hold {} numbers, not {}", name, n, values.size()));
     for (std::size_t i = 0; i < n; ++i) {
         const Json& value = (*values.json_)[i];
-        if (!value.is_number()) fail(std::string(name) + " must hold numbers, not " + shown(value));
+        if (!value.is_number()) fail(std::string(name) + " must hold numbers, not " + described(value));
         out[i] = value.get<double>();
         if (!(std::fabs(out[i]) <= double(std::numeric_limits<float>::max())))
             fail(std::string(name) + " holds a number too large for use");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checked reading of values from the JSON tree: every reader either gives a value of the right kind or throws an Error
-// that says where it stands. The full JSON header is seen by value.cpp alone.
+// Checked reading of values from the JSON tree: every reader either returns a value of the right kind or throws an
+// Error with its place. Only value.cpp includes the full JSON header.
 #pragma once
 #include <array>
 #include <cstdint>

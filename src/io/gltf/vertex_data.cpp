@@ -3,6 +3,8 @@
 
 #include <numeric>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::gltf {
 namespace {
 
@@ -16,10 +18,9 @@ void check_corners(const std::vector<std::uint32_t>& corners, std::uint64_t vert
     for (std::size_t i = 0; i < corners.size(); ++i)
         if (corners[i] >= vertices)
             primitive.fail(corners[i] == restart
-                               ? "index " + std::to_string(restart) + " at corner " + std::to_string(i) +
-                                     " is the primitive restart value, which glTF forbids"
-                               : "index " + std::to_string(corners[i]) + " at corner " + std::to_string(i) +
-                                     " exceeds " + std::to_string(vertices) + " vertices");
+                               ? format_text("index {} at corner {} is the primitive restart value, which glTF forbids",
+                                             restart, i)
+                               : format_text("index {} at corner {} exceeds {} vertices", corners[i], i, vertices));
 }
 
 }  // namespace
@@ -37,9 +38,8 @@ VertexData::VertexData(Accessors& accessors, BlockCache& cache, const Value& pri
 void VertexData::check_count(std::uint64_t count, const std::string& semantic) {
     if (!count_) count_ = count;
     if (*count_ != count)
-        primitive_.fail(semantic + " has " + std::to_string(count) + " elements, but the primitive has " +
-                        std::to_string(*count_) + " vertices");
-    if (count >= no_index) primitive_.fail(std::to_string(count) + " vertices are more than indices can reach");
+        primitive_.fail(format_text("{} has {} elements, but the primitive has {} vertices", semantic, count, *count_));
+    if (count >= no_index) primitive_.fail(std::to_string(count) + " vertices are more than indices can address");
 }
 
 std::optional<Elements> VertexData::find(const Value& owner, const std::string& semantic, const Expected& expected) {
@@ -93,7 +93,7 @@ Block<vec4> VertexData::colors() {
         if (e.type != ComponentType::f32 && !e.normalized) {
             e.normalized = true;
             document().remark(Remark::guessed, primitive_.place(),
-                              "vertex colors of integers that are not said to be normalized are taken as 0..1");
+                              "integer vertex colors that are not marked as normalized are read as 0..1");
         }
         return to_vec4(e, 1);
     });

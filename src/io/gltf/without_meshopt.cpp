@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of a build without meshoptimizer (RAKELIGHT_MESHOPT=OFF): such files are not read, so none is written again either.
 #include "base/left_out.h"
+
+#include <nlohmann/json.hpp>
 #include "io/gltf/meshopt.h"
 #include "io/gltf/save_meshopt.h"
 

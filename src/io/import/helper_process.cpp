@@ -17,6 +17,7 @@
 #include <cstring>
 #include <vector>
 
+#include "base/format_text.h"
 #include "io/file.h"
 
 namespace rakelight::io {
@@ -44,7 +45,7 @@ std::string folder_of_this_library() {
 
 bool is_program(const std::string& path) { return is_regular_file(path) && access(path.c_str(), X_OK) == 0; }
 
-/// The environment of the helper: plain numbers whatever the user's locale, and what loading it may need.
+/// The environment variables of the helper: the C locale for numbers, and what loading it may need.
 std::vector<std::string> helper_environment() {
     std::vector<std::string> variables{"LC_ALL=C", "MALLOC_ARENA_MAX=1"};
     for (const char* name : {"LD_LIBRARY_PATH", "ASAN_OPTIONS", "UBSAN_OPTIONS"})
@@ -84,7 +85,7 @@ void reset_signals(Attributes& a) {
 std::string seconds_text(double seconds) {
     const double tenths = std::round(seconds * 10);
     const auto whole = static_cast<long long>(tenths / 10), tenth = static_cast<long long>(tenths) % 10;
-    return std::to_string(whole) + (tenth != 0 ? "." + std::to_string(tenth) : "") + " s";
+    return format_text("{}{} s", whole, tenth != 0 ? "." + std::to_string(tenth) : "");
 }
 
 const char* name_of_signal(int number) {
@@ -107,7 +108,7 @@ const char* name_of_signal(int number) {
 }
 
 [[noreturn]] void too_slow(double seconds) {
-    throw Error(ErrorCode::bad_file, "reading it took longer than " + seconds_text(seconds) + " and was given up", {},
+    throw Error(ErrorCode::bad_file, "reading it took longer than " + seconds_text(seconds) + " and was stopped", {},
                 "export glTF instead");
 }
 
@@ -116,12 +117,12 @@ const char* name_of_signal(int number) {
 std::string find_import_helper(const std::string& asked) {
     if (!asked.empty()) {
         if (is_program(asked)) return asked;
-        throw Error(ErrorCode::failed, "the import helper '" + one_line(asked, 100) + "' is no program");
+        throw Error(ErrorCode::failed, "the import helper '" + one_line(asked, 100) + "' is not a program");
     }
     if (const char* named = std::getenv("RAKELIGHT_IMPORT")) {
         if (is_program(named)) return named;
-        throw Error(ErrorCode::failed, std::string("RAKELIGHT_IMPORT names '") + named + "', which is no program", {},
-                    "correct or unset it");
+        throw Error(ErrorCode::failed, std::string("RAKELIGHT_IMPORT names '") + named + "', which is not a program",
+                    {}, "correct or unset it");
     }
     const std::string program = folder_of_this_program(), library = folder_of_this_library();
     // RL_LIBEXEC_*: where it is installed, counted from programs, from the library, and from the root (CMakeLists.txt of io).
@@ -134,7 +135,7 @@ std::string find_import_helper(const std::string& asked) {
 
 namespace {
 
-/// The two ends of a pipe, neither of them a standard stream (which may be closed here, and is set anew in the child).
+/// The two ends of a pipe, neither of them a standard stream (which may be closed here, and is set again in the child).
 /// Both are closed where it fails.
 void open_pipe(int (&ends)[2]) {
     const auto failed = [] {
@@ -246,13 +247,12 @@ void HelperProcess::ended_early() {
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) too_slow(limits_.seconds);
     if (WIFSIGNALED(status)) {
         const int number = WTERMSIG(status);
-        throw Error(
-            ErrorCode::bad_file,
-            "the import helper crashed (signal " + std::to_string(number) + name_of_signal(number) + ") on this file",
-            {}, "the file may be broken; export glTF instead");
+        throw Error(ErrorCode::bad_file,
+                    format_text("the import helper crashed (signal {}{}) on this file", number, name_of_signal(number)),
+                    {}, "the file may be broken; export glTF instead");
     }
-    throw Error(ErrorCode::bad_file, "the import helper ended early (exit code " +
-                                         std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : -1) + ")");
+    throw Error(ErrorCode::bad_file, format_text("the import helper ended early (exit code {})",
+                                                 WIFEXITED(status) ? WEXITSTATUS(status) : -1));
 }
 
 }  // namespace rakelight::io

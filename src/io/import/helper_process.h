@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The helper executable as a child process: found, started, listened to under a deadline, and always gone afterwards.
+// The helper executable as a child process: found, started, read from with a deadline, and always ended afterwards.
 #pragma once
 #include <chrono>
 #include <string>
@@ -22,7 +22,7 @@ struct HelperLimits {
     bool allow_outside = false;
 };
 
-/// Starts the helper on `model`; read() hands out what it writes. Destruction kills what still runs and leaves no zombie.
+/// Starts the helper on `model`; read() returns its output. Destruction kills what still runs and leaves no zombie.
 class HelperProcess final : public import_stream::Source {
 public:
     HelperProcess(const std::string& helper, const std::string& model, const HelperLimits& limits, Context& context);

@@ -112,7 +112,7 @@ void detail::add_lights_and_cameras(const import_stream::Document& d, const std:
         const std::uint32_t parent = v.node == import_stream::nothing ? 0 : v.node;
         if (!(v.half_width > 0) && !(v.horizontal_fov_rad > narrowest_rad))
             context.report().add(Remark::guessed, path, "camera '" + one_line(v.name, 60) + "'",
-                                 "its field of view was not read; 40 degrees are taken");
+                                 "its field of view could not be read; 40 degrees are used");
         scene.cameras.push_back(camera_of(v, unit));
         scene.cameras.back().node = add_node(v.name, parent, v.position, v.direction, v.up, scene);
     }

@@ -71,7 +71,7 @@ private:
         if (m.height_texture && std::isfinite(s.bump_scale)) m.height_scale = s.bump_scale;
     }
 
-    /// A texture takes the place of the diffuse color in all these formats but X, where it multiplies it.
+    /// A texture replaces the diffuse color in all these formats but X, where it multiplies it.
     void set_colors(const Surface& s, Material& m) {
         const bool replaced = m.base_color_texture && ending_ != "x";
         const vec3 diffuse = !replaced && (s.has & Surface::has_diffuse) ? linear_color(s.diffuse) : vec3{1, 1, 1};
@@ -85,7 +85,7 @@ private:
         if (ending_ == "dae" && exponent > 0 && exponent < 1) {  // several exporters write 0..1
             exponent *= 128;
             report_.add(Remark::guessed, path_, "material '" + one_line(s.name, 60) + "'",
-                        "a shininess below 1 was taken as a share of 128");
+                        "a shininess below 1 was read as a fraction of 128");
         }
         m.classical.shininess = exponent >= 1 ? std::min(exponent, largest_shininess) : 1.0f;
         set_emission(s, m);
@@ -147,7 +147,7 @@ private:
         }
         if (!used || found || set == 0) return set;
         report_.add(Remark::changed, path_, {},
-                    "a texture asks for a set of coordinates that no mesh has; the first is taken");
+                    "a texture uses a set of coordinates that no mesh has; the first is used");
         return 0;
     }
 

@@ -21,7 +21,7 @@ std::vector<vec3> unit_normals(std::vector<vec3>&& normals) {
     return std::move(normals);
 }
 
-/// All tangents, or none when one of them is no direction: a broken set is made anew.
+/// All tangents, or none when one of them is no direction: a broken set is recomputed.
 std::vector<vec4> unit_tangents(std::vector<vec4>&& tangents) {
     for (vec4& t : tangents) {
         const vec3 unit = normalize_or(t.xyz(), vec3{});
@@ -81,7 +81,7 @@ void detail::add_meshes(import_stream::Import& import, const std::string& path, 
         mesh.tangents = block(unit_tangents(std::move(part.tangents)));
         if (had_tangents && mesh.tangents.empty())
             context.report().add(Remark::dropped, path, "mesh '" + one_line(mesh.name, 60) + "'",
-                                 "the file's tangents hold zeros and are made anew");
+                                 "the file's tangents contain zeros and are recomputed");
         mesh.smoothing_hint = block(std::move(part.smoothing_hint));
         mesh.polygons = block(std::move(part.polygons));
         for (auto& set : part.texcoords) mesh.texcoords.push_back(block(v_down(std::move(set))));

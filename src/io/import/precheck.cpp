@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/format_text.h"
+
 namespace rakelight::io {
 
 std::string line_of(std::string_view text, std::size_t at) {
@@ -17,7 +19,7 @@ std::string line_of(std::string_view text, std::size_t at) {
 
 namespace {
 
-/// What stands in front of a list ("*MESH_NUMVERTEX 8"): Assimp asks for memory for so many before it reads the list.
+/// The counts in front of lists ("*MESH_NUMVERTEX 8"): Assimp allocates this much before it reads the list.
 void check_ase_counts(std::string_view text) {
     constexpr std::uint64_t least = 4;  // bytes of an entry: "*X 0"
     for (std::size_t at = text.find('*'); at != text.npos; at = text.find('*', at + 1)) {
@@ -31,8 +33,8 @@ void check_ase_counts(std::string_view text) {
         if (problem != std::errc::result_out_of_range && count <= text.size() / least) continue;
         const std::string written(text.substr(digits, std::size_t(end - text.data()) - digits));
         throw Error(ErrorCode::bad_file,
-                    one_line(std::string(word), 40) + " promises " + one_line(written, 40) +
-                        " entries, but the file has " + std::to_string(text.size()) + " bytes",
+                    format_text("{} promises {} entries, but the file has {} bytes", one_line(std::string(word), 40),
+                                one_line(written, 40), text.size()),
                     line_of(text, at));
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A look at a file before the import helper gets it: cut short, sizes that cannot be, entities. Assimp accepts many such files
-// in silence, or asks for gigabytes first.
+// Checks a file before the import helper gets it: truncation, impossible sizes, entities. Assimp silently accepts many
+// such files, or allocates gigabytes first.
 #pragma once
 #include <cstddef>
 #include <span>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// FBX, 3DS, Blend: files of nested blocks whose sizes stand in front of them, so a cut or a shift shows at once.
+// FBX, 3DS, Blend: files of nested blocks with their sizes in front, so a truncation or shift is detected at once.
 #include <cstdint>
 #include <cstring>
 #include <string_view>
 #include <vector>
 
+#include "base/format_text.h"
 #include "io/import/precheck.h"
 
 namespace rakelight::io {
@@ -45,7 +46,7 @@ FbxNode read_fbx_node(std::span<const std::byte> bytes, std::uint64_t at, bool w
     return n;
 }
 
-/// Nodes inside nodes, without recursion: the ends of those that are open stand on a stack.
+/// Nested nodes, without recursion: a stack holds the ends of the open ones.
 void walk_fbx(std::span<const std::byte> bytes, bool wide) {
     std::uint64_t at = 27;
     std::vector<std::uint64_t> ends;
@@ -142,7 +143,7 @@ public:
         for (std::uint64_t i = 0; i < count; ++i) {
             const auto face = little<std::uint16_t>(s_.bytes, begin + 3 + i * 2);
             if (face >= listed_.size() || listed_[face])
-                wrong("materials name faces that are not there or have one already");
+                wrong("materials name faces that do not exist or already have a material");
             else
                 listed_[face] = true;
         }
@@ -174,7 +175,7 @@ void check_fbx(const Suspect& s) {
     const auto version = little<std::uint32_t>(s.bytes, 23);
     if (version < 7100)
         throw Error(ErrorCode::bad_file,
-                    "binary FBX of version " + std::to_string(version) + " is not supported (7100 or newer is)", {},
+                    format_text("binary FBX of version {} is not supported (7100 or newer is)", version), {},
                     "save it as FBX 2013 or newer, or as glTF");
     if (version > 7900) throw Error(ErrorCode::bad_file, "unknown FBX version " + std::to_string(version));
     walk_fbx(s.bytes, version >= 7500);
@@ -189,8 +190,8 @@ void check_3ds(const Suspect& s) {
         throw Error(ErrorCode::bad_file, "not a 3DS file (it does not begin with block 0x4D4D)");
     const auto whole = little<std::uint32_t>(s.bytes, 2);
     if (whole > size)
-        throw Error(ErrorCode::bad_file, "it promises " + std::to_string(whole) + " bytes, but " +
-                                             std::to_string(size) + " are there; the file is cut short");
+        throw Error(ErrorCode::bad_file,
+                    format_text("it promises {} bytes, but {} are there; the file is cut short", whole, size));
     if (whole < size) s.report.add(Remark::warning, s.path, {}, "bytes follow the last block");
     Faces3ds faces(s);
     std::vector<Open> open{{0, whole}};

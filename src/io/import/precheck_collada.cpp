@@ -24,7 +24,7 @@ public:
         if (!is_index_) return;
         const std::size_t bad = part.find_first_not_of("0123456789+- \t\r\n");
         if (bad != std::string_view::npos) refuse(part, bad, line);
-        const std::size_t blank = part.find_last_of(blanks);  // the last word may go on in the next part
+        const std::size_t blank = part.find_last_of(blanks);  // the last word may continue in the next part
         if (blank != std::string_view::npos) word_.clear(), part.remove_prefix(blank + 1);
         word_.append(part.substr(0, 40 - std::min<std::size_t>(word_.size(), 40)));
     }
@@ -36,7 +36,7 @@ private:
                                     std::string(part.substr(word, part.find_first_of(blanks, bad) - word));
         const auto feeds = std::count(part.begin(), part.begin() + std::ptrdiff_t(bad), '\n');
         throw Error(ErrorCode::bad_file,
-                    "the indices <p> hold '" + one_line(written, 40) + "', which is no whole number",
+                    "the indices <p> hold '" + one_line(written, 40) + "', which is not a whole number",
                     "line " + std::to_string(line + std::uint64_t(feeds)));
     }
 

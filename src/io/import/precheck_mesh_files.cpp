@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/format_text.h"
 #include "io/import/precheck.h"
 
 namespace rakelight::io {
@@ -40,9 +41,8 @@ std::uint64_t to_count(std::string_view word, const char* what) {
 }
 
 [[noreturn]] void too_few(const char* what, std::uint64_t promised, std::uint64_t needs, std::uint64_t has) {
-    throw Error(ErrorCode::bad_file, "it promises " + std::to_string(promised) + " " + what + " (at least " +
-                                         std::to_string(needs) + " bytes), but " + std::to_string(has) +
-                                         " bytes are there");
+    throw Error(ErrorCode::bad_file, format_text("it promises {} {} (at least {} bytes), but {} bytes are there",
+                                                 promised, what, needs, has));
 }
 
 void check_ascii_stl(const Suspect& s) {
@@ -52,8 +52,8 @@ void check_ascii_stl(const Suspect& s) {
     const std::uint64_t vertices = count_of(lower, "vertex"), loops = count_of(lower, "outer");
     if (loops == 0) throw Error(ErrorCode::bad_file, "nothing to draw: the file holds no facet");
     if (vertices != loops * 3)
-        throw Error(ErrorCode::bad_file, std::to_string(loops) + " facets have " + std::to_string(vertices) +
-                                             " vertices instead of three each");
+        throw Error(ErrorCode::bad_file,
+                    format_text("{} facets have {} vertices instead of three each", loops, vertices));
     if (lower.find("endsolid") == std::string::npos)
         s.report.add(Remark::warning, s.path, {}, "the solid has no end; the file is probably cut short");
 }
@@ -71,14 +71,14 @@ void check_stl(const Suspect& s) {
             if (count == 0) throw Error(ErrorCode::bad_file, "nothing to draw: the file holds no triangle");
             if (solid)
                 s.report.add(Remark::warning, s.path, {},
-                             "it begins with 'solid' like a text STL but is binary, and was read so");
+                             "it begins with 'solid' like a text STL, but it is binary and was read as such");
             return;
         }
         const bool binary = !solid || text.substr(0, 512).find('\0') != std::string_view::npos;
         if (binary && needs > text.size()) too_few("triangles", count, needs, text.size());
         if (binary)
-            throw Error(ErrorCode::bad_file, std::to_string(text.size() - needs) + " bytes follow the " +
-                                                 std::to_string(count) + " triangles that it promises");
+            throw Error(ErrorCode::bad_file,
+                        format_text("{} bytes follow the {} triangles that it declares", text.size() - needs, count));
     }
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
     if (begin == std::string_view::npos ||

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/format_text.h"
 #include "math/linear.h"
 
 namespace rakelight::io {
@@ -37,7 +38,7 @@ Transform local_of(const Place& p, std::size_t number) {
     if (!parts) t = {.matrix = affine(p.matrix)};
     if (!parts && !is_finite(*t.matrix))
         throw Error(ErrorCode::bad_file, "a matrix is not finite",
-                    "node " + std::to_string(number) + " '" + one_line(p.name, 60) + "'");
+                    format_text("node {} '{}'", number, one_line(p.name, 60)));
     return t;
 }
 

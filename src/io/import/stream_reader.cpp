@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::import_stream {
 namespace {
 
@@ -127,8 +129,8 @@ Import read_import(Source& source, Context& context) {
     require(head.stream_magic == magic, "not the helper's");
     if (head.stream_version != version)
         throw Error(ErrorCode::failed,
-                    "the import helper speaks version " + std::to_string(head.stream_version) +
-                        " of the stream, this program " + std::to_string(version),
+                    format_text("the import helper speaks version {} of the stream, this program {}",
+                                head.stream_version, version),
                     {}, "install both from one build");
     if (head.kind == std::uint32_t(Kind::refusal)) {
         std::string reason;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_io.h"
 
@@ -36,7 +37,7 @@ std::optional<std::string> existing(const std::string& model, const std::string&
     return std::nullopt;
 }
 
-/// The entry of the model's folder that equals `name` but for the case of its letters; the first in order of bytes.
+/// The entry of the model's folder that equals `name` except for the case of its letters; the first in order of bytes.
 std::optional<std::string> in_any_case(const std::string& model, const std::string& name) {
     namespace fs = std::filesystem;
     std::error_code problem;
@@ -106,7 +107,7 @@ std::optional<std::string> find_texture_file(const std::string& model, const std
 ImageHandle TextureTable::embedded(std::uint32_t number) {
     Picture& p = pictures_[number];
     const std::string name =
-        "image " + std::to_string(number) + (p.name.empty() ? "" : " '" + one_line(p.name, 80) + "'") + " (embedded)";
+        format_text("image {}{} (embedded)", number, p.name.empty() ? "" : " '" + one_line(p.name, 80) + "'");
     if (p.bytes.empty() || p.width > 32768 || p.height > 32768) {
         context_.report().add(Remark::warning, model_, name,
                               "an embedded picture is empty or too large and is left out");

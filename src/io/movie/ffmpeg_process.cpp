@@ -45,7 +45,7 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
     return result;
 }
 
-/// Plain numbers and English words, whatever the user's locale.
+/// The C locale: plain numbers and English messages.
 std::vector<std::string> environment() {
     std::vector<std::string> variables{"LC_ALL=C"};
     for (const char* name : {"PATH", "LD_LIBRARY_PATH", "HOME"})
@@ -66,11 +66,11 @@ public:
         posix_spawnattr_t attributes;
         posix_spawn_file_actions_init(&files);
         posix_spawnattr_init(&attributes);
-        const Descriptor in{moved_up(input)}, said{moved_up(words)}, output{moved_up(run.output)},
+        const Descriptor in{moved_up(input)}, messages{moved_up(words)}, output{moved_up(run.output)},
             second{run.second_input < 0 ? -1 : moved_up(run.second_input)};
         posix_spawn_file_actions_adddup2(&files, in.fd, STDIN_FILENO);
         posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-        posix_spawn_file_actions_adddup2(&files, said.fd, STDERR_FILENO);
+        posix_spawn_file_actions_adddup2(&files, messages.fd, STDERR_FILENO);
         posix_spawn_file_actions_adddup2(&files, output.fd, 3);
         if (second.fd >= 0) posix_spawn_file_actions_adddup2(&files, second.fd, 4);
         posix_spawn_file_actions_addclosefrom_np(&files, second.fd >= 0 ? 5 : 4);
@@ -118,7 +118,7 @@ private:
     pid_t pid_ = -1;
 };
 
-/// @return false: nobody reads any more
+/// @return false: the reader has closed its end
 bool send_all(int to, std::span<const std::byte> bytes, Context& context) {
     while (!bytes.empty()) {
         context.throw_if_cancelled();
@@ -144,8 +144,8 @@ void feed(int to, const FfmpegRun& run, Context& context) {
     }
 }
 
-/// What it said, on one line.
-std::string said(int words) {
+/// The messages that ffmpeg wrote, on one line.
+std::string last_messages(int words) {
     std::array<char, most_words> text{};
     const ssize_t size = ::pread(words, text.data(), text.size(), 0);
     std::string all(text.data(), size > 0 ? std::size_t(size) : 0);
@@ -170,15 +170,15 @@ void check_ffmpeg() {
 
 void run_ffmpeg(const FfmpegRun& run, Context& context) {
     const Descriptor words{::memfd_create("ffmpeg's words", MFD_CLOEXEC)};
-    if (words.fd < 0) failed("no memory for ffmpeg's words", errno);
+    if (words.fd < 0) failed("no memory for the output of ffmpeg", errno);
     int ends[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) failed("no pipe for ffmpeg", errno);
     Descriptor ours{ends[0]}, theirs{ends[1]};
     Child child(run, theirs.fd, words.fd);
-    ::close(std::exchange(theirs.fd, -1));  // the child has the only other end: that it reads no more is noticed
+    ::close(std::exchange(theirs.fd, -1));  // the child has the only other end, so its end is noticed
     feed(ours.fd, run, context);
     ::close(std::exchange(ours.fd, -1));
-    if (!child.wait(context)) throw Error(ErrorCode::failed, "ffmpeg failed" + said(words.fd));
+    if (!child.wait(context)) throw Error(ErrorCode::failed, "ffmpeg failed" + last_messages(words.fd));
 }
 
 }  // namespace rakelight::io

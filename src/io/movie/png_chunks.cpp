@@ -58,7 +58,7 @@ bool begins_as_png(std::span<const std::byte> bytes) {
 }  // namespace
 
 std::vector<PngChunk> png_chunks(std::span<const std::byte> bytes) {
-    if (!begins_as_png(bytes)) throw Error(ErrorCode::bad_file, "is no PNG picture");
+    if (!begins_as_png(bytes)) throw Error(ErrorCode::bad_file, "is not a PNG picture");
     std::vector<PngChunk> chunks;
     for (std::size_t at = png_signature.size(); chunks.empty() || chunks.back().type != "IEND";) {
         if (bytes.size() - at < around) throw broken("it ends too early");

@@ -22,7 +22,7 @@ Delay delay_of(double fps) {
     return {1, std::uint32_t(std::round(fps))};  // 65 to 1000 a second with more than three digits
 }
 
-/// Frame control: the whole picture takes the place of the one before.
+/// Frame control: the whole picture replaces the one before.
 void put_frame(std::vector<std::byte>& to, std::uint32_t number, const PngHeader& header, Delay delay) {
     std::vector<std::byte> data;
     for (const std::uint32_t value : {number, header.width, header.height, 0u, 0u}) put_u32(data, value);
@@ -31,11 +31,11 @@ void put_frame(std::vector<std::byte>& to, std::uint32_t number, const PngHeader
     put_chunk(to, "fcTL", {}, data);
 }
 
-/// Signature, IHDR and what else stands before the first picture's data, with the count of pictures.
+/// Signature, IHDR and all other chunks before the first picture's data, with the number of pictures.
 void put_head(std::vector<std::byte>& to, std::span<const PngChunk> chunks, std::size_t pictures) {
     for (const std::uint8_t byte : png_signature) to.push_back(std::byte(byte));
     std::vector<std::byte> control;
-    put_u32(control, std::uint32_t(pictures)), put_u32(control, 0);  // 0: for ever
+    put_u32(control, std::uint32_t(pictures)), put_u32(control, 0);  // 0: forever
     for (const PngChunk& chunk : chunks) {
         if (chunk.type == "IDAT") break;
         put_chunk(to, chunk.type, {}, chunk.data);

@@ -8,6 +8,7 @@
 
 #include <rakelight/movie.h>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/movie/ffmpeg_process.h"
 #include "io/movie/movie_writers.h"
@@ -41,7 +42,7 @@ PngHeader common_header(std::span<const std::string> pictures) {
     for (const std::string& file : pictures) {
         if (!is_regular_file(file)) throw Error(ErrorCode::not_found, "there is no such picture").with_file(file);
         const std::optional<PngHeader> header = header_of_whole_png(file);
-        if (!header) throw Error(ErrorCode::bad_file, "is no whole PNG picture").with_file(file);
+        if (!header) throw Error(ErrorCode::bad_file, "is not a complete PNG picture").with_file(file);
         if (!first) first = header;
         if (!(*header == *first))
             throw Error(ErrorCode::bad_file, "has another size or kind of color than the movie's first picture")
@@ -73,7 +74,7 @@ void check_movie(const std::string& path, const MovieSize& size) {
             .with_file(path);
     if (std::max(size.width, size.height) > kind->most_side)
         throw Error(ErrorCode::usage,
-                    "a movie of this kind has at most " + std::to_string(kind->most_side) + " pixels a side")
+                    format_text("a movie of this kind has at most {} pixels per side", kind->most_side))
             .with_file(path);
     const bool is_by_ffmpeg =
         kind->kind == io::MovieKind::gif || kind->kind == io::MovieKind::mp4 || kind->kind == io::MovieKind::webm;
@@ -88,7 +89,7 @@ void check_movie(const std::string& path, const MovieSize& size) {
 void write_movie(const std::string& path, std::span<const std::string> pictures, double fps, Context& context) {
     if (pictures.empty()) throw Error(ErrorCode::usage, "a movie needs a picture").with_file(path);
     if (!(fps >= 0.01 && fps <= 1000))
-        throw Error(ErrorCode::usage, "pictures a second must be 0.01 to 1000").with_file(path);
+        throw Error(ErrorCode::usage, "frames per second must be 0.01 to 1000").with_file(path);
     check_movie(path, {});
     const io::MoviePictures all{pictures, fps, io::common_header(pictures)};
     check_movie(path, {int(all.header.width), int(all.header.height), all.header.has_alpha()});

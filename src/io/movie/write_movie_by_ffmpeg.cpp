@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <charconv>
 
+#include "base/format_text.h"
 #include "io/descriptor.h"
 #include "io/file.h"
 #include "io/movie/ffmpeg_process.h"
@@ -68,8 +69,8 @@ const Words video_colors{"-color_primaries", "bt709", "-color_trc",   "iec61966-
 std::string to_even(const PngHeader& header) {
     const std::uint32_t right = header.width % 2, bottom = header.height % 2;
     if (right + bottom == 0) return {};
-    return "pad=" + std::to_string(header.width + right) + ":" + std::to_string(header.height + bottom) +
-           ":0:0,fillborders=right=" + std::to_string(right) + ":bottom=" + std::to_string(bottom) + ":mode=smear,";
+    return format_text("pad={}:{}:0:0,fillborders=right={}:bottom={}:mode=smear,", header.width + right,
+                       header.height + bottom, right, bottom);
 }
 
 Words mp4_words(const MoviePictures& pictures) {

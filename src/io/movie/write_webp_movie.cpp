@@ -23,7 +23,7 @@ public:
         WebPAnimEncoderOptions options;
         if (!WebPAnimEncoderOptionsInit(&options) || !WebPConfigInit(&config_) ||
             !WebPConfigLosslessPreset(&config_, 1))  // as single pictures: higher levels take many times as long
-            throw Error(ErrorCode::failed, "libwebpmux does not fit its headers");
+            throw Error(ErrorCode::failed, "libwebpmux does not match its headers");
         config_.exact = 1;  // colors under alpha 0 are kept
         encoder_.reset(WebPAnimEncoderNew(int(header.width), int(header.height), &options));
         if (!encoder_) throw not_encoded("out of memory");

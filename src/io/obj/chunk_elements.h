@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Last pass over an OBJ file: the faces, lines and points of one chunk, with references into the whole file, and the changes of
-// state among them (o, g, usemtl, s). What these mean is known only beside the chunks before: obj_faces.h puts chunks together.
+// Last pass over an OBJ file: the faces, lines and points of one chunk, with references into the whole file, and the
+// changes of state among them (o, g, usemtl, s). Their meaning depends on the chunks before: obj_faces.h joins the
+// chunks.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -66,7 +67,7 @@ struct ChunkElements {
     std::vector<StateChange> changes;
     std::vector<Run> runs;
     std::vector<Corner> corners;         ///< of each run its own, each once, in order of first use
-    std::vector<std::uint32_t> indices;  ///< three a triangle, two a segment, one a point: corner numbers
+    std::vector<std::uint32_t> indices;  ///< three per triangle, two per segment, one per point: corner numbers
     std::vector<CutPolygon> polygons;
     std::vector<SmoothingChange> smoothing;
     std::vector<FaceRecord> faces;  ///< where they are kept

@@ -99,7 +99,7 @@ void MaterialLibrary::load(const std::string& argument) {
         if (loaded_.size() < most_libraries && !load_file(name))
             remark(Remark::warning, model_path_, 0,
                    "material file '" + one_line(name, 160) + "'" +
-                       why_not_found(model_path_, name, "default materials stand for it"));
+                       why_not_found(model_path_, name, "default materials are used instead"));
 }
 
 bool MaterialLibrary::load_file(const std::string& reference) {
@@ -132,7 +132,7 @@ std::uint32_t MaterialLibrary::find(const std::string& name, std::uint64_t line)
     scene_.materials.push_back(default_material(name.empty() ? "default" : name));
     if (!name.empty())
         remark(Remark::warning, model_path_, line,
-               "material '" + one_line(name, 80) + "' is not defined; a light gray one stands for it");
+               "material '" + one_line(name, 80) + "' is not defined; a light gray one is used instead");
     return entry->second;
 }
 

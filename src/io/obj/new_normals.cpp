@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* what = "the normals of an OBJ file";
 
-[[noreturn]] void does_not_fit() { throw Error(ErrorCode::failed, "the file changed while it was worked on"); }
+[[noreturn]] void does_not_fit() { throw Error(ErrorCode::failed, "the file changed while it was being processed"); }
 
 /// A run's normals, each once, as they lie in the chunk's.
 struct RunNormals {
@@ -121,7 +121,8 @@ void number_in_blocks(std::vector<ChunkWork>& work, NewNormals& out, Context& co
     });
 }
 
-/// After the last v, vt or vn line before the object's first face, unless another block stands there; then right before that face.
+/// After the last v, vt or vn line before the object's first face, unless another block is there; then right before
+/// that face.
 void place_blocks(const Elements& elements, const Contents& contents, NewNormals& out) {
     std::vector<bool> placed(out.blocks.size(), false);
     std::size_t vertices_end = 0, last = 0;

@@ -47,8 +47,8 @@ private:
     std::vector<std::unique_ptr<ChunkScratch>> idle_;
 };
 
-/// All chunks that hold more than vertices, some at a time: what a batch may take at most is charged before, and what it took
-/// instead after it, so that no order of threads decides what the memory is short for.
+/// All chunks that contain more than vertices, in batches. The most that a batch may take is charged before it, and
+/// corrected to what it took afterwards, so the order of threads does not decide where memory runs out.
 std::vector<ChunkElements> read_chunks(std::string_view file, const Contents& contents, const VertexData& data,
                                        bool keep_faces, MemoryCharge& charge, Context& context) {
     constexpr std::size_t batch_bytes = 16 << 20;
@@ -76,7 +76,7 @@ std::vector<ChunkElements> read_chunks(std::string_view file, const Contents& co
     return chunks;
 }
 
-/// The state that goes on from chunk to chunk, and the meshes that it leads to.
+/// The state that continues from chunk to chunk, and the meshes that it leads to.
 class Assembler {
 public:
     Assembler(const Contents& contents, const FindMaterial& find_material, Elements& elements, Context& context)

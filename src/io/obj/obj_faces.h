@@ -25,8 +25,8 @@ struct Elements {
 };
 
 /// Objects: every `o` line begins one; in a file without `o` every new name after `g` does, and a name that comes again
-/// goes on with its object (a group is a set by name). Only those with elements count. Meshes: one for each material,
-/// topology and presence of normals in an object, so `usemtl` back to an earlier material goes on with its mesh.
+/// continues with its object (a group is a set by name). Only those with elements count. Meshes: one for each material,
+/// topology and presence of normals in an object, so `usemtl` back to an earlier material continues with its mesh.
 /// Positive indices may point forward; a face whose vertex index is 0 or out of range is skipped, a texture coordinate
 /// or normal index of that kind makes the corner one without.
 /// @param default_object  name of the object of faces before the first `o` or `g`

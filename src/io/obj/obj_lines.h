@@ -35,8 +35,9 @@ public:
     bool next(Token& token);                ///< false when there are no more words
     std::size_t at() const { return at_; }  ///< where the next word is looked for
 
-    /// For what most lines hold, single blanks and words that end in one or at the line's end: calls take(first, end) with where
-    /// the next word begins, and goes on behind it where that knows the word's end. @return false: next() is to be asked
+    /// For most lines, whose words end in a single blank or at the line's end. Calls take(first, end) with the start
+    /// of the next word, and continues after the word's end if that function knows it. @return false: next() is to be
+    /// asked
     template <class Take>
     bool next_plain(const Take& take) {
         const char* const begin = file_.data() + at_;

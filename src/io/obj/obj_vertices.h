@@ -25,7 +25,7 @@ struct ChunkContents {
     bool has_vertices() const { return positions + texcoords + normals > 0; }
 };
 
-/// What a file holds, counted before memory is asked for.
+/// What a file holds, counted before memory is requested.
 struct Contents {
     std::uint64_t positions = 0, texcoords = 0, normals = 0, elements = 0;  ///< v, vt, vn; f, l and p lines
     bool has_objects = false;                                               ///< any `o` line

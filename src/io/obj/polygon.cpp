@@ -114,7 +114,8 @@ public:
 
     PolygonCut run() {
         const std::uint64_t work_limit = 1'000'000 + 4000 * std::uint64_t(p_.size());
-        // A polygon with a bridge to a hole touches itself: when no ear is left, corners on an ear's rim block no more.
+        // A polygon with a bridge to a hole touches itself: when no ear is left, corners on an ear's border no longer
+        // block it.
         while (remaining_ > 3 && work_ < work_limit) {
             for (std::uint32_t i = 0; i < links_.size(); ++i)
                 if (links_[i].is_alive) consider(i);

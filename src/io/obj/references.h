@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the files lie that a model names: as written, else in other upper and lower case, else by the bare file name
-// in the model's own folder (exporters write paths of the machine they ran on).
+// Finds the files that a model names: as written, else ignoring case, else by the bare file name in the model's own
+// folder (exporters write paths of the machine they ran on).
 #pragma once
 #include <map>
 #include <optional>

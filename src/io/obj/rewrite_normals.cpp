@@ -113,7 +113,7 @@ public:
             if (line.number % 65536 == 0) context.throw_if_cancelled();
             const std::string_view key = line.keyword.text;
             const bool is_face = key == "f" || key == "fo";
-            // surf: free-form surfaces are not read, but their control points may name normals that are gone.
+            // surf: free-form surfaces are not read, but their control points may refer to removed normals.
             if (!is_face && key != "vn" && key != "surf") continue;
             keep_up_to(line.begin);
             kept = line.next;

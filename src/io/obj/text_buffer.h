@@ -11,7 +11,7 @@ namespace rakelight::io::obj {
 
 class TextBuffer {
 public:
-    /// Where the text goes on, with room for `bytes`; end_at() says where it ends then.
+    /// Where the text continues, with room for `bytes`; end_at() says where it ends then.
     char* room(std::size_t bytes) {
         if (capacity_ - size_ < bytes) grow(bytes);
         return text_.get() + size_;

@@ -11,7 +11,7 @@
 
 namespace rakelight::io::obj {
 
-/// Open addressing, keyed by the run: no file can be made whose keys all meet. Expected O(1) a look.
+/// Open addressing with a random key per run, so no file can make all its keys collide. Expected O(1) per lookup.
 /// @tparam Key  with == and hash_of(key, HashKey)
 template <class Key>
 class UniqueTable {

@@ -13,6 +13,7 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/position_origin.h"
 #include "math/color.h"
@@ -58,12 +59,12 @@ std::string library_name(const std::string& model) {
     std::string name = stem + ".mtl";
     std::error_code error;
     for (int n = 2; fs::exists(folder / name, error) && !names_library(model, name); ++n)
-        name = stem + "." + std::to_string(n) + ".mtl";
+        name = format_text("{}.{}.mtl", stem, n);
     return name;
 }
 
 std::string material_word(const Scene& scene, std::uint32_t m) {
-    return word(scene.materials[m].name, "material") + "_" + std::to_string(m);  // names need not be unique
+    return format_text("{}_{}", word(scene.materials[m].name, "material"), m);  // names need not be unique
 }
 
 class ObjWriter {
@@ -103,7 +104,7 @@ public:
 
 private:
     void lost(const char* what) {
-        context_.report().add(Remark::dropped, scene_.source, {}, std::string("OBJ has no place for ") + what);
+        context_.report().add(Remark::dropped, scene_.source, {}, std::string("OBJ cannot store ") + what);
     }
 
     /// Where they do not, positions are written as doubles.
@@ -136,7 +137,7 @@ private:
         if (more_sets) lost("more than one set of texture coordinates");
         if (others) lost("lines and points here");
         if (targets) lost("morph targets");
-        if (numbers) lost("other numbers of the vertices");
+        if (numbers) lost("other vertex attributes");
         if (opacity) lost("the opacity of vertex colors");
         if (!scene_.skins.empty() || !scene_.animations.empty())
             lost("skins and animations: the bind pose was written");

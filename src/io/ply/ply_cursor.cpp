@@ -10,6 +10,8 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::ply {
 namespace {
 
@@ -94,8 +96,8 @@ std::uint64_t Cursor::list(const Property& property) {
     const std::string written = std::isfinite(count) && std::fabs(count) < 1e18 ? std::to_string(std::int64_t(count))
                                                                                 : std::string("no number of");
     throw Error(ErrorCode::bad_file,
-                "a list of element '" + one_line(element_->name, 40) + "' promises " + written + " numbers, but " +
-                    std::to_string(follow) + " bytes follow",
+                format_text("a list of element '{}' promises {} numbers, but {} bytes follow",
+                            one_line(element_->name, 40), written, follow),
                 format_ == Format::ascii ? line_of(begin) : std::string());
 }
 

@@ -84,7 +84,7 @@ public:
         count(bad_, " faces have vertex numbers out of range and are left out");
         count(short_, " faces have fewer than 3 corners and are left out");
         for (const std::string& name : unused_)
-            report.add(Remark::dropped, path, "", "numbers of faces, '" + one_line(name, 40) + "', are left out");
+            report.add(Remark::dropped, path, "", "the face property '" + one_line(name, 40) + "' is left out");
     }
 
 private:

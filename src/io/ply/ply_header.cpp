@@ -6,6 +6,8 @@
 
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::ply {
 namespace {
 
@@ -19,7 +21,7 @@ constexpr TypeName type_names[] = {
     {"int", Type::i32},   {"uint", Type::u32},   {"int32", Type::i32},   {"uint32", Type::u32},
     {"float", Type::f32}, {"double", Type::f64}, {"float32", Type::f32}, {"float64", Type::f64}};
 
-std::string shown(std::string_view word) { return "'" + one_line(std::string(word), 40) + "'"; }
+std::string in_quotes(std::string_view word) { return "'" + one_line(std::string(word), 40) + "'"; }
 
 /// Cuts the next word off a line; empty at its end.
 std::string_view next_word(std::string_view& line) {
@@ -34,7 +36,7 @@ std::string_view next_word(std::string_view& line) {
 Type type_of(std::string_view word) {
     for (const TypeName& known : type_names)
         if (known.name == word) return known.type;
-    throw Error(ErrorCode::bad_file, "unknown property type " + shown(word));
+    throw Error(ErrorCode::bad_file, "unknown property type " + in_quotes(word));
 }
 
 Property property_of(std::string_view line) {
@@ -53,14 +55,14 @@ Format format_of(std::string_view word) {
     if (word == "ascii") return Format::ascii;
     if (word == "binary_little_endian") return Format::little_endian;
     if (word == "binary_big_endian") return Format::big_endian;
-    throw Error(ErrorCode::bad_file, "unknown PLY format " + shown(word));
+    throw Error(ErrorCode::bad_file, "unknown PLY format " + in_quotes(word));
 }
 
 std::uint64_t count_of(std::string_view word) {
     std::uint64_t n = 0;
     const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), n);
     if (problem != std::errc() || end != word.data() + word.size() || n > (1ull << 40))
-        throw Error(ErrorCode::bad_file, "the number of elements is " + shown(word));
+        throw Error(ErrorCode::bad_file, "the number of elements is " + in_quotes(word));
     return n;
 }
 
@@ -91,9 +93,9 @@ void check_counts(const Header& header, std::uint64_t body) {
     for (const Element& e : header.elements) {
         const std::uint64_t least = e.least_bytes(header.format);
         if (least > 0 && e.count > (body + 1) / least)
-            throw Error(ErrorCode::bad_file, "it promises " + std::to_string(e.count) + " elements (at least " +
-                                                 std::to_string(e.count * least) + " bytes), but " +
-                                                 std::to_string(body) + " bytes are there");
+            throw Error(ErrorCode::bad_file,
+                        format_text("it promises {} elements (at least {} bytes), but {} bytes are there", e.count,
+                                    e.count * least, body));
     }
 }
 

@@ -24,7 +24,7 @@ std::vector<Column> columns_of(const Element& element, Format format, VertexTabl
     for (const Property& p : element.properties) {
         if (p.count_type)
             context.report().add(Remark::dropped, path, "",
-                                 "lists of numbers of vertices, '" + one_line(p.name, 40) + "', are left out");
+                                 "the vertex list '" + one_line(p.name, 40) + "' is left out");
         columns.push_back({&p, p.count_type ? ColumnTarget{} : table.column(p.name, kind_of(p, format)), offset});
         offset += size_of(p.type);
     }

@@ -49,14 +49,14 @@ Contents read_elements(std::string_view file, const Header& header, const std::s
         }
     }
     if (!cursor.is_at_end())
-        context.report().add(Remark::warning, path, {}, "bytes follow the elements that the header promises");
+        context.report().add(Remark::warning, path, {}, "bytes follow the elements that the header declares");
     if (cursor.bad_words() > 0)
         context.report().add(Remark::warning, path, {},
-                             std::to_string(cursor.bad_words()) + " words are no numbers; they count as NaN");
+                             std::to_string(cursor.bad_words()) + " words are not numbers; they are treated as NaN");
     return out;
 }
 
-/// What a corner of a face has for itself makes a vertex of its own of it, shared by the corners that have the same.
+/// Corners with per-corner data become separate vertices, shared by corners with the same data.
 class CornerSplitter {
 public:
     CornerSplitter(std::size_t vertices, Context& context)
@@ -122,7 +122,7 @@ void add_texture(Scene& scene, const Header& header, const std::string& path, co
     if (header.textures.empty() || scene.meshes[0].texcoords.empty()) return;
     const std::string name = one_line(obj::ReferenceFinder::bare_name(header.textures[0]), 80);
     if (header.textures.size() > 1)
-        report.add(Remark::dropped, path, "", "the file names several textures; the first is shown");
+        report.add(Remark::dropped, path, "", "the file names several textures; the first is used");
     const auto found = obj::ReferenceFinder(path, options.allow_outside).find(header.textures[0]);
     if (!found) {
         report.add(Remark::warning, path, "", "texture '" + name + "' is not in the model's folder; it is left out");
@@ -183,7 +183,7 @@ Scene read_ply_bytes(std::string_view bytes, const std::string& path, const Read
     const bool promised_faces = std::ranges::any_of(
         header.elements, [](const Element& e) { return (e.name == "face" || e.name == "tristrips") && e.count > 0; });
     if (promised_faces && contents.faces.triangles.empty())
-        throw Error(ErrorCode::bad_file, "nothing to draw: no face has three corners that are vertices");
+        throw Error(ErrorCode::bad_file, "nothing to draw: no face has three valid corners");
     Scene scene;
     scene.source = path;
     Mesh mesh;

@@ -47,10 +47,12 @@ std::vector<MaterialKey> pictures() {
 
 std::vector<MaterialKey> general() {
     return {
-        {{"color", Kind::color, "Its color; k_d, and k_a without `ambient`, of classical ones"}, Of::all, set_color},
-        {{"opacity", Kind::number, "Below 1 it is blended", from_0_to_1}, Of::all, set_opacity},
-        {{"emission", Kind::color, "Light of its own"}, Of::all, [](C& c) { c.material.emission = c.color(); }},
-        {{"unlit", Kind::flag, "Its color alone, no light"},
+        {{"color", Kind::color, "Its base color; of classical materials k_d, and k_a without `ambient`"},
+         Of::all,
+         set_color},
+        {{"opacity", Kind::number, "Opacity; below 1 the material is blended", from_0_to_1}, Of::all, set_opacity},
+        {{"emission", Kind::color, "Emitted light"}, Of::all, [](C& c) { c.material.emission = c.color(); }},
+        {{"unlit", Kind::flag, "Unlit: its color alone"},
          Of::all,
          [](C& c) {
              if (c.is_on()) c.material.model = MaterialModel::unlit;
@@ -64,20 +66,20 @@ std::vector<MaterialKey> general() {
         {{"double_sided", Kind::flag, "Back faces are lit too"},
          Of::all,
          [](C& c) { c.material.double_sided = c.is_on(); }},
-        {{"occlusion_strength", Kind::number, "Of the occlusion texture (default 1)", from_0_to_1},
+        {{"occlusion_strength", Kind::number, "Strength of the occlusion texture (default 1)", from_0_to_1},
          Of::all,
          [](C& c) { c.material.occlusion_strength = c.number(); }},
-        {{"texture_scale", Kind::pair, "Its textures repeat so often", {-1e6, 1e6}},
+        {{"texture_scale", Kind::pair, "Repetitions of its textures", {-1e6, 1e6}},
          Of::all,
          [](C& c) {
              transform_textures(c, [](TextureTransform& t, const C& k) { t.scale = {k.number(0), k.number(1)}; });
          }},
-        {{"texture_offset", Kind::pair, "Its textures are shifted so far", {-1e6, 1e6}},
+        {{"texture_offset", Kind::pair, "Shift of its textures", {-1e6, 1e6}},
          Of::all,
          [](C& c) {
              transform_textures(c, [](TextureTransform& t, const C& k) { t.offset = {k.number(0), k.number(1)}; });
          }},
-        {{"texture_rotation_deg", Kind::number, "Its textures are turned so far", {-360, 360}},
+        {{"texture_rotation_deg", Kind::number, "Rotation of its textures", {-360, 360}},
          Of::all,
          [](C& c) {
              transform_textures(c, [](TextureTransform& t, const C& k) { t.rotation_rad = radians(k.number()); });
@@ -99,14 +101,17 @@ std::vector<MaterialKey> classical() {
         {{"shininess", Kind::number, "classical: exponent", {1, 1e6}},
          Of::classical,
          [](C& c) { c.material.classical.shininess = c.number(); }},
-        {{"mirror", Kind::word, "classical: what specular mirrors of the surroundings; engine trace", any_number,
+        {{"mirror", Kind::word, "classical: how much of the environment specular reflects; engine trace", any_number,
           names_of<Mirror>(mirror_words)},
          Of::classical,
          [](C& c) { c.material.classical.mirror = value_of(mirror_words, c.word()); }},
-        {{"transmission_color", Kind::color, "classical: k_t, what goes through; engine trace"},
+        {{"transmission_color", Kind::color, "classical: k_t, the light transmitted; engine trace"},
          Of::classical,
          [](C& c) { c.material.classical.transmission = c.color(); }},
-        {{"refraction_index", Kind::number, "classical: of a body; without it a thin wall", {0.1, 100}},
+        {{"refraction_index",
+          Kind::number,
+          "classical: index of refraction of a solid body; without it a thin wall",
+          {0.1, 100}},
          Of::classical,
          [](C& c) { c.material.classical.refraction_index = c.number(); }},
     };
@@ -130,7 +135,7 @@ std::vector<MaterialKey> metallic_roughness() {
 
 std::vector<MaterialKey> lighting() {
     return {
-        {{"lighting", Kind::word, "Its lighting model, before lighting of [render]", any_number,
+        {{"lighting", Kind::word, "Its lighting model; overrides lighting of [render]", any_number,
           names_of<Lighting>(lighting_words)},
          Of::all,
          [](C& c) { c.material.lighting = value_of(lighting_words, c.word()); }},
@@ -149,7 +154,7 @@ std::vector<MaterialKey> lighting() {
         {{"sigma_deg", Kind::number, "Oren-Nayar: roughness of its facets", {0, 90}},
          Of::all,
          [](C& c) { c.material.sigma_rad = radians(c.number()); }},
-        {{"shading", Kind::word, "How often its lighting is evaluated, before that of its model and of [render]",
+        {{"shading", Kind::word, "How often its lighting is evaluated; overrides its model's and that of [render]",
           any_number, names_of<Shading>(shading_words)},
          Of::all,
          [](C& c) { c.material.shading = value_of(shading_words, c.word()); }},
@@ -185,7 +190,7 @@ std::vector<MaterialKey> bumps() {
         {{"bump_silhouette", Kind::flag, "As bump-silhouette of [render]"},
          Of::all,
          [](C& c) { relief(c).limit_silhouette = c.is_on(); }},
-        {{"normal_scale", Kind::number, "How strongly the normal map bumps (default 1)", {-100, 100}},
+        {{"normal_scale", Kind::number, "Strength of the normal map (default 1)", {-100, 100}},
          Of::all,
          [](C& c) { c.material.normal_scale = c.number(); }},
         {{"normal_green", Kind::word, "As normal-map-green of [render]", any_number, names_of<bool>(green_words)},
@@ -194,7 +199,7 @@ std::vector<MaterialKey> bumps() {
         {{"normal_zero", Kind::word, "As normal-map-zero of [render]", any_number, names_of<bool>(zero_words)},
          Of::all,
          [](C& c) { c.material.centered_normals = value_of(zero_words, c.word()); }},
-        {{"height_scale", Kind::number, "Multiplies the depth of the height map (default 1)", {-100, 100}},
+        {{"height_scale", Kind::number, "Factor on the depth of the height map (default 1)", {-100, 100}},
          Of::all,
          [](C& c) { c.material.height_scale = c.number(); }},
     };
@@ -224,7 +229,8 @@ std::vector<WorldKey> material_keys() {
         {"name", Kind::text, "Of the material; '*': all of `model`", any_number, {}, true},
         {"model", Kind::text, "Name of a [[model]] or [[primitive]]: only its materials (default: all)"},
         {"object", Kind::text,
-         "Name of an object of the model, or the number of its node there: its materials alone (default: of all)"}};
+         "Name of an object of the model, or the number of its node there: only its materials (default: those of "
+         "all)"}};
     for (const MaterialKey& key : material_setters()) keys.push_back(key.key);
     return keys;
 }

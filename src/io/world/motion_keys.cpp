@@ -8,7 +8,7 @@ namespace {
 
 using Unit = MovingKey::Unit;
 
-// In the order in which they are set: a camera turns to its target from where it stands, and then upright.
+// In the order in which they are set: a camera turns to its target from its position, and then upright.
 constexpr MovingKey of_cameras[] = {
     {"position", "position"},
     {"target", "target"},
@@ -37,7 +37,7 @@ void check_keys(const SectionValues& v) {
         fail(v.place_of("interpolation"), "'interpolation' says how keys are joined, but there are no 'keys'");
     const SectionValues* before = nullptr;
     for (const SectionValues& key : v.tables()) {
-        if (key.all().size() < 2) fail(key.place(), "a key that has nothing but its 'time'");
+        if (key.all().size() < 2) fail(key.place(), "a key with nothing but its 'time'");
         if (before && !(time_of(key) > time_of(*before)))
             fail(key.place_of("time"), "'time' must be later than that of the key before");
         before = &key;
@@ -110,7 +110,7 @@ void add_camera_tracks(const SectionValues& v, WorldFile& world) {
     const bool turns = reader.moves("position") || reader.moves("target") || reader.moves("up");
     for (const MovingKey& key : of_cameras) {
         reader.read(key);
-        // A camera that goes along looks at its target and stays upright.
+        // A camera that moves keeps looking at its target and stays upright.
         if (!turns || reader.moves(key.key)) continue;
         if (std::string_view(key.key) == "target") reader.hold("target", v.vector("target", {0, 0, 0}));
         if (std::string_view(key.key) == "up") reader.hold("up", v.vector("up", {0, 1, 0}));

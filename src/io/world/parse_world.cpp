@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/world/material_keys.h"
 #include "io/world/motion_keys.h"
@@ -42,7 +43,7 @@ void read_entries(const TomlEntry& entry, const WorldSection& section, Reading r
     const std::string name = entry.key;
     if (!section.is_array) {
         if (entry.value.kind != TomlNode::Kind::table)
-            fail(entry.place, "'" + name + "' stands once", "write [" + name + "]");
+            fail(entry.place, "'" + name + "' may occur only once", "write [" + name + "]");
         return read(SectionValues(entry.value, section), world);
     }
     const auto is_table = [](const TomlNode& item) { return item.kind == TomlNode::Kind::table; };
@@ -50,12 +51,12 @@ void read_entries(const TomlEntry& entry, const WorldSection& section, Reading r
         !std::all_of(entry.value.items.begin(), entry.value.items.end(), is_table))
         fail(entry.place, "'" + name + "' is a list of tables", "write [[" + name + "]]");
     if (entry.value.items.size() > most_entries)
-        fail(entry.place, "more than " + std::to_string(most_entries) + " of [[" + name + "]]");
+        fail(entry.place, format_text("more than {} of [[{}]]", most_entries, name));
     for (const TomlNode& item : entry.value.items) read(SectionValues(item, section), world);
 }
 
 void read_render(const TomlEntry& entry, WorldFile& world) {
-    if (entry.value.kind != TomlNode::Kind::table) fail(entry.place, "'render' stands once", "write [render]");
+    if (entry.value.kind != TomlNode::Kind::table) fail(entry.place, "'render' may occur only once", "write [render]");
     for (const TomlEntry& option : entry.value.entries) {
         if (option.key.starts_with('-'))
             fail(option.place, "'" + one_line(option.key, 40) + "' is written without dashes");
@@ -78,7 +79,7 @@ void read_section(const TomlEntry& entry, WorldFile& world) {
 
 std::string to_text(WorldPlace place) {
     if (place.line == 0) return {};
-    return "line " + std::to_string(place.line) + ", column " + std::to_string(place.column);
+    return format_text("line {}, column {}", place.line, place.column);
 }
 
 bool is_world_file(std::string_view path) {
@@ -130,8 +131,8 @@ std::vector<WorldValue> io::world::read_settings(const std::string& path, Contex
         WorldFile world;
         for (const TomlEntry& entry : parse_toml(text).entries) {
             if (entry.key != "render")
-                fail(entry.place, "a configuration has [render] alone, not '" + one_line(entry.key, 40) + "'",
-                     "write settings behind [render]; a world is given as a model");
+                fail(entry.place, "a configuration has only [render], not '" + one_line(entry.key, 40) + "'",
+                     "write settings below [render]; a world file is given as a model");
             read_render(entry, world);
         }
         return world.render;

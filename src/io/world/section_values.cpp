@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/format_text.h"
 #include "math/color.h"
 #include "math/color_names.h"
 #include "math/linear.h"
@@ -18,7 +19,7 @@ std::string text_of(double number) {
     return {text, fault == std::errc() ? end : text};
 }
 
-std::string said(std::string_view text) { return "'" + one_line(std::string(text), 40) + "'"; }
+std::string in_quotes(std::string_view text) { return "'" + one_line(std::string(text), 40) + "'"; }
 
 const char* expectation(Kind kind) {
     switch (kind) {
@@ -111,20 +112,20 @@ public:
 private:
     [[noreturn]] void refuse(const TomlNode& node) const {
         if (written_ == Written::as_words)
-            fail(node.place, said(entry_.key) + " must be " + expectation_of_words(key_.kind, entry_.key) + ", not " +
-                                 said(words_of(entry_.value)));
+            fail(node.place, in_quotes(entry_.key) + " must be " + expectation_of_words(key_.kind, entry_.key) +
+                                 ", not " + in_quotes(words_of(entry_.value)));
         const std::string found = node.kind == TomlNode::Kind::other ? node.text : name_of(node.kind);
-        fail(node.place, said(entry_.key) + " must be " + expectation(key_.kind) + ", not " + found);
+        fail(node.place, in_quotes(entry_.key) + " must be " + expectation(key_.kind) + ", not " + found);
     }
 
     std::string read_text(const TomlNode& node) const {
         if (node.kind != TomlNode::Kind::text) refuse(node);
-        if (node.text.empty()) fail(node.place, said(entry_.key) + " is empty");
-        if (node.text.find('\0') != std::string::npos) fail(node.place, said(entry_.key) + " holds a zero byte");
+        if (node.text.empty()) fail(node.place, in_quotes(entry_.key) + " is empty");
+        if (node.text.find('\0') != std::string::npos) fail(node.place, in_quotes(entry_.key) + " holds a zero byte");
         if (key_.kind != Kind::word) return node.text;
         for (const char* const word : key_.words)
             if (same_word(node.text, word)) return word;
-        fail(node.place, said(entry_.key) + " has an unknown word " + said(node.text),
+        fail(node.place, in_quotes(entry_.key) + " has an unknown word " + in_quotes(node.text),
              advice_for(node.text, key_.words));
     }
 
@@ -132,17 +133,18 @@ private:
         const bool is_integer = key_.kind == Kind::integer || key_.kind == Kind::integers;
         if (node.kind != TomlNode::Kind::number) refuse(node);
         if (is_integer && !node.is_whole)
-            fail(node.place, said(entry_.key) + " must be " + expectation(key_.kind) + ", not " + text_of(node.number));
+            fail(node.place,
+                 in_quotes(entry_.key) + " must be " + expectation(key_.kind) + ", not " + text_of(node.number));
         const double x = node.number;
         const Range r = key_.kind == Kind::color ? from_0 : key_.range;
-        if (!std::isfinite(x)) fail(node.place, said(entry_.key) + " must be a finite number");
+        if (!std::isfinite(x)) fail(node.place, in_quotes(entry_.key) + " must be a finite number");
         if (r.is_open ? x > r.low && x < r.high : x >= r.low && x <= r.high) return x;
         std::string limits;
         if (r.low > -1e29 || x < r.low) limits = (r.is_open ? " more than " : " at least ") + text_of(r.low);
         if (r.high < 1e29 || x > r.high)
             limits +=
                 (limits.empty() ? "" : " and") + std::string(r.is_open ? " less than " : " at most ") + text_of(r.high);
-        fail(node.place, said(entry_.key) + " is " + text_of(x) + ", but must be" + limits);
+        fail(node.place, in_quotes(entry_.key) + " is " + text_of(x) + ", but must be" + limits);
     }
 
     std::vector<double> read_numbers(const TomlNode& node) const {
@@ -152,8 +154,8 @@ private:
             return std::vector<double>(3, read_number(node));
         if (node.kind != TomlNode::Kind::array || node.items.size() != count_of(key_.kind)) {
             if (node.kind == TomlNode::Kind::array && written_ == Written::in_file)
-                fail(node.place, said(entry_.key) + " must be " + expectation(key_.kind) + ", not " +
-                                     std::to_string(node.items.size()) + " values");
+                fail(node.place, format_text("{} must be {}, not {} values", in_quotes(entry_.key),
+                                             expectation(key_.kind), node.items.size()));
             refuse(node);
         }
         std::vector<double> numbers;
@@ -178,19 +180,20 @@ void add_scalar(const TomlNode& node, const TomlEntry& entry, WorldValue& value)
     switch (node.kind) {
         case TomlNode::Kind::text:
             if (node.text.empty() || node.text.find('\0') != std::string::npos)
-                fail(node.place, said(entry.key) + " is empty or holds a zero byte");
+                fail(node.place, in_quotes(entry.key) + " is empty or holds a zero byte");
             value.words.push_back(node.text);
             return;
         case TomlNode::Kind::flag:
             value.words.emplace_back(node.flag ? "on" : "off");
             return;
         case TomlNode::Kind::number:
-            if (!std::isfinite(node.number)) fail(node.place, said(entry.key) + " must be a finite number");
+            if (!std::isfinite(node.number)) fail(node.place, in_quotes(entry.key) + " must be a finite number");
             value.words.push_back(text_of(node.number));
             value.numbers.push_back(node.number);
             return;
         default:
-            fail(node.place, said(entry.key) + " must be a text, a number, true, false, or an array of such, not " +
+            fail(node.place, in_quotes(entry.key) +
+                                 " must be a text, a number, true, false, or an array of such, not " +
                                  name_of(node.kind));
     }
 }
@@ -217,7 +220,7 @@ SectionValues::SectionValues(const TomlNode& table, const WorldSection& section,
         if (key == section.keys.end()) {
             std::vector<const char*> names;
             for (const WorldKey& k : section.keys) names.push_back(k.name);
-            fail(entry.place, "unknown key " + said(entry.key) + " in " + title, advice_for(entry.key, names));
+            fail(entry.place, "unknown key " + in_quotes(entry.key) + " in " + title, advice_for(entry.key, names));
         }
         if (key->kind == Kind::tables)
             read_tables(entry, *key, section);
@@ -233,10 +236,10 @@ void SectionValues::read_tables(const TomlEntry& entry, const WorldKey& key, con
     const std::vector<TomlNode>& items = entry.value.items;
     const auto is_table = [](const TomlNode& item) { return item.kind == TomlNode::Kind::table; };
     if (entry.value.kind != TomlNode::Kind::array || !std::ranges::all_of(items, is_table))
-        fail(entry.value.place, said(entry.key) + " must be " + expectation(key.kind), "write [{ ... }, { ... }]");
-    if (items.empty()) fail(entry.value.place, said(entry.key) + " is empty");
+        fail(entry.value.place, in_quotes(entry.key) + " must be " + expectation(key.kind), "write [{ ... }, { ... }]");
+    if (items.empty()) fail(entry.value.place, in_quotes(entry.key) + " is empty");
     if (items.size() > most_tables)
-        fail(entry.value.place, "more than " + std::to_string(most_tables) + " of " + said(entry.key));
+        fail(entry.value.place, format_text("more than {} of {}", most_tables, in_quotes(entry.key)));
     const std::string name = std::string(section.name) + "." + key.name;
     const WorldSection of_tables{name.c_str(), true, key.help, key.parts};
     for (const TomlNode& item : items) tables_.emplace_back(item, of_tables);
@@ -281,7 +284,7 @@ vec3 SectionValues::color(std::string_view key, vec3 otherwise) const {
 dvec3 SectionValues::direction(std::string_view key, dvec3 otherwise) const {
     const dvec3 d = vector(key, otherwise);
     const double largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
-    if (largest == 0) fail(place_of(key), said(key) + " must not be zero");
+    if (largest == 0) fail(place_of(key), in_quotes(key) + " must not be zero");
     return normalize_or(d * (1 / largest), d);  // first, so that the squares cannot overflow or vanish
 }
 
@@ -292,7 +295,7 @@ WorldValue free_value(const TomlEntry& entry) {
         add_scalar(entry.value, entry, value);
         return value;
     }
-    if (entry.value.items.empty()) fail(value.place, said(entry.key) + " is empty");
+    if (entry.value.items.empty()) fail(value.place, in_quotes(entry.key) + " is empty");
     for (const TomlNode& item : entry.value.items) add_scalar(item, entry, value);
     if (value.numbers.size() != value.words.size()) value.numbers.clear();
     return value;

@@ -12,7 +12,7 @@ namespace {
 
 using namespace io::world;
 
-/// Those of [[primitive]] that make the shape; what places and clothes it stands in worlds alone.
+/// The keys of [[primitive]] that define the shape; its placement and materials are only for world files.
 constexpr std::array<const char*, 7> shape_keys = {"radius",    "tube_radius", "height",   "size",
                                                    "divisions", "objects",     "tolerance"};
 

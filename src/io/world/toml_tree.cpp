@@ -92,7 +92,7 @@ TomlNode tree_of(const toml::node& from) {
     return node;
 }
 
-/// Where the text goes on behind the string that begins at `at`; what is between is no dot of a key.
+/// Where the text continues behind the string that begins at `at`; what is between is no dot of a key.
 std::size_t end_of_string(std::string_view text, std::size_t at) {
     const char quote = text[at];
     const std::string three(3, quote);

@@ -8,8 +8,8 @@
 
 namespace rakelight::io::world {
 
-/// What a key of this kind would hold: numbers of a list stand apart by commas, flags are on or off. What is none of
-/// that stays a text, which the check of the key refuses with what it must be. Without a place.
+/// What a key of this kind would hold: numbers of a list stand apart by commas, flags are on or off. Anything else
+/// stays a text, which the check of the key refuses with a message. Without a place.
 TomlNode node_of(Kind kind, std::string_view text);
 
 }  // namespace rakelight::io::world

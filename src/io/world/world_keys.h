@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What may stand in a world file: sections and their keys, as tables that the reader and the JSON schema share.
+// The contents of world files: sections and their keys, as tables that the reader and the JSON schema share.
 #pragma once
 #include <limits>
 #include <span>
@@ -69,8 +69,7 @@ template <class T, std::size_t n>
 T value_of(const Word<T> (&words)[n], std::string_view name) {
     for (const Word<T>& word : words)
         if (name == word.name) return word.value;
-    throw Error(ErrorCode::bad_file,
-                "'" + one_line(std::string(name), 40) + "' is not one of the words that may stand here");
+    throw Error(ErrorCode::bad_file, "'" + one_line(std::string(name), 40) + "' is not one of the words allowed here");
 }
 
 }  // namespace rakelight::io::world

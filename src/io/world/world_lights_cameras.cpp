@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "io/world/world_parts.h"
+#include "math/default_up.h"
 #include "math/linear.h"
-#include "math/up_of_view.h"
 
 namespace rakelight::io::world {
 namespace {
@@ -61,9 +61,10 @@ void read_classical(const SectionValues& v, Light& light) {
 dvec3 read_up(const SectionValues& v, dvec3 view, WorldFile& world) {
     const dvec3 up = v.direction("up", {0, 1, 0});
     if (!is_along(up, view)) return up;
-    const NamedUp other = up_of_view(view);
-    world.remarks.push_back({v.has("up") ? Remark::warning : Remark::note, v.place_of("up"),
-                             "the camera's up is along its view, " + other.name + " is up instead"});
+    const NamedUp other = default_up(view);
+    world.remarks.push_back(
+        {v.has("up") ? Remark::warning : Remark::note, v.place_of("up"),
+         "the camera's up direction is parallel to its view direction, " + other.name + " is up instead"});
     return other.up;
 }
 

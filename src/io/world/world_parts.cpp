@@ -35,7 +35,7 @@ std::optional<Subdivision> read_subdivision(const SectionValues& v) {
     for (const char* key :
          {"subdivide_scheme", "subdivide_crease_deg", "subdivide_sharpness", "subdivide_boundary", "subdivide_uv"})
         if (v.has(key))
-            fail(v.place_of(key), "'" + std::string(key) + "' says how to subdivide, but nothing is to be subdivided",
+            fail(v.place_of(key), "'" + std::string(key) + "' says how to subdivide, but there is no 'subdivide'",
                  "add 'subdivide = 3'");
     return std::nullopt;
 }
@@ -58,7 +58,7 @@ void read_common(const SectionValues& v, Part& part) {
 WorldModel read_model(const SectionValues& v) {
     WorldModel model;
     model.file = v.text("file");
-    if (is_world_file(model.file)) fail(v.place_of("file"), "a world does not stand in another");
+    if (is_world_file(model.file)) fail(v.place_of("file"), "a world file cannot contain another");
     model.name = model.file.starts_with("builtin:") ? model.file.substr(8, model.file.find(':', 8) - 8)
                                                     : std::filesystem::path(model.file).stem().string();
     model.lights = v.flag("lights", false);
@@ -81,7 +81,7 @@ WorldPrimitive read_primitive(const SectionValues& v) {
     only_for("divisions", {"plane", "teapot"});
     only_for("objects", {"sphere", "cylinder", "cone", "torus", "plane"});
     if (shape.type == "teapot" && v.has("divisions") && v.has("tolerance"))
-        fail(v.place_of("tolerance"), "a teapot has either 'divisions' or 'tolerance'");
+        fail(v.place_of("tolerance"), "a teapot takes either 'divisions' or 'tolerance'");
     shape.radius = v.number("radius", shape.radius);
     shape.tube_radius = v.number("tube_radius", shape.tube_radius);
     shape.height = v.number("height", shape.height);
@@ -108,7 +108,7 @@ WorldMaterial read_material(const SectionValues& v) {
     }
     if (of_classical && of_other)
         fail(of_other->place, "'" + of_classical->key + "' is of classical materials, '" + of_other->key +
-                                  "' of metallic-roughness ones: a material is one of them");
+                                  "' of metallic-roughness ones: a material must be one or the other");
     if (const WorldValue* const steps = v.find("bump_steps"); steps && steps->numbers[0] > steps->numbers[1])
         fail(steps->place, "'bump_steps': the first must not be more than the second");
     return material;
@@ -156,7 +156,7 @@ static void check_materials(const WorldFile& world) {
         const bool is_own = m.object.empty() && asked_for.contains(m.name);
         if (!known.insert({m.name, is_own ? std::string_view() : m.model, m.object}).second)
             fail(m.place, "a second [[material]] named '" + one_line(m.name, 40) + "'" +
-                              (is_own             ? ", which a part takes as its 'material'"
+                              (is_own             ? ", which a part uses as its 'material'"
                                : m.object.empty() ? " for the same models"
                                                   : " for the same object"));
     }

@@ -2,9 +2,10 @@
 // What a surface shows of the environment, as set_pbr_albedos() or set_around() have weighed it.
 #define RL_FAN_FACETS 16
 
-// Of a surface that is rougher along one axis: each facet of the fan mirrors a lobe as wide as the surface is across, or as they are
-// apart: 1.2 times a facet's share of the width, a heuristic, as fan_width() is. Held to the lobe is the fan's mean alone, 7 degrees
-// off at most (tests/unit/lighting/facet_fan_test.cpp), not its spread. Lanes of equal widths have `even`.
+// Of a surface that is rougher along one axis: each direction of the fan reflects a lobe as wide as the surface is
+// across, or as wide as their spacing. 1.2 times a direction's share of the width is a heuristic, as fan_width() is.
+// Held to the lobe is the fan's mean alone, 7 degrees off at most (tests/unit/lighting/anisotropic_fan_test.cpp), not its
+// spread. Lanes of equal widths have `even`.
 RL_MAP_FN vec3 mirrored_by_fan(RL_IN(Maps) maps, RL_IN(Environment) e, RL_IN(MaterialSurface) s, vec3 even)
 {
     mask is_along_t = s.alpha_x > s.alpha_y;

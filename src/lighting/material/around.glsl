@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a surface reflects of light from all around: ambient light, and the environment.
+// What a surface reflects of light from the environment: ambient light, and the environment.
 // Source of the split sum: Karis 2013, "Real Shading in Unreal Engine 4".
 
 // Cosine at which the tables of the lobe's albedos are read for a direction of light, or that to the viewer.
@@ -13,7 +13,7 @@ RL_FN real table_cosine(RL_IN(MaterialSurface) s, vec3 d, RL_IN(MaterialTraits) 
     return select(s.alpha_x > s.alpha_y, even_cosine, cosine);
 }
 
-// Even light from all around under pbr: what each layer reflects of it, from `occlusion` and the parts that depend on v.
+// Even light from the environment under pbr: what each layer reflects of it, from `occlusion` and the parts that depend on v.
 RL_FN void set_pbr_around(RL_INOUT(MaterialSurface) s, RL_IN(ViewAlbedo) albedo, real occlusion)
 {
     real steep = albedo.lobe - albedo.grazing;
@@ -49,7 +49,7 @@ RL_FN void set_iridescence(RL_INOUT(MaterialSurface) s, real strength, real thic
 }
 
 // Albedos of pbr's layers towards the viewer, once all directions are known. The tables are read only for what is there: layers,
-// light between the facets, light from all around.
+// light between the facets, light from the environment.
 RL_MAP_FN void set_pbr_albedos(RL_INOUT(MaterialSurface) s, RL_IN(Maps) maps, real occlusion, int has_light_around, RL_IN(MaterialTraits) traits)
 {
     real n_dot_v = dot(s.base.n, s.base.v);

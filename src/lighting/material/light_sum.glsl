@@ -13,7 +13,7 @@ RL_FN real lobe_scale(real exponent, RL_IN(Reflection) reflection)
     return 1.0f;
 }
 
-// What the lobe is a power of: r.v or n.h.
+// The base of the lobe's power: r.v or n.h.
 RL_FN real lobe_cosine(RL_IN(Surface) surface, vec3 l, RL_IN(Reflection) reflection)
 {
     if (reflection.model == RL_PHONG) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a surface is to the equations: classical models need a Surface, those of more parameters a MaterialSurface.
+// The surface as the equations see it: classical models need a Surface, those with more parameters a MaterialSurface.
 // Models and forms are the same for all lanes ("uniform").
 #define RL_LAMBERT 0
 #define RL_PHONG 1
@@ -64,7 +64,7 @@ struct MaterialSurface {
     real coat_alpha;
     real coat_reflectance;  // 0..1, towards v
     vec3 through;           // 0..1: of the light from behind, towards v
-    vec3 around_diffuse;    // reflectance of even light from all around, times occlusion, layer by layer: for the environment
+    vec3 around_diffuse;    // reflectance of even light from the environment, times occlusion, layer by layer: for the environment
     vec3 around_specular;   // about the mirror direction of base.n, as wide as `roughness`
     vec3 around_sheen;      // wide
     real around_coat;       // about the mirror direction of coat_n
@@ -75,7 +75,7 @@ struct MaterialSurface {
 // What a material has; the same for all lanes.
 struct MaterialTraits {
     int ward_form;        // RL_WARD_1992, RL_WARD_DUER, RL_WARD_BOUNDED
-    int is_anisotropic;   // pbr: the tangents are looked at
+    int is_anisotropic;   // pbr: the tangents are used
     int has_scattering;
     int has_sheen;
     int has_coat;

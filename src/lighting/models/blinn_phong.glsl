@@ -2,8 +2,8 @@
 // Source: Blinn 1977, "Models of Light Reflection for Computer Synthesized Pictures": (n.h)^exponent, h halfway between l, v.
 // Normalized: Giesen 2009, "Phong and Blinn-Phong Normalization Factors": the exact integral at normal incidence.
 
-// n.h, -1..1 but for a rounding; goes to 0 where l comes to -v within 1e-6 (no halfway direction). NaN where l + v is not
-// finite; no lobe comes of that.
+// n.h, -1..1 except for a rounding; goes to 0 where l comes to -v within 1e-6 (no halfway direction). NaN where l + v
+// is not finite, which gives no lobe.
 RL_FN real blinn_phong_n_dot_h(vec3 n, vec3 l, vec3 v)
 {
     vec3 twice_h = l + v;

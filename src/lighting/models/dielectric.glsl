@@ -19,7 +19,7 @@ RL_FN real fresnel(real cosine, real eta)
     return select(squared > 0.0f, min(0.5f * (across * across + along * along), 1.0f), 1.0f);
 }
 
-// The direction in which light goes on behind the border, away from it; unit for unit n and v. Under total reflection: along it.
+// The direction in which light continues behind the border, away from it; unit for unit n and v. Under total reflection: along it.
 RL_FN vec3 refracted(vec3 n, vec3 v, real eta)
 {
     real c = dot(n, v);

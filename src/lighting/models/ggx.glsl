@@ -97,8 +97,8 @@ RL_FN real ggx_anisotropic_brdf(vec3 n, vec3 t, vec3 b, vec3 l, vec3 v, real alp
     vec3 h = half_vector(l, v, n);
     real n_dot_l = dot(n, l);
     real n_dot_v = dot(n, v);
-    real shown = smith_visibility(n_dot_l, n_dot_v, ggx_stretch(n, t, b, l, alpha_x, alpha_y), ggx_stretch(n, t, b, v, alpha_x, alpha_y));
-    return select(min(n_dot_l, n_dot_v) > 0.0f, ggx_distribution(n, t, b, h, alpha_x, alpha_y) * shown, 0.0f);
+    real visibility = smith_visibility(n_dot_l, n_dot_v, ggx_stretch(n, t, b, l, alpha_x, alpha_y), ggx_stretch(n, t, b, v, alpha_x, alpha_y));
+    return select(min(n_dot_l, n_dot_v) > 0.0f, ggx_distribution(n, t, b, h, alpha_x, alpha_y) * visibility, 0.0f);
 }
 
 // The mean loss between the facets, 1 - E_mean, that what two directions lose is divided by.

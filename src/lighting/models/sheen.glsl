@@ -37,8 +37,8 @@ RL_FN real sheen_brdf(vec3 n, vec3 l, vec3 v, real alpha)
     real n_dot_l = clamp(dot(n, l), 1e-4f, 1.0f);
     real n_dot_v = clamp(dot(n, v), 1e-4f, 1.0f);
     real masked = 1.0f + sheen_lambda(n_dot_l, alpha) + sheen_lambda(n_dot_v, alpha);
-    real shown = 0.25f / (n_dot_l * n_dot_v * masked);
-    return select(min(dot(n, l), dot(n, v)) > 0.0f, sheen_distribution(n, h, alpha) * shown, 0.0f);
+    real visibility = 0.25f / (n_dot_l * n_dot_v * masked);
+    return select(min(dot(n, l), dot(n, v)) > 0.0f, sheen_distribution(n, h, alpha) * visibility, 0.0f);
 }
 
 // 0..1: what is left for the material under the sheen; albedos of sheen_brdf towards l and v.

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ambient occlusion from a picture's depths: ground-truth ambient occlusion (Jimenez, Wu, Pesce & Jarabo 2016, "Practical Real-Time
-// Strategies for Accurate Indirect Occlusion"). The hemisphere about the viewer's direction v is cut into slices, planes through v. In
-// each, surfaces on either side rise over the tangent plane up to a horizon; between the two horizons light arrives, and its
-// cosine-weighted share has a closed form. Of ours: horizons are angles over the tangent plane (as in Bavoil, Sainz & Dimitrov 2008,
-// "Image-Space Horizon-Based Ambient Occlusion"), so that a plane never hides itself whatever pixel is looked at; and what arrives is
-// divided by what would with nothing in the way in the same slices, so that a plane has 1 by any number of them.
+// Ambient occlusion from a picture's depths: ground-truth ambient occlusion (Jimenez, Wu, Pesce & Jarabo 2016,
+// "Practical Real-Time Strategies for Accurate Indirect Occlusion"). The hemisphere about the viewer's direction v is
+// cut into slices, planes through v. In each, surfaces on either side rise over the tangent plane up to a horizon;
+// between the two horizons light arrives, and its cosine-weighted share has a closed form. Two things differ from the
+// paper. Horizons are angles over the tangent plane (as in Bavoil, Sainz & Dimitrov 2008, "Image-Space Horizon-Based
+// Ambient Occlusion"), so a plane never occludes itself. The light that arrives is divided by the unoccluded light of
+// the same slices, so a plane has 1 with any number of slices.
 //
-// Camera axes: looks along -z. fetch_key(maps, column, row): the depth key of a pixel, < 0 where nothing is (beyond the picture, too);
-// perspective: near / distance; parallel: 1 at near, 0 at far. slice_turn(maps, i): cosine and sine of the direction of slice i.
+// Camera axes: looks along -z. fetch_key(maps, column, row): the depth key of a pixel, < 0 in the background and
+// outside the picture. Perspective: near / distance; parallel: 1 at near, 0 at far. slice_turn(maps, i): cosine and
+// sine of the direction of slice i.
 #define RL_OCCLUSION_BIAS 0.004f      // sine of the angle over the tangent plane that is taken for rounding
 #define RL_OCCLUSION_FULL 0.5f        // of the radius: what is farther hides less, by 1 - the square of its distance, and at the radius nothing
 #define RL_OCCLUSION_SMOOTHING 0.05f  // of the radius: surfaces farther off a pixel's plane have no part in its mean
@@ -30,7 +32,7 @@ struct OcclusionFactors {
 struct OcclusionPoint {
     vec3 position;      // [m]
     vec3 normal;        // unit, towards the viewer
-    real radius;        // [m] as far as the picture is looked at
+    real radius;        // [m] how far the picture is searched
     real pixels;        // the same on the screen
     real scale;         // 1 / radius as a length where the point is: perspective: of rays at distance 1
     vec3 scaled;        // the position, times nearness and `scale`
@@ -56,7 +58,7 @@ RL_FN vec2 key_change(real key, real next, real after)
     return vec2(select(next < 0.0f, real(0.0f), next - key), fault);
 }
 
-// Change per pixel on the side where the surface goes on as a plane.
+// Change per pixel on the side where the surface continues as a plane.
 RL_FN real key_slope(real key, real before, real two_before, real next, real two_next)
 {
     vec2 ahead = key_change(key, next, two_next);
@@ -164,7 +166,7 @@ RL_FN real occlusion_arc(real rise, real cos_n, real sin_n)
     return 0.25f * (cos_n + 2.0f * occlusion_angle(cos_h) * sin_n - cos_other);
 }
 
-// 0..1: the cosine-weighted share of light from all around that surfaces within the radius let through to the pixel.
+// 0..1: the cosine-weighted share of light from the environment that surfaces within the radius let through to the pixel.
 RL_MAP_FN real ambient_openness(RL_IN(Maps) maps, RL_IN(OcclusionFactors) f, RL_IN(OcclusionPoint) p, real column, real row, real offset)
 {
     vec3 v = vec3(real(0.0f), real(0.0f), real(1.0f));

@@ -64,8 +64,9 @@ RL_FN vec3 from_tangent_space(vec3 n, vec3 t, real w, vec3 d)
     return t * d.x + cross(n, t) * (w * d.y) + n * d.z;
 }
 
-// A vector of the world in the frame n, t, b: by the inverse of its matrix, whose rows are the cross products of its columns
-// over the determinant; or by the transposed one, which is the inverse of orthonormal frames only.
+// A vector of the world in the frame n, t, b: by the inverse of its matrix, or by the transposed one, which is the
+// inverse of orthonormal frames only. The rows of the inverse are the cross products of the columns over the
+// determinant.
 RL_FN vec3 to_tangent_space(vec3 n, vec3 t, vec3 b, int is_transposed, vec3 d)
 {
     if (is_transposed != 0) {

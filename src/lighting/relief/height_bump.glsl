@@ -7,8 +7,8 @@
 // filter of a normal map at the pixel's level.
 #define RL_SLOPE_DETAIL -0.20751875f
 
-// Change of height per unit of u and of v, by differences over width_u, width_v: those of a texel of the level that is read,
-// so that the slope is filtered as the height is and has no steps where the map is magnified.
+// Change of height per unit of u and of v, by differences over width_u and width_v. These are the widths of a texel of
+// the level that is read, so the slope is filtered like the height and has no steps where the map is magnified.
 RL_MAP_FN vec2 height_slope(RL_IN(Maps) maps, vec2 uv, real width_u, real width_v, real lod)
 {
     vec2 along_u = vec2(0.5f * width_u, 0.0f);

@@ -33,8 +33,8 @@ RL_FN vec3 decode_mapped(vec3 texel, real scale, int is_centered, int is_green_d
     return m;
 }
 
-// t made perpendicular to the unit normal n (Gram-Schmidt) and unit again; where t has no part across n, the axis that lies
-// most across n takes its place (x, unless n leans on it by more than 0.7; then y).
+// t made perpendicular to the unit normal n (Gram-Schmidt) and unit again. If t is parallel to n, it is replaced by
+// the axis x, or by y if the x of n exceeds 0.7.
 RL_FN vec3 orthogonal_tangent(vec3 n, vec3 t)
 {
     real along = dot(n, t);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the ray of a pixel meets a relief. A relief's heights lie in 0..1, the polygon at `level` between them; `along` is the
-// change of texture coordinates from height 0 to 1 on the way to the eye (or the light), so the ray passes the height h at
-// uv + along * (h - level). Maps are read at one level of detail, `lod`: that of the pixel.
-// Sources: Kaneko et al. 2001, "Detailed Shape Representation with Parallax Mapping" (plain); Welsh 2004, "Parallax Mapping with
-// Offset Limiting"; McGuire & McGuire 2005, "Steep Parallax Mapping"; Tatarchuk 2006, "Dynamic Parallax Occlusion Mapping",
-// with the bisections of Policarpo et al. 2005, "Real-Time Relief Mapping on Arbitrary Polygonal Surfaces".
+// Where the ray of a pixel hits a relief. A relief's heights are in 0..1, and the polygon is at `level` between them.
+// `along` is the change of texture coordinates from height 0 to 1 on the way to the eye or the light, so the ray
+// passes the height h at uv + along * (h - level). Maps are read at one level of detail, `lod`: that of the pixel.
+// Sources: Kaneko et al. 2001, "Detailed Shape Representation with Parallax Mapping" (plain); Welsh 2004, "Parallax
+// Mapping with Offset Limiting"; McGuire & McGuire 2005, "Steep Parallax Mapping"; Tatarchuk 2006, "Dynamic Parallax
+// Occlusion Mapping", with the bisections of Policarpo et al. 2005, "Real-Time Relief Mapping on Arbitrary Polygonal
+// Surfaces".
 
 #define RL_GRAZING 0.02f  // lowest cosine that an offset is divided by: 88.9 degrees
 
@@ -28,7 +29,7 @@ RL_FN real relief_layers(real cosine, int fewest, int most)
     return floor(real(float(most)) + (real(float(fewest)) - real(float(most))) * share + 0.5f);
 }
 
-// Height of the point that plain parallax takes: the one under the pixel, whatever stands between.
+// Height of the point that plain parallax takes: the one under the pixel, even if it is hidden.
 RL_MAP_FN real parallax_height(RL_IN(Maps) maps, vec2 uv, real lod)
 {
     return sample_height(maps, uv, lod);

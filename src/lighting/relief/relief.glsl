@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A relief at a pixel: where its ray arrives, the slope there, and the shadow of the heights upon themselves.
+// A relief at a pixel: where its ray arrives, the slope there, and the shadow of the heights on themselves.
 #define RL_RELIEF_NONE 0
 #define RL_RELIEF_HEIGHT 1    // only the normal is bent
 #define RL_RELIEF_PARALLAX 2
@@ -62,7 +62,7 @@ RL_FN vec2 same_move(vec2 from_dx, vec2 from_dy, vec2 to_dx, vec2 to_dy, vec2 mo
     return to_dx * x + to_dy * y;
 }
 
-// Where the ray meets the relief.
+// Where the ray hits the relief.
 struct ReliefPoint {
     vec2 uv;          // the map's own
     vec2 move;        // of the mesh's coordinates

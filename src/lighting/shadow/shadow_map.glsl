@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shadow maps: how much of a light reaches a point. Percentage-closer filtering (Reeves, Salesin & Cook 1987, "Rendering
-// Antialiased Shadows with Depth Maps"), each texel compared with the plane of the point's triangle there (Isidoro 2006, "Shadow
-// Mapping: GPU-based Tips and Techniques": receiver plane depth bias), which is pushed out along its normal by a part of a texel:
-// towards a light at a grazing angle that is as much more as the plane is steeper. How far planes are carried on is bounded by what
-// the texels round the point show: a rule of our own.
+// Shadow maps: how much of a light reaches a point. Percentage-closer filtering: Reeves, Salesin & Cook 1987,
+// "Rendering Antialiased Shadows with Depth Maps". Each texel is compared with the plane of the point's triangle
+// there (receiver plane depth bias: Isidoro 2006, "Shadow Mapping: GPU-based Tips and Techniques"). The plane is
+// pushed out along its normal by a part of a texel; towards a light at a grazing angle this grows with the plane's
+// slope. How far planes are extended is bounded by what the texels around the point show: a rule of our own.
 //
-// A map holds how near to the light the nearest surface is. Parallel: minus the distance along the way it shines; else 1 / the
-// distance along the axis of the map, 0: nothing. Linear over the map for a plane. fetch_nearness(maps, column, row) reads it, row 0
-// on top, faces of a cube below each other; fetch_slopes(maps, column, row) the change of depth there along x and down y per width of
-// a texel, at most RL_STEEPEST_SLOPE.
+// A map holds how near to the light the nearest surface is. Parallel: minus the distance along the way it shines; else
+// 1 / the distance along the axis of the map, 0: nothing. Linear over the map for a plane. fetch_nearness(maps,
+// column, row) reads it: row 0 is on top, the faces of a cube are below each other. fetch_slopes(maps, column, row)
+// reads the change of depth along x and down y per width of a texel, at most RL_STEEPEST_SLOPE.
 #define RL_STEEPEST_SLOPE 8.0f
 
 // Where slopes are kept as whole numbers of 16 bits: (slope + RL_STEEPEST_SLOPE) RL_SLOPE_CODES.
@@ -166,7 +166,7 @@ RL_FN real texel_width(RL_IN(ShadowMap) s, real nearness)
 // What one texel says of a point.
 struct ShadowTap {
     mask is_free;  // nothing covers the point, whatever planes do between the two
-    real carried;  // 0..1: the same if both surfaces go on until their planes meet
+    real carried;  // 0..1: the same if both surfaces continue until their planes meet
     mask shows;    // it shows the point's own surface, or one that meets it
 };
 
@@ -244,11 +244,11 @@ RL_FN real tap_weight(int i, int last, real share)
     return 1.0f;
 }
 
-// Share of a square of 2 radius + 1 texels about the point that nothing covers. A texel's surface covers the point where it lies before
-// the point's plane there, and, carried on to the point, before the point itself: floors and walls that meet do not darken each other
-// along the edge. Both may end before they meet. So the planes count as much as the four texels round the point show it: where none
-// does, deep in a shadow, the point's plane rises by RL_STEEPEST_SLOPE at most (the facets of rough ground are steep and small), and no
-// texel's is carried on.
+// Fraction of a square of 2 radius + 1 texels around the point that nothing covers. A texel's surface covers the point
+// if it is in front of the point's plane there and, extended to the point, in front of the point itself. So floors and
+// walls that meet do not darken each other along the edge. Both may end before they meet, so the planes count as far
+// as the four texels around the point show it. Where none does, deep in a shadow, the point's plane rises by at most
+// RL_STEEPEST_SLOPE (the facets of rough ground are steep and small), and no texel's plane is extended.
 RL_MAP_FN real uncovered(RL_IN(Maps) maps, RL_IN(ShadowMap) s, RL_IN(OnMap) m)
 {
     real last = real(float(s.size - 1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scalar words of the lighting text in a namespace of their own (RL_ISA is `radiositylight`).
+// The scalar lighting code in a separate namespace (RL_ISA is `radiositylight`).
 #include "radiosity/kernels/light_at_points.h"
 
 #include "lighting/lighting.h"

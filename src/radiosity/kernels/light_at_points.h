@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene's lights at points of surfaces, by the lighting text. C headers only.
+// Evaluates the scene's lights at surface points with the shared lighting code. C headers only.
 #pragma once
 #include <stdint.h>
 
@@ -7,10 +7,10 @@
 
 namespace rakelight::radiosity {
 
-/// One light as a point meets it.
+/// One light at a point.
 struct LightAtPoint {
     float to_light[3];  ///< unit
-    float radiance[3];  ///< of a white diffuse surface that faces it
+    float radiance[3];  ///< of a white diffuse surface facing the light
 };
 
 namespace radiositylight {

@@ -31,7 +31,7 @@ private:
     Pixels pixels_;
 };
 
-/// How many lines go through each pixel, for more of them than a picture can tell apart.
+/// How many lines go through each pixel, for more of them than a picture can distinguish.
 class LineCounts {
 public:
     LineCounts(int width, int height);
@@ -39,7 +39,7 @@ public:
     void line(dvec2 a, dvec2 b);
     /// Lines through a pixel that some go through; 0: there are none.
     double mean() const;
-    /// Lines over a canvas of the same size: in full where they can be told apart, else the stronger the more of them
+    /// Lines over a canvas of the same size: in full where they can be distinguished, else the stronger the more of them
     /// go through a pixel.
     void draw(Canvas& canvas, Code color) const;
     bool is_crowded() const { return mean() > told_apart; }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/format_text.h"
 #include "engines/raster/geometry/clip.h"
 #include "tools/stages/plot.h"
 
@@ -20,7 +21,7 @@ Stage clip_stage(const Sources& of, const Vertices& vertices) {
                 "distance along the view axis, a frustum of 90 degrees. Here the engine goes from double to single "
                 "precision. Clipping is done here, because "
                 "behind the eye w is negative, and a division would wrap such points round to the front."};
-    const shading::View& view = of.engine.view();
+    const shading::PictureCamera& view = of.engine.view();
     const bool parallel = view.orthographic;
     const double far = std::min(view.z_far, vertices.farthest()), w = parallel ? 1 : view.z_near;
     Space space{.caption = std::string(parallel ? "Distance" : "w") +
@@ -90,7 +91,7 @@ EngineClipping clip_all(const Sources& of, const Vertices& vertices, const Visit
 
 /// The triangles that are not cut, where they lie on the screen.
 void add_screen_plot(Stage& s, const Sources& of, const Vertices& vertices) {
-    const shading::View& view = of.engine.view();
+    const shading::PictureCamera& view = of.engine.view();
     add_plot(s, of, vertices, "clipped",
              {.only_transformed = true,
               .place =
@@ -105,11 +106,11 @@ void add_screen_plot(Stage& s, const Sources& of, const Vertices& vertices) {
 Stage clipped_stage(const Sources& of, const Vertices& vertices) {
     Stage s{.id = "clipped", .title = "Clipped polygons"};
     s.text =
-        "Triangles that pass the near or the far plane, or leave the guard band (a million pixels round the picture), "
-        "are cut to polygons of up to 9 corners before the division (Sutherland and Hodgman). "
-        "The sides of the picture only reject what is wholly outside: rasterization leaves out the rest for less than "
-        "cutting costs.";
-    const shading::View& view = of.engine.view();
+        "Triangles that cross the near or the far plane, or leave the guard band (a million pixels around the "
+        "picture), are clipped to polygons of up to 9 corners before the division (Sutherland and Hodgman). The sides "
+        "of the picture only reject triangles that are entirely outside: rasterization skips the rest at less cost "
+        "than clipping.";
+    const shading::PictureCamera& view = of.engine.view();
     add_screen_plot(s, of, vertices);
     Canvas& canvas = s.pictures.back().canvas;
     const EngineClipping all = clip_all(
@@ -117,24 +118,23 @@ Stage clipped_stage(const Sources& of, const Vertices& vertices) {
             for (std::size_t k = 0; k < corners; ++k)
                 canvas.line(view.screen(polygon[k]), view.screen(polygon[(k + 1) % corners]), red);
             if (s.rows.size() >= listed_rows) return;
-            Json list = Json::array();
+            Cell::List list;
             for (std::size_t k = 0; k < corners; ++k)
                 list.push_back({cell(double(polygon[k].x)), cell(double(polygon[k].y)), cell(double(polygon[k].w))});
             s.rows.push_back({vertices.object(d), t, corners, list});
         });
     s.pictures.back().caption =
-        (all.clipped == 0 ? "No triangle was clipped: these lie on the screen as they are."
-                          : "On the screen: red what is left of triangles that were clipped, blue the others.") +
+        (all.clipped == 0 ? "No triangle was clipped: these are on the screen unchanged."
+                          : "On the screen: the rest of clipped triangles in red, the others in blue.") +
         s.pictures.back().caption;
     s.numbers["triangles clipped"] = all.clipped;
     for (std::size_t p = 0; p < std::size(planes); ++p) {
-        s.numbers[std::string("wholly outside of: ") + planes[p].second] = all.outside[p];
-        s.numbers[std::string("passing, not wholly outside: ") + planes[p].second] = all.passing[p];
+        s.numbers[std::string("entirely outside of: ") + planes[p].second] = all.outside[p];
+        s.numbers[std::string("crossing, not entirely outside: ") + planes[p].second] = all.passing[p];
     }
     s.columns = {"object", "triangle", "corners", "x, y, w of each"};
     s.rows_note = all.clipped == 0 ? "Nothing had to be clipped."
-                                   : "The first " + std::to_string(s.rows.size()) + " of " +
-                                         std::to_string(all.clipped) + " clipped triangles";
+                                   : format_text("The first {} of {} clipped triangles", s.rows.size(), all.clipped);
     return s;
 }
 

@@ -60,7 +60,7 @@ void label_y(Canvas& canvas, double part, const std::string& text) {
 }
 
 /// The camera's; a far plane without end is shown to ten thousand times near.
-DepthRange shown_range(const shading::View& view) {
+DepthRange plotted_range(const shading::PictureCamera& view) {
     return {view.z_near, std::isinf(view.z_far) ? view.z_near * 1e4 : view.z_far, view.orthographic};
 }
 
@@ -109,7 +109,7 @@ Picture step_picture(const DepthRange& r) {
             const dvec2 p = {double(x), y_of(std::min(std::max(part, 0.0), 1.0))};
             if (x > left) canvas.line(last, p, f.color);
             if (x > left && f.method == Visibility::z24)
-                canvas.line({last.x, last.y + 1}, {p.x, p.y + 1}, f.color);  // z-float lies upon it
+                canvas.line({last.x, last.y + 1}, {p.x, p.y + 1}, f.color);  // z-float lies on it
             last = p;
         }
     }
@@ -127,17 +127,15 @@ Picture step_picture(const DepthRange& r) {
 }  // namespace
 
 Stage depth_precision_stage(const Sources& of) {
-    const DepthRange r = shown_range(of.engine.view());
-    Stage s{.id = "depth-precision",
-            .title = "Precision of the depth",
-            .text =
-                "What the depth test compares is not the distance but a number that is affine on the screen. In "
-                "perspective the textbook's number "
-                "is far (z - near) / (z (far - near)): most of its values lie close to the near plane, and a step of "
-                "the stored number grows "
-                "with the square of the distance. The reversed number near / z as a float has its finest values where "
-                "the steps are widest. "
-                "The setting visibility draws with each."};
+    const DepthRange r = plotted_range(of.engine.view());
+    Stage s{
+        .id = "depth-precision",
+        .title = "Precision of the depth",
+        .text =
+            "The depth test does not compare distances but a number that is affine on the screen. In perspective the "
+            "textbook's number is far (z - near) / (z (far - near)): most of its values lie close to the near plane, "
+            "and a step of the stored number grows with the square of the distance. The reversed number near / z as a "
+            "float has its finest values where the steps are widest. The setting visibility draws with each."};
     s.numbers = {
         {"near [m]", r.z_near},
         {"far [m]", cell(of.engine.view().z_far)},
@@ -150,7 +148,7 @@ Stage depth_precision_stage(const Sources& of) {
     for (const Format& f : formats) s.columns.push_back(std::string("step of ") + f.name + " [m]");
     for (const double part : {0.0, 0.001, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0}) {
         const double distance = r.z_near + part * (r.z_far - r.z_near);
-        Json row = {distance, raster::standard_depth(distance, r)};
+        Cell::List row = {distance, raster::standard_depth(distance, r)};
         for (const Format& f : formats) row.push_back(raster::depth_step(f.method, distance, r));
         s.rows.push_back(std::move(row));
     }

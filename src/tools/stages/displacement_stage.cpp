@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/format_text.h"
 #include "engines/raster/raster_engine.h"
 #include "math/linear.h"
 #include "prepare/displace.h"
@@ -61,7 +62,7 @@ Moved moved(const Mesh& fine, const Mesh& flat, const dmat4& to_world) {
     return out;
 }
 
-/// The mesh that stands where another scene's draw has its own.
+/// The mesh that corresponds to that of a draw in another scene.
 const Mesh& same_place(const Scene& scene, const Scene& of, const shading::Draw& draw) {
     const std::vector<std::uint32_t>& meshes = of.nodes[draw.node].meshes;
     const auto slot = std::find(meshes.begin(), meshes.end(), draw.mesh) - meshes.begin();
@@ -109,7 +110,8 @@ Canvas drawn(const Sources& of, const Scene& scene, const Camera& camera, const 
     Canvas canvas(frame.window.width, frame.window.height, backdrop);
     for (int y = 0; y < canvas.height(); ++y)
         for (int x = 0; x < canvas.width(); ++x)
-            canvas.set(x, y, shown(of, frame.color[std::size_t(y) * std::size_t(canvas.width()) + std::size_t(x)]));
+            canvas.set(x, y,
+                       displayed_code(of, frame.color[std::size_t(y) * std::size_t(canvas.width()) + std::size_t(x)]));
     return canvas;
 }
 
@@ -132,10 +134,9 @@ public:
         stage_.id = "displacement";
         stage_.title = "Displacement: height maps become geometry";
         stage_.text =
-            "Before anything is drawn, triangles of displaced materials are cut until no edge is longer than "
-            "the setting displacement-edge says, and their corners moved along the normal by what the height map says "
-            "there. All "
-            "stages after this one see these triangles alone.";
+            "Before anything is drawn, triangles of displaced materials are split until no edge is longer than the "
+            "setting displacement-edge, and their corners are moved along the normal by the value of the height map. "
+            "All later stages see only these triangles.";
         add_numbers();
         add_pictures();
         add_rows();
@@ -180,7 +181,7 @@ private:
     }
 
     void add_numbers() {
-        stage_.numbers = {{"triangles before, of what is displaced", before_},
+        stage_.numbers = {{"triangles before, of displaced meshes", before_},
                           {"triangles after", after_},
                           {"longest edge before [m]", edge_before_},
                           {"longest edge after, moved [m]", edge_after_}};
@@ -192,7 +193,7 @@ private:
         const std::vector<float> height = heights();
         const RenderSettings& s = of_.engine.settings();
         const auto picture = [&](const std::vector<vec4>& color) {
-            return paint(of_, [&](std::size_t p) { return shown(of_, color[p]); });
+            return paint(of_, [&](std::size_t p) { return displayed_code(of_, color[p]); });
         };
         RenderSettings base = base_request_.settings;
         base.channels = 0, base.window = {};
@@ -200,18 +201,16 @@ private:
         stage_.pictures.push_back({"displacement-base",
                                    base.edges ? "The base mesh, with its triangles." : "The base mesh.",
                                    drawn(of_, scene_of(*base_.prepared), base_.camera, base, quiet_)});
-        stage_.pictures.push_back(
-            {"displacement",
-             "Cut and moved: " + std::to_string(after_) + " triangles in place of " + std::to_string(before_) + ".",
-             picture(of_.pixels.color)});
+        stage_.pictures.push_back({"displacement",
+                                   format_text("Split and moved: {} triangles instead of {}.", after_, before_),
+                                   picture(of_.pixels.color)});
         const int times = std::min(enlarged, 65536 / std::max(s.width, s.height));
         const Window part = liveliest(of_, height, times);
-        const std::string where = std::to_string(times) + " times as large, about pixel " +
-                                  std::to_string(part.x + part.width / 2) + ", " +
-                                  std::to_string(part.y + part.height / 2);
+        const std::string where = format_text("{} times as large, about pixel {}, {}", times, part.x + part.width / 2,
+                                              part.y + part.height / 2);
         stage_.pictures.push_back({"displacement-base-enlarged", "The triangles of the base, " + where + ".",
                                    close_up(scene_of(*base_.prepared), base_request_.settings, part, times)});
-        stage_.pictures.push_back({"displacement-enlarged", "Those that it was cut into, at the same place.",
+        stage_.pictures.push_back({"displacement-enlarged", "The triangles after splitting, at the same place.",
                                    close_up(scene_, fine_request_.settings, part, times)});
         stage_.pictures.push_back({"displacement-heights", heights_caption(), paint(of_, [&](std::size_t p) {
                                        if (of_.pixels.draw[p] == no_index) return backdrop;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The base meshes beside what displacement makes of them.
+// The base meshes next to the displaced ones.
 #pragma once
 #include <rakelight/picture.h>
 

@@ -6,8 +6,11 @@
 #include <fstream>
 #include <set>
 
+#include <nlohmann/json.hpp>
+
 #include <rakelight/error.h>
 
+#include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_io.h"
 #include "tools/report_json.h"
@@ -56,14 +59,14 @@ void check_target(const fs::path& target) {
         if (!is_read) ours = listed_files(target);
         is_read = true;
         if (!fs::is_regular_file(entries->symlink_status(error)) || !ours.contains(entries->path().filename().string()))
-            throw Error(ErrorCode::failed, "the folder holds other things", entries->path().filename().string(),
+            throw Error(ErrorCode::failed, "the folder contains other files", entries->path().filename().string(),
                         "name a new or an empty folder")
                 .with_file(target.string());
     }
 }
 
 fs::path beside(const fs::path& target, const char* what) {
-    return target.parent_path() / ("." + target.filename().string() + "." + what + "-" + std::to_string(getpid()));
+    return target.parent_path() / (format_text(".{}.{}-{}", target.filename().string(), what, getpid()));
 }
 
 }  // namespace

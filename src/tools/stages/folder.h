@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A folder that appears whole or not at all.
+// A folder that appears complete or not at all.
 #pragma once
 #include <deque>
 #include <filesystem>

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/material_names.h"
 #include "tools/stages/paint.h"
-#include "tools/texture_uses.h"
 
 namespace rakelight::stages {
 namespace {
 
 /// Mean and largest value of a term over the pixels that show something.
-Json totals(const Sources& of, const std::vector<vec3>& term) {
+Cell::List totals(const Sources& of, const std::vector<vec3>& term) {
     dvec3 sum{}, most{};
     std::uint64_t n = 0;
     for (std::size_t p = 0; p < term.size(); ++p) {
@@ -31,8 +31,8 @@ bool is_black(const std::vector<vec3>& term) {
 /// A row, and a picture where there is something to see.
 void add_term(Stage& s, const Sources& of, const std::string& name, const std::string& file,
               const std::vector<vec3>& term) {
-    Json row = {name};
-    for (const Json& v : totals(of, term)) row.push_back(v);
+    Cell::List row = {name};
+    for (const Cell& v : totals(of, term)) row.push_back(v);
     s.rows.push_back(std::move(row));
     if (is_black(term)) return;
     s.pictures.push_back(
@@ -58,20 +58,19 @@ std::string lighting_text(const Sources& of) {
     std::string text =
         "Each light adds an ambient term (k ambient times its color), a diffuse one (k diffuse, its color, the "
         "cosine n.l) and a specular one (k specular, its color, the lobe). ";
-    if (!of.pixels.seen.empty()) text += "In shadow the last two are what the share of the light gives that arrives. ";
-    if (!of.pixels.around_diffuse.empty())
-        text +=
-            "The surroundings add what the surface reflects diffusely of the light from all around, and the gloss. ";
+    if (!of.pixels.seen.empty())
+        text += "In shadow the last two are multiplied by the fraction of the light that arrives. ";
+    if (!of.pixels.around_diffuse.empty()) text += "The environment adds its diffuse and its glossy reflection. ";
     if (!of.pixels.transmitted.empty())
-        text += "Transmissive surfaces add what is seen through them, of the opaque surfaces behind. ";
+        text += "Transmissive surfaces add the opaque surfaces that are seen through them. ";
     if (!of.pixels.fog.empty())
         text +=
-            "Fog lies between all of it and the eye: each term is what is seen of it through the fog, and the fog's "
-            "own light takes the rest. ";
+            "Fog lies between all surfaces and the eye: each term is what is seen of it through the fog, and the fog's "
+            "own light fills the rest. ";
     text +=
-        "Their sum with the emission and the own color of what is not lit is the pixel. Where blended surfaces are "
-        "laid over, a term is what it comes to in the picture: a layer's own counts by its alpha, those behind by what "
-        "it lets through. Terms that are black everywhere have no picture.";
+        "The pixel is their sum, with the emission and the own color of unlit surfaces. Where blended surfaces are "
+        "laid over, a term is its contribution to the picture: a layer's own counts by its alpha, those behind by what "
+        "the layer transmits. Terms that are black everywhere have no picture.";
     if (of.tone.exposure_ev != 0 || of.tone.mapping != ToneMapping::none)
         text += " The pictures have the exposure and no tone curve, so that they add up; the numbers have neither.";
     if (of.engine.settings().shading == Shading::flat || of.engine.settings().shading == Shading::gouraud)
@@ -87,7 +86,7 @@ Stage lighting_stage(const Sources& of) {
     Stage s{.id = "lighting", .title = "Lighting, term by term", .text = lighting_text(of)};
     s.columns = {"term", "mean red", "mean green", "mean blue", "largest red", "largest green", "largest blue"};
     if (!is_black(of.pixels.own_color))
-        add_term(s, of, "Own color of what is not lit, and of the background behind layers", "own-color",
+        add_term(s, of, "Own color of unlit surfaces, and of the background behind layers", "own-color",
                  of.pixels.own_color);
     add_term(s, of, "Emission", "emission", of.pixels.emission);
     add_lights(s, of);
@@ -107,7 +106,7 @@ Stage lighting_stage(const Sources& of) {
     std::uint64_t n = 0;
     for (std::size_t p = 0; p < of.pixels.fog_share.size(); ++p)
         if (of.pixels.draw[p] != no_index) sum += double(of.pixels.fog_share[p]), ++n;
-    s.numbers["share that is seen through the fog, mean of opaque pixels"] = n > 0 ? sum / double(n) : 1.0;
+    s.numbers["fraction seen through the fog, mean of opaque pixels"] = n > 0 ? sum / double(n) : 1.0;
     s.pictures.push_back({"fog-share",
                           "How much of the visible surface is seen through the fog: black nothing, white all.",
                           paint(of, [&](std::size_t p) {
@@ -119,9 +118,9 @@ Stage lighting_stage(const Sources& of) {
 Stage relief_stage(const Sources& of) {
     Stage s{.id = "relief", .title = "Relief: where textures are read"};
     s.text =
-        "Under parallax techniques the surface is taken to be as deep as its height map says: the eye's ray is "
-        "followed to where it meets the relief, and all textures are read there instead of at the point of the "
-        "polygon. What moves is the coordinates alone: outlines and depth stay those of the polygon.";
+        "Parallax techniques treat the surface as a relief of its height map: the view ray is followed to where it "
+        "hits the relief, and all textures are read there instead of at the point of the polygon. Only the texture "
+        "coordinates move: outlines and depth stay those of the polygon.";
     const std::vector<vec2>& shift = of.pixels.relief_shift;
     const auto length_of = [&](std::size_t p) {
         const double x = double(shift[p].x), y = double(shift[p].y);
@@ -143,7 +142,7 @@ Stage relief_stage(const Sources& of) {
                               return of.pixels.relief_height[p] < 0 ? backdrop
                                                                     : heat(most > 0 ? length_of(p) / most : 0);
                           })});
-    s.pictures.push_back({"relief-height", "The height that the ray meets, as the map has it: black 0, white 1.",
+    s.pictures.push_back({"relief-height", "The height that the ray hits, as in the map: black 0, white 1.",
                           paint(of, [&](std::size_t p) {
                               const float height = of.pixels.relief_height[p];
                               return height < 0 ? backdrop : gray(double(height));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of the rendered one's size, and light as it is shown.
+// Pictures of the rendered one's size, and light as display codes.
 #pragma once
 #include <string>
 
+#include "tools/material_names.h"
 #include "tools/stages/stage.h"
-#include "tools/texture_uses.h"
 
 namespace rakelight::stages {
 
@@ -24,11 +24,11 @@ inline std::string number_and_name(const Light& light, std::size_t i) {
     return std::to_string(i) + " (" + name_of(light.type) + (light.name.empty() ? "" : ", " + light.name) + ")";
 }
 
-/// A pixel as the picture has it: with its exposure and tone curve, before what lies behind.
-inline Code shown(const Sources& of, vec4 pixel) { return code_of_light(of.curve.displayed(pixel).xyz()); }
+/// The code of a pixel as in the picture: with exposure and tone curve, over the background.
+inline Code displayed_code(const Sources& of, vec4 pixel) { return code_of_light(of.curve.displayed(pixel).xyz()); }
 /// Light likewise.
-inline Code shown(const Sources& of, vec3 light) { return code_of_light(of.curve(light)); }
-/// With the exposure alone, clamped: terms that are shown so add up.
+inline Code displayed_code(const Sources& of, vec3 light) { return code_of_light(of.curve(light)); }
+/// With the exposure only, clamped: such terms add up.
 inline Code exposed(const Sources& of, vec3 light) { return code_of_light(of.exposure(light)); }
 
 }  // namespace rakelight::stages

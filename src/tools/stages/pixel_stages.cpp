@@ -19,9 +19,9 @@ Stage culling_stage(const Sources& of) {
     Stage s{.id = "culled",
             .title = "Culling",
             .text =
-                "What cannot be seen is dropped before any pixel is looked at: objects and triangles wholly outside of "
-                "the picture, triangles without area on the screen, and faces that "
-                "are seen from behind (of closed surfaces, as their material says; the setting cull chooses)."};
+                "Invisible parts are dropped before any pixel is tested: objects and triangles entirely outside the "
+                "picture, triangles without area on the screen, and back faces (of closed surfaces, as their material "
+                "says; the setting cull chooses)."};
     const RenderStats& stats = of.drawn.stats();
     s.numbers = {{"triangles in", stats.triangles_in},
                  {of.engine.settings().samples > 1 ? "outside, or no sample in their box"
@@ -155,10 +155,9 @@ Stage depth_stage(const Sources& of) {
     Stage s{.id = "depth",
             .title = "Depth",
             .text =
-                "At each covered pixel the depth keys are compared and the nearest surface that is not seen through "
-                "stays; of equal ones the first. Depth is shown as distance along the view axis. The key is a plane "
-                "over the "
-                "screen, of constant slopes in each triangle: one more pixel to the right or down adds one slope."};
+                "At each covered pixel the depth keys are compared, and the nearest opaque surface stays; of equal "
+                "ones the first. Depth is shown as distance along the view axis. The key is a plane over the screen, "
+                "of constant slopes in each triangle: one more pixel to the right or down adds one slope."};
     const std::vector<float>& distance = of.pixels.distance;
     double low = std::numeric_limits<double>::infinity(), high = 0;
     for (const float d : distance)
@@ -177,8 +176,8 @@ Stage visibility_stage(const Sources& of) {
     Stage s{.id = "visibility",
             .title = "Visibility",
             .text =
-                "What is left is one triangle a pixel: only these are shaded, whatever the overdraw. Each triangle, "
-                "and each object, has a color of its own."};
+                "One triangle per pixel is left: only these are shaded, regardless of the overdraw. Each triangle, and "
+                "each object, has a color of its own."};
     const shading::DrawList& list = of.engine.list();
     const std::vector<std::uint32_t>&draw = of.pixels.draw, &triangle = of.pixels.triangle;
     s.pictures.push_back({"triangles", "Visible triangles.", paint(of, [&](std::size_t p) {
@@ -240,12 +239,12 @@ Stage normal_stage(const Sources& of) {
 Stage blending_stage(const Sources& of) {
     Stage s{.id = "blended", .title = "Blended surfaces, layer by layer"};
     s.text =
-        "Surfaces that are seen through are laid over what is opaque, of each pixel the farthest first: color = alpha "
-        "* own color + (1 - alpha) * what is behind. Each is lit as the opaque ones are; "
-        "explain names the triangles and the terms of one pixel. Shown with the exposure and the tone curve.";
+        "Transparent surfaces are laid over the opaque ones, in each pixel the farthest first: color = alpha * own "
+        "color + (1 - alpha) * what is behind. Each is lit as the opaque ones are; explain names the triangles and the "
+        "terms of one pixel. Shown with the exposure and the tone curve.";
     const raster::PixelStageData& d = of.pixels;
     const auto picture_of = [&](const std::vector<vec4>& color) {
-        return paint(of, [&](std::size_t p) { return shown(of, color[p]); });
+        return paint(of, [&](std::size_t p) { return displayed_code(of, color[p]); });
     };
     const auto blended =
         std::count_if(d.layer_count.begin(), d.layer_count.end(), [](std::uint8_t n) { return n > 0; });

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/format_text.h"
+
 namespace rakelight::stages {
 namespace {
 
@@ -31,9 +33,7 @@ public:
                 draws_.push_back(d), total += vertices.mesh(d).triangle_count();
         step_ = total / drawn_triangles + 1;
     }
-    std::string note() const {
-        return step_ > 1 ? " About one of " + std::to_string(step_) + " triangles is drawn." : "";
-    }
+    std::string note() const { return step_ > 1 ? format_text(" About one of {} triangles is drawn.", step_) : ""; }
 
     template <class Visit>
     void visit(const Visit& visit) const {
@@ -67,10 +67,10 @@ Fit fit_all(const Triangles& triangles, const Space& space, int width, int heigh
 
 }  // namespace
 
-Json cell(double v) { return std::isfinite(v) ? Json(v) : Json(v > 0 ? "inf" : v < 0 ? "-inf" : "nan"); }
+Cell cell(double v) { return std::isfinite(v) ? Cell(v) : Cell(v > 0 ? "inf" : v < 0 ? "-inf" : "nan"); }
 
 double Vertices::depth_key(double distance) const {
-    const shading::View& view = of_.engine.view();
+    const shading::PictureCamera& view = of_.engine.view();
     return view.orthographic ? 1 - (distance - view.z_near) / (view.z_far - view.z_near) : view.z_near / distance;
 }
 
@@ -102,7 +102,7 @@ dvec2 oblique(dvec3 p) {
     return {(p.x - p.z) * 0.70710678118654752, p.y * 0.81649658092772603 - (p.x + p.z) * 0.40824829046386302};
 }
 
-std::array<dvec3, 8> frustum(const shading::View& view, double far) {
+std::array<dvec3, 8> frustum(const shading::PictureCamera& view, double far) {
     std::array<dvec3, 8> corners;
     for (std::size_t i = 0; i < 8; ++i) {
         const double distance = i < 4 ? view.z_near : far, w = view.orthographic ? 1 : distance;
@@ -145,7 +145,7 @@ void add_table(Stage& stage, const Vertices& vertices, bool only_transformed, co
                 high[c] = std::max(high[c], row[c]);
             }
             if (count >= listed_rows) continue;
-            Json cells = {vertices.object(d), v};
+            Cell::List cells = {vertices.object(d), v};
             for (const double value : row) cells.push_back(cell(value));
             stage.rows.push_back(std::move(cells));
         }
@@ -156,8 +156,7 @@ void add_table(Stage& stage, const Vertices& vertices, bool only_transformed, co
     stage.columns = {"object", "vertex"};
     stage.columns.insert(stage.columns.end(), columns.begin(), columns.end());
     stage.rows_note =
-        count == 0 ? "There are no vertices."
-                   : "The first " + std::to_string(stage.rows.size()) + " of " + std::to_string(count) + " vertices";
+        count == 0 ? "There are no vertices." : format_text("The first {} of {} vertices", stage.rows.size(), count);
 }
 
 }  // namespace rakelight::stages

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plots of vertices and tables of their numbers, in any space: what the stages before pixels are shown with.
+// Plots of vertices and tables of their coordinates, in any space, for the stages before pixels.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -18,7 +18,7 @@ inline constexpr std::size_t listed_rows = 48;
 inline constexpr Code ground{16, 18, 24}, wire{150, 190, 230}, frame{240, 170, 60}, red{255, 80, 60}, axis{70, 80, 100};
 
 /// A number of a table; JSON has no infinities.
-Json cell(double value);
+Cell cell(double value);
 
 /// The vertices of the scene in every space, draw by draw.
 class Vertices {
@@ -38,7 +38,7 @@ public:
     }
     /// The engine's own; not there for objects that are wholly outside.
     shading::ClipVertex clip(std::size_t d, std::uint32_t v) const { return of_.drawn.clip(d)[v]; }
-    /// What the engine compares, from a distance [m] along the view axis: greater is nearer.
+    /// The depth key of the engine, from a distance [m] along the view axis: greater is nearer.
     double depth_key(double distance) const;
     /// Of what is not behind the near plane: x, y in the square from -1 to 1, and the depth key.
     dvec3 device(std::size_t d, std::uint32_t v) const;
@@ -66,7 +66,7 @@ dvec2 oblique(dvec3 p);
 
 /// The corners of the frustum at the near plane and at a distance [m], in camera space; [0..3] near, [4..7] far, each
 /// round.
-std::array<dvec3, 8> frustum(const shading::View& view, double far);
+std::array<dvec3, 8> frustum(const shading::PictureCamera& view, double far);
 
 struct PlotLine {
     dvec2 a, b;
@@ -93,7 +93,7 @@ void add_table(Stage& stage, const Vertices& vertices, bool only_transformed, co
 
 /// Clipping by all six planes, one after the other.
 Stage planes_stage(const Sources& of, const Vertices& vertices);
-/// What clipping before the division prevents.
+/// Shows why clipping comes before the division.
 Stage wrap_stage(const Sources& of, const Vertices& vertices);
 
 }  // namespace rakelight::stages

@@ -13,8 +13,8 @@ namespace {
 
 constexpr Code ray{90, 100, 120}, dot{240, 220, 90};
 
-Json matrix(const double (&rows)[4][4]) {
-    Json all = Json::array();
+Cell matrix(const double (&rows)[4][4]) {
+    Cell::List all;
     for (const auto& row : rows) all.push_back({cell(row[0]), cell(row[1]), cell(row[2]), cell(row[3])});
     return all;
 }
@@ -34,11 +34,11 @@ public:
 
 private:
     const Vertices& vertices_;
-    const shading::View& view_;
+    const shading::PictureCamera& view_;
 };
 
 Stage frustum_stage(const Sources& of, const Vertices& vertices) {
-    const shading::View& view = of.engine.view();
+    const shading::PictureCamera& view = of.engine.view();
     const Normalized normalized(of, vertices);
     Stage s{.id = "normalized-frustum", .title = "Projection 1: the frustum normalized"};
     s.text = view.orthographic ? "x and y are scaled so that what the camera sees lies between -1 and 1 in both; the "
@@ -69,7 +69,7 @@ Stage frustum_stage(const Sources& of, const Vertices& vertices) {
     return s;
 }
 
-/// Rays from the eye to a dozen vertices before it, and where they meet a plane; a dozen that are spread over the list.
+/// Rays from the eye to a dozen vertices in front of it, spread over the list, and where they hit a plane.
 void add_rays(Space& space, const Vertices& vertices, const Normalized& normalized, double plane) {
     std::vector<dvec3> before;
     for (std::size_t d = 0; d < vertices.draws().size(); ++d)
@@ -106,7 +106,7 @@ Fit fit_to(double reach, const Sources& of, const Vertices& vertices, const Norm
 }
 
 Stage central_stage(const Sources& of, const Vertices& vertices) {
-    const shading::View& view = of.engine.view();
+    const shading::PictureCamera& view = of.engine.view();
     const Normalized normalized(of, vertices);
     const double nan = std::nan(""), plane = std::max(0.5 * nearest_before(vertices, view.z_near), view.z_near);
     Stage s{.id = "central-projection",
@@ -148,7 +148,7 @@ Stage central_stage(const Sources& of, const Vertices& vertices) {
 /// The third row of the projection, scale and offset of z: near plane to `low`, far plane to 1.
 struct DepthRow {
     double scale, offset;
-    DepthRow(const shading::View& view, double low) {
+    DepthRow(const shading::PictureCamera& view, double low) {
         const double near = view.z_near, far = view.z_far;
         if (view.orthographic) {  // scale z + offset is `low` at -near and 1 at -far
             scale = (low - 1) / (far - near);
@@ -158,14 +158,14 @@ struct DepthRow {
             offset = std::isfinite(far) ? (low - 1) * near * far / (far - near) : (low - 1) * near;
         }
     }
-    Json rows(const shading::View& view) const {
+    Cell rows(const shading::PictureCamera& view) const {
         const double w = view.orthographic ? 0 : -1;
         return matrix({{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, scale, offset}, {0, 0, w, 1 + w}});
     }
 };
 
 Stage depth_stage(const Sources& of, const Vertices& vertices) {
-    const shading::View& view = of.engine.view();
+    const shading::PictureCamera& view = of.engine.view();
     const Normalized normalized(of, vertices);
     const DepthRow from_zero(view, 0), from_minus(view, -1);
     const double nan = std::nan("");

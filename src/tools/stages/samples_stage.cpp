@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of several samples a pixel: what they cover, how often their pixels are shaded, and their mean.
+// Pictures of several samples per pixel: what they cover, how often their pixels are shaded, and their mean.
 #include <algorithm>
 
+#include "base/format_text.h"
 #include "engines/raster/inspect/inspect_samples.h"
 #include "tools/stages/paint.h"
 
@@ -43,20 +44,20 @@ Picture enlarged(const Sources& of) {
     for (int y = 0; y < part.window.height; ++y)
         for (int x = 0; x < part.window.width; ++x) {
             const auto p = std::size_t(y + part.window.y) * std::size_t(width) + std::size_t(x + part.window.x);
-            square(canvas, x * cell_px, y * cell_px, cell_px, shown(of, of.pixels.color[p]));
+            square(canvas, x * cell_px, y * cell_px, cell_px, displayed_code(of, of.pixels.color[p]));
             for (const shading::SamplePosition at : shading::sample_positions(samples)) {
                 const int middle_x = x * cell_px + cell_px / 2 + 3 * at.x,
                           middle_y = y * cell_px + cell_px / 2 + 3 * at.y;
                 square(canvas, middle_x - 3, middle_y - 3, 7, backdrop);
-                square(canvas, middle_x - 2, middle_y - 2, 5, shown(of, part.color[next++]));
+                square(canvas, middle_x - 2, middle_y - 2, 5, displayed_code(of, part.color[next++]));
             }
         }
-    const std::string corner = std::to_string(part.window.x) + "," + std::to_string(part.window.y);
-    return {
-        "samples-enlarged",
-        "The part whose samples differ most, from pixel " + corner + " on, " + std::to_string(cell_px) +
-            " times as large: each pixel has the mean of its samples, each dot the color of one sample in its place.",
-        std::move(canvas)};
+    const std::string corner = format_text("{},{}", part.window.x, part.window.y);
+    return {"samples-enlarged",
+            format_text("The part whose samples differ most, from pixel {} on, {} times as large: each pixel has the "
+                        "mean of its samples, each dot the color of one sample in its place.",
+                        corner, cell_px),
+            std::move(canvas)};
 }
 
 }  // namespace
@@ -64,38 +65,39 @@ Picture enlarged(const Sources& of) {
 Stage samples_stage(const Sources& of) {
     const int samples = of.engine.settings().samples;
     const raster::PixelStageData& d = of.pixels;
-    Stage s{.id = "samples", .title = "Several samples a pixel, and their mean"};
-    s.text =
-        "With " + std::to_string(samples) +
-        " samples coverage and depth are looked at in as many places of every pixel, and each triangle that they show "
-        "is shaded once, in the middle of those that show it. The pixel is the mean of its samples in linear light. "
-        "The stages before look at the pixels' centers, as the data channels do.";
+    Stage s{.id = "samples", .title = "Several samples per pixel, and their mean"};
+    s.text = format_text(
+        "With {} samples, coverage and depth are tested at as many places in every pixel, and each visible triangle is "
+        "shaded once, at the centroid of its visible samples. The pixel is the mean of its samples in linear light. "
+        "The stages before use the pixels' centers, as the data channels do.",
+        samples);
     std::vector<std::uint64_t> covered(std::size_t(samples) + 1, 0), shaded(std::size_t(samples) + 1, 0);
     std::uint64_t sum = 0, all = 0;
     for (std::size_t p = 0; p < d.color.size(); ++p) {
-        ++covered[d.samples_covered[p]], ++shaded[d.triangles_shown[p]];
-        sum += d.samples_covered[p], all += d.triangles_shown[p];
+        ++covered[d.samples_covered[p]], ++shaded[d.visible_triangles[p]];
+        sum += d.samples_covered[p], all += d.visible_triangles[p];
     }
     const std::uint64_t pixels = d.color.size() - covered[0];
-    s.numbers = {{"samples a pixel", samples},
+    s.numbers = {{"samples per pixel", samples},
                  {"pixels covered", pixels},
                  {"samples covered", sum},
                  {"opaque triangles shaded, over all pixels", all},
                  {"times a covered pixel is shaded, mean", pixels > 0 ? double(all) / double(pixels) : 0.0}};
-    s.columns = {"number", "pixels with so many samples covered",
-                 "pixels that so many opaque triangles are shaded for"};
+    s.columns = {"number", "pixels with this number of covered samples",
+                 "pixels with this number of shaded opaque triangles"};
     for (std::size_t n = 0; n < covered.size(); ++n) s.rows.push_back({n, covered[n], shaded[n]});
     s.rows_note = "Opaque surfaces; blended ones are laid sample by sample over what is there";
     s.pictures.push_back({"samples-covered", "Samples that something opaque covers: black none, white all.",
                           paint(of, [&](std::size_t p) { return gray(double(d.samples_covered[p]) / samples); })});
-    s.pictures.push_back({"samples-triangles",
-                          "How many opaque triangles the pixel is shaded for: blue 1, over green and yellow to white " +
-                              std::to_string(std::min(samples, 4)) + " and more.",
-                          paint(of, [&](std::size_t p) {
-                              return d.triangles_shown[p] == 0
-                                         ? backdrop
-                                         : heat(double(d.triangles_shown[p]) / std::min(samples, 4));
-                          })});
+    s.pictures.push_back(
+        {"samples-triangles",
+         format_text(
+             "How many opaque triangles the pixel is shaded for: blue 1, over green and yellow to white {} and more.",
+             std::min(samples, 4)),
+         paint(of, [&](std::size_t p) {
+             return d.visible_triangles[p] == 0 ? backdrop
+                                                : heat(double(d.visible_triangles[p]) / std::min(samples, 4));
+         })});
     s.pictures.push_back({"samples-difference",
                           "The greatest difference between samples of the pixel, as light: what the mean makes smooth.",
                           paint(of, [&](std::size_t p) {

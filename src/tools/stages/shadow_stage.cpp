@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "tools/material_names.h"
 #include "tools/stages/paint.h"
-#include "tools/texture_uses.h"
 
 namespace rakelight::stages {
 namespace {
 
-constexpr int shown_side = 320;     ///< [px] most of a face of a map
+constexpr int map_side = 320;       ///< [px] most of a face of a map
 constexpr Code beside{44, 52, 84};  ///< nothing that is lit: not to be taken for shadow
 
 /// [m] along the map's axis from the light (parallel: about the eye); not finite where nothing is.
@@ -27,7 +27,7 @@ Picture map_picture(const raster::ShadowMapView& map, const std::string& number,
     for (std::size_t t = 0; t < faces * size * size; ++t)
         if (const double d = distance_on_map(map, t); std::isfinite(d))
             low = std::min(low, d), high = std::max(high, d);
-    const int side = std::min(shown_side, map.size), columns = faces == 6 ? 3 : 1, gap = faces == 6 ? 4 : 0;
+    const int side = std::min(map_side, map.size), columns = faces == 6 ? 3 : 1, gap = faces == 6 ? 4 : 0;
     Canvas canvas(columns * (side + gap) - gap, int(faces) / columns * (side + gap) - gap, {60, 66, 80});
     for (int face = 0; face < int(faces); ++face)
         for (int y = 0; y < side; ++y)
@@ -45,7 +45,7 @@ Picture map_picture(const raster::ShadowMapView& map, const std::string& number,
 }
 
 /// Of the pixels that are lit: how many, mean share, wholly in shadow, wholly in light.
-Json seen_cells(const std::vector<float>& seen) {
+Cell::List seen_cells(const std::vector<float>& seen) {
     std::uint64_t lit = 0, none_of_it = 0, all_of_it = 0;
     double sum = 0;
     for (const float share : seen) {
@@ -60,27 +60,26 @@ Json seen_cells(const std::vector<float>& seen) {
 Stage shadow_stage(const Sources& of) {
     Stage s{.id = "shadows", .title = "Shadows"};
     s.text =
-        "Before the picture is drawn each light draws what it sees: a shadow map, which keeps how near the nearest "
-        "surface is. A pixel compares the plane of its triangle with the texels about its place on the map; the share "
-        "of those that nothing covers is how much of the light's diffuse and specular terms it keeps. Faces that look "
-        "away from the light have none of it. Height maps with the setting bump-self-shadow darken the hollows of "
-        "their relief "
-        "here, too. Ambient light has no shadow. Flat and Gouraud shading throw shadows and receive none.";
+        "Before the picture, each light draws a shadow map: the distance of the nearest surface. A pixel compares the "
+        "plane of its triangle with the texels around its place on the map; the fraction of uncovered ones multiplies "
+        "the light's diffuse and specular terms. Faces that face away from the light get none of it. Height maps with "
+        "the setting bump-self-shadow also darken the hollows of their relief here. Ambient light has no shadow. With "
+        "flat and Gouraud shading, surfaces cast shadows but receive none.";
     const std::vector<raster::ShadowMapView> maps = of.engine.shadow_maps();
     const RenderSettings& settings = of.engine.settings();
-    s.numbers = {{"texels a side", settings.shadow_size},
+    s.numbers = {{"texels per side", settings.shadow_size},
                  {"filter radius [texels]", settings.shadow_filter},
                  {"bias", double(settings.shadow_bias)}};
     if (maps.empty()) s.numbers = {{"shadow maps", 0}};
-    s.columns = {"light", "maps", "texels a meter", "lit pixels", "mean share", "in shadow", "in part", "in light"};
+    s.columns = {"light", "maps", "texels per meter", "lit pixels", "mean share", "in shadow", "in part", "in light"};
     for (std::size_t i = 0; i < of.pixels.seen.size(); ++i) {
         const Light& light = of.engine.list().scene.lights[i];
         const std::int32_t map = !maps.empty() ? of.engine.lights()[i].shadow : -1;
         const std::string number = std::to_string(i), name = "light " + number_and_name(light, i);
         const std::vector<float>& seen = of.pixels.seen[i];
-        Json row = {name, map >= 0 ? maps[std::size_t(map)].faces : 0,
-                    map >= 0 ? double(maps[std::size_t(map)].texels) : 0.0};
-        for (const Json& v : seen_cells(seen)) row.push_back(v);
+        Cell::List row = {name, map >= 0 ? maps[std::size_t(map)].faces : 0,
+                          map >= 0 ? double(maps[std::size_t(map)].texels) : 0.0};
+        for (const Cell& v : seen_cells(seen)) row.push_back(v);
         s.rows.push_back(std::move(row));
         if (light.type == LightType::ambient) continue;
         s.pictures.push_back(
@@ -90,9 +89,8 @@ Stage shadow_stage(const Sources& of) {
         if (map >= 0) s.pictures.push_back(map_picture(maps[std::size_t(map)], number, name));
     }
     s.rows_note =
-        "Pixels that the light would reach if nothing stood before them, and the share of it that does; texels a meter "
-        "on the map, of "
-        "lamps at a distance of 1 m";
+        "Pixels that the light would reach without occluders, and the fraction of it that does; texels per meter on "
+        "the map, for lamps at a distance of 1 m";
     return s;
 }
 

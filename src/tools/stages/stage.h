@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stage as it is written: a title, words, pictures and a table.
+// A stage of the output: a title, a text, pictures and a table.
 #pragma once
 #include <string>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "engines/empty_pixel.h"
 #include "engines/raster/inspect/inspect_pixels.h"
 #include "image/tone_curves.h"
 #include "tools/stages/canvas.h"
+#include "tools/stages/cell.h"
 
 namespace rakelight::stages {
-
-using Json = nlohmann::ordered_json;
 
 struct Picture {
     std::string name;  ///< of the file, without ending
@@ -26,10 +23,10 @@ struct Stage {
     std::string title;
     std::string text;  ///< what happens, for people; plain text
     std::vector<Picture> pictures;
-    Json numbers = Json::object();     ///< name -> number, text or list of numbers
+    Numbers numbers;
     std::vector<std::string> columns;  ///< of the rows
-    Json rows = Json::array();         ///< arrays of cells
-    std::string rows_note;             ///< which rows these are
+    std::vector<Cell::List> rows;
+    std::string rows_note;  ///< which rows these are
 };
 
 /// What the stages are made of.
@@ -46,17 +43,17 @@ struct Sources {
 std::vector<Stage> space_stages(const Sources& of);
 /// The projection in three steps.
 std::vector<Stage> projection_stages(const Sources& of);
-/// Clip space, what clipping cuts off, and what would happen without.
+/// Clip space, the parts that clipping cuts off, and what would happen without it.
 std::vector<Stage> clip_stages(const Sources& of);
 /// Vertices after it: normalized device coordinates, screen.
 std::vector<Stage> screen_stages(const Sources& of);
-/// What the depth test's number keeps of a distance.
+/// The precision of the depth that the depth test compares.
 Stage depth_precision_stage(const Sources& of);
-/// What the samples of a picture with several a pixel show.
+/// The samples of a picture with several per pixel.
 Stage samples_stage(const Sources& of);
-/// How far height maps move what textures are read at; where a material has one.
+/// How far height maps move texture coordinates; if a material has one.
 Stage relief_stage(const Sources& of);
-/// Where which light is in shadow, and the shadow maps; where something throws shadows.
+/// Where each light is in shadow, and the shadow maps; if something casts shadows.
 Stage shadow_stage(const Sources& of);
 /// Each light's terms.
 Stage lighting_stage(const Sources& of);

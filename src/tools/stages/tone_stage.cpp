@@ -69,10 +69,10 @@ std::uint64_t count_over_one(const Sources& of, const ToneCurve& curve) {
 Stage tone_stage(const Sources& of) {
     Stage s{.id = "tone", .title = "Exposure, tone curve and codes"};
     s.text =
-        "The sums of the terms are light, of any brightness. It is multiplied by 2 to the power of the exposure, goes "
-        "through the tone curve, which bends what is bright to what a display can show, is clamped to 0..1 and encoded "
-        "as sRGB with 8 bits. Without a curve (none, the default) everything over 1 is clamped: brighter differences "
-        "are lost, and bright colors turn towards white. EXR and HDR files keep the light as it is.";
+        "The sums of the terms are light of any brightness. It is multiplied by 2 to the power of the exposure, passes "
+        "through the tone curve, which compresses bright values to the range of a display, is clamped to 0..1 and "
+        "encoded as sRGB with 8 bits. Without a curve (none, the default) everything over 1 is clamped: brighter "
+        "differences are lost, and bright colors turn towards white. EXR and HDR files keep the light as it is.";
     const ToneCurve plain;
     s.numbers = {{"exposure [EV]", of.tone.exposure_ev},
                  {"tone curve", name_of(of.tone.mapping)},
@@ -95,7 +95,7 @@ Stage tone_stage(const Sources& of) {
         s.rows.push_back(
             {ev, double(light.y), double(of.exposure(light).y), double(after.y), int(code_of_light(after).g)});
     }
-    s.rows_note = "What becomes of gray light";
+    s.rows_note = "The result for gray light";
     return s;
 }
 
@@ -106,7 +106,7 @@ Stage picture_stage(const Sources& of) {
         "of 8 bits. It is the picture that rakelight render writes with these options, to the bit.";
     s.numbers["pixels brighter than 1, clamped"] = count_over_one(of, of.curve);
     s.pictures.push_back(
-        {"picture", "The picture.", paint(of, [&](std::size_t p) { return shown(of, of.pixels.color[p]); })});
+        {"picture", "The picture.", paint(of, [&](std::size_t p) { return displayed_code(of, of.pixels.color[p]); })});
     return s;
 }
 

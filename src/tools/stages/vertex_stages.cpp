@@ -17,8 +17,8 @@ Stage model_stage(const Sources& of, const Vertices& vertices) {
     Stage s{.id = "model",
             .title = "Model space",
             .text =
-                "Each mesh as its file has it: every object about its own origin, so several lie in one place. "
-                "Vertices and triangles are read once and never changed."};
+                "Each mesh as in its file: every object is at its own origin, so several are in one place. Vertices "
+                "and triangles are read once and never changed."};
     add_plot(s, of, vertices, "model",
              {.caption = "All meshes in their own coordinates, seen obliquely.",
               .place = [&](std::size_t d, std::uint32_t v) { return oblique(vertices.model(d, v)); }});
@@ -27,11 +27,11 @@ Stage model_stage(const Sources& of, const Vertices& vertices) {
     return s;
 }
 
-/// Turns the world round its vertical axis so that the camera looks to the right in the oblique view, a little into the
-/// picture: seen along its own axis, a frustum could not be told from a frame.
+/// Rotates the world about its vertical axis so that the camera looks to the right in the oblique view, a little into
+/// the picture: seen along its own axis, a frustum would look like a frame.
 class SeenFromAside {
 public:
-    explicit SeenFromAside(const shading::View& view) {
+    explicit SeenFromAside(const shading::PictureCamera& view) {
         const dvec3 back = view.camera_to_world[2].xyz();
         const double length = std::sqrt(back.x * back.x + back.z * back.z);
         if (length < 1e-6) return;  // straight up or down: seen from aside as it is
@@ -53,11 +53,11 @@ Stage world_stage(const Sources& of, const Vertices& vertices) {
                 "Each object's placement, a 4 x 4 matrix, brings its vertices to their place in one common space, in "
                 "meters, Y up. "
                 "The camera and the lights stand there too. The placement is computed in double precision."};
-    const shading::View& view = of.engine.view();
+    const shading::PictureCamera& view = of.engine.view();
     const dvec3 eye = view.camera_to_world[3].xyz();
     const SeenFromAside seen(view);
     Space space{.caption =
-                    "The objects in place, and in orange the camera with what it can see; turned about the vertical so "
+                    "The objects in place, and in orange the camera with its frustum; rotated about the vertical so "
                     "that the camera looks to the right.",
                 .place = [&](std::size_t d, std::uint32_t v) { return seen(vertices.world(d, v)); }};
     const std::array<dvec3, 8> corners = frustum(view, std::min(view.z_far, vertices.farthest()));
@@ -81,7 +81,7 @@ Stage camera_stage(const Sources& of, const Vertices& vertices) {
                 "The world turned and moved so that the eye is the origin, x goes right, y up, and the camera looks "
                 "along -z. "
                 "Seen from the right: the eye on the left, the near plane as a vertical line."};
-    const shading::View& view = of.engine.view();
+    const shading::PictureCamera& view = of.engine.view();
     const double far = std::min(view.z_far, vertices.farthest());
     const auto half_height = [&](double distance) { return (view.orthographic ? 1 : distance) / view.scale_y; };
     Space space{.caption = "Distance to the right, y up; in orange what the camera can see, from the near plane on.",
@@ -135,7 +135,7 @@ Stage screen_stage(const Sources& of, const Vertices& vertices) {
                 "Stretched to pixels: 0, 0 is the outer corner of the top left one, y goes down. Corners are rounded "
                 "to 1/256 pixel; from here on coverage is decided in whole numbers, "
                 "so that triangles which share an edge leave no gap and cover nothing twice."};
-    const shading::View& view = of.engine.view();
+    const shading::PictureCamera& view = of.engine.view();
     const double nan = std::nan("");
     const auto screen = [&](std::size_t d, std::uint32_t v) {
         const ClipVertex c = vertices.clip(d, v);

@@ -21,7 +21,7 @@ constexpr Code mirrored{200, 110, 230}, area{60, 80, 115};
 constexpr std::uint64_t filled_triangles = 256;  ///< more are shown by their outlines
 constexpr int example_width = 640, example_height = 360;
 
-/// To pixels, whatever the sign of w.
+/// To pixels, for any sign of w.
 dvec2 divided(const Corner& c, const Canvas& canvas) {
     return {(c.x / c.w * 0.5 + 0.5) * canvas.width(), (0.5 - c.y / c.w * 0.5) * canvas.height()};
 }
@@ -110,7 +110,7 @@ public:
 
     template <class Visit>
     void visit(const Visit& visit) const {
-        const shading::View& view = of_.engine.view();
+        const shading::PictureCamera& view = of_.engine.view();
         for (std::size_t d = 0; d < vertices_.draws().size(); ++d) {
             const Mesh& mesh = vertices_.mesh(d);
             for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -147,13 +147,13 @@ void add_model(Stage& s, const Sources& of, const ModelTriangles& triangles, std
     }
     const std::string note = step > 1 ? " Not all triangles are drawn." : "";
     s.pictures.push_back({"wrap-round",
-                          "Divided without clipping: red triangles pass the eye's plane, violet ones lie behind the "
-                          "eye and have no business here." +
+                          "Divided without clipping: red triangles cross the eye's plane, violet ones are behind the "
+                          "eye and should not be here." +
                               note,
                           std::move(wrong)});
     s.pictures.push_back({"wrap-round-clipped",
                           std::string("Clipped at the near plane first: ") + (fills ? "areas are" : "red is") +
-                              " what is left of the triangles that pass the eye's plane." + note,
+                              " the rest of the triangles that cross the eye's plane." + note,
                           std::move(right)});
 }
 
@@ -163,16 +163,16 @@ Stage wrap_stage(const Sources& of, const Vertices& vertices) {
     Stage s{.id = "wrap-round", .title = "What clipping before the division prevents"};
     if (of.engine.view().orthographic) {
         s.text =
-            "In parallel projection w is 1 everywhere: nothing is divided, and nothing can wrap round. In perspective "
+            "In parallel projection w is 1 everywhere: nothing is divided, and nothing can wrap around. In perspective "
             "it can:";
         add_example(s);
         return s;
     }
     s.text =
         "Behind the eye w is negative. Divided by it, a point there comes out in front, mirrored through the middle of "
-        "the picture; the edge of a triangle from before the eye to behind it, which in "
-        "truth runs out of the picture, would be drawn between the two ends, through the wrong side of infinity: it "
-        "wraps round. So triangles are cut at the near plane first.";
+        "the picture; the edge of a triangle from before the eye to behind it, which in truth runs out of the picture, "
+        "would be drawn between the two ends, through the wrong side of infinity: it wraps around. So triangles are "
+        "clipped at the near plane first.";
     std::uint64_t crossing = 0, behind = 0, all = 0;
     const ModelTriangles triangles(of, vertices);
     triangles.visit([&](const Triangle& t) {
@@ -181,9 +181,9 @@ Stage wrap_stage(const Sources& of, const Vertices& vertices) {
         behind += n == 3;
         ++all;
     });
-    s.numbers = {{"triangles", all}, {"through the eye's plane", crossing}, {"wholly behind the eye", behind}};
+    s.numbers = {{"triangles", all}, {"through the eye's plane", crossing}, {"entirely behind the eye", behind}};
     if (crossing + behind == 0) {
-        s.text += " Nothing of this model lies behind the eye; so that it can be seen, here is a built-in example:";
+        s.text += " Nothing of this model is behind the eye, so here is a built-in example:";
         add_example(s);
         return s;
     }

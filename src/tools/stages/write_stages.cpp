@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <new>
 
+#include <nlohmann/json.hpp>
+
 #include <rakelight/stages.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/text_file.h>
@@ -22,8 +24,7 @@ constexpr std::size_t most_lights = 8;
 
 void check_size(const RenderSettings& settings) {
     if (std::int64_t(settings.width) * settings.height > most_pixels)
-        throw Error(ErrorCode::usage, "the stages are shown of at most 16 million pixels", {},
-                    "give a smaller 'resolution'")
+        throw Error(ErrorCode::usage, "stages are limited to 16 million pixels", {}, "give a smaller 'resolution'")
             .naming({"resolution"});
 }
 
@@ -33,7 +34,7 @@ std::vector<stages::Stage> make_stages(PictureRequest request, Context& context)
     context.progress("stages", 0);
     if (triangle_count(engine->list().scene) == 0)
         context.report().add(Remark::warning, request.input, "",
-                             "the model has no triangles: its lines and points are in the last stage alone");
+                             "the model has no triangles: its lines and points are only in the last stage");
     const raster::Inspection::Geometry open(*engine, {}, true, context), drawn(*engine, {}, false, context);
     const raster::PixelStageData pixels = raster::inspect_pixels(*engine, open, drawn, most_lights, context);
     context.progress("stages", 0.5);
@@ -56,7 +57,7 @@ std::string title_of(const PictureRequest& request) {
 }
 
 StagesResult write_folder(const PictureRequest& request, Context& context) {
-    stages::NewFolder folder(request.output);  // first: what stands in the way is said at once
+    stages::NewFolder folder(request.output);  // first: an obstacle is reported at once
     const std::vector<stages::Stage> all = make_stages(request, context);
     folder.write("index.html", stages::page(title_of(request), all, false, context));
     std::size_t done = 0;

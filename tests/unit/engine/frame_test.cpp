@@ -52,7 +52,7 @@ TEST(Frame, OneThatNoMachineCanHoldIsRefusedInOneLine) {
     Frame frame;
     const Error error = test::error_of([&] { frame.begin(1 << 30, 1 << 20, {}, channel_depth); });
     EXPECT_EQ(error.code(), ErrorCode::failed);
-    EXPECT_EQ(error.reason(), "a frame of 1073741824 x 1048576 pixels needs 21474836480 MiB, more than there is");
+    EXPECT_EQ(error.reason(), "a frame of 1073741824 x 1048576 pixels needs 21474836480 MiB, more than available");
     EXPECT_EQ(test::error_of([&] { frame.begin(1 << 30, 1 << 30, {}, 0); }).code(), ErrorCode::failed);
     frame.begin(1 << 30, 1 << 20, {5, 5, 2, 2}, 0);  // of a small window all is well
     EXPECT_EQ(frame.color.size(), 4u);

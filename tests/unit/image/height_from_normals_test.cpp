@@ -113,7 +113,7 @@ TEST(HeightFromNormals, GivesBackAllThatItChargesToTheBudget) {
 
 TEST(HeightFromNormals, SidesThatArePrimeAreStretchedToTheNextOf2And3And5) {
     for (const auto& [n, friendly] : {std::pair<std::size_t, std::size_t>{1, 1}, {7, 8}, {97, 100}, {2039, 2048}})
-        EXPECT_EQ(friendly_length(n), friendly);
+        EXPECT_EQ(good_fft_size(n), friendly);
     Context context;
     const HeightsFromNormals prime = heights_from_normals(normal_map(509, 251, false), false, context);
     EXPECT_EQ(prime.heights.width, 512);

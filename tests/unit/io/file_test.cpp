@@ -155,7 +155,7 @@ TEST_F(FileTest, ARefusalNamesTheReferenceAsItIsWrittenAndWhatHelps) {
 TEST_F(FileTest, APathOfAnotherMachineIsRefusedWithWhatToDoWhereverReferencesMayLead) {
     for (const bool allow_outside : {false, true}) {
         const Error error = error_of([&] { resolve_reference(model(), "C:\\work\\wood.png", allow_outside); });
-        EXPECT_NE(error.reason().find("'C:\\work\\wood.png' is a path of another machine"), std::string::npos);
+        EXPECT_NE(error.reason().find("'C:\\work\\wood.png' is a path on another machine"), std::string::npos);
         EXPECT_NE(error.advice().find("'wood.png'"), std::string::npos) << error.what();
         EXPECT_TRUE(error.related().empty());
     }

@@ -73,7 +73,7 @@ TEST(GltfJson, ANameThatStandsTwiceIsSaidAndTheLastCounts) {
     folder.write("data.bin", file.data);
     Context context({.threads = 1});
     EXPECT_EQ(io::read_gltf(folder.write("model.gltf", text), {}, context).nodes.size(), 1u);
-    EXPECT_TRUE(is_said(context, Remark::warning, "stands twice"));
+    EXPECT_TRUE(is_said(context, Remark::warning, "occurs twice"));
 }
 
 TEST(GltfJson, RequiredExtensionsThatAreUnknownAreNamed) {

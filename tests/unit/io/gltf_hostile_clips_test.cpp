@@ -87,9 +87,9 @@ TEST(HostileClips, PointersToNothingAreLeftOut) {
          {"", "/", "/materials", "/materials/", "/materials/0", "/materials/0/", "/materials/-1/alphaCutoff",
           "/materials/x/alphaCutoff", "/materials/99999999999999999999/alphaCutoff", "/nodes/0/mesh",
           "materials/0/alphaCutoff", "/cameras/0/extensions/KHR_materials_emissive_strength/emissiveStrength"})
-        expect_dropped({.target = pointer(to)}, "names cannot be moved");
+        expect_dropped({.target = pointer(to)}, "names cannot be animated");
     expect_dropped({.target = pointer("/materials/0/alphaCutoff")}, "key values");  // of three numbers
-    expect_dropped({.target = pointer(std::string(100'000, '/'))}, "names cannot be moved");
+    expect_dropped({.target = pointer(std::string(100'000, '/'))}, "names cannot be animated");
 }
 
 TEST(HostileClips, NegativeTimesAreTimes) {
@@ -157,7 +157,7 @@ TEST(HostileSkins, WeightsThatSumToZeroAreSaidAndStandStill) {
     const Scene scene = file.load(context);
     EXPECT_NO_THROW(validate(scene));
     EXPECT_EQ(scene.nodes[0].skin, no_index) << "nothing follows a joint";
-    EXPECT_TRUE(is_said(context, Remark::changed, "3 vertices have joint weights without a sum"));
+    EXPECT_TRUE(is_said(context, Remark::changed, "3 vertices have joint weights whose sum is zero"));
 }
 
 }  // namespace

@@ -199,7 +199,7 @@ TEST(GltfPointer, WhatGltfHasNoPlaceForIsSaidWhenItIsWritten) {
     const TemporaryFolder folder;
     Context context({.threads = 1});
     io::write_glb(scene, folder.file("a.glb"), context);
-    EXPECT_TRUE(is_said(context, Remark::dropped, "1 channel of animations was left out"));
+    EXPECT_TRUE(is_said(context, Remark::dropped, "1 animation channel was left out"));
     EXPECT_EQ(io::read_scene(folder.file("a.glb"), {}, context).animations.at(0).channels.size(), 1u);
 }
 

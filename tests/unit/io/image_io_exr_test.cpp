@@ -187,7 +187,7 @@ Error error_after_change(const std::string& name, std::size_t offset, const std:
 
 TEST(ExrReading, HeadersThatLieAreRefusedBeforeTheLibrarySeesThem) {
     const std::size_t window = 6 + 4;  // behind "box2i", its zero and the size
-    EXPECT_NE(error_after_change("dataWindow", window + 8, {255, 255, 0, 0}).reason().find("32768 a side"),
+    EXPECT_NE(error_after_change("dataWindow", window + 8, {255, 255, 0, 0}).reason().find("32768 per side"),
               std::string::npos);
     EXPECT_NE(error_after_change("dataWindow", window, {255, 255, 255, 127}).reason().find("too far out"),
               std::string::npos);

@@ -137,7 +137,7 @@ TEST(ImportPrecheck, AColladaEncodingMayEndAnywhere) {
 TEST(ImportPrecheck, IndicesOfAColladaAreWholeNumbers) {
     EXPECT_EQ(check("dae", "<COLLADA>\n<p>0 1 -1\n+2\t3 </p><p></p><p/><q>1.5</q></COLLADA>").error, "");
     EXPECT_EQ(check("dae", "<COLLADA>\n<p>0 1\n 1.5 2</p></COLLADA>").error,
-              "line 3: the indices <p> hold '1.5', which is no whole number");
+              "line 3: the indices <p> hold '1.5', which is not a whole number");
     EXPECT_NE(check("dae", "<COLLADA><p count=\"3\">x</p></COLLADA>").error, "");
 }
 

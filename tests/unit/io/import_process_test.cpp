@@ -64,7 +64,7 @@ TEST_F(ImportProcess, AHelperThatIsNoProgramIsNamed) {
         ADD_FAILURE() << "the model was read";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::failed);
-        EXPECT_NE(std::string(error.what()).find("is no program"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("is not a program"), std::string::npos) << error.what();
     }
 }
 

@@ -76,7 +76,7 @@ TEST(MotionKeys, EveryFaultIsSaidWithItsLineAndColumn) {
     EXPECT_EQ(fault(camera, "keys = []"), "line 4, column 8: 'keys' is empty");
     EXPECT_EQ(fault(camera, "keys = 3"), "line 4, column 8: 'keys' must be a list of tables");
     EXPECT_EQ(fault(camera, "keys = [{ time = 0 }]\nposition = [0, 0, 1]"),
-              "line 4, column 9: a key that has nothing but its 'time'");
+              "line 4, column 9: a key with nothing but its 'time'");
     EXPECT_EQ(fault(camera, "keys = [{ position = [0, 0, 1] }]"),
               "line 4, column 9: [[camera.keys]] lacks the key 'time'");
     EXPECT_EQ(fault(camera, "keys = [{ time = 0, position = [0, 0, 1] },\n { time = 0, position = [0, 0, 2] }]"),

@@ -165,8 +165,8 @@ TEST_F(ObjFaces, FacesWithoutNormalsBecomeAMeshOfTheirOwn) {
     EXPECT_EQ(s.meshes[1].triangle_count(), 3u);
     EXPECT_FALSE(s.meshes[0].normals.empty());
     EXPECT_TRUE(s.meshes[1].normals.empty());
-    EXPECT_EQ(remark("only a part of the faces")->remark, Remark::changed);
-    EXPECT_EQ(remark("a normal has no length")->place, "line 6");
+    EXPECT_EQ(remark("only some faces")->remark, Remark::changed);
+    EXPECT_EQ(remark("a normal has zero length")->place, "line 6");
 }
 
 TEST_F(ObjFaces, NumbersThatCannotBeReadAreNaNAndReported) {

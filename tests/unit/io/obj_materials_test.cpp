@@ -126,7 +126,7 @@ TEST_F(ObjMaterials, NamesMayHoldBlanks) {
 
 TEST_F(ObjMaterials, AMaterialDefinedTwiceKeepsItsFirstDefinition) {
     EXPECT_EQ(with("newmtl m\nKd 1 0 0\nnewmtl m\nKd 0 1 0\n").materials.at(0).base_color.x, 1);
-    EXPECT_EQ(remark("defined again")->place, "line 3");
+    EXPECT_EQ(remark("defined more than once")->place, "line 3");
 }
 
 TEST_F(ObjMaterials, TexturesOfAllRolesAreFound) {
@@ -255,7 +255,7 @@ TEST_F(ObjMaterials, AMissingTextureIsOneWarningAndLeftOut) {
     EXPECT_FALSE(m.base_color_texture);
     EXPECT_EQ(remark("'gone.png'")->remark, Remark::warning);
     EXPECT_EQ(remark("'gone.png'")->place, "line 2");
-    EXPECT_EQ(remark("without a place")->remark, Remark::dropped);
+    EXPECT_EQ(remark("that the material model does not have")->remark, Remark::dropped);
     EXPECT_EQ(remarks().size(), 2u);
 }
 
@@ -302,8 +302,8 @@ TEST_F(ObjMaterials, NothingOutsideTheFolderIsOpened) {
     ASSERT_FALSE(context.report().entries().empty());
     const ReportEntry remark = context.report().entries()[0];
     EXPECT_EQ(remark.message,
-              "material file '../outer.mtl' lies outside the model's folder; default materials stand for it "
-              "('allow-outside' takes it)");
+              "material file '../outer.mtl' lies outside the model's folder; default materials are used instead "
+              "('allow-outside' permits it)");
     EXPECT_EQ(remark.settings, std::vector<std::string>{"allow-outside"});
     Context allowed;
     EXPECT_EQ(

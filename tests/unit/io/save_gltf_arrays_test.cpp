@@ -86,7 +86,7 @@ TEST(SaveGltfArrays, NormalsOf8BitsBesideOthersBecomeFloat) {
     EXPECT_EQ(normals_of(saved, 0)["componentType"], f32);
     EXPECT_EQ(saved.scene.meshes[0].normals[1], slanted);
     EXPECT_EQ(saved.scene.meshes[1].normals[1], slanted);
-    EXPECT_TRUE(is_said(context, Remark::changed, "8 bits became float"));
+    EXPECT_TRUE(is_said(context, Remark::changed, "converted to float"));
 }
 
 TEST(SaveGltfArrays, NormalsOf8BitsBecomeFloatWhereObjectsAreTurnedAgainstEachOther) {

@@ -94,8 +94,8 @@ TEST(ReadXyz, NumbersBeyondTheColumnsAreReported) {
     const std::string sixteen = "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16";
     EXPECT_EQ(dropped(sixteen + " \n" + sixteen + "\n"), "");
     EXPECT_EQ(dropped(sixteen + " 17\n" + sixteen + ",17,18\n"),
-              "2 lines hold more than 16 numbers; those behind are left out");
-    EXPECT_EQ(dropped("1 2 3\n4 5 6 7\n"), "1 line holds more than 3 numbers; those behind are left out");
+              "2 lines hold more than 16 numbers; further ones are left out");
+    EXPECT_EQ(dropped("1 2 3\n4 5 6 7\n"), "1 line holds more than 3 numbers; further ones are left out");
 }
 
 }  // namespace

@@ -227,10 +227,8 @@ TEST(Relief, LightFromUnderThePolygonIsHidden) {
         }
         EXPECT_EQ(find(kernel, items, relief_case(field_constant, march_occlusion))[3][0], 1.0f) << name;
     };
-    expect_hidden(scalar::kernel, "scalar");
-    if (is_available(Isa::sse2)) expect_hidden(sse2::kernel, "sse2");
-    if (is_available(Isa::avx2)) expect_hidden(avx2::kernel, "avx2");
-    if (is_available(Isa::avx512)) expect_hidden(avx512::kernel, "avx512");
+    for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512})
+        if (is_available(isa)) expect_hidden(RL_BY_ISA(isa, kernel), name(isa));
 }
 
 TEST(Relief, EveryFlavourGivesTheScalarBits) {
@@ -245,9 +243,8 @@ TEST(Relief, EveryFlavourGivesTheScalarBits) {
                         ASSERT_EQ(std::bit_cast<std::uint32_t>(got[c][i]),
                                   std::bit_cast<std::uint32_t>(expected[c][i]));
             };
-            if (is_available(Isa::sse2)) compare(sse2::kernel);
-            if (is_available(Isa::avx2)) compare(avx2::kernel);
-            if (is_available(Isa::avx512)) compare(avx512::kernel);
+            for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512})
+                if (is_available(isa)) compare(RL_BY_ISA(isa, kernel));
         }
 }
 

@@ -95,9 +95,8 @@ private:
 
 /// The kernel of the widest instruction set that is there: all give the same bits.
 inline const Kernel& fastest_kernel() {
-    if (is_available(Isa::avx512)) return avx512::kernel;
-    if (is_available(Isa::avx2)) return avx2::kernel;
-    return is_available(Isa::sse2) ? sse2::kernel : scalar::kernel;
+    static const Kernel fastest = RL_BY_ISA(best_isa(), kernel);
+    return fastest;
 }
 
 /// Columns of Kernel::paths.

@@ -16,15 +16,14 @@ namespace {
 
 struct Flavour {
     Isa isa;
-    const Kernel* kernel;
+    Kernel kernel;
 };
 
 /// The wide ones that this processor has.
 std::vector<Flavour> flavours() {
     std::vector<Flavour> all;
-    for (const Flavour f :
-         {Flavour{Isa::sse2, &sse2::kernel}, Flavour{Isa::avx2, &avx2::kernel}, Flavour{Isa::avx512, &avx512::kernel}})
-        if (is_available(f.isa)) all.push_back(f);
+    for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512})
+        if (is_available(isa)) all.push_back({isa, RL_BY_ISA(isa, kernel)});
     return all;
 }
 
@@ -61,18 +60,18 @@ void expect_all_flavours_equal(Items& items) {
         const std::string operation = scalar::kernel.operations[o].name;
         const Results expected = run(scalar::kernel, operation, items);
         for (const Flavour& f : flavours())
-            expect_equal(run(*f.kernel, operation, items), expected, operation + " in " + name(f.isa));
+            expect_equal(run(f.kernel, operation, items), expected, operation + " in " + name(f.isa));
     }
     for (const MaterialChoice choice : all_materials) {
         const Results expected = material(scalar::kernel, items, choice);
         for (const Flavour& f : flavours())
-            expect_equal(material(*f.kernel, items, choice), expected,
+            expect_equal(material(f.kernel, items, choice), expected,
                          "material model " + std::to_string(choice.model) + " in " + name(f.isa));
     }
     for (const PathCase& c : path_cases()) {
         const Results expected = paths(scalar::kernel, items, c.surface);
         for (const Flavour& f : flavours())
-            expect_equal(paths(*f.kernel, items, c.surface), expected,
+            expect_equal(paths(f.kernel, items, c.surface), expected,
                          std::string("path surface ") + c.surface.name + " in " + name(f.isa));
     }
     const auto lights = one_light_of_each_kind();
@@ -81,7 +80,7 @@ void expect_all_flavours_equal(Items& items) {
             const auto* light = i < lights.size() ? &lights[i] : nullptr;
             const Results expected = terms(scalar::kernel, items, choice, light);
             for (const Flavour& f : flavours())
-                expect_equal(terms(*f.kernel, items, choice, light), expected,
+                expect_equal(terms(f.kernel, items, choice, light), expected,
                              "model " + std::to_string(choice.model) + " form " + std::to_string(choice.form) +
                                  " light " + std::to_string(i) + " in " + name(f.isa));
         }

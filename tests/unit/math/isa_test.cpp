@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <xmmintrin.h>
 
 #include <cstdlib>
 #include <string>
@@ -64,14 +63,17 @@ TEST(Isa, UnknownWordsAreUsageErrors) {
     }
 }
 
-TEST(Isa, ScalarAndSse2AreAlwaysThere) {
+TEST(Isa, ScalarIsAlwaysThereAndSse2OnEveryX86) {
     EXPECT_TRUE(is_available(Isa::scalar));
+#if defined(__x86_64__)
     EXPECT_TRUE(is_available(Isa::sse2));
+#else
+    EXPECT_EQ(best_isa(), Isa::scalar);
+#endif
     EXPECT_TRUE(is_available(best_isa()));
 }
 
 TEST(FlushDenormals, HoldsInItsScopeAndRestoresWhatWasThere) {
-    const unsigned before = _mm_getcsr();
     volatile float tiny = 1e-38f, half = 0.5f;
     EXPECT_GT(tiny * half * half, 0.0f);
     {
@@ -81,7 +83,6 @@ TEST(FlushDenormals, HoldsInItsScopeAndRestoresWhatWasThere) {
         EXPECT_EQ(tiny * half * half, 0.0f);
     }
     EXPECT_GT(tiny * half * half, 0.0f);
-    EXPECT_EQ(_mm_getcsr() & 0x8040u, before & 0x8040u);
 }
 
 }  // namespace

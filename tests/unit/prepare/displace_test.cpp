@@ -173,7 +173,7 @@ TEST(Displace, TheLimitOfTrianglesIsKeptAndSaid) {
     Context context;
     const Scene plane =
         with_heights(make_primitive({.shape = PrimitiveShape::plane}), heights([](double u, double) { return u; }), {});
-    const Scene out = displace_scene(plane, {.edge = 1e-4, .most_triangles = 5000}, context);
+    const Scene out = displace_scene(plane, {.edge = 1e-4, .max_triangles = 5000}, context);
     EXPECT_LE(out.meshes[0].triangle_count(), 5000u);
     ASSERT_EQ(context.report().entries().size(), 1u);
     const std::string made = std::to_string(out.meshes[0].triangle_count());
@@ -193,7 +193,7 @@ TEST(Displace, TrianglesOfWhatIsNotDisplacedDoNotUseUpTheLimit) {
     planes.materials[0].bump = Bump::none;
     planes.meshes[1].material = 1;
     ASSERT_GT(planes.meshes[0].triangle_count(), 5000u);
-    const Scene out = displace_scene(planes, {.edge = 0.1, .most_triangles = 5000}, context);
+    const Scene out = displace_scene(planes, {.edge = 0.1, .max_triangles = 5000}, context);
     EXPECT_GT(out.meshes[1].triangle_count(), 1000u);
     EXPECT_TRUE(context.report().entries().empty());
 }

@@ -55,8 +55,8 @@ TEST(Radiosity, PowerIsKept) {
     const Solved closed = solve(room(diffuse({0.7f, 0.6f, 0.5f}), diffuse({0.2f, 0.2f, 0.2f}, {5, 4, 3})));
     const RadiosityReport& r = closed.report;
     EXPECT_NEAR(r.emitted, pi * 4 * (0.2126 * 5 + 0.7152 * 4 + 0.0722 * 3), 1e-5);
-    EXPECT_NEAR(r.absorbed + r.unshot + r.left, r.emitted, 1e-9 * r.emitted);
-    EXPECT_NEAR(r.left, 0, 0.01 * r.emitted);
+    EXPECT_NEAR(r.absorbed + r.unshot + r.escaped, r.emitted, 1e-9 * r.emitted);
+    EXPECT_NEAR(r.escaped, 0, 0.01 * r.emitted);
     EXPECT_LE(r.unshot, 0.001 * r.emitted);
     EXPECT_GT(r.shots, r.patches / 2);
 }
@@ -128,7 +128,7 @@ TEST(Radiosity, ALightGivesIrradianceByItsCosineAndTheBaseColorStays) {
         EXPECT_EQ(c.w, 1);
     }
     // reflected, it meets nothing: by luminance 0.4 of what came
-    EXPECT_NEAR(s.report.left / s.report.emitted, 0.4 / (0.2126 * 0.8 + 0.7152 * 1.6 + 0.0722 * 0.4), 1e-6);
+    EXPECT_NEAR(s.report.escaped / s.report.emitted, 0.4 / (0.2126 * 0.8 + 0.7152 * 1.6 + 0.0722 * 0.4), 1e-6);
 }
 
 TEST(Radiosity, BothSidesOfATwoSidedPlateHaveLightOfTheirOwn) {
@@ -332,7 +332,7 @@ TEST(Radiosity, ASphereSendsOutAllOfItsLight) {
     test::add_object(scene, std::move(lamp));
     Context context({.threads = 2});
     RadiosityReport report;
-    const Scene lit = with_radiosity(scene, {.elements = 20000}, report, context, LitColors::arriving);
+    const Scene lit = with_radiosity(scene, {.elements = 20000}, report, context, LitColors::irradiance);
     EXPECT_NEAR(report.emitted, pi * 4 * pi * radius * radius, 0.005);
     EXPECT_NEAR(report.absorbed, report.emitted, 0.01 * report.emitted);
     int count = 0;
@@ -412,7 +412,7 @@ TEST(Radiosity, KeepsWithinTheElements) {
     EXPECT_LE(more.report.elements, 18u);
     EXPECT_NE(more.remarks.find("up to 18 elements, since the scene has 12 triangles"), std::string::npos)
         << more.remarks;
-    for (const int wrong : {0, most_radiosity_elements + 1})
+    for (const int wrong : {0, max_radiosity_elements + 1})
         EXPECT_EQ(test::error_of([&] { solve(scene, {.elements = wrong}); }).code(), ErrorCode::usage);
 }
 
@@ -421,7 +421,7 @@ TEST(Radiosity, MoreTrianglesThanElementsMayBeIsOneLine) {
     scene.materials = {diffuse({1, 1, 1})};
     Mesh mesh = test::square_mesh(0);
     std::vector<std::uint32_t> indices;
-    for (int i = 0; i <= most_radiosity_elements; ++i) indices.insert(indices.end(), {0u, 1u, 2u});
+    for (int i = 0; i <= max_radiosity_elements; ++i) indices.insert(indices.end(), {0u, 1u, 2u});
     mesh.indices = std::move(indices);
     test::add_object(scene, std::move(mesh));
     const Error error = test::error_of([&] { solve(scene); });

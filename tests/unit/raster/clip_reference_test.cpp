@@ -45,12 +45,12 @@ Polygon cut(const Polygon& in, const Plane& plane) {
     return out;
 }
 
-View view_of(double near, double far) {
+PictureCamera picture_camera_of(double near, double far) {
     Camera camera;
     camera.vertical_fov_rad = radians(90);
     camera.z_near = near;
     camera.z_far = far;
-    return shading::make_view(camera, dmat4{}, {.width = 512, .height = 512});
+    return shading::make_picture_camera(camera, dmat4{}, {.width = 512, .height = 512});
 }
 
 /// [px] on the screen, about its middle
@@ -85,7 +85,7 @@ Exact outside_by(const ExactVertex& v, const Polygon& p, Exact sign) {
 /// Near and far plane: the polygon on the screen has the reference's area, and each corner lies in the reference to a
 /// hundredth of what corners are rounded to (1/256 px), as far as single precision of its own coordinates allows.
 TEST(ClipReference, PolygonsAgreeWithExtendedPrecision) {
-    const View view = view_of(0.5, 60);
+    const PictureCamera view = picture_camera_of(0.5, 60);
     const ClipVolume volume(view);
     const Plane near{0, 0, 0, 1, -0.5L}, far{0, 0, 0, -1, 60};
     std::mt19937 random(21);

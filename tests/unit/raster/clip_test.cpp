@@ -12,12 +12,12 @@ using namespace rakelight::raster;
 
 namespace {
 
-View view_of(int width = 640, int height = 480) {
+PictureCamera picture_camera_of(int width = 640, int height = 480) {
     Camera camera;
     camera.vertical_fov_rad = radians(90);
     camera.z_near = 0.5;
     camera.z_far = 100;
-    return shading::make_view(camera, dmat4{}, {.width = width, .height = height});
+    return shading::make_picture_camera(camera, dmat4{}, {.width = width, .height = height});
 }
 
 /// A vertex at camera-space (x, y) at `distance` for the view above (field of view 90 degrees).
@@ -27,10 +27,12 @@ ClipVertex at(double x, double y, double distance) {
 
 }  // namespace
 
-TEST(Clip, AVertexInTheMiddleIsOutsideOfNothing) { EXPECT_EQ(outcode(at(0, 0, 10), ClipVolume(view_of())), 0u); }
+TEST(Clip, AVertexInTheMiddleIsOutsideOfNothing) {
+    EXPECT_EQ(outcode(at(0, 0, 10), ClipVolume(picture_camera_of())), 0u);
+}
 
 TEST(Clip, OutcodesNameThePlane) {
-    const ClipVolume volume(view_of());
+    const ClipVolume volume(picture_camera_of());
     EXPECT_EQ(outcode(at(0, 0, 0.4), volume), unsigned(clip_near));
     EXPECT_EQ(outcode(at(0, 0, 101), volume), unsigned(clip_far));
     EXPECT_TRUE(outcode(at(-20, 0, 10), volume) & clip_left);
@@ -41,13 +43,13 @@ TEST(Clip, OutcodesNameThePlane) {
 }
 
 TEST(Clip, NonFiniteVerticesAreOutsideOfEverything) {
-    const ClipVolume volume(view_of());
+    const ClipVolume volume(picture_camera_of());
     EXPECT_EQ(outcode({std::nanf(""), 0, 1, 1}, volume), outside_all);
     EXPECT_EQ(outcode({0, std::numeric_limits<float>::infinity(), 1, 1}, volume), outside_all);
 }
 
 TEST(Clip, ATriangleThroughTheEyePlaneKeepsOnlyItsFrontPart) {
-    const ClipVolume volume(view_of());
+    const ClipVolume volume(picture_camera_of());
     const ClipVertex triangle[3] = {at(-1, -1, 5), at(1, -1, 5), at(0, 1, -5)};
     ClipVertex out[max_clipped_vertices];
     const std::size_t count = clip_triangle(triangle, clip_near, volume, out);
@@ -56,7 +58,7 @@ TEST(Clip, ATriangleThroughTheEyePlaneKeepsOnlyItsFrontPart) {
 }
 
 TEST(Clip, ATriangleThroughTheFarPlaneKeepsOnlyItsNearPart) {
-    const ClipVolume volume(view_of());
+    const ClipVolume volume(picture_camera_of());
     const ClipVertex triangle[3] = {at(-1, -1, 50), at(1, -1, 50), at(0, 1, 200)};
     ClipVertex out[max_clipped_vertices];
     ASSERT_EQ(clip_triangle(triangle, clip_far, volume, out), 4u);
@@ -73,7 +75,7 @@ TEST(Clip, ATriangleThroughTheFarPlaneKeepsOnlyItsNearPart) {
 }
 
 TEST(Clip, NeighborsThatShareAnEdgeGetTheSameNewVertex) {
-    const ClipVolume volume(view_of());
+    const ClipVolume volume(picture_camera_of());
     const ClipVertex p = at(0.3, -0.7, 7), q = at(0.1, 0.9, -3);
     const ClipVertex one[3] = {p, q, at(-2, 0, 4)}, two[3] = {q, p, at(2, 0, 4)};
     ClipVertex a[max_clipped_vertices], b[max_clipped_vertices];
@@ -88,11 +90,11 @@ TEST(Clip, NeighborsThatShareAnEdgeGetTheSameNewVertex) {
 TEST(Clip, NothingIsLeftOfATriangleBehindTheNearPlane) {
     const ClipVertex behind[3] = {at(-1, -1, 0.1), at(1, -1, 0.2), at(0, 1, -1)};
     ClipVertex out[max_clipped_vertices];
-    EXPECT_EQ(clip_triangle(behind, clip_near, ClipVolume(view_of()), out), 0u);
+    EXPECT_EQ(clip_triangle(behind, clip_near, ClipVolume(picture_camera_of()), out), 0u);
 }
 
 TEST(Clip, ACutAtTheNearPlaneLiesThereHoweverFarTheOtherEnd) {
-    const ClipVolume volume(view_of());
+    const ClipVolume volume(picture_camera_of());
     for (const double far : {1e3, 1e9, 1e18, 1e30}) {
         const ClipVertex triangle[3] = {at(-1, -1, far), at(1, -1, far), at(0, 1, -1)};
         ClipVertex out[max_clipped_vertices];
@@ -106,7 +108,7 @@ TEST(Clip, ACutAtTheNearPlaneLiesThereHoweverFarTheOtherEnd) {
 }
 
 TEST(Clip, TenThousandRandomTrianglesStayInsideAndKeepTheirPlane) {
-    const View view = view_of();
+    const PictureCamera view = picture_camera_of();
     const ClipVolume volume(view);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> big(-1e7, 1e7), depth(-200, 200);

@@ -30,7 +30,7 @@ public:
         stride_ = std::size_t(window_.width) + 2 * margin;
         values_.assign(stride_ * (std::size_t(window_.height) + 2 * margin), untouched);
     }
-    bool takes_srgb8() const override { return true; }
+    bool wants_srgb8() const override { return true; }
     DisplayRows display_rows(const Window& area) override {
         return has_memory_ ? DisplayRows{at(area.x - window_.x, area.y - window_.y), stride_} : DisplayRows{};
     }

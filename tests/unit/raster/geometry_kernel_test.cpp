@@ -25,18 +25,18 @@ std::vector<const GeometryKernels*> flavours() {
     return all;
 }
 
-View view_of(Projection projection) {
+PictureCamera picture_camera_of(Projection projection) {
     Camera camera;
     camera.projection = projection;
     camera.vertical_fov_rad = radians(70);
     camera.half_height = 3;
     camera.z_near = 0.25;
     camera.z_far = 50;
-    return shading::make_view(camera, dmat4{}, {.width = 1920, .height = 1080});
+    return shading::make_picture_camera(camera, dmat4{}, {.width = 1920, .height = 1080});
 }
 
 /// As camera space: clip x, y and distance are x, y and -z.
-VertexJob job_of(const View& view, std::vector<vec3>& positions, std::vector<ClipVertex>& clip,
+VertexJob job_of(const PictureCamera& view, std::vector<vec3>& positions, std::vector<ClipVertex>& clip,
                  std::vector<ScreenVertex>& screen) {
     const ScreenMap map(view);
     const ClipVolume volume(view);
@@ -108,7 +108,7 @@ TEST(GeometryKernels, VerticesAreWhereThePlainFunctionsPutThem) {
     const FlushDenormals guard;
     std::vector<vec3> positions = hard_positions();
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
-        const View view = view_of(projection);
+        const PictureCamera view = picture_camera_of(projection);
         const ScreenMap map(view);
         const ClipVolume volume(view);
         for (const GeometryKernels* kernels : flavours()) {

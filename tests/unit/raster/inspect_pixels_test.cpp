@@ -227,7 +227,7 @@ TEST(InspectPixels, SamplesAreCountedAndTheirMeanIsThePixel) {
         }
         int edges = 0;
         for (std::size_t p = 0; p < looked.data.color.size(); ++p) {
-            const int covered = looked.data.samples_covered[p], shown = looked.data.triangles_shown[p];
+            const int covered = looked.data.samples_covered[p], shown = looked.data.visible_triangles[p];
             EXPECT_LE(covered, samples);
             EXPECT_LE(shown, covered);
             EXPECT_EQ(shown == 0, covered == 0);

@@ -219,7 +219,7 @@ TEST(OwnShading, GivesWayToRulesByNameAndToSettingsThatAreForTheWhole) {
     s.shading_rules = {{ShadingRule::Of::object, "ball", Shading::gouraud}};
     EXPECT_TRUE(same_bits(draw(scene, s), draw(sphere_scene(8), settings(Shading::gouraud))));
     s.shading_rules.clear();
-    s.own_shading = false;
+    s.material_shading = false;
     EXPECT_TRUE(same_bits(draw(scene, s), draw(sphere_scene(8), settings(Shading::phong))));
 }
 

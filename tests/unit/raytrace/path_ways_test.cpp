@@ -197,7 +197,7 @@ TEST(Paths, WhatIsLeftOutIsSaid) {
     EXPECT_NE(remarks_of(bright).find("divided by their sum"), std::string::npos);
     dark.materials = scene.materials;
     test::add_object(dark, test::square_mesh(0));
-    EXPECT_NE(remarks_of(dark).find("nothing shines"), std::string::npos);
+    EXPECT_NE(remarks_of(dark).find("there is no source of light"), std::string::npos);
 }
 
 TEST(Paths, ALittleTransmissionLeavesTheHighlightAsItIs) {

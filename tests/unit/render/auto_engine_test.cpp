@@ -43,7 +43,7 @@ TEST(AutoEngine, DrawsByOneOfTheTwo) {
     session.render(test::flat_camera(), small(), frame, context);
     const std::string by = session.engine().name();
     ASSERT_TRUE(by == "soft" || by == "gl") << by;
-    EXPECT_EQ(says(context, "engine auto: it takes engine soft"), by == "soft");
+    EXPECT_EQ(says(context, "engine auto: it uses engine soft"), by == "soft");
     if (by == "soft") {
         EXPECT_TRUE(test::same_bits(frame, render(square(), test::flat_camera(), small(), context)));
     }
@@ -56,8 +56,8 @@ public:
     explicit FakeGpu(Fails fails, ErrorCode code = ErrorCode::failed) : fails_(fails), code_(code) {}
 
     std::string name() const override { return "gl"; }
-    EngineAbilities abilities() const override {
-        EngineAbilities can;
+    EngineCapabilities capabilities() const override {
+        EngineCapabilities can;
         can.user_lighting = true;
         return can;
     }
@@ -107,7 +107,7 @@ TEST_F(AutoEngineWithGpu, GoesOnWithSoftWhereItFails) {
         e->prepare(square(), own);
         e->render(test::flat_camera(), small(), frame, own);
         EXPECT_EQ(e->name(), "soft");
-        EXPECT_TRUE(says(own, "it goes on with engine soft: the context is lost"));
+        EXPECT_TRUE(says(own, "it continues with engine soft: the context is lost"));
         const auto soft = make_engine("soft");
         Frame expected;
         soft->prepare(square(), own);

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "io/glb_writer.h"
-#include "render/view.h"
+#include "render/choose_camera.h"
 #include "support/temporary_folder.h"
 
 namespace rakelight {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "math/linear.h"
-#include "render/view.h"
+#include "render/choose_camera.h"
 #include "unit/render/test_scene.h"
 
 namespace rakelight {
@@ -86,10 +86,8 @@ TEST(CameraDepths, WhatCannotBeIsRefusedWithBothDistances) {
     EXPECT_EQ(refusal({.z_near = 0.0}), "the camera's near and far must be more than 0 m; ");
     EXPECT_EQ(refusal({.z_far = -1.0}), "the camera's near and far must be more than 0 m; ");
     EXPECT_EQ(refusal({.z_near = 3.0, .z_far = 3.0}), "the camera's near must be less than its far; ");
-    EXPECT_EQ(refusal({.z_near = 5000.0}),
-              "near, 5000 m, is not less than the far of this camera, 1000 m; give a far too");
-    EXPECT_EQ(refusal({.z_far = 0.05}),
-              "far, 0.05 m, is not more than the near of this camera, 0.1 m; give a near too");
+    EXPECT_EQ(refusal({.z_near = 5000.0}), "near, 5000 m, is not less than this camera's far, 1000 m; give a far too");
+    EXPECT_EQ(refusal({.z_far = 0.05}), "far, 0.05 m, is not more than this camera's near, 0.1 m; give a near too");
 }
 
 TEST(CameraDepths, ACameraOfTheFileThatIsReplacedIsSaidToBeSoAndWhy) {
@@ -99,11 +97,13 @@ TEST(CameraDepths, ACameraOfTheFileThatIsReplacedIsSaidToBeSoAndWhy) {
         return only_remark(context);
     };
     const std::string begin = "the camera sees nothing of the model: ", end = "; the default view is used instead";
-    EXPECT_EQ(said_of(seen_from({0, 0, 4300})), begin + "all of it is 4300 m away or more, and far is 1000 m" + end);
-    EXPECT_EQ(said_of(seen_from({0, 0, 0.05})), begin + "all of it is 0.05 m away or less, and near is 0.1 m" + end);
-    EXPECT_EQ(said_of(seen_from({0, 0, 7}, {0, 0, 9})), begin + "all of it lies behind the camera" + end);
-    EXPECT_EQ(said_of(seen_from({20, 0, 7}, {20, 0, 0})), begin + "all of it lies to the left of the picture" + end);
-    EXPECT_EQ(said_of(seen_from({0, -20, 7}, {0, -20, 0})), begin + "all of it lies above the picture" + end);
+    EXPECT_EQ(said_of(seen_from({0, 0, 4300})),
+              begin + "all of it is 4300 m away or more, but the far plane is at 1000 m" + end);
+    EXPECT_EQ(said_of(seen_from({0, 0, 0.05})),
+              begin + "all of it is 0.05 m away or less, but the near plane is at 0.1 m" + end);
+    EXPECT_EQ(said_of(seen_from({0, 0, 7}, {0, 0, 9})), begin + "all of it is behind the camera" + end);
+    EXPECT_EQ(said_of(seen_from({20, 0, 7}, {20, 0, 0})), begin + "all of it is to the left of the picture" + end);
+    EXPECT_EQ(said_of(seen_from({0, -20, 7}, {0, -20, 0})), begin + "all of it is above the picture" + end);
 }
 
 TEST(CameraDepths, ACameraThatSeesNothingByWhatWasAskedForIsKeptWithAWarning) {
@@ -111,7 +111,7 @@ TEST(CameraDepths, ACameraThatSeesNothingByWhatWasAskedForIsKeptWithAWarning) {
     const Camera camera = choose_camera(seen_from({0, 0, 7}), {.z_far = 5.0}, aspect, context);
     EXPECT_EQ(camera.to_world[3].xyz(), (dvec3{0, 0, 7}));
     EXPECT_EQ(only_remark(context),
-              "the camera sees nothing of the model: all of it is 7 m away or more, and far is 5 m");
+              "the camera sees nothing of the model: all of it is 7 m away or more, but the far plane is at 5 m");
 }
 
 TEST(CameraDepths, ACameraBlindByItsOwnFaultIsReplacedWhateverDepthsWereAskedForUnlessTheyHelp) {
@@ -123,8 +123,8 @@ TEST(CameraDepths, ACameraBlindByItsOwnFaultIsReplacedWhateverDepthsWereAskedFor
     EXPECT_EQ(camera.z_near, 0.01);
     EXPECT_EQ(camera.z_far, fitted.z_far);
     EXPECT_EQ(only_remark(context),
-              "the camera sees nothing of the model: all of it is 4300 m away or more, and far is 1000 m; the default "
-              "view is used instead");
+              "the camera sees nothing of the model: all of it is 4300 m away or more, but the far plane is at 1000 m; "
+              "the default view is used instead");
     Context helped;
     EXPECT_EQ(choose_camera(too_far, {.z_far = 5000.0}, aspect, helped).to_world[3].xyz(), (dvec3{0, 0, 4300}));
     EXPECT_EQ(only_remark(helped), "0 remarks");

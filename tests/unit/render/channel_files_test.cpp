@@ -23,7 +23,7 @@ protected:
     }
     PictureResult draw(const PictureRequest& request) {
         PictureResult result;
-        result.view_range = {.depth_low = 0, .depth_high = 100, .low = {0, 0, 0}, .high = {1, 1, 1}};
+        result.channel_range = {.depth_low = 0, .depth_high = 100, .low = {0, 0, 0}, .high = {1, 1, 1}};
         return PictureFiles::draw(request, result);
     }
 };
@@ -100,7 +100,7 @@ TEST_F(ChannelsInFiles, AlphaIsMultipliedInOnceInExr) {
 template <class... Values>
 Code shown(std::uint32_t channel, Values... values) {
     const std::uint32_t words[] = {std::bit_cast<std::uint32_t>(values)...};
-    const ViewRange range{.depth_low = 2, .depth_high = 4, .low = {-1, 0, 0}, .high = {1, 2, 0}};
+    const ChannelRange range{.depth_low = 2, .depth_high = 4, .low = {-1, 0, 0}, .high = {1, 2, 0}};
     Code c;
     view_row(info_of(channel), range, words, 1, &c.r);
     return c;

@@ -12,7 +12,7 @@ namespace rakelight::test {
 class FakeEngine final : public Engine {
 public:
     std::string name() const override { return "fake"; }
-    EngineAbilities abilities() const override { return can; }
+    EngineCapabilities capabilities() const override { return can; }
     void set_lights(std::vector<Light> lights) override { prepared.lights = std::move(lights), ++lights_set; }
     void prepare(Scene scene, Context&) override {
         if (fails) throw Error(ErrorCode::failed, "it fails");
@@ -52,12 +52,12 @@ public:
     static float depth_at(int x, int y) { return float(x) + float(y) * 0.001f; }
 
     Scene prepared;
-    EngineAbilities can{.channels = channels_all,
-                        .samples = {1, 4, 8},
-                        .visibility_methods = true,
-                        .screen_interpolation = true,
-                        .lines_and_points = true,
-                        .shadows = true};
+    EngineCapabilities can{.channels = channels_all,
+                           .samples = {1, 4, 8},
+                           .visibility_methods = true,
+                           .screen_interpolation = true,
+                           .lines_and_points = true,
+                           .shadows = true};
     int times_prepared = 0, lights_set = 0;
     Camera camera;
     std::vector<Window> windows;

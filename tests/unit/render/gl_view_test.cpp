@@ -159,7 +159,7 @@ TEST_F(GlViews, ASceneIsDrawnAsTheEngineDrawsIt) {
     Session session("gl");
     session.set(red_square());
     RenderSettings drawn = settings;
-    const vec4 behind = keep_background(drawn, tone);
+    const vec4 behind = separate_background(drawn, tone);
     Frame frame;
     session.render(camera, drawn, frame, context);
     const std::vector<std::uint32_t> got = screen(), expected = to_srgb8(frame, tone, behind);
@@ -171,7 +171,7 @@ TEST_F(GlViews, AFrameIsShownOverItsBackgroundAsItsCodesAre) {
     GlView view;
     settings.background = {0.2f, 0.3f, 0.4f, 1};
     const ToneSettings tone{.mapping = ToneMapping::aces, .exposure_ev = 0.5};
-    const vec4 behind = keep_background(settings, tone);
+    const vec4 behind = separate_background(settings, tone);
     Session session;
     session.set(red_square());
     Frame frame;

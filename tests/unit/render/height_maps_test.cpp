@@ -42,7 +42,7 @@ TEST(HeightMaps, AreMadeOnceForATechniqueThatReadsThemAndSaid) {
         EXPECT_EQ(m.height_texture.transform.scale.x, 3);
     }
     ASSERT_EQ(context.report().entries().size(), 1u);
-    EXPECT_EQ(context.report().entries()[0].message.rfind("height map made from the normal map", 0), 0u);
+    EXPECT_EQ(context.report().entries()[0].message.rfind("height map computed from the normal map", 0), 0u);
     const Pixels heights = made.textures[1].image->decode(*made.textures[1].image, context);
     EXPECT_EQ(heights.width, 8);
     EXPECT_EQ(heights.channels, 1);
@@ -57,13 +57,13 @@ TEST(HeightMaps, DisplacementByHeightsThatWereGuessedIsAWarningForEachMaterial) 
         with_height_maps(scene, with(bump), context);
         std::string places;
         for (const ReportEntry& e : context.report().entries())
-            if (e.remark == Remark::warning) places += "[" + e.place + "] " + e.message.substr(0, 45);
+            if (e.remark == Remark::warning) places += "[" + e.place + "] " + e.message.substr(0, 49);
         return places;
     };
-    EXPECT_EQ(warnings(Bump::displacement), "[atlas] displaced by heights made from the normal map");
+    EXPECT_EQ(warnings(Bump::displacement), "[atlas] displaced by heights computed from the normal map");
     EXPECT_EQ(warnings(Bump::occlusion), "");
     scene.materials[0].bump = Bump::displacement;
-    EXPECT_EQ(warnings(Bump::steep), "[atlas] displaced by heights made from the normal map");
+    EXPECT_EQ(warnings(Bump::steep), "[atlas] displaced by heights computed from the normal map");
     scene.materials[0].height_texture = scene.materials[0].normal_texture;
     EXPECT_EQ(warnings(Bump::displacement), "");
 }
@@ -89,7 +89,7 @@ TEST(HeightMaps, ANormalMapThatCannotBeReadLeavesTheMaterialAlone) {
     const Scene same = with_height_maps(scene, with(Bump::occlusion), context);
     EXPECT_FALSE(same.materials[0].height_texture);
     ASSERT_FALSE(context.report().entries().empty());
-    EXPECT_EQ(context.report().entries()[0].message, "no height map made from the normal map: broken");
+    EXPECT_EQ(context.report().entries()[0].message, "no height map computed from the normal map: broken");
 }
 
 TEST(HeightMaps, ATechniqueThatFindsNoneIsAWarning) {

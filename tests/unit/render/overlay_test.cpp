@@ -26,13 +26,13 @@ TEST(GroundGrid, StepsAreOneTwoOrFiveTimesAPowerOfTen) {
 }
 
 /// Sees the ground from above in parallel: 100 pixels a meter, the origin in the middle.
-shading::View from_above() {
+shading::PictureCamera from_above() {
     Camera camera = test::flat_camera();
     camera.half_height = 2;
     camera.z_near = 0.1, camera.z_far = 100;
     camera.to_world = {};
     camera.to_world[1] = {0, 0, -1, 0}, camera.to_world[2] = {0, 1, 0, 0}, camera.to_world[3] = {0, 10, 0, 1};
-    return shading::make_view(camera, camera.to_world, {.width = 400, .height = 400});
+    return shading::make_picture_camera(camera, camera.to_world, {.width = 400, .height = 400});
 }
 
 TEST(GroundGrid, LinesLieAtWholeSteps) {
@@ -67,7 +67,8 @@ TEST(GroundGrid, LiesAcrossTheAxisThatIsUp) {
     const Bounds bounds{{-1, -1, 0}, {1, 1, 1}};
     Camera camera = test::flat_camera(10);  // along -z, which is down here
     camera.half_height = 2;
-    const shading::View view = shading::make_view(camera, camera.to_world, {.width = 400, .height = 400});
+    const shading::PictureCamera view =
+        shading::make_picture_camera(camera, camera.to_world, {.width = 400, .height = 400});
     const GroundGrid grid(view, {0, 0, 1}, bounds, false);
     EXPECT_GT(grid.at(200, 250, 1e30).w, 0.4);
     const GroundGrid seen_from_its_edge(view, {0, 1, 0}, bounds, false);

@@ -27,7 +27,7 @@ class PictureFiles : public testing::Test {
 protected:
     std::string file(const std::string& name) const { return folder_.file(name); }
     Pixels decode(const std::string& name) { return io::decode_image(*io::read_file(file(name), context_), context_); }
-    /// @param result  its view_range is what channels are shown by
+    /// @param result  its channel_range is what channels are shown by
     PictureResult draw(const PictureRequest& request, PictureResult result = {}) {
         draw_to_files(session_, {}, request, result, context_);
         return result;

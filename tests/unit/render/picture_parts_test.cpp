@@ -18,9 +18,9 @@ PictureRequest small_request() {
 
 /// The picture step by step, as a window makes it.
 Frame frame_by_parts(const PictureRequest& request, Context& context) {
-    Scene scene = with_asked_surfaces(load(request.input, request.load, context), request, context);
+    Scene scene = with_requested_surfaces(load(request.input, request.load, context), request, context);
     const Camera camera = choose_camera(scene, request.view, 64.0 / 48.0, context);
-    scene.lights = asked_lights(scene, request, camera);
+    scene.lights = requested_lights(scene, request, camera);
     Session session;
     session.set(std::move(scene), request.prepare);
     Frame frame;
@@ -36,7 +36,7 @@ TEST(PictureParts, LightsAreScaledAndCutAsRequested) {
     request.lights = std::vector<Light>{lamp};
     request.light_intensity = 3;
     request.light_cutoff = 0.01;
-    const std::vector<Light> lights = asked_lights({}, request, {});
+    const std::vector<Light> lights = requested_lights({}, request, {});
     ASSERT_EQ(lights.size(), 1u);
     EXPECT_EQ(lights[0].diffuse, (vec3{3, 3, 3}));
     EXPECT_NEAR(lights[0].range, std::sqrt(300), 1);  // 3 / d^2 = 0.01

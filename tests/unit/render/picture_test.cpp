@@ -118,8 +118,8 @@ TEST_F(Picture, ToneMappingActsOnDisplayValuesAndLeavesLinearFilesAlone) {
     const vec4 row[1] = {{0.2f, 0.9f, 3, 1}};
     const vec3 mapped = ToneCurve(tone)(row[0].xyz());
     PictureSink display({Component::u8, 3}, ToneCurve(tone));
-    EXPECT_TRUE(PictureSink({Component::u8, 3}).takes_srgb8());
-    EXPECT_FALSE(display.takes_srgb8());  // the engine's own codes know no curve
+    EXPECT_TRUE(PictureSink({Component::u8, 3}).wants_srgb8());
+    EXPECT_FALSE(display.wants_srgb8());  // the engine's own codes know no curve
     display.begin(1, 1, {}, 0);
     display.tile({.area = {0, 0, 1, 1}, .color = row});
     const auto* codes = reinterpret_cast<const std::uint8_t*>(display.color_row(0));
@@ -174,7 +174,7 @@ TEST_F(Picture, ExrHoldsLinearLight) {
 class FailingEngine final : public Engine {
 public:
     std::string name() const override { return "failing"; }
-    EngineAbilities abilities() const override { return {.channels = channels_all}; }
+    EngineCapabilities capabilities() const override { return {.channels = channels_all}; }
     void set_lights(std::vector<Light>) override {}
     void prepare(Scene scene, Context&) override { scene_ = std::move(scene); }
     const Scene& scene() const override { return scene_; }

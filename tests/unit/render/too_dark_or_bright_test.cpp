@@ -41,17 +41,17 @@ protected:
     PictureResult result_;
 };
 
-const std::string black = "all of the model came out black: ";
+const std::string black = "all of the model is black: ";
 const std::string highlights_alone =
-    "its materials have nothing but highlights, and what is seen of it is not lit or mirrors the lights elsewhere\n";
+    "its materials have only highlights, and its visible surfaces are not lit or reflect the lights elsewhere\n";
 
 TEST_F(TooDarkOrBright, AModelThatNoLightReachesIsSaidToBeBlackWithTheReason) {
-    EXPECT_EQ(said({point({0, 0, 9}, 7.5f)}), black + "it is out of the range of the light\n");
+    EXPECT_EQ(said({point({0, 0, 9}, 7.5f)}), black + "it is outside the range of the light\n");
     EXPECT_EQ(said({point({0, 0, 9}, 8.5f)}), "");  // it is 8 m to the sphere
-    EXPECT_EQ(said({point({0, 0, 9}, 2), point({0, 9, 0}, 3)}), black + "it is out of the range of all 2 lights\n");
+    EXPECT_EQ(said({point({0, 0, 9}, 2), point({0, 9, 0}, 3)}), black + "it is outside the range of all 2 lights\n");
     Light off = point({0, 0, 9});
     off.diffuse = off.specular = {0, 0, 0};
-    EXPECT_EQ(said({off}), black + "no light has any brightness\n");
+    EXPECT_EQ(said({off}), black + "no light is brighter than 0\n");
     Light faint = point({0, 0, 9});
     faint.units = LightUnits::photometric, faint.intensity = 0.01f;
     EXPECT_EQ(said({faint}), black +
@@ -59,13 +59,13 @@ TEST_F(TooDarkOrBright, AModelThatNoLightReachesIsSaidToBeBlackWithTheReason) {
                                  "'light-intensity', 'exposure'\n");
     EXPECT_EQ(said({faint}, [](PictureRequest& r) { r.tone.exposure_ev = 12; }), "");
     EXPECT_EQ(said({point({0, 0, 0})}),
-              black + "no light falls on what is seen of it: that is turned away from the light\n");
+              black + "no light reaches its visible surfaces: they face away from the light\n");
     Light spot = point({0, 0, 9});
     spot.type = LightType::spot, spot.direction = {0, 0, 1}, spot.cutoff_rad = 0.5f;
-    EXPECT_EQ(said({spot}, [](PictureRequest& r) { r.settings.shadows = true; }),
-              black +
-                  "no light falls on what is seen of it: that is turned away from the light, outside of its cone or "
-                  "in shadow\n");
+    EXPECT_EQ(
+        said({spot}, [](PictureRequest& r) { r.settings.shadows = true; }),
+        black +
+            "no light reaches its visible surfaces: they face away from the light, outside its cone or in shadow\n");
 }
 
 TEST_F(TooDarkOrBright, LightsThatTheCutoffEndedAreSaidToBeSo) {
@@ -81,9 +81,9 @@ TEST_F(TooDarkOrBright, LightsThatTheCutoffEndedAreSaidToBeSo) {
               black + "'light-cutoff' ends all 2 lights before it; a smaller value reaches farther\n");
     EXPECT_EQ(said({lamp, point({0, 9, 0}, 3)}, cut_at(0.5 / 49)),
               black +
-                  "it is out of the range of all 2 lights; of 1 that is by 'light-cutoff': a smaller value reaches "
-                  "farther\n");
-    EXPECT_EQ(said({point({0, 9, 0}, 3)}, cut_at(0.5 / 49)), black + "it is out of the range of the light\n")
+                  "it is outside the range of all 2 lights; of 1 the range is set by 'light-cutoff': a smaller value "
+                  "reaches farther\n");
+    EXPECT_EQ(said({point({0, 9, 0}, 3)}, cut_at(0.5 / 49)), black + "it is outside the range of the light\n")
         << "its own";
     EXPECT_EQ(said({lamp}, cut_at(0.5 / 64.0001)),
               black +
@@ -100,7 +100,7 @@ TEST_F(TooDarkOrBright, ABlackMaterialIsTheReasonWhateverTheLight) {
     EXPECT_EQ(said({point({0, 0, 9})}, soot), black + "its materials are black\n");
     EXPECT_EQ(said({point({0, 0, 9}, 1)}, soot), black + "its materials are black\n");
     EXPECT_EQ(said({point({0, 0, 9})}, [&](PictureRequest& r) { soot(r), r.settings.shading = Shading::unlit; }),
-              black + "it is shown in its own colors, and those are\n");
+              black + "it is shown in its own colors, and they are black\n");
 }
 
 TEST_F(TooDarkOrBright, WhetherAMaterialIsBlackDependsOnTheLightingModelInForce) {
@@ -114,7 +114,7 @@ TEST_F(TooDarkOrBright, WhetherAMaterialIsBlackDependsOnTheLightingModelInForce)
     for (const Lighting diffuse : {Lighting::lambert, Lighting::oren_nayar}) {
         EXPECT_EQ(colored("black", diffuse), black + "its materials are black\n");
         EXPECT_EQ(colored("white", diffuse),
-                  black + "no light falls on what is seen of it: that is turned away from the light\n");
+                  black + "no light reaches its visible surfaces: they face away from the light\n");
     }
     for (const Lighting glossy : {Lighting::phong, Lighting::blinn_phong, Lighting::ward, Lighting::pbr})
         EXPECT_EQ(colored("black", glossy), black + highlights_alone);
@@ -127,7 +127,7 @@ TEST_F(TooDarkOrBright, AMetalHasNoDiffuseReflectionToBeTurnedAway) {
     };
     EXPECT_EQ(metal(Lighting::pbr), black + highlights_alone);
     EXPECT_EQ(metal(Lighting::lambert),  // which shows metals in their base color
-              black + "no light falls on what is seen of it: that is turned away from the light\n");
+              black + "no light reaches its visible surfaces: they face away from the light\n");
 }
 
 TEST_F(TooDarkOrBright, FogOfThatColorIsNamedAndOtherFogIsNot) {
@@ -139,14 +139,14 @@ TEST_F(TooDarkOrBright, FogOfThatColorIsNamedAndOtherFogIsNot) {
         });
     };
     EXPECT_EQ(in_fog(front, {0, 0, 0}, 80),
-              black + "the fog, which is black, hides it, or too little light falls on what is seen of it\n");
+              black + "the fog, which is black, hides it, or too little light reaches its visible surfaces\n");
     EXPECT_EQ(in_fog(front, {0, 0, 0}, 80, Shading::unlit),
               black + "the fog, which is black, hides it, or its own colors are black\n");
     EXPECT_EQ(in_fog(front, {0, 0, 0}, 0.01f), "");
     EXPECT_EQ(in_fog(inside, {0.5f, 0.5f, 0.5f}, 1e-9f),
-              black + "no light falls on what is seen of it: that is turned away from the light\n");
-    const std::string white = " is white, 1 or more in red, green and blue";
-    EXPECT_EQ(in_fog(front, {1, 1, 1}, 80), "100 % of what the model covers" + white +
+              black + "no light reaches its visible surfaces: they face away from the light\n");
+    const std::string white = " are white, 1 or more in red, green and blue";
+    EXPECT_EQ(in_fog(front, {1, 1, 1}, 80), "100 % of the pixels that the model covers" + white +
                                                 ", and so is the fog: see 'fog', 'exposure', 'tone-mapping', "
                                                 "'light-intensity'\n");
     Light sun = front;
@@ -163,7 +163,7 @@ TEST_F(TooDarkOrBright, BlackTexturesAndVertexColorsAreLeftPossible) {
     scene.meshes[0].positions = std::vector<vec3>{{-1, -1, -1}, {1, 1, 1}};
     scene.meshes[0].indices = std::vector<std::uint32_t>{0, 1, 0};
     scene.lights = {point({0, 0, 0})};
-    const std::string away = "no light falls on what is seen of it: that is turned away from the light",
+    const std::string away = "no light reaches its visible surfaces: they face away from the light",
                       or_paint = "; or its textures or vertex colors are black";
     EXPECT_EQ(why_black(scene, {}), away + or_paint);
     scene.materials[0].base_color_texture = {};
@@ -193,7 +193,8 @@ TEST_F(BeforeAWall, PicturesWithBlendedSurfacesAreNotJudged) {
     for (const int samples : {1, 4}) {
         EXPECT_EQ(before_wall("[0, 0, 0]", "blend", samples, {lit}), "") << samples;
         EXPECT_EQ(before_wall("[1, 1, 1]", "blend", samples, {lit}), "") << samples;
-        EXPECT_EQ(before_wall("[0, 0, 0]", "opaque", samples, {dark}), black + "it is out of the range of the light\n");
+        EXPECT_EQ(before_wall("[0, 0, 0]", "opaque", samples, {dark}),
+                  black + "it is outside the range of the light\n");
     }
 }
 
@@ -205,7 +206,7 @@ TEST_F(TooDarkOrBright, BlackBackgroundsAndEdgesOfSeveralSamplesChangeNothing) {
                 r.settings.background = {gray, gray, gray, 1};
                 r.settings.width = r.settings.height = 200;
             };
-            EXPECT_EQ(said({point({0, 0, 9}, 7.5f)}, change), black + "it is out of the range of the light\n")
+            EXPECT_EQ(said({point({0, 0, 9}, 7.5f)}, change), black + "it is outside the range of the light\n")
                 << samples << gray;
             EXPECT_EQ(said({point({0, 0, 9}, 8.5f)}, change), "") << samples << gray;
         }
@@ -216,8 +217,10 @@ TEST_F(TooDarkOrBright, MoreThanTwoThirdsOfTheModelInWhiteAreSaidUnlessItIsNotLi
     lux.type = LightType::directional, lux.units = LightUnits::photometric, lux.intensity = 100000;
     const auto front = [](PictureRequest& r) { r.view.side = "front"; };
     const std::string remark = said({lux}, front);
-    EXPECT_NE(remark.find(" % of what the model covers is white, 1 or more in red, green and blue: see 'exposure', "),
-              remark.npos);
+    EXPECT_NE(
+        remark.find(
+            " % of the pixels that the model covers are white, 1 or more in red, green and blue: see 'exposure', "),
+        remark.npos);
     EXPECT_GE(std::stoi(remark), 97) << "all but a rim of the half that faces the light";
     const auto on_white = [&](PictureRequest& r) { front(r), r.settings.background = {1, 1, 1, 1}; };
     EXPECT_EQ(said({lux}, on_white), remark);

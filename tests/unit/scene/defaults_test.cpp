@@ -44,10 +44,11 @@ Scene corners(const Bounds& b) {
     return points(places);
 }
 
-Camera camera_of(const Scene& scene, double aspect, const std::string& side = "default", const FitWishes& wishes = {}) {
+Camera camera_of(const Scene& scene, double aspect, const std::string& side = "default",
+                 const FitOptions& wishes = {}) {
     return view_camera(scene, world_bounds(scene), aspect, side, wishes);
 }
-Camera camera_of(const Bounds& b, double aspect, const std::string& side = "default", const FitWishes& wishes = {}) {
+Camera camera_of(const Bounds& b, double aspect, const std::string& side = "default", const FitOptions& wishes = {}) {
     return camera_of(corners(b), aspect, side, wishes);
 }
 
@@ -133,7 +134,7 @@ TEST(DefaultCamera, FillsNineTenthsOfTheTighterSideByTheSilhouetteInTheMiddleOfB
             for (const char* side : {"default", "front", "top", "isometric"}) {
                 expect_fills(scene, camera_of(scene, aspect, side), aspect);
                 expect_fills(scene, camera_of(scene, aspect, side, {.orthographic = true}), aspect);
-                const FitWishes wishes{.vertical_fov_rad = radians(75), .fill = 0.5};
+                const FitOptions wishes{.vertical_fov_rad = radians(75), .fill = 0.5};
                 expect_fills(scene, camera_of(scene, aspect, side, wishes), aspect, 0.5);
             }
 }
@@ -150,10 +151,12 @@ TEST(DefaultCamera, LooksAlongADirectionAndGoesRoundAboutTheUpThatTheWorldHas) {
     const Camera along = camera_of(b, 1, "default", {.direction = dvec3{0, 0, -3}});
     const Camera front = camera_of(b, 1, "front");
     for (int k = 0; k < 4; ++k) EXPECT_NEAR(length(along.to_world[k].xyz() - front.to_world[k].xyz()), 0, 1e-12) << k;
-    const auto toward_eye = [&](const FitWishes& wishes) { return camera_of(b, 1, "front", wishes).to_world[2].xyz(); };
+    const auto toward_eye = [&](const FitOptions& wishes) {
+        return camera_of(b, 1, "front", wishes).to_world[2].xyz();
+    };
     EXPECT_NEAR(length(toward_eye({.azimuth_rad = radians(90)}) - dvec3{1, 0, 0}), 0, 1e-12);
     EXPECT_NEAR(length(toward_eye({.elevation_rad = radians(90)}) - dvec3{0, 1, 0}), 0, 1e-12);
-    const FitWishes z_up{.world_up = dvec3{0, 0, 2}, .azimuth_rad = radians(90)};
+    const FitOptions z_up{.world_up = dvec3{0, 0, 2}, .azimuth_rad = radians(90)};
     EXPECT_NEAR(length(toward_eye(z_up) - dvec3{1, 0, 0}), 0, 1e-12);
     const Camera down = camera_of(b, 1, "default", {.direction = dvec3{0, -1, 0}});
     EXPECT_NEAR(down.to_world[1].z, -1, 1e-12);
@@ -209,7 +212,7 @@ TEST(ViewCamera, SidesTurnWithTheUpAxis) {
                          {"left", {-1, 0, 0}, {0, 0, 1}},  {"right", {1, 0, 0}, {0, 0, 1}},
                          {"top", {0, 0, 1}, {0, 1, 0}},    {"bottom", {0, 0, -1}, {0, -1, 0}}};
     for (const auto& [side, toward_eye, up] : z_up)
-        for (const FitWishes& wishes : {FitWishes{.world_up = dvec3{0, 0, 1}}, FitWishes{.up = dvec3{0, 0, 5}}}) {
+        for (const FitOptions& wishes : {FitOptions{.world_up = dvec3{0, 0, 1}}, FitOptions{.up = dvec3{0, 0, 5}}}) {
             const Camera camera = camera_of(b, 1.5, side, wishes);
             EXPECT_NEAR(length(camera.to_world[2].xyz() - toward_eye), 0, 1e-12) << side;
             EXPECT_NEAR(length(camera.to_world[1].xyz() - up), 0, 1e-12) << side;

@@ -75,7 +75,7 @@ TEST(LightCutoff, NoDistanceLosesMoreThanTheCutoff) {
 TEST(LightCutoff, ALightThatNeverBringsSoMuchIsGoneAndOneThatDoesNotThinOutStays) {
     std::vector<Light> lights = {classical(500, 0, 1), classical(1, 0, 0), classical(0, 0, 0)};
     const CutLights result = cut_lights(lights, 1.0 / 255);
-    EXPECT_EQ(lights[0].range, std::nextafter(float(least_light_range), 1.0f));
+    EXPECT_EQ(lights[0].range, std::nextafter(float(min_light_range), 1.0f));
     EXPECT_EQ(lights[1].range, endless);
     EXPECT_EQ(lights[2].range, endless);
     EXPECT_EQ(result.cut, 1u);

@@ -27,17 +27,17 @@ DrawList list_of(const std::vector<Material>& materials) {
     return make_draw_list(std::move(scene), textures, test::FakePacker(), context);
 }
 
-View view_of_size(int width, int height, bool parallel = false) {
+PictureCamera view_of_size(int width, int height, bool parallel = false) {
     Camera camera;
     camera.projection = parallel ? Projection::orthographic : Projection::perspective;
     camera.half_height = 2;
     camera.to_world = compose({1, 2, 3}, {0, 0.198669331, 0, 0.980066578}, {1, 1, 1});
-    return make_view(camera, camera.to_world, {.width = width, .height = height});
+    return make_picture_camera(camera, camera.to_world, {.width = width, .height = height});
 }
 
 TEST(Behind, SidesAreThePowersOfTwoNextToThePicturesButNotMoreThan2048) {
     const auto sides = [](int width, int height) {
-        const View behind = view_behind(view_of_size(width, height));
+        const PictureCamera behind = camera_behind(view_of_size(width, height));
         return std::pair(behind.width, behind.height);
     };
     EXPECT_EQ(sides(1280, 720), std::pair(1024, 512));
@@ -64,8 +64,8 @@ TEST(Behind, IsOnlyNeededForSurfacesThatShowIt) {
 
 TEST(Behind, PointsLieOnItAsOnThePicture) {
     for (const bool parallel : {false, true}) {
-        const View view = view_of_size(300, 200, parallel);
-        const BehindFactors f = behind_factors(view_behind(view));
+        const PictureCamera view = view_of_size(300, 200, parallel);
+        const BehindFactors f = behind_factors(camera_behind(view));
         for (const dvec3 world : {dvec3{0, 0, -3}, dvec3{1.5, 2.5, -1}, dvec3{-2, 1, -9}}) {
             const dvec3 p = transform_point(view.world_to_eye, world), c = transform_point(view.world_to_camera, world);
             const auto row = [&p](const float(&r)[4]) {

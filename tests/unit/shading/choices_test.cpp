@@ -53,7 +53,7 @@ TEST(ShadingChoice, TheLastRuleThatFitsRulesThenTheMaterialThenTheNode) {
     scene.materials.resize(1);
     scene.materials[0].name = "paint";
     RenderSettings settings;
-    settings.own_shading = true;
+    settings.material_shading = true;
     EXPECT_EQ(ShadingChoice(scene, settings).of(1, no_index), Shading::flat);  // of the node above
     scene.materials[0].shading = Shading::gouraud;
     EXPECT_EQ(ShadingChoice(scene, settings).of(1, 0), Shading::gouraud);
@@ -63,7 +63,7 @@ TEST(ShadingChoice, TheLastRuleThatFitsRulesThenTheMaterialThenTheNode) {
     settings.shading_rules.pop_back();
     EXPECT_EQ(ShadingChoice(scene, settings).of(1, 0), Shading::unlit);
     settings.shading_rules.clear();
-    settings.own_shading = false;
+    settings.material_shading = false;
     EXPECT_TRUE(ShadingChoice(scene, settings).is_all_alike());
     EXPECT_EQ(ShadingChoice(scene, settings).of(1, 0), settings.shading);
 }

@@ -43,13 +43,13 @@ Scene one_square(const dmat4& to_world = {}) {
 TEST(PixelRays, LeadThroughThePixelsOfPerspectiveAndParallelViews) {
     const DrawList list = list_of(one_square());
     const RenderSettings s{.width = 200, .height = 100};
-    const View view = view_of(list, looking_down_z(5), s);
+    const PictureCamera view = picture_camera_of(list, looking_down_z(5), s);
     const dvec3 corner = pixel_rays(view, 0, 0).at(-0.5, -0.5), middle = pixel_rays(view, 100, 50).at(-0.5, -0.5);
     EXPECT_NEAR(corner.x, -2, 1e-12);  // a picture twice as wide as high, 45 degrees up
     EXPECT_NEAR(corner.y, 1, 1e-12);
     EXPECT_NEAR(corner.z, -1, 1e-12);
     EXPECT_NEAR(length(middle - dvec3{0, 0, -1}), 0, 1e-12);
-    const View flat = view_of(list, test::flat_camera(), {.width = 100, .height = 100});
+    const PictureCamera flat = picture_camera_of(list, test::flat_camera(), {.width = 100, .height = 100});
     EXPECT_NEAR(length(pixel_rays(flat, 0, 0).at(-0.5, -0.5) - dvec3{-1, 1, 0}), 0, 1e-12);
 }
 
@@ -73,7 +73,7 @@ TEST(LightReach, ALightThatEndsIsLeftOutBeyondItsRangeAndNoneThatGoesOn) {
     EXPECT_EQ(to.size(), 3u);
     reach.in_box({{-1, -1, -4}, {1, 1, -3.5f}}, nullptr, to);  // 1.5 away
     EXPECT_EQ(to.size(), 2u);
-    const View view = view_of(list, looking_down_z(5), {.width = 256, .height = 256});
+    const PictureCamera view = picture_camera_of(list, looking_down_z(5), {.width = 256, .height = 256});
     std::vector<std::uint32_t> seen;
     reach.in_square(view, 96, 96, 64, seen);
     EXPECT_EQ(seen.size(), 3u) << "the lamp stands in the middle";
@@ -136,7 +136,7 @@ TEST(ShadowFactors, TakePositionsAboutTheEyeToTheMapsAxes) {
     const dvec3 eye = {1, 2, 3}, point = {0.5, -0.25, 7};
     RenderSettings of_map;
     of_map.width = of_map.height = 200;
-    const View view = view_of(list, cameras[5].camera, of_map);
+    const PictureCamera view = picture_camera_of(list, cameras[5].camera, of_map);
     const ShadowFactors f = shadow_factors(cameras[0], view, 6, s, eye);
     EXPECT_EQ(f.faces, 6);
     EXPECT_EQ(f.size, 200);
@@ -173,12 +173,12 @@ TEST(NarrowDepths, ParallelViewsOfAWideRangeComeToTheSceneOthersStay) {
     Camera camera = test::flat_camera();  // from z = 5
     RenderSettings s;
     s.width = s.height = 8;
-    View view = make_view(camera, camera.to_world, s);
+    PictureCamera view = make_picture_camera(camera, camera.to_world, s);
     narrow_depths(view, drawn);
     EXPECT_EQ(view.z_near, 0.1);
     EXPECT_EQ(view.z_far, 100);
     camera.z_far = 1e6;
-    view = make_view(camera, camera.to_world, s);
+    view = make_picture_camera(camera, camera.to_world, s);
     narrow_depths(view, drawn);
     EXPECT_LE(view.z_near, 4);
     EXPECT_GE(view.z_far, 6);
@@ -213,7 +213,7 @@ TEST(DrawFrame, VerticesAreAboutTheEyeAndFramesKeepTheirHandAcrossMirrors) {
     mirror[0].x = -2;
     for (const bool is_mirrored : {false, true}) {
         const DrawList list = list_of(one_square(is_mirrored ? mirror : dmat4{}));
-        const View view = view_of(list, looking_down_z(5), {.width = 8, .height = 8});
+        const PictureCamera view = picture_camera_of(list, looking_down_z(5), {.width = 8, .height = 8});
         const dmat4 to_eye = view.world_to_eye * list.draws[0].to_world;
         const DrawFrame frame(list, list.draws[0], to_eye, view, FrontFace::counter_clockwise);
         const DrawFrame::Corners c = frame.corners(0);
@@ -231,7 +231,7 @@ TEST(DrawFrame, FacesSeenFromBehindTurnTheirNormalsToTheViewer) {
     const DrawList list = list_of(one_square());
     Camera behind = looking_down_z(0);
     behind.to_world[0].x = -1, behind.to_world[2].z = -1, behind.to_world[3].z = -5;
-    const View view = view_of(list, behind, {.width = 8, .height = 8});
+    const PictureCamera view = picture_camera_of(list, behind, {.width = 8, .height = 8});
     const dmat4 to_eye = view.world_to_eye * list.draws[0].to_world;
     const DrawFrame frame(list, list.draws[0], to_eye, view, FrontFace::counter_clockwise);
     EXPECT_NEAR(length(frame.face(0).normal - dvec3{0, 0, -1}), 0, 1e-12);
@@ -244,7 +244,7 @@ TEST(DrawFrame, WithoutNormalsCornersHaveThoseOfTheFaceOnItsFront) {
     scene.meshes[0].normals = std::vector<vec3>{};
     scene.meshes[0].tangents = std::vector<vec4>{};
     const DrawList list = list_of(std::move(scene));
-    const View view = view_of(list, looking_down_z(5), {.width = 8, .height = 8});
+    const PictureCamera view = picture_camera_of(list, looking_down_z(5), {.width = 8, .height = 8});
     const dmat4 to_eye = view.world_to_eye * list.draws[0].to_world;
     const DrawFrame front(list, list.draws[0], to_eye, view, FrontFace::counter_clockwise);
     const DrawFrame turned(list, list.draws[0], to_eye, view, FrontFace::clockwise);

@@ -108,7 +108,7 @@ Printed follow(const std::string& text) {
     for (std::smatch m; std::getline(lines, line);) {
         while (!line.empty() && line.back() == ' ') line.pop_back();
         if (std::regex_match(line, m, of_light)) light = m[1];
-        if (line.starts_with("  From all around")) light = "around";
+        if (line.starts_with("  Environment")) light = "around";
         if (std::regex_match(line, m, head)) {
             term = m[1];
             product = {1, 1, 1};
@@ -234,8 +234,8 @@ TEST_F(ExplainFactors, OfPbrNamePiAndWhatFresnelLeavesInTheText) {
     r.settings.multiple_scattering = true;
     const std::string text = to_text(*explain(r, 31, 40, context));
     for (const char* row :
-         {"      x pi ", "      x 1 - F ", "      x D [1/sr] ", "    specular, light between the facets",
-          "    specular, sheen", "    specular, clearcoat", "      x what the coat lets through ",
-          "      x what the sheen leaves ", "  Under the coat"})
+         {"      x pi ", "      x 1 - F ", "      x D [1/sr] ", "    specular, interreflection between facets",
+          "    specular, sheen", "    specular, clearcoat", "      x light that the coat transmits ",
+          "      x light that the sheen leaves ", "  Under the coat"})
         EXPECT_NE(text.find(row), std::string::npos) << row;
 }

@@ -176,7 +176,7 @@ TEST(Explain, TheLastLineSaysWhichTermMakesMostOfThePixel) {
     EXPECT_EQ(conclusion(glass).substr(0, 32), "layer 0 makes 75 % of the pixel;");
     Scene own = lit_square({sun});
     own.materials[0].model = MaterialModel::unlit;
-    EXPECT_EQ(conclusion(own), "100 % of its light is its own color, which is not lit.\n");
+    EXPECT_EQ(conclusion(own), "100 % of its light is its own color, which is unlit.\n");
 }
 
 TEST(Explain, TheLastLineOfADarkPixelSaysWhatMakesItDark) {
@@ -189,7 +189,7 @@ TEST(Explain, TheLastLineOfADarkPixelSaysWhatMakesItDark) {
     add_object(shadowed, square_mesh(0, 0.3f), translation(dvec3{-1, 0, 1}));
     EXPECT_EQ(conclusion(shadowed, true), "black, because light 0 (directional) is in shadow.\n");
     EXPECT_EQ(conclusion(lit_square({grazing, from_below})),
-              "dark, because light 0 (directional) only grazes the surface, light 1 (directional) is below the surface "
+              "dark, because light 0 (directional) is at a grazing angle, light 1 (directional) is below the surface "
               "(n.l <= 0); 100 % of its light is the diffuse term of light 0 (directional).\n");
     EXPECT_EQ(conclusion(lit_square({sun}, {0.01f, 0.01f, 0.01f})).substr(0, 46),
               "dark, because the surface reflects little (k a");
@@ -199,8 +199,8 @@ TEST(Explain, TheLastLineOfADarkPixelSaysWhatMakesItDark) {
     lamp.range = 1, spot.cutoff_rad = 0.2f;
     const std::string both = conclusion(lit_square({spot, lamp, from_below, from_below, from_below}));
     EXPECT_EQ(both.substr(0, both.find(", light 2")),
-              "black, because light 0 (spot) shines past it, light 1 (point) does not reach so far");
-    EXPECT_NE(both.find(", 2 more give nothing or little."), std::string::npos) << both;
+              "black, because light 0 (spot) shines past it, light 1 (point) does not reach this far");
+    EXPECT_NE(both.find(", 2 more contribute nothing or little."), std::string::npos) << both;
 }
 
 TEST(Explain, BadPixelsAndModelsAreErrorsOfTheirKind) {

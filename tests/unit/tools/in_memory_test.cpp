@@ -206,8 +206,8 @@ TEST_F(InMemory, SettingsGoBeforeThoseOfAWorld) {
     EXPECT_EQ(request.picture.hdri_file, "other.hdr");
     EXPECT_TRUE(request.picture.view.side.empty()) << "the camera stands elsewhere";
     EXPECT_EQ(request.picture.load.overridden, (std::vector<std::string>{"view", "hdri-file"}));
-    ASSERT_EQ(request.taken.size(), 1u);
-    EXPECT_EQ(request.taken[0].key, "samples");
+    ASSERT_EQ(request.applied.size(), 1u);
+    EXPECT_EQ(request.applied[0].key, "samples");
     const Error placed = at_world_value(Error(ErrorCode::usage, "too many").about("samples"), request);
     EXPECT_EQ(placed.what(), world + ": line 4, column 1: samples: too many");
 }
@@ -253,11 +253,11 @@ TEST_F(InMemory, ShadingThatIsGivenForAllTakesTheWorldsAway) {
         "w.scene.toml", "[[primitive]]\ntype = 'sphere'\nshading = 'flat'\n[render]\nshading = 'gouraud'\n");
     const auto own = [&](std::vector<std::string> words) {
         const RenderOverrides given{{{.key = "shading", .words = std::move(words)}}, {}};
-        return read_world_request(world, {}, given, context).picture.settings.own_shading;
+        return read_world_request(world, {}, given, context).picture.settings.material_shading;
     };
     EXPECT_FALSE(own({"phong"}));
     EXPECT_TRUE(own({"object:sphere=phong"}));
-    EXPECT_TRUE(request_of_world(world, {}, context).settings.own_shading);
+    EXPECT_TRUE(request_of_world(world, {}, context).settings.material_shading);
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 #include <string>
 
 #include "support/shared.h"
+#include "tools/material_names.h"
 #include "tools/text_table.h"
-#include "tools/texture_uses.h"
 #include "unit/render/test_scene.h"
 
 namespace rakelight {
@@ -181,7 +181,7 @@ TEST(Inspect, NamesOfTexturesStayTheSame) {
     m.base_color_texture = m.normal_texture = m.metallic_roughness.texture = m.metallic_roughness.specular_texture =
         m.metallic_roughness.specular_color_texture = {.texture = 0};
     std::vector<std::string> names;
-    for (const auto& [name, use] : texture_uses(m)) names.emplace_back(name);
+    for (const auto& [name, use] : named_texture_uses(m)) names.emplace_back(name);
     EXPECT_EQ(names,
               (std::vector<std::string>{"base_color", "normal", "metallic_roughness", "specular", "specular_color"}));
 }

@@ -123,13 +123,13 @@ TEST_F(JoinWindows, WhatMakesNoPictureIsOneErrorAndNoFile) {
         EXPECT_FALSE(std::filesystem::exists(folder.file("out.png")));
     };
     refused({}, "no part", ErrorCode::usage);
-    refused({{left}}, "no part covers columns 40 to 60 of rows 0 to 46; render them with --window 40,0,21,47");
+    refused({{left}}, "no window covers columns 40 to 60 of rows 0 to 46; render them with --window 40,0,21,47");
     refused({{left}, {foreign}}, "is a window of a picture of 61 x 50 pixels, not of 61 x 47");
     refused({{left}, {deep}}, "is PNG of 3 channels with 16 bits");
     refused({{left}, {other}}, "is EXR of B,G,R");
     refused({{left}, {differs}}, "differs from '");
     refused({{differs}, {left}}, "at pixel 35,20");
-    refused({{left}, {right, 41, 0}}, "reaches out of the picture");
+    refused({{left}, {right, 41, 0}}, "extends beyond the picture");
     refused({{left}, {right}, {folder.file("missing.png")}}, "missing.png", ErrorCode::not_found);
     EXPECT_EQ(error_of([&] { join({{left}, {right}}, "out.exr"); }).code(), ErrorCode::usage);
     std::filesystem::resize_file(right, std::filesystem::file_size(right) / 2);

@@ -109,7 +109,7 @@ const WrongSettings wrong_settings[] = {
     {"NoMethod", [](auto& s) { s.method = no_such<RayMethod>(); }, "there is no method 99"},
     {"NegativeDepth", [](auto& s) { s.max_depth = -1; }, "the depth of rays"},
     {"LargeDepth", [](auto& s) { s.max_depth = 65; }, "the depth of rays"},
-    {"NaiveReflections", [](auto& s) { s.naive = true; }, "is for the method cast"},
+    {"NaiveReflections", [](auto& s) { s.naive = true; }, "needs the method cast"},
     {"NanLimit", [](auto& s) { s.naive_limit = double(nan_f); }, "must be 0 or more"},
     {"NoPointShape", [](auto& s) { s.points = no_such<PointShape>(); }, "there is no shape of points 99"},
     {"NoRule",

@@ -22,7 +22,7 @@ TEST(MisusedFrame, TilesThatDoNotFitAreRefused) {
     const std::vector<float> depth(3);
     for (const Window area :
          {Window{0, 0, 4, 4}, Window{3, 2, 4, 4}, Window{2, 2, 4, 5}, Window{2, 2, -1, 4}, Window{most, 2, most, 1}})
-        expect_usage("a tile", "out of the window", [&] { frame.tile({.area = area, .color = color}); });
+        expect_usage("a tile", "beyond the window", [&] { frame.tile({.area = area, .color = color}); });
     expect_usage("a tile", "16 entries for 2 x 2 pixels", [&] { frame.tile({.area = {2, 2, 2, 2}, .color = color}); });
     expect_usage("a tile", "3 entries for 4 x 4 pixels", [&] {
         frame.tile({.area = {2, 2, 4, 4}, .color = color, .depth = depth});
@@ -122,9 +122,9 @@ TEST(MisusedInspection, OneThatDoesNotHoldTogetherIsRefused) {
         InspectionRow row{.file = "a"};
         row.inspection = good;
         spoil(*row.inspection);
-        expect_usage("to_text", "does not hold together", [&] { (void)to_text(*row.inspection); });
-        expect_usage("to_json", "does not hold together", [&] { (void)to_json(std::span(&row, 1)); });
-        expect_usage("check_limits", "does not hold together",
+        expect_usage("to_text", "is inconsistent", [&] { (void)to_text(*row.inspection); });
+        expect_usage("to_json", "is inconsistent", [&] { (void)to_json(std::span(&row, 1)); });
+        expect_usage("check_limits", "is inconsistent",
                      [&] { (void)check_limits(*row.inspection, {.no_t_junctions = true, .no_inside_out = true}); });
     }
 }

@@ -114,7 +114,7 @@ inline const std::vector<Door>& doors() {
                                   .measure_orthogonality = true,
                                   .all_tangents = true,
                                   .subdivision = {.level = 1},
-                                  .displacement = {.is_on = true, .most_triangles = 1000}},
+                                  .displacement = {.is_on = true, .max_triangles = 1000}},
                                  c);
          }},
         {"choose_camera", [](const Scene& s, Context& c) { (void)choose_camera(s, {}, 1.5, c); }},

@@ -274,7 +274,7 @@ TEST(SmoothFile, StlAsOutputIsRefusedWithTheReason) {
         ADD_FAILURE();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::usage);
-        EXPECT_NE(error.reason().find("STL has no place for the normals of vertices"), std::string::npos);
+        EXPECT_NE(error.reason().find("STL cannot store vertex normals"), std::string::npos);
     }
     EXPECT_FALSE(fs::exists(out / "a.STL"));
 }
@@ -304,9 +304,8 @@ TEST(SmoothFile, ObjAsOutputKeepsDigitsColorsAndOtherFiles) {
         EXPECT_EQ(made.meshes[0].colors[v], wanted.meshes[0].colors[v]);
     }
     const auto entries = context.report().entries();
-    EXPECT_TRUE(std::ranges::any_of(entries, [](const ReportEntry& e) {
-        return e.message == "OBJ has no place for other numbers of the vertices";
-    }));
+    EXPECT_TRUE(std::ranges::any_of(
+        entries, [](const ReportEntry& e) { return e.message == "OBJ cannot store other vertex attributes"; }));
 }
 
 TEST(SmoothFile, AnObjOfPointsAloneIsCopied) {

@@ -69,13 +69,13 @@ TEST_F(Looks, CamerasOfTheFileFollowEachOther) {
     ASSERT_GT(of->box.cameras().size(), 1u);
     Look look = first_look(*of);
     const auto next = [&] { apply(Command::next_camera, look, *of, width, height); };
-    EXPECT_EQ(shown_camera(look, *of), 0u);
+    EXPECT_EQ(current_camera(look, *of), 0u);
     next();
-    EXPECT_EQ(shown_camera(look, *of), 1u);
+    EXPECT_EQ(current_camera(look, *of), 1u);
     moving_eye(look, *of, width, height);
-    EXPECT_FALSE(shown_camera(look, *of));
+    EXPECT_FALSE(current_camera(look, *of));
     next();  // back to where it began
-    EXPECT_EQ(shown_camera(look, *of), 1u);
+    EXPECT_EQ(current_camera(look, *of), 1u);
 }
 
 TEST_F(Looks, SettingsAreSavedAsSeen) {

@@ -150,7 +150,7 @@ TEST_F(Moments, AFileWithoutTheClipThatIsAskedForStandsAtRest) {
     const auto slides = load_model(model_->file, start, context_);
     EXPECT_EQ(chosen_clip(first_look(*slides), *slides), 1);
     const auto rests = load_model(write_model(), start, context_);
-    EXPECT_FALSE(rests->request.motion.asks());
+    EXPECT_FALSE(rests->request.motion.is_set());
     EXPECT_EQ(rests->remarks.back().remark, Remark::warning);
 }
 

@@ -14,11 +14,11 @@ TEST(MotionTimes, APictureAnswersAllThatWereAskedForBefore) {
     times.asked(3, at(0));
     times.asked(4, at(10));
     times.asked(5, at(20));
-    times.shown(2, at(25));
+    times.displayed(2, at(25));
     EXPECT_EQ(times.count(), 0u);
-    times.shown(4, at(40));
-    times.shown(4, at(50));
-    times.shown(5, at(100));
+    times.displayed(4, at(40));
+    times.displayed(4, at(50));
+    times.displayed(5, at(100));
     EXPECT_EQ(times.count(), 3u);
     EXPECT_DOUBLE_EQ(times.quantile_ms(0), 30);
     EXPECT_DOUBLE_EQ(times.quantile_ms(0.5), 40);

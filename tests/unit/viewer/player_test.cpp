@@ -83,7 +83,7 @@ TEST_F(Playing, StepsThroughTheClipsAndTheModelAtRest) {
     for (int i = 0; i < 5; ++i) apply(Command::next_clip), seen.push_back(chosen_clip(look_, *model_).value_or(-1));
     EXPECT_EQ(seen, (std::vector<int>{0, 1, 2, -1, 0}));
     apply(Command::previous_clip);
-    EXPECT_FALSE(look_.request.motion.asks());
+    EXPECT_FALSE(look_.request.motion.is_set());
     apply(Command::previous_clip);
     EXPECT_EQ(chosen_clip(look_, *model_), 2);
     EXPECT_EQ(now(), 0.5);
@@ -154,7 +154,7 @@ TEST_F(Playing, WithoutClipsThereIsNothingToPlay) {
     look_ = first_look(*model_);
     for (const Command command : {Command::play, Command::next_clip, Command::frame_on}) apply(command);
     EXPECT_FALSE(player_.is_playing);
-    EXPECT_FALSE(request_of(look_, width, height).motion.asks());
+    EXPECT_FALSE(request_of(look_, width, height).motion.is_set());
     EXPECT_NE(effect_of(Command::play, player_, look_, *model_).find("nothing to play"), std::string::npos);
 }
 

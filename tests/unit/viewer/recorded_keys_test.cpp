@@ -81,7 +81,7 @@ TEST_F(RecordedKeys, ArePlayedWithoutAClip) {
     EXPECT_TRUE(player.is_playing);
     advance(look_, *model_, player, width, height, 1);
     EXPECT_EQ(look_.eye->position, (dvec3{1, 0, 5}));
-    EXPECT_FALSE(request_of(look_, width, height).motion.asks());
+    EXPECT_FALSE(request_of(look_, width, height).motion.is_set());
     EXPECT_EQ(request_of(look_, width, height).view.position, (dvec3{1, 0, 5}));
 }
 

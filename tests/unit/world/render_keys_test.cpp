@@ -240,7 +240,7 @@ TEST(RenderKeys, WhatNoKeySaysIsNotLeftOutInSilence) {
     };
     EXPECT_TRUE(is_refused([](PictureRequest& r) { r.lights.emplace(1)[0].node = 3; }));
     EXPECT_TRUE(is_refused([](PictureRequest& r) { r.settings.surfaces = false; }));
-    EXPECT_TRUE(is_refused([](PictureRequest& r) { r.settings.own_shading = false; }));
+    EXPECT_TRUE(is_refused([](PictureRequest& r) { r.settings.material_shading = false; }));
     EXPECT_TRUE(is_refused([](PictureRequest& r) { r.settings.background.w = 0.5f; }));
     EXPECT_TRUE(is_refused([](PictureRequest& r) { r.materials.opacity = std::numeric_limits<double>::quiet_NaN(); }));
     EXPECT_TRUE(is_refused([](PictureRequest& r) { r.settings.width = 0; }));

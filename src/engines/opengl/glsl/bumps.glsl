@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The normals that are lit: interpolated ones, bent by normal maps and by the slopes of heights; where the ray meets a
+// The normals that are lit: interpolated ones, bent by normal maps and by the slopes of heights; where the ray hits a
 // relief, and the shadows that heights throw on each other; lighting in tangent space. As cpu_shading/kernels/normals.h,
 // relief.h and tangent_space.h.
 struct Bumps {
@@ -41,7 +41,7 @@ Relief relief()
     return r;
 }
 
-// Moves the texture coordinates to where the ray meets the relief.
+// Moves the texture coordinates to where the ray hits the relief.
 void enter_relief(inout Point p, inout Bumps b)
 {
     TexCoords c = height_coords(p);
@@ -170,7 +170,7 @@ float relief_shadow_of(Bumps b, int i, vec3 l)
 }
 
 // Alpha, < 0 where the relief ends at its texture's edge.
-float shown_alpha(Bumps b, float alpha)
+float alpha_in_silhouette(Bumps b, float alpha)
 {
 #if RL_RELIEF != RL_RELIEF_NONE && RL_LIMIT_SILHOUETTE
     return silhouette_alpha(alpha, b.point.is_outside, RL_IS_OPAQUE);

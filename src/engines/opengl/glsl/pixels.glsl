@@ -29,14 +29,10 @@ vec2 middle_of_samples()
 #define RL_MOVED(v) v
 #endif
 
-Point this_point()
+// 1: the front is seen, -1: the back.
+float seen_side()
 {
-    Point p;
-#if RL_SAMPLED && RL_HAS_SAMPLE_MASK
-    vec2 middle = middle_of_samples();
-#endif
-    p.position = RL_MOVED(v_position);
-    #if RL_SEEN_SIDES == RL_SEEN_FRONT
+#if RL_SEEN_SIDES == RL_SEEN_FRONT
     int turns = RL_FRONT_TURNS;
 #elif RL_SEEN_SIDES == RL_SEEN_BACK
     int turns = 1 + RL_FRONT_TURNS;
@@ -46,7 +42,17 @@ Point this_point()
 #if RL_FROM_TRIANGLES
     turns += v_triangle.y;
 #endif
-    p.side = (turns & 1) != 0 ? -1.0 : 1.0;
+    return (turns & 1) != 0 ? -1.0 : 1.0;
+}
+
+Point this_point()
+{
+    Point p;
+#if RL_SAMPLED && RL_HAS_SAMPLE_MASK
+    vec2 middle = middle_of_samples();
+#endif
+    p.position = RL_MOVED(v_position);
+    p.side = seen_side();
 #if RL_LIT_AT == RL_AT_FACES
     p.normal = v_face_normal;
     p.side = 1.0;
@@ -108,7 +114,7 @@ void find_place(inout Pixel x)
     enter_relief(x.point, x.bumps);
 #endif
     x.base = base_color(x.point);
-    x.alpha = shown_alpha(x.bumps, x.base.color.w);
+    x.alpha = alpha_in_silhouette(x.bumps, x.base.color.w);
 }
 
 // All that is known of it before light falls on it.

@@ -61,7 +61,7 @@ std::size_t clip_by_plane(const ClipVertex* in, std::size_t count, ClipVertex* o
 
 }  // namespace
 
-ClipVolume::ClipVolume(const View& view)
+ClipVolume::ClipVolume(const PictureCamera& view)
     : z_near(view.z_near),
       z_far(view.z_far),
       guard_x(float((guard_band_px - view.width) / (0.5 * view.width))),

@@ -4,15 +4,15 @@
 #include <cstddef>
 
 #include "engines/raster/kernels/clip_planes.h"
-#include "shading/view.h"
+#include "shading/picture_camera.h"
 
 namespace rakelight::raster {
 
-using shading::ClipVertex, shading::View, shading::view_of;
+using shading::ClipVertex, shading::PictureCamera, shading::picture_camera_of;
 
 /// Limits of the clip volume of a view, in the numbers that ClipVertex holds.
 struct ClipVolume {
-    explicit ClipVolume(const View& view);
+    explicit ClipVolume(const PictureCamera& view);
     double z_near, z_far;    ///< of ClipVertex::distance
     float guard_x, guard_y;  ///< |x| <= guard_x w
 };

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/format_text.h"
 #include "engines/raster/geometry/set_up.h"
 #include "math/flush_denormals.h"
 
@@ -102,10 +103,10 @@ void renew(SetUpMemory& memory, std::size_t chunks) {
 
 void PictureMemory::add(std::uint64_t bytes) {
     if (bytes <= limit_ && charge_.bytes() <= limit_ - bytes) return charge_.grow(bytes, "the picture");
-    throw Error(ErrorCode::bad_file,
-                "the picture's triangles, lines and points need more than " + std::to_string(limit_) +
-                    " bytes, half of the limit",
-                {}, "raise 'max-memory', or render a part of the picture with 'window'")
+    throw Error(
+        ErrorCode::bad_file,
+        format_text("the picture's triangles, lines and points need more than {} bytes, half of the limit", limit_), {},
+        "raise 'max-memory', or render a part of the picture with 'window'")
         .naming({"max-memory", "window"});
 }
 
@@ -123,7 +124,7 @@ Window TileGrid::pixels(std::size_t i) const {
     return {left, top, right - left, bottom - top};
 }
 
-bool edge_planes(const ClipVertex (&v)[3], const View& view, double x0, double y0, EdgePlanes& out) {
+bool edge_planes(const ClipVertex (&v)[3], const PictureCamera& view, double x0, double y0, EdgePlanes& out) {
     // Rows of the adjugate of the matrix whose columns are the vertices in homogeneous pixel coordinates.
     dvec3 h[3];
     for (std::size_t i = 0; i < 3; ++i) {

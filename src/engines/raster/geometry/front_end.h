@@ -74,8 +74,8 @@ struct Binned {
     std::shared_ptr<SetUpMemory> memory;       ///< where the triangles are
 };
 
-/// What the geometry of one picture takes. A file of a megabyte can place ten thousand instances of a mesh, or a million
-/// triangles that each fill the picture: it is charged, and half of what files may ask for (MemoryBudget) bounds it.
+/// What the geometry of one picture takes. A file of a megabyte can place ten thousand instances of a mesh, or a
+/// million triangles that each fill the picture. So this memory is charged and limited to half of the MemoryBudget.
 /// Thread-safe.
 class PictureMemory {
 public:
@@ -93,7 +93,7 @@ private:
 
 struct FrontEnd {
     const DrawList& list;
-    const View& view;
+    const PictureCamera& view;
     const RenderSettings& settings;
     const GeometryKernels& kernels;
     std::vector<ClipVertex> clip_store;      ///< [vertices of all draws + row_padding]
@@ -118,7 +118,7 @@ inline bool is_affine(const FrontEnd& front) {
 
 /// Clip space -> screen: x = x / w * scale_x + offset_x, floored, about snap_origin; likewise y and the depth key.
 struct ScreenMap {
-    explicit ScreenMap(const View& view);
+    explicit ScreenMap(const PictureCamera& view);
     double scale_x, offset_x, scale_y, offset_y;  ///< [1/256 px]
     double key_scale, key_offset;
     bool orthographic;
@@ -139,6 +139,6 @@ Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Binned&& used, Cont
 struct EdgePlanes {
     double ex[3], ey[3], e0[3];
 };
-bool edge_planes(const ClipVertex (&v)[3], const View& view, double x0, double y0, EdgePlanes& out);
+bool edge_planes(const ClipVertex (&v)[3], const PictureCamera& view, double x0, double y0, EdgePlanes& out);
 
 }  // namespace rakelight::raster

@@ -22,7 +22,7 @@ struct ToClip {
     float m[3][4];
     bool orthographic;
 
-    ToClip(const dmat4& object_to_camera, const View& view) : orthographic(view.orthographic) {
+    ToClip(const dmat4& object_to_camera, const PictureCamera& view) : orthographic(view.orthographic) {
         for (std::size_t c = 0; c < 4; ++c) {
             m[0][c] = float(object_to_camera[c].x * view.scale_x);
             m[1][c] = float(object_to_camera[c].y * view.scale_y);
@@ -180,7 +180,7 @@ void transform_draws(FrontEnd& front, Context& context) {
     });
 }
 
-ScreenMap::ScreenMap(const View& view)
+ScreenMap::ScreenMap(const PictureCamera& view)
     : scale_x(0.5 * view.width * (1 << subpixel_bits)),
       offset_x(scale_x + 0.5 + snap_origin),
       scale_y(-0.5 * view.height * (1 << subpixel_bits)),

@@ -5,7 +5,7 @@
 
 namespace rakelight::raster {
 
-inline constexpr std::size_t no_triangle = SIZE_MAX;  ///< in place of a triangle
+inline constexpr std::size_t no_triangle = SIZE_MAX;  ///< instead of a triangle
 
 /// Each triangle's own fate, and the numbers of its nearest sample.
 void summarize(PixelExplanation& pixel, const OpenScene& of);

@@ -69,14 +69,14 @@ struct LaidSample {
     vec4 before, after;  ///< the sample's color, linear
 };
 
-/// One surface that was shaded for the pixel: once, whatever the number of samples that show it.
+/// One surface that was shaded for the pixel, once for all samples that show it.
 struct ShadedLayer {
     std::size_t triangle = 0;  ///< into PixelExplanation::triangles
     vec2 place;                ///< [px] from the pixel's center to where it was shaded, y down
     PixelTrace trace{};
     std::vector<TracedTexels> texels;  ///< [texture_role_count]
     std::vector<TracedLight> lights;   ///< as Scene::lights; empty for unlit surfaces and where trace.is_lit_at_corners
-    std::vector<TracedParts> parts;    ///< [lights], then those of what comes from all around and of the emission
+    std::vector<TracedParts> parts;    ///< [lights], then those of what comes from the environment and of the emission
     std::vector<TracedCorner> corners;  ///< where trace.is_lit_at_corners: the three vertices, or the centroid alone
     int reflection_model = 0, reflection_form = 0;  ///< shading::ReflectionModel and ::ReflectionForm
     std::optional<WardForm> ward_form;              ///< where the model is Ward's
@@ -92,7 +92,7 @@ struct SeenSample {
 };
 
 /// A line or a point of the scene.
-struct ShownMark {
+struct VisibleMark {
     std::uint32_t node = no_index, mesh = no_index, material = no_index;  ///< of the scene
     bool is_point = false;
 };
@@ -104,10 +104,10 @@ struct PixelExplanation {
     /// Visible surfaces, in the order of the first sample that shows them, then blended ones as they were laid.
     std::vector<ShadedLayer> layers;
     std::vector<SeenSample> samples;  ///< as many as the picture has a pixel
-    vec4 sum;                         ///< what the layers come to: the mean of the samples
+    vec4 sum;                         ///< the result of the layers: the mean of the samples
     vec4 color;                       ///< the pixel's surfaces as the engine draws them: equal to `sum` to the bit
     bool has_marks = false;           ///< lines or points of the scene may lie over them
-    std::optional<ShownMark> mark;    ///< the opaque one that hides them at the pixel's center
+    std::optional<VisibleMark> mark;  ///< the opaque one that hides them at the pixel's center
 };
 
 }  // namespace rakelight::raster

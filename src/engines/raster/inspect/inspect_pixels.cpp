@@ -78,7 +78,7 @@ void allocate_layers(PixelStageData& d, std::size_t pixels) {
 void allocate_samples(PixelStageData& d, std::size_t pixels) {
     d.center_color.assign(pixels, {});
     d.samples_covered.assign(pixels, 0);
-    d.triangles_shown.assign(pixels, 0);
+    d.visible_triangles.assign(pixels, 0);
     d.sample_spread.assign(pixels, 0);
 }
 
@@ -270,7 +270,7 @@ private:
 
     static float share_through_fog(const PixelTrace& t) { return t.has_fog ? t.fog_share : 1; }
 
-    /// What trace() left, laid over the terms that are there. Of a surface in fog, what is seen of it.
+    /// What trace() left, laid over the terms that exist. Of a surface in fog, what is seen of it.
     void add_terms(std::size_t p, const Traced& pixel, float own, float under) {
         const PixelTrace& t = pixel.trace;
         const float share = share_through_fog(t);

@@ -68,7 +68,7 @@ void note_samples(const TileJob& job, std::size_t tile, const RenderSettings& se
     const auto samples = std::size_t(settings.samples);
     draw(job, tile, s);
     for_each_pixel(job, tile, settings.width, [&](std::size_t pixel, std::size_t p) {
-        count(*s.samples, pixel, samples, out.samples_covered[p], out.triangles_shown[p]);
+        count(*s.samples, pixel, samples, out.samples_covered[p], out.visible_triangles[p]);
         out.color[p] = s.color[pixel];
         out.sample_spread[p] = spread(sample_colors(s, pixel, samples));
     });
@@ -86,7 +86,7 @@ SampleColors inspect_samples(const Inspection& inspection, const Inspection::Geo
             window.y >= area.y + area.height)
             continue;
         TileJob job = tile_job(of, drawn);
-        job.marks = nullptr;  // they lie over means of samples but for those behind glass: surfaces alone are shown
+        job.marks = nullptr;  // they are laid over the means of samples, except behind glass, where only surfaces are shown
         TileScratch s;
         draw(job, tile, s);
         for (int y = window.y - drawn.grid.origin_y(tile), y_end = y + window.height; y < y_end; ++y)

@@ -10,7 +10,7 @@ namespace rakelight::raster {
 ShadedPicture draw_shaded(const Inspection& inspection, Shading shading, Context& context) {
     const OpenScene& of = inspection.opened();
     context.throw_if_cancelled();
-    // What the other frequencies leave out is no news to who asked for this one: remarks go nowhere.
+    // Remarks on what the other frequencies leave out are dropped: the caller asked for this one.
     Context quiet({.threads = context.threads(), .max_memory = context.memory().limit(), .parent = &context});
     const OpenGeometry geometry(of, {}, false, quiet, shading);
     const TileJob job{.front = geometry.front,

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/format_text.h"
 #include "engines/raster/inspect/open_scene.h"
 
 namespace rakelight::raster {
@@ -12,7 +13,7 @@ Inspection::Inspection(const Scene& scene, const Camera& camera, const RenderSet
 Inspection::~Inspection() = default;
 
 const shading::DrawList& Inspection::list() const { return opened_->list(); }
-const View& Inspection::view() const { return opened_->view(); }
+const PictureCamera& Inspection::view() const { return opened_->view(); }
 const RenderSettings& Inspection::settings() const { return opened_->settings(); }
 const std::vector<lighting::LightParameters>& Inspection::lights() const { return opened_->lights(); }
 
@@ -35,13 +36,13 @@ const RenderStats& Inspection::Geometry::stats() const { return opened_->front.s
 PixelExplanation Inspection::explain(int x, int y, Context& context) const {
     if (x < 0 || y < 0 || x >= settings().width || y >= settings().height)
         throw Error(ErrorCode::usage,
-                    "pixel " + std::to_string(x) + "," + std::to_string(y) + " is not in the picture of " +
-                        std::to_string(settings().width) + " x " + std::to_string(settings().height) + " pixels",
+                    format_text("pixel {},{} is not in the picture of {} x {} pixels", x, y, settings().width,
+                                settings().height),
                     {}, "0,0 is the top left one");
     return explain_pixel(*opened_, x, y, context);
 }
 
-SnappedPlace snapped_place(const View& view, const ClipVertex& vertex) {
+SnappedPlace snapped_place(const PictureCamera& view, const ClipVertex& vertex) {
     const ScreenVertex snapped = snap_to_screen(ScreenMap(view), vertex);
     return {snapped.x, snapped.y};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The soft engine with its stages open to look at: the door for tools that show what happens on the way
-// (`rakelight explain`, `rakelight stages`). Behind it stands open_scene.h.
+// The soft engine with access to its stages, for tools that show intermediate results (`rakelight explain`, `rakelight
+// stages`). open_scene.h implements it.
 #pragma once
 #include <memory>
 #include <optional>
@@ -12,12 +12,12 @@
 #include "engines/raster/inspect/explanation.h"
 #include "lighting/light_parameters.h"
 #include "shading/draw_list.h"
+#include "shading/picture_camera.h"
 #include "shading/shadow_factors.h"
-#include "shading/view.h"
 
 namespace rakelight::raster {
 
-using shading::ClipVertex, shading::View;
+using shading::ClipVertex, shading::PictureCamera;
 class OpenScene;
 struct OpenGeometry;
 
@@ -34,7 +34,7 @@ public:
     ~Inspection();
 
     const shading::DrawList& list() const;
-    const View& view() const;
+    const PictureCamera& view() const;
     const RenderSettings& settings() const;
     const std::vector<lighting::LightParameters>& lights() const;
     /// LightParameters::shadow says which; empty: no shadows.
@@ -70,6 +70,6 @@ private:
 struct SnappedPlace {
     int x, y;
 };
-SnappedPlace snapped_place(const View& view, const ClipVertex& vertex);
+SnappedPlace snapped_place(const PictureCamera& view, const ClipVertex& vertex);
 
 }  // namespace rakelight::raster

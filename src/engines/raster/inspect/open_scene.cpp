@@ -41,7 +41,7 @@ OpenScene::OpenScene(const Scene& scene, const Camera& camera, const RenderSetti
     shading::EnvironmentCache environments;
     cpu_shading::set_environment(list_.scene, environments, false, list_.views, context);
     settings_.window = {};
-    view_ = view_of(list_, camera, settings_);
+    view_ = picture_camera_of(list_, camera, settings_);
     const dvec3 eye = view_.camera_to_world[3].xyz();
     lights_ = shading::make_lights(list_.scene, list_.node_to_world, eye);
     shadows_.update(list_, settings_, *scalar::kernels(), *scalar::geometry_kernels(), eye, lights_, context);
@@ -61,7 +61,7 @@ static RenderSettings settings_for(RenderSettings settings, Window window, bool 
     if (shading) {
         settings.shading = *shading;
         settings.shading_rules.clear();
-        settings.own_shading = false;
+        settings.material_shading = false;
     }
     if (with_culled) settings.cull = Cull::none;
     return settings;

@@ -29,7 +29,7 @@ public:
     OpenScene& operator=(const OpenScene&) = delete;
 
     const DrawList& list() const { return list_; }
-    const View& view() const { return view_; }
+    const PictureCamera& view() const { return view_; }
     const RenderSettings& settings() const { return settings_; }
     const std::vector<lighting::LightParameters>& lights() const { return lights_; }
     std::span<const ShadowView> shadow_maps() const { return shadows_.all(); }
@@ -46,7 +46,7 @@ private:
     RenderSettings settings_;
     shading::TextureCache textures_;
     DrawList list_;
-    View view_;
+    PictureCamera view_;
     std::vector<lighting::LightParameters> lights_;
     ShadowMaps shadows_;
     std::unique_ptr<const cpu_shading::BehindPicture> behind_;  ///< null: nothing is transmissive

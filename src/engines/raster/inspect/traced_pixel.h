@@ -11,7 +11,7 @@ namespace rakelight::raster {
 struct TracedTexel {
     int32_t probe;        ///< of an anisotropic filter; 0 without
     int32_t level, x, y;  ///< of the mip chain; from the level's top left texel
-    float weight;         ///< all of a sample's come to 1
+    float weight;         ///< all of a sample's sum to 1
     float value[4];       ///< linear
 };
 inline constexpr int most_texels = 16 * 8 * 4;  ///< 2 x 2 of two levels, of 16 probes, of the four heights of a slope
@@ -28,7 +28,7 @@ struct TracedTexture {
     int32_t probes;        ///< samples along the footprint's longer side, 1..16
     float axis_u, axis_v;  ///< that side: from the first probe's end to the last one's; 0 for one probe
     float
-        level_of_detail;  ///< log2 of texels a pixel, of a probe where there are several; over 0 the picture is shrunk
+        level_of_detail;  ///< log2 of texels per pixel, of a probe where there are several; over 0 the picture is shrunk
     float level;          ///< of the mip chain that was read; a fraction lies between two
     float value[4];       ///< filtered, linear; of slopes: the mean of the heights that they are differences of
 };
@@ -40,7 +40,7 @@ enum class TracedQuantity : int32_t {
     k_specular,
     light_color,      ///< that arrives: of the light, attenuated
     n_dot_l,          ///< 0..1
-    n_dot_l_diffuse,  ///< 0..1, of the normal that the diffuse term has for itself
+    n_dot_l_diffuse,  ///< 0..1, with the separate normal of the diffuse term
     n_dot_l_coat,     ///< 0..1, of the coat's normal
     pi,               ///< a light's color is irradiance / pi
     oren_nayar,       ///< A + B ...
@@ -65,11 +65,11 @@ enum class TracedQuantity : int32_t {
     coat_rest,       ///< what the coat lets through
     above,           ///< 0: light or viewer are below the surface; else left out
     seen,            ///< not in shadow; left out where it is 1
-    around_diffuse,  ///< reflectances of light from all around
+    around_diffuse,  ///< reflectances of light from the environment
     around_specular,
     around_sheen,
     around_coat,
-    mean_light,  ///< from all around, weighted by the cosine about the normal
+    mean_light,  ///< from the environment, weighted by the cosine about the normal
     mean_light_sheen,
     mirrored,  ///< from about the mirror direction
     mirrored_coat,
@@ -90,7 +90,7 @@ enum class TracedTerm : int32_t { ambient, diffuse, specular, emission };
 /// Layers of a material, from below.
 enum class TracedLayer : int32_t { base, scattering, sheen, coat };
 
-/// A product that is added to a term. Parts of one term come to it but for rounding.
+/// A product that is added to a term. The parts of a term sum to it except for rounding.
 struct TracedPart {
     TracedTerm term;
     TracedLayer layer;
@@ -98,7 +98,7 @@ struct TracedPart {
     TracedFactor factor[most_factors];
 };
 inline constexpr int most_parts = 6;
-/// Of one light, or of what comes from all around and the emission.
+/// Of one light, or of what comes from the environment and the emission.
 struct TracedParts {
     int32_t count;
     TracedPart part[most_parts];
@@ -145,11 +145,11 @@ struct PixelTrace {
     float received[3]
                   [3];  ///< ambient, diffuse, specular light at the pixel, interpolated; 0 where it is lit at the pixel
     float diffuse_normal[3];      ///< that the diffuse term is lit with: `normal` unless bumps act on one term alone
-    float relief_texcoord[2][2];  ///< both sets where the ray meets the relief
+    float relief_texcoord[2][2];  ///< both sets where the ray hits the relief
     float relief_height;  ///< there, as the map has it (steep: of the layer; parallax: under the pixel); -1: no ray is
                           ///< cast
     int32_t has_environment, has_fog, has_relief;
-    float openness;          ///< share of light from all around that ambient occlusion leaves; -1: there is none
+    float openness;          ///< share of light from the environment that ambient occlusion leaves; -1: there is none
     float lobe_alpha[2];     ///< Ward, pbr: widths of the lobe along its axes
     float f90[3];            ///< pbr: reflectance at a grazing angle; k_specular is f0
     float coat, coat_alpha;  ///< pbr: clearcoat's reflectance towards the viewer, its lobe's width
@@ -157,9 +157,9 @@ struct PixelTrace {
     float sheen[3], sheen_alpha;
     float oren_nayar[3];  ///< A and B (C1 and 0.45 s of the full model), 0.17 sigma^2 / (sigma^2 + 0.13)
     int32_t has_transmission;
-    float transmitted[3];                         ///< the term of what is seen through the surface
-    float environment[3][3];                      ///< ambient, diffuse and specular term of the light from all around
-    float before_fog[3];                          ///< the sum
+    float transmitted[3];     ///< the term of what is seen through the surface
+    float environment[3][3];  ///< ambient, diffuse and specular term of the light from the environment
+    float before_fog[3];      ///< the sum
     float fog_distance, fog_share, fog_color[3];  ///< [m]; color = before_fog fog_share + fog_color (1 - fog_share)
     TracedTexture map[texture_role_count];
     float color[3], alpha;  ///< the kernel's own result

@@ -16,7 +16,7 @@ void alpha(const ShadeJob* job) {
         b.count = 1;
         cpu::find_places(material, source, b);
         const real alpha = cpu::find_base_color(material, source, 0, b.of[0].point).color.w;
-        store(job->alpha + i, cpu::shown_alpha(material, b.of[0].bumps, alpha));
+        store(job->alpha + i, cpu::alpha_in_silhouette(material, b.of[0].bumps, alpha));
     }
 }
 

@@ -124,11 +124,11 @@ struct GeometryKernels {
     /// Lists the pixels [tile_size * tile_size] whose `visible` is in begin..end-1 and what they show, block by block
     /// (block_side), row by row in each, those of a wholly filled vector first; returns their number. Writes up to
     /// batch_padding past it.
-    int32_t (*collect)(const int32_t* visible, int32_t begin, int32_t end, int32_t* pixel, int32_t* shown);
+    int32_t (*collect)(const int32_t* visible, int32_t begin, int32_t end, int32_t* pixel, int32_t* list_position);
     /// Numbers what `count` pixels show, each triangle once, in the order of their first pixels: position in the tile's
     /// list -> `record`, which is -1 before, pixel -> `triangle`, number -> `wanted`. Returns how many there are. Reads
-    /// `shown` and writes `triangle` up to batch_padding past count: dead lanes must repeat what a pixel shows.
-    int32_t (*number)(const int32_t* shown, int32_t count, int32_t* record, int32_t* triangle, int32_t* wanted);
+    /// `list_position` and writes `triangle` up to batch_padding past count: dead lanes must repeat what a pixel shows.
+    int32_t (*number)(const int32_t* list_position, int32_t count, int32_t* record, int32_t* triangle, int32_t* wanted);
     /// Returns whether there are pieces (TriangleRow::is_piece): their records mean nothing.
     int32_t (*record)(const RecordJob* job);
     void (*occlusion)(const OcclusionJob* job);         ///< ambient occlusion of pixels, one by one

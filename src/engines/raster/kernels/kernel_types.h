@@ -102,7 +102,7 @@ struct ShadeJob : MaterialJob {
     float* green;
     float* blue;
     float* alpha;
-    DisplayPixels display;  ///< out in place of these
+    DisplayPixels display;  ///< out instead of these
     float* normal_x;        ///< [count] out, shading normal in the world; null: not wanted
     float* normal_y;
     float* normal_z;
@@ -134,7 +134,7 @@ struct SkyJob {
     float pixel_size;      ///< [length of the middle ray] a pixel's side; orthographic: 0
     const EnvironmentView* environment;
     float *red, *green, *blue;  ///< [count + batch_padding] out, linear
-    DisplayPixels display;      ///< out in place of these
+    DisplayPixels display;      ///< out instead of these
 };
 
 /// The functions that exist once per instruction set.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lighting of points before there are pixels, for flat and Gouraud shading. What a point receives is kept per unit of
-// reflectance and in three terms, so that textures act at the pixel: ambient occlusion on the ambient term alone,
-// metalness and specular maps on the specular one. Per instruction set.
+// Lighting of points before there are pixels, for flat and Gouraud shading. The light that a point receives is kept
+// per unit of reflectance and in three terms, so that textures act per pixel. Ambient occlusion affects only the
+// ambient term, metalness and specular maps only the specular one. Per instruction set.
 #pragma once
 #include "cpu_shading/kernels/light_points.h"
 #include "engines/raster/kernels/kernel_types.h"

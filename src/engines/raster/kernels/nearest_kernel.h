@@ -19,7 +19,7 @@ using wide::RL_ISA::real_double;
 using wide::RL_ISA::store_block;
 using wide::RL_ISA::to_double;
 
-/// Blocks of a grid, one a lane: 4 x 4, 2 x 4, 2 x 2 or one.
+/// Blocks of a grid, one per lane: 4 x 4, 2 x 4, 2 x 2 or one.
 inline constexpr int grid_column_bits = lanes == 16 ? 2 : lanes >= 4 ? 1 : 0;
 inline constexpr int grid_columns = 1 << grid_column_bits, grid_rows = lanes / grid_columns;
 
@@ -32,20 +32,31 @@ struct CoverageVector {
     float depth_0[lanes], depth_x[lanes], depth_y[lanes], low[lanes], high[lanes];
 };
 
-/// @return the triangles that may be nearer than what stands there somewhere
-inline mask set_coverage_vector(const NearestJob& job, const TriangleRow* const* rows, CoverageVector& c) {
+/// Corners relative to a tile: rounded places, what rounding cut off, depth keys.
+struct TileCorners {
     integer x[3], y[3], fine_x[3], fine_y[3];
     real key[3];
-    // 1. Corners about the tile, and the box.
+};
+
+inline TileCorners load_corners(const NearestJob& job, const TriangleRow* const* rows) {
+    TileCorners c;
     const integer origin_x((job.tile_x << subpixel_bits) + job.sample_x),
         origin_y((job.tile_y << subpixel_bits) + job.sample_y);
     for (int k = 0; k < 3; ++k) {
         real v[4];
         load_rows4_at(reinterpret_cast<const float* const*>(rows), 4 * k, v);
-        x[k] = bits_of(v[0]) - origin_x, y[k] = bits_of(v[1]) - origin_y, key[k] = v[2];
-        fine_x[k] = (bits_of(v[3]) >> outcode_bits) & integer((1 << fine_bits) - 1);
-        fine_y[k] = shift_right_logical(bits_of(v[3]), outcode_bits + fine_bits);
+        c.x[k] = bits_of(v[0]) - origin_x, c.y[k] = bits_of(v[1]) - origin_y, c.key[k] = v[2];
+        c.fine_x[k] = (bits_of(v[3]) >> outcode_bits) & integer((1 << fine_bits) - 1);
+        c.fine_y[k] = shift_right_logical(bits_of(v[3]), outcode_bits + fine_bits);
     }
+    return c;
+}
+
+/// @return the triangles that may be nearer than the surfaces so far somewhere
+inline mask set_coverage_vector(const NearestJob& job, const TriangleRow* const* rows, CoverageVector& c) {
+    // 1. Corners relative to the tile, and the box.
+    const TileCorners corners = load_corners(job, rows);
+    const auto& [x, y, fine_x, fine_y, key] = corners;
     const real high = max(max(key[0], key[1]), key[2]), low = min(min(key[0], key[1]), key[2]);
     const integer zero(0), one(1), last(tile_size - 1), before(127), after(128);
     const integer left = max((min(min(x[0], x[1]), x[2]) + before) >> subpixel_bits, zero);
@@ -121,7 +132,7 @@ inline uint32_t draw_block(const NearestJob& job, const CoverageVector& c, int i
     return uint32_t(__builtin_popcount(lane_bits(nearer)));
 }
 
-/// Which blocks of a grid over the triangle's box, one a lane, may have covered pixels; the grid begins at (x, y).
+/// Which blocks of a grid over the triangle's box, one per lane, may have covered pixels; the grid begins at (x, y).
 inline uint32_t blocks_in_reach(const CoverageVector& c, int i, int32_t x, int32_t y) {
     const integer to_right =
         (lane_indices() & integer(grid_columns - 1)) * integer(block_width) + integer(x - c.left[i]);

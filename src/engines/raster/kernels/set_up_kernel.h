@@ -44,6 +44,48 @@ inline void copy_vertex(TriangleRow& row, int corner, const ScreenVertex& v) {
     reinterpret_cast<ScreenVertex*>(&row)[corner] = v;
 }
 
+/// Corners in order of positive area, and the box of the pixels whose centers may be inside.
+inline TriangleVector with_box(const SetUpJob& job, const integer (&x)[3], const integer (&y)[3], mask is_swapped) {
+    TriangleVector t;
+    t.is_swapped = is_swapped;
+    t.x[0] = x[0], t.x[1] = select(is_swapped, x[2], x[1]), t.x[2] = select(is_swapped, x[1], x[2]);
+    t.y[0] = y[0], t.y[1] = select(is_swapped, y[2], y[1]), t.y[2] = select(is_swapped, y[1], y[2]);
+    const integer before(127 - job.reach), after(128 - job.reach);
+    t.left = max((min(min(x[0], x[1]), x[2]) + before) >> subpixel_bits, integer(job.left));
+    t.right = min((max(max(x[0], x[1]), x[2]) - after) >> subpixel_bits, integer(job.right));
+    t.top = max((min(min(y[0], y[1]), y[2]) + before) >> subpixel_bits, integer(job.top));
+    t.bottom = min((max(max(y[0], y[1]), y[2]) - after) >> subpixel_bits, integer(job.bottom));
+    return t;
+}
+
+/// The tile and the row of each triangle in `is_kept`; `is_slow` ones are still to be cut. Returns how many there are.
+inline int32_t write_rows(const SetUpJob& job, const uint32_t* indices, uint32_t first, const TriangleVector& t,
+                          mask is_back, mask is_slow, mask is_kept, TriangleRow* rows, uint32_t* tiles) {
+    const integer tile_x = t.left >> tile_bits, tile_y = t.top >> tile_bits;
+    const mask is_in_one = tile_x == t.right >> tile_bits && tile_y == t.bottom >> tile_bits;
+    const integer tile =
+        (tile_y - integer(job.first_tile_y)) * integer(job.columns) + tile_x - integer(job.first_tile_x);
+    int32_t tile_of[lanes];
+    store(tile_of,
+          select(is_slow, integer(int32_t(to_be_cut)), select(is_in_one, tile, integer(int32_t(in_many_tiles)))));
+    const uint32_t back = lane_bits(is_back), swapped = lane_bits(t.is_swapped);
+    int32_t written = 0;
+    for (uint32_t left = lane_bits(is_kept); left != 0; left &= left - 1) {
+        const int i = __builtin_ctz(left);
+        const uint32_t swap = swapped >> i & 1u;
+        const uint32_t* const corner = indices + 3 * i;
+        TriangleRow& row = rows[written];
+        copy_vertex(row, 0, job.vertices[corner[0]]);
+        copy_vertex(row, 1, job.vertices[corner[1 + swap]]);
+        copy_vertex(row, 2, job.vertices[corner[2 - swap]]);
+        row.draw = job.draw;
+        row.triangle = first + uint32_t(i);
+        row.is_back = (back >> i & 1u) != 0, row.is_piece = false, row.is_swapped = swap != 0, row.is_large = false;
+        tiles[written++] = uint32_t(tile_of[i]);
+    }
+    return written;
+}
+
 inline int32_t set_up_vector(SetUpJob& job, const uint32_t* indices, mask is_there, uint32_t first, TriangleRow* rows,
                              uint32_t* tiles) {
     const integer zero(0), everywhere = broadcast_i(int32_t(outside_all));
@@ -81,15 +123,7 @@ inline int32_t set_up_vector(SetUpJob& job, const uint32_t* indices, mask is_the
     if (no_lane(passes || is_slow) && !looks_at_culled) return 0;
 
     // 3. The pixel centers of the box, and of small boxes those inside.
-    TriangleVector t;
-    t.is_swapped = area < zero;
-    t.x[0] = x[0], t.x[1] = select(t.is_swapped, x[2], x[1]), t.x[2] = select(t.is_swapped, x[1], x[2]);
-    t.y[0] = y[0], t.y[1] = select(t.is_swapped, y[2], y[1]), t.y[2] = select(t.is_swapped, y[1], y[2]);
-    const integer before(127 - job.reach), after(128 - job.reach);
-    t.left = max((low_x + before) >> subpixel_bits, integer(job.left));
-    t.right = min((high_x - after) >> subpixel_bits, integer(job.right));
-    t.top = max((low_y + before) >> subpixel_bits, integer(job.top));
-    t.bottom = min((high_y - after) >> subpixel_bits, integer(job.bottom));
+    const TriangleVector t = with_box(job, x, y, area < zero);
     const mask has_centers = t.left <= t.right && t.top <= t.bottom;
     if (looks_at_culled) job.hides_in_window = any_lane(is_culled && has_centers);
     const integer one(1);
@@ -102,29 +136,7 @@ inline int32_t set_up_vector(SetUpJob& job, const uint32_t* indices, mask is_the
     job.culled_outside += count_lanes(is_missed);
 
     // 4. The tile, and the rows of those that are left.
-    const integer tile_x = t.left >> tile_bits, tile_y = t.top >> tile_bits;
-    const mask is_in_one = tile_x == t.right >> tile_bits && tile_y == t.bottom >> tile_bits;
-    const integer tile =
-        (tile_y - integer(job.first_tile_y)) * integer(job.columns) + tile_x - integer(job.first_tile_x);
-    int32_t tile_of[lanes];
-    store(tile_of,
-          select(is_slow, integer(int32_t(to_be_cut)), select(is_in_one, tile, integer(int32_t(in_many_tiles)))));
-    const uint32_t back = lane_bits(is_back), swapped = lane_bits(t.is_swapped);
-    int32_t written = 0;
-    for (uint32_t left = lane_bits(passes || is_slow); left != 0; left &= left - 1) {
-        const int i = __builtin_ctz(left);
-        const uint32_t swap = swapped >> i & 1u;
-        const uint32_t* const corner = indices + 3 * i;
-        TriangleRow& row = rows[written];
-        copy_vertex(row, 0, job.vertices[corner[0]]);
-        copy_vertex(row, 1, job.vertices[corner[1 + swap]]);
-        copy_vertex(row, 2, job.vertices[corner[2 - swap]]);
-        row.draw = job.draw;
-        row.triangle = first + uint32_t(i);
-        row.is_back = (back >> i & 1u) != 0, row.is_piece = false, row.is_swapped = swap != 0, row.is_large = false;
-        tiles[written++] = uint32_t(tile_of[i]);
-    }
-    return written;
+    return write_rows(job, indices, first, t, is_back, is_slow, passes || is_slow, rows, tiles);
 }
 
 static int32_t set_up(SetUpJob* given) {

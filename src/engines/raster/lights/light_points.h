@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lighting before there are pixels: once a face (flat; Bouknight 1970, "A Procedure for Generation of Three-dimensional
-// Half-toned Computer Graphics Presentations") or once a vertex (Gouraud 1971, "Continuous Shading of Curved
+// Lighting before there are pixels: once per face (flat; Bouknight 1970, "A Procedure for Generation of Three-dimensional
+// Half-toned Computer Graphics Presentations") or once per vertex (Gouraud 1971, "Continuous Shading of Curved
 // Surfaces").
 #pragma once
 #include <cstdint>

@@ -14,7 +14,7 @@ struct LitPoint {
 
 /// A corner of a triangle that is lit before there are pixels, with the numbers that the lighting was given.
 struct LitCorner {
-    std::uint32_t vertex = no_index;  ///< of the mesh; none: the face's centroid, which stands for all three corners
+    std::uint32_t vertex = no_index;  ///< of the mesh; none: the face's centroid, used for all three corners
     float position[3], normal[3];     ///< [m] about the eye, and unit, world axes
     LitPoint light;
 };

@@ -32,7 +32,7 @@ inline double square_coverage(dvec2 d, double half) {
            strip_coverage({0, d.y}, std::fabs(d.y), {0, 1}, half);
 }
 
-/// A mark as the pixels look at it.
+/// A mark prepared for coverage tests of pixels.
 class MarkShape {
 public:
     /// @param size  [px] the line's width, the point's diameter or side
@@ -76,7 +76,7 @@ public:
         const double t = std::min(std::max((px * dx_ + py * dy_) * scale_, 0.0), 1.0);
         return {t, {px - t * dx_, py - t * dy_}};
     }
-    /// A quick look: true where nothing is covered. Squares are always looked at.
+    /// A quick test: true if nothing is covered. Squares are always tested fully.
     bool is_out_of_reach(const Near& n) const {
         return shape_ != Mark::Shape::square && n.d.x * n.d.x + n.d.y * n.d.y > reach_ * reach_;
     }

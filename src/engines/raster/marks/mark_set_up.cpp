@@ -38,7 +38,7 @@ bool keep(End& a, End& b, std::size_t coordinate, double border, double side) {
     return true;
 }
 
-/// Pairs of vertices that are there already: an edge, in either direction, or a vertex with itself.
+/// Pairs of vertices that exist already: an edge, in either direction, or a vertex with itself.
 class SeenEdges {
 public:
     explicit SeenEdges(std::size_t most)
@@ -197,7 +197,7 @@ private:
     }
 
     FrontEnd& front_;
-    const View& view_;
+    const PictureCamera& view_;
     const TileGrid& grid_;
     MarkChunk& chunk_;
     const Mesh& mesh_;

@@ -79,9 +79,9 @@ Marks make_marks(FrontEnd& front, const TileGrid& grid, Context& context);
 /// Whether a tile has any.
 bool has_marks(const TileJob& job, std::size_t tile);
 
-/// Lays the marks of a tile without blended surfaces over its colors, into data channels too. A mark is hidden where it
-/// is farther than the visible surface by more than that surface's depth changes over half the mark's width and half a
-/// pixel: what lies on the surface shows, without gaps. Where colors differ, nearer marks lie over farther ones.
+/// Lays the marks of a tile without blended surfaces over its colors, into data channels too. A mark is hidden if it
+/// is farther than the visible surface by more than the surface's change of depth over half the mark's width and half
+/// a pixel. So marks on the surface are visible without gaps. Where colors differ, nearer marks lie over farther ones.
 void draw_marks(const TileJob& job, std::size_t tile, TileScratch& scratch);
 
 }  // namespace rakelight::raster

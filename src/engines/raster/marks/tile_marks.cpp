@@ -19,7 +19,7 @@ TileMarks::TileMarks(const TileJob& job, std::size_t tile, TileScratch& scratch)
       first_(job.binned.offsets[tile]),
       items_(marks_.items.begin() + marks_.offsets[tile], marks_.items.begin() + marks_.offsets[tile + 1]),
       surfaces_(tile_pixels) {
-    if (job.front.settings.channels != 0) shown_.resize(tile_pixels);
+    if (job.front.settings.channels != 0) top_.resize(tile_pixels);
     if (marks_.is_of_one_color) return;
     const auto depth = [this](std::uint64_t item) { return marks_.at(item).key[0] + marks_.at(item).key[1]; };
     std::stable_sort(items_.begin(), items_.end(),
@@ -47,34 +47,34 @@ void TileMarks::find_nearest() {
     }
 }
 
-void TileMarks::show(std::uint32_t pixel, const Mark& m, const Shown& here) {
-    Shown& shown = shown_[pixel];
-    if (is_opaque(m) && (shown.key < 0 || here.order > shown.order)) shown = here;
+void TileMarks::show(std::uint32_t pixel, const Mark& m, const TopMark& here) {
+    TopMark& top = top_[pixel];
+    if (is_opaque(m) && (top.key < 0 || here.order > top.order)) top = here;
 }
 
 void TileMarks::put_channels() {
-    for (std::size_t p = 0; p < shown_.size(); ++p)
-        if (shown_[p].key >= 0) put(p, shown_[p]);
+    for (std::size_t p = 0; p < top_.size(); ++p)
+        if (top_[p].key >= 0) put(p, top_[p]);
 }
 
 const Draw* TileMarks::draw_at(std::size_t pixel) {
-    shown_.assign(tile_pixels, Shown{});
+    top_.assign(tile_pixels, TopMark{});
     for_each_fragment([](const MarkFragment&) {});
-    return shown_[pixel].key < 0 ? nullptr : marks_.draws[shown_[pixel].item >> 32];
+    return top_[pixel].key < 0 ? nullptr : marks_.draws[top_[pixel].item >> 32];
 }
 
-/// A mark has no triangle, normal or texture coordinates, and is not lit: there stands what stands where nothing is.
-void TileMarks::put(std::size_t pixel, const Shown& shown) {
+/// A mark has no triangle, normal or texture coordinates, and is not lit: these channels have their background values.
+void TileMarks::put(std::size_t pixel, const TopMark& top) {
     const std::uint32_t channels = job_.front.settings.channels;
     for_each_channel(
         [&](std::uint32_t bit, auto& array) {
             if ((channels & bit) && bit != channel_overdraw) array[pixel] = empty_value(bit, array);
         },
         static_cast<ChannelArrays&>(s_));
-    const Draw& draw = *marks_.draws[shown.item >> 32];
-    const Mark& m = marks_.at(shown.item);
-    const vec3 color = color_at(m, double(shown.key), double(shown.t)).xyz();
-    s_.depth[pixel] = shown.key;
+    const Draw& draw = *marks_.draws[top.item >> 32];
+    const Mark& m = marks_.at(top.item);
+    const vec3 color = color_at(m, double(top.key), double(top.t)).xyz();
+    s_.depth[pixel] = top.key;
     if (channels & channel_object) s_.object[pixel] = draw.node;
     if (channels & channel_mesh) s_.mesh[pixel] = draw.mesh;
     if (channels & channel_material) s_.material[pixel] = job_.front.list.materials[draw.material].scene_material;
@@ -82,7 +82,7 @@ void TileMarks::put(std::size_t pixel, const Shown& shown) {
     if (channels & channel_emission) s_.emission[pixel] = color;
     if (!(channels & channel_position)) return;
     const int x = ox_ + int(pixel) % tile_size, y = oy_ + int(pixel) / tile_size;
-    s_.position[pixel] = cast<float>(job_.front.view.place(x + 0.5, y + 0.5, double(shown.key)));
+    s_.position[pixel] = cast<float>(job_.front.view.place(x + 0.5, y + 0.5, double(top.key)));
 }
 
 }  // namespace rakelight::raster

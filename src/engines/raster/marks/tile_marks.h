@@ -43,13 +43,13 @@ private:
     Coverage c_{};
 };
 
-/// Which of two points a pixel shows that both cover: that whose paraboloid is nearer. It opens away from the eye, with its
+/// Which of two points per pixel shows that both cover: that whose paraboloid is nearer. It opens away from the eye, with its
 /// vertex at the point, and is a radius deep at the border, so that points at equal depth part at their bisector (Schuetz & Wimmer
 /// 2015, "High-Quality Point-Based Rendering Using Fast Single-Pass Interpolation", section 3).
 class PointParaboloid {
 public:
     /// @param half  [px] the radius of points
-    PointParaboloid(const View& view, double half)
+    PointParaboloid(const PictureCamera& view, double half)
         : is_parallel_(view.orthographic),
           radius_(2 * half / (view.scale_y * view.height)),
           per_depth_(is_parallel_ ? 1 / (view.z_far - view.z_near) : 1) {}
@@ -88,7 +88,7 @@ public:
 
 private:
     /// What the channels of a pixel hold.
-    struct Shown {
+    struct TopMark {
         float key = -1;   ///< -1: no mark
         float order = 0;  ///< order_of()
         float t;          ///< along the mark
@@ -128,7 +128,7 @@ private:
             const double covered = shape.coverage(near);
             if (!(covered > 1e-6)) return;
             const float order = order_of(m, shape, near, key);
-            if (!shown_.empty() && shape.has_center(near)) show(p, m, {float(key), order, float(near.t), item});
+            if (!top_.empty() && shape.has_center(near)) show(p, m, {float(key), order, float(near.t), item});
             if (!nearest_.empty() && m.shape != Mark::Shape::line && order < nearest_[p]) return;
             take(MarkFragment{p, color, float(key), float(covered), float(shape.reach()), color_at(m, key, near.t)});
         });
@@ -148,8 +148,8 @@ private:
     }
     vec4 mixed_color(const Mark& m, double key, double t) const;
     void find_nearest();
-    void show(std::uint32_t pixel, const Mark& m, const Shown& here);
-    void put(std::size_t pixel, const Shown& shown);
+    void show(std::uint32_t pixel, const Mark& m, const TopMark& here);
+    void put(std::size_t pixel, const TopMark& top);
 
     const TileJob& job_;
     const Marks& marks_;
@@ -159,9 +159,9 @@ private:
     int ox_, oy_;
     std::uint32_t first_;
     std::vector<std::uint64_t> items_;
-    std::vector<Shown> shown_;    ///< [tile_pixels] where channels are asked for
+    std::vector<TopMark> top_;    ///< [tile_pixels] where channels are requested
     std::vector<float> nearest_;  ///< [tile_pixels] order of the opaque point that fills the pixel; empty: unknown
-    std::vector<DepthTolerance> surfaces_;  ///< [tile_pixels] what is seen there, where it was asked for
+    std::vector<DepthTolerance> surfaces_;  ///< [tile_pixels] what is seen there, where it was requested
 };
 
 }  // namespace rakelight::raster

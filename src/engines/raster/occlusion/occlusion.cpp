@@ -28,7 +28,7 @@ constexpr std::size_t raw_stride = std::size_t(raw_side) + vector_padding;
 /// [px] beside what is looked at along slices: the rest of what a pixel's openness depends on.
 constexpr int beyond_reach = side_margin + smoothing_reach + occlusion_margin + 1;
 
-Window widened(const Window& w, int by, const View& view) {
+Window widened(const Window& w, int by, const PictureCamera& view) {
     const int left = std::max(w.x - by, 0), top = std::max(w.y - by, 0);
     const int right = std::min(w.x + w.width + by, view.width), bottom = std::min(w.y + w.height + by, view.height);
     return {left, top, right - left, bottom - top};
@@ -46,7 +46,7 @@ int occlusion_reach(const RenderSettings& settings) { return std::clamp(settings
 
 double occlusion_radius(const RenderSettings& settings, const Bounds& bounds) {
     if (settings.ambient_occlusion_radius > 0) return settings.ambient_occlusion_radius;
-    return bounds.empty() ? 1 : usual_occlusion_share * 0.5 * bounds.diagonal();
+    return bounds.empty() ? 1 : default_occlusion_share * 0.5 * bounds.diagonal();
 }
 
 AmbientOcclusion::AmbientOcclusion(const FrontEnd& front, const Binned& binned, const TileGrid& grid,
@@ -75,7 +75,7 @@ AmbientOcclusion::AmbientOcclusion(const FrontEnd& front, const Binned& binned, 
     front_ = &*guard_, binned_ = &guard_binned_;
 }
 
-void AmbientOcclusion::set_factors(const View& view) {
+void AmbientOcclusion::set_factors(const PictureCamera& view) {
     const int samples = settings_.ambient_occlusion_samples;
     factors_.is_parallel = view.orthographic;
     factors_.steps = samples < few_samples ? steps_of_few : samples < some_samples ? steps_of_some : steps_of_many;

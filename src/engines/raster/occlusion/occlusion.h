@@ -29,7 +29,7 @@ public:
     /// The depths that some rows of the window, those of `strip`, need. Before find() of their tiles.
     void draw_depths(const Window& strip, Context& context);
 
-    /// Openness of a tile's pixels, and of one more to each side, into its scratch; the data channel, where it is asked for.
+    /// Openness of a tile's pixels, and of one more to each side, into its scratch; the data channel, where it is requested.
     void find(const TileJob& job, std::size_t tile, TileScratch& scratch) const;
 
     /// Gives a batch the openness of its pixels; `job.count` of TileScratch::pixel.
@@ -39,12 +39,12 @@ public:
     void give_to_fragments(ShadeJob& job, int origin_x, int origin_y, TileScratch& scratch) const;
 
 private:
-    void set_factors(const View& view);
+    void set_factors(const PictureCamera& view);
     void find(const Window& area, int origin_x, int origin_y, TileScratch& scratch) const;
     float key_at(int x, int y) const;
     float best_around(int x, int y, int px, int py, const ShadeTriangle& triangle, const TileScratch& scratch) const;
 
-    const View& view_;
+    const PictureCamera& view_;
     const FrontEnd* front_;  ///< what depths are drawn of: the picture's, or `guard_`
     const Binned* binned_;
     TileGrid grid_;

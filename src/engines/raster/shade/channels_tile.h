@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data channels beyond depth, normal, object and material, which visibility and shading hand out by the way.
+// Data channels beyond depth, normal, object and material, which visibility and shading already compute.
 #pragma once
 #include "engines/raster/tile.h"
 
@@ -8,7 +8,7 @@ namespace rakelight::raster {
 inline constexpr std::uint32_t further_channels =
     channels_all & ~std::uint32_t(channel_depth | channel_normal | channel_object | channel_material);
 
-/// Room for those that are asked for, filled with what stands where nothing is.
+/// Memory for the requested ones, filled with their background values.
 void clear_channels(std::uint32_t channels, TileScratch& scratch);
 /// Those of a batch whose records are made: `wanted` and the batch arrays are as shading has left them.
 void fill_channels(const TileJob& job, const ShadeJob& batch, std::uint32_t draw, TileScratch& scratch);

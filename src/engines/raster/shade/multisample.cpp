@@ -23,13 +23,13 @@ struct Middles {
     explicit Middles(int samples) {
         const auto positions = sample_positions(samples);
         x[0] = y[0] = 0;
-        for (std::uint32_t shown = 1; shown < 1u << samples; ++shown) {
+        for (std::uint32_t sample_mask = 1; sample_mask < 1u << samples; ++sample_mask) {
             SamplePosition sum{0, 0};
             for (std::size_t s = 0; s < positions.size(); ++s)
-                if (shown >> s & 1u) sum.x += positions[s].x, sum.y += positions[s].y;
-            const float scale = float(16 * std::popcount(shown));
-            x[shown] = float(sum.x) / scale;
-            y[shown] = float(sum.y) / scale;
+                if (sample_mask >> s & 1u) sum.x += positions[s].x, sum.y += positions[s].y;
+            const float scale = float(16 * std::popcount(sample_mask));
+            x[sample_mask] = float(sum.x) / scale;
+            y[sample_mask] = float(sum.y) / scale;
         }
     }
 };
@@ -39,7 +39,7 @@ const Middles& middles(int samples) {
     return samples == 8 ? of_8 : of_4;
 }
 
-constexpr std::size_t most_passes = 24;  ///< over the tile, one a draw; with more draws all pixels are opened
+constexpr std::size_t most_passes = 24;  ///< over the tile, one per draw; with more draws all pixels are opened
 
 /// One tile.
 class MultisampledTile {
@@ -107,23 +107,23 @@ private:
         const std::size_t before = m_.found.size();
         while (left != 0) {
             const std::int32_t position = m_.visible[std::size_t(std::countr_zero(left)) * tile_pixels + p];
-            std::uint32_t shown = 0;
+            std::uint32_t sample_mask = 0;
             for (std::size_t s = 0; s < samples_; ++s)
-                shown |= std::uint32_t(m_.visible[s * tile_pixels + p] == position) << s;
-            left &= ~shown;
+                sample_mask |= std::uint32_t(m_.visible[s * tile_pixels + p] == position) << s;
+            left &= ~sample_mask;
             if (position >= 0) {
-                m_.found.push_back({position, std::uint16_t(p), std::uint16_t(shown)});
-                s_.samples_covered += std::uint64_t(std::popcount(shown));
+                m_.found.push_back({position, std::uint16_t(p), std::uint16_t(sample_mask)});
+                s_.samples_covered += std::uint64_t(std::popcount(sample_mask));
             } else {
-                put(number, shown, has_sky(job_.front.list) ? s_.color[p] : empty_pixel(job_.front.settings));
+                put(number, sample_mask, has_sky(job_.front.list) ? s_.color[p] : empty_pixel(job_.front.settings));
             }
         }
         s_.covered += std::uint64_t(m_.found.size() > before);
     }
 
-    void put(std::size_t number, std::uint32_t shown, vec4 color) {
+    void put(std::size_t number, std::uint32_t sample_mask, vec4 color) {
         vec4* const to = &m_.color[number * samples_];
-        for (; shown != 0; shown &= shown - 1) to[std::countr_zero(shown)] = color;
+        for (; sample_mask != 0; sample_mask &= sample_mask - 1) to[std::countr_zero(sample_mask)] = color;
     }
 
     /// By position in the tile's list, so also draw by draw; those of one triangle in the order of the pixels.
@@ -140,7 +140,7 @@ private:
         const std::size_t begin = m_.first[std::size_t(run.begin)], end = m_.first[std::size_t(run.end)];
         const bool has_whole = m_.open_pixels.size() < tile_pixels;
         const auto count = has_whole ? std::size_t(job_.front.kernels.collect(m_.whole.data(), run.begin, run.end,
-                                                                              s_.pixel.data(), s_.shown.data()))
+                                                                              s_.pixel.data(), s_.list_position.data()))
                                      : 0;
         if (count == 0 && begin == end) return;
         s_.wanted.clear();
@@ -214,14 +214,14 @@ void move_to(SamplePosition at, std::size_t count, ShadeJob& batch, TileScratch&
     use_offsets(batch, s);
 }
 
-vec2 middle_of(int samples, std::uint32_t shown) {
+vec2 middle_of(int samples, std::uint32_t sample_mask) {
     const Middles& m = middles(samples);
-    return {m.x[shown], m.y[shown]};
+    return {m.x[sample_mask], m.y[sample_mask]};
 }
 
-void move_to_middle(int samples, std::uint32_t shown, std::size_t i, TileScratch& s) {
-    s.offset_x[i] = middles(samples).x[shown];
-    s.offset_y[i] = middles(samples).y[shown];
+void move_to_middle(int samples, std::uint32_t sample_mask, std::size_t i, TileScratch& s) {
+    s.offset_x[i] = middles(samples).x[sample_mask];
+    s.offset_y[i] = middles(samples).y[sample_mask];
 }
 
 void find_visible_samples(const TileJob& job, std::size_t tile, TileScratch& s) {

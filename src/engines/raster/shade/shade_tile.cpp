@@ -20,8 +20,8 @@
 namespace rakelight::raster {
 void find_wanted(const TileJob& job, std::size_t tile, std::size_t count, TileScratch& s) {
     const ScreenTriangle* const* const items = job.binned.items.data() + job.binned.offsets[tile];
-    std::fill_n(s.shown.begin() + std::ptrdiff_t(count), batch_padding, s.shown[count - 1]);
-    const std::int32_t wanted = job.front.kernels.number(s.shown.data(), std::int32_t(count), s.record.data(),
+    std::fill_n(s.list_position.begin() + std::ptrdiff_t(count), batch_padding, s.list_position[count - 1]);
+    const std::int32_t wanted = job.front.kernels.number(s.list_position.data(), std::int32_t(count), s.record.data(),
                                                          s.batch_triangle.data(), s.numbers.data());
     s.wanted.resize(std::size_t(wanted));
     for (std::size_t i = 0; i < s.wanted.size(); ++i) {
@@ -98,14 +98,14 @@ void shade_draw(const TileJob& job, std::size_t tile, std::uint32_t draw, std::s
 }
 
 constexpr std::size_t most_passes =
-    24;  ///< over the tile, one a draw; where there are more draws its pixels are sorted
+    24;  ///< over the tile, one per draw; where there are more draws its pixels are sorted
 
 /// As a pass for each draw, in one.
 void shade_sorted(const TileJob& job, std::size_t tile, const std::vector<DrawRun>& runs, bool to_srgb8,
                   TileScratch& s) {
     s.sorted.resize(tile_pixels + batch_padding);
-    const auto count =
-        std::size_t(job.front.kernels.collect(s.visible.data(), 0, runs.back().end, s.sorted.data(), s.shown.data()));
+    const auto count = std::size_t(
+        job.front.kernels.collect(s.visible.data(), 0, runs.back().end, s.sorted.data(), s.list_position.data()));
     const auto run_of = [&](std::int32_t pixel) {
         return std::partition_point(runs.begin(), runs.end(),
                                     [&](const DrawRun& r) { return r.end <= s.visible[std::size_t(pixel)]; });
@@ -117,7 +117,8 @@ void shade_sorted(const TileJob& job, std::size_t tile, const std::vector<DrawRu
         const auto next =
             std::partition_point(at, end, [&](std::int32_t pixel) { return s.visible[std::size_t(pixel)] < run->end; });
         std::copy(at, next, s.pixel.begin());
-        std::transform(at, next, s.shown.begin(), [&](std::int32_t pixel) { return s.visible[std::size_t(pixel)]; });
+        std::transform(at, next, s.list_position.begin(),
+                       [&](std::int32_t pixel) { return s.visible[std::size_t(pixel)]; });
         shade_draw(job, tile, run->draw, std::size_t(next - at), to_srgb8, s);
         at = next;
     }
@@ -144,7 +145,7 @@ void set_background(const TileJob& job, std::size_t tile, bool to_srgb8, TileScr
 
 }  // namespace
 
-void set_ray(const View& view, int tile_x, int tile_y, float (&ray)[3][3]) {
+void set_ray(const PictureCamera& view, int tile_x, int tile_y, float (&ray)[3][3]) {
     const shading::PixelRays rays = shading::pixel_rays(view, tile_x, tile_y);
     for (std::size_t c = 0; c < 3; ++c) {
         ray[c][0] = float(rays.along_x[c]);
@@ -200,7 +201,7 @@ bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
         for (const DrawRun& run : runs)
             shade_draw(job, tile, run.draw,
                        std::size_t(job.front.kernels.collect(s.visible.data(), run.begin, run.end, s.pixel.data(),
-                                                             s.shown.data())),
+                                                             s.list_position.data())),
                        direct, s);
     return blends;
 }

@@ -6,7 +6,7 @@
 namespace rakelight::raster {
 namespace {
 
-void set_rays(const View& view, int tile_x, int tile_y, SkyJob& out) {
+void set_rays(const PictureCamera& view, int tile_x, int tile_y, SkyJob& out) {
     if (view.orthographic) {
         const dvec3 forward = -view.camera_to_world[2].xyz();
         for (std::size_t c = 0; c < 3; ++c) out.ray[c][0] = out.ray[c][1] = 0, out.ray[c][2] = float(forward[c]);
@@ -41,7 +41,7 @@ void fill_sky(const TileJob& job, std::size_t tile, std::vector<vec4>& color, Ti
 
 void put_sky(const TileJob& job, std::size_t tile, const std::int32_t* visible, TileScratch& s) {
     SkyJob sky = sky_job(job, tile, s);
-    sky.count = job.front.kernels.collect(visible, -1, 0, s.pixel.data(), s.shown.data());
+    sky.count = job.front.kernels.collect(visible, -1, 0, s.pixel.data(), s.list_position.data());
     if (sky.count == 0) return;
     std::fill_n(s.pixel.begin() + sky.count, batch_padding, s.pixel[std::size_t(sky.count - 1)]);
     sky.display = display_pixels(s);

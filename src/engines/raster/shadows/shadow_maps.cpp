@@ -41,7 +41,7 @@ std::int32_t coded_slopes(float x, float y) {
 }
 
 /// Where a map has nothing.
-void clear_tile(const View& view, const Window& area, const MapTexels& map) {
+void clear_tile(const PictureCamera& view, const Window& area, const MapTexels& map) {
     const std::int32_t flat = coded_slopes(0, 0);
     for (int y = area.y; y < area.y + area.height; ++y) {
         const std::ptrdiff_t to = std::ptrdiff_t(y) * view.width + area.x;
@@ -52,7 +52,7 @@ void clear_tile(const View& view, const Window& area, const MapTexels& map) {
 
 /// What a tile's pixels show -> the map.
 void put_tile(const TileJob& job, std::size_t tile, const TileScratch& s, const MapTexels& map) {
-    const View& view = job.front.view;
+    const PictureCamera& view = job.front.view;
     const Window area = job.grid.pixels(tile);
     const int left = job.grid.origin_x(tile), top = job.grid.origin_y(tile);
     const ScreenTriangle* const* const list = job.binned.items.data() + job.binned.offsets[tile];
@@ -78,9 +78,9 @@ void put_tile(const TileJob& job, std::size_t tile, const TileScratch& s, const 
 
 /// Draws one map.
 void draw_map(const DrawList& list, const shading::MapCamera& from, const RenderSettings& settings,
-              const Kernels& kernels, const GeometryKernels& geometry_kernels, const MapTexels& map, View& view,
-              Context& context) {
-    view = view_of(list, from.camera, settings);
+              const Kernels& kernels, const GeometryKernels& geometry_kernels, const MapTexels& map,
+              PictureCamera& view, Context& context) {
+    view = picture_camera_of(list, from.camera, settings);
     const TileGrid grid(settings.width, settings.height, {});
     FrontEnd front{.list = list,
                    .view = view,

@@ -9,8 +9,8 @@
 
 #include "cpu_shading/draw_list.h"
 #include "engines/raster/kernels/kernel_types.h"
+#include "shading/picture_camera.h"
 #include "shading/shadow_cameras.h"
-#include "shading/view.h"
 
 namespace rakelight::raster {
 
@@ -18,7 +18,7 @@ using cpu_shading::DrawList;
 
 class ShadowMaps {
 public:
-    /// Draws the maps of the lights that cast shadows, where the settings ask for them. Opaque surfaces throw shadows
+    /// Draws the maps of the lights that cast shadows, where the settings ask for them. Opaque surfaces cast shadows
     /// from both their sides, masked ones where their texture is opaque, blended ones none; lines and points none.
     /// Maps of the call before are kept where they would be the
     /// same: they depend on the list and on the settings' size and filter, not on the eye.
@@ -36,7 +36,7 @@ public:
     void forget();
 
     std::uint64_t drawn() const { return drawn_; }           ///< maps so far
-    std::uint64_t count() const;                             ///< maps that are there
+    std::uint64_t count() const;                             ///< maps that exist
     std::uint64_t bytes() const { return charge_.bytes(); }  ///< of those
 
     /// [maps] LightParameters::shadow says which; null: no shadows. They point into this.
@@ -48,7 +48,7 @@ private:
     struct Maps {
         std::size_t light = 0;
         std::vector<shading::MapCamera> cameras;
-        shading::View view{};  ///< of the last of them
+        shading::PictureCamera view{};  ///< of the last of them
         std::unique_ptr<float[]> nearness;
         std::unique_ptr<std::int32_t[]> slopes;
     };

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string>
 
+#include "base/format_text.h"
 #include "engines/raster/multisample.h"
 
 namespace rakelight::raster {
@@ -52,7 +53,7 @@ void ShadowTexels::take(const TileJob& job, std::size_t tile, const TileScratch&
     const bool is_sampled = job.front.settings.samples > 1;
     const float* const depth = is_sampled ? scratch.samples->depth.data() : scratch.depth.data();
     const std::int32_t* const visible = is_sampled ? scratch.samples->visible.data() : scratch.visible.data();
-    const View& view = job.front.view;
+    const PictureCamera& view = job.front.view;
     const Window area = job.grid.pixels(tile);
     const int left = job.grid.origin_x(tile), top = job.grid.origin_y(tile);
     const dvec3 eye = view.camera_to_world[3].xyz();
@@ -100,7 +101,7 @@ void ShadowTexels::remark(const Scene& scene, std::span<const lighting::LightPar
     std::string text = name_of(scene.lights[light], light) + ": a texel of its shadow map covers " +
                        rounded(widest.meters) + " m (about " + rounded(widest.pixels) + " pixels)";
     if (is_wide) text += "; raise 'shadow-size'";
-    if (others > 1) text += "; so with " + std::to_string(others - 1) + " more";
+    if (others > 1) text += format_text("; so with {} more", others - 1);
     context.report().add(is_wide ? Remark::warning : Remark::note, scene.source, {}, text, {"shadow-size"});
 }
 

@@ -12,7 +12,7 @@
 namespace rakelight::raster {
 namespace {
 
-/// A masked triangle: the pixels that would be visible ask the texture first, where they are looked at.
+/// A masked triangle: pixels that would be visible read the texture first.
 void cover_masked(const TileJob& job, const ScreenTriangle& s, std::int32_t position, const Window& area, int ox,
                   int oy, const SamplePlane& plane, TileScratch& scratch) {
     std::size_t count = 0;
@@ -65,8 +65,8 @@ CoverJob cover_job(const Coverage& c, std::int32_t position, const SamplePlane& 
     return job;
 }
 
-/// The farthest depth that stands in a tile: what is not nearer needs no look at the pixels. Found anew when half a tile's worth of
-/// pixels was written since.
+/// The farthest depth in a tile: triangles that are not nearer are skipped. It is updated after half a tile's worth of
+/// pixels was written.
 class FarthestDepth {
 public:
     FarthestDepth(const GeometryKernels& kernels, const Window& area, int ox, int oy, const float* depth)

@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    /// Calls visit(x, y, depth, order) for each pixel, from the tile's corner, where the triangle is seen before what stands there.
+    /// Calls visit(x, y, depth, order) for each pixel, relative to the tile's corner, where the triangle is in front.
     template <class Visit>
     void for_each_seen(const ScreenTriangle& t, const Visit& visit) {
         const SurfaceOrder order(job_.front, t);

@@ -32,7 +32,7 @@ private:
            high_ = 0;  ///< plane of the reversed depth in px, and its limits
 };
 
-/// Whether a surface is seen before another that stands at the pixel.
+/// Whether a surface is in front of another at the pixel.
 /// @param is_later  it comes after the other in the scene
 inline bool is_seen_before(Visibility method, double mine, double standing, bool is_later) {
     return mine < standing || (mine == standing && is_later && !has_depth(method));
@@ -47,7 +47,7 @@ inline double blending_place(const FrontEnd& front, const ScreenTriangle& s) {
     return -SurfaceOrder(front, s).whole();
 }
 
-/// Whether a blended triangle is seen before the opaque surface that stands at a pixel.
+/// Whether a blended triangle is in front of the opaque surface at a pixel.
 class BlendTest {
 public:
     /// @param position  of the triangle in the tile's list

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where rays meet triangles, as the points that are shaded: what cpu_shading/kernels/shade_points.h calls a Source. Which
+// Where rays hit triangles, as the points that are shaded: what cpu_shading/kernels/shade_points.h calls a Source. Which
 // triangle it is was found before; place, weights of the corners and differentials are made here, the same whoever found it.
 // Per instruction set.
 #pragma once
@@ -28,7 +28,7 @@ struct Hits {
     vec3 position, normal;      ///< the triangle's by the order of its corners, of any length
     vec3 change_b1, change_b2;  ///< [1/m] of the weights of corners 1 and 2 over the plane
     real b1, b2, t, facing;
-    real shows_front;  ///< 1, or -1: the ray meets the back
+    real shows_front;  ///< 1, or -1: the ray hits the back
     real per_cosine;   ///< 1 / dot(normal, along)
 
     ShapePoint shape;  ///< where the job has one

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where rays go on from hits, with what weight, and how they differ from pixel to pixel: Igehy 1999, "Tracing Ray Differentials",
+// Where rays continue from hits, with what weight, and how they differ from pixel to pixel: Igehy 1999, "Tracing Ray Differentials",
 // eq. 10 to 17. The weights are those of lighting/material/transport.glsl. Per instruction set.
 #pragma once
 #include "engines/raytrace/kernels/hits.h"
@@ -60,7 +60,7 @@ inline HitTransport metallic_transport(const EveryJob& job, const EveryPoint& s,
     return out;
 }
 
-/// Planes of the rays that go on, of one vector of hits.
+/// Planes of the rays that continue, of one vector of hits.
 struct NextPlanes {
     const NextRays& to;
     int32_t first;
@@ -126,7 +126,7 @@ inline void put_lobes(const HitJob& job, const Hits& h, const EveryPoint& s, con
          bends ? change_of_refracted(ray.d, n, out, eta, ray.dy, turn_y) : ray.dy, weights.refracted * share);
 }
 
-/// Writes the rays that go on from a vector of hits, and takes out of the surface what they bring.
+/// Writes the rays that continue from a vector of hits, and takes out of the surface what they bring.
 inline void find_next(const EveryJob& job, const HitJob& hits, const Hits& h, int32_t first, EveryPoint& s) {
     const vec3 n = s.surface.base.n;
     const mask is_front = h.shows_front > real(0.0f);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where paths of light meet surfaces: light of lights without an area, the ray to an emitter, and how the path goes on: Kajiya 1986,
-// "The Rendering Equation"; Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", section 9.2.4 (the balance
-// heuristic). Compiled once per instruction set.
+// Where paths hit surfaces: light of lights without an area, the ray to an emitter, and the continuation of the path.
+// Sources: Kajiya 1986, "The Rendering Equation"; Veach 1997, "Robust Monte Carlo Methods for Light Transport
+// Simulation", section 9.2.4 (the balance heuristic). Compiled once per instruction set.
 #include "engines/raytrace/kernels/path_lobes.h"
 
 namespace rakelight::raytrace::RL_ISA {
@@ -111,7 +111,7 @@ void put_step(const PathSurface& p, const PathLobes& lobes, real share, real the
     planes.put(out_straight, step.is_straight), planes.put(out_mirrored, step.is_mirrored);
 }
 
-/// What shines by itself: from the front, or from both sides.
+/// Emission: from the front, or from both sides.
 vec3 own_light(const PathJob& job, const PathSurface& p) {
     const vec3 own = cpu::own_radiance(p.job, p.point);
     if (job.shines_behind != 0 || p.job.of.unlit != 0) return own;

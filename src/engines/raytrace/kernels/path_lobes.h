@@ -127,7 +127,7 @@ inline real pdf_of(const PathSurface& p, const PathLobes& lobes, vec3 l) {
     return lit::surface_pdf(lobes.rest, lobes.shares, l, p.traits, p.reflection) * (real(1.0f) - lobes.border.share);
 }
 
-/// Where a path goes on.
+/// Where a path continues.
 struct PathStep {
     vec3 d, weight;
     real pdf;          ///< 0: this lobe is not that of any sampled emitter

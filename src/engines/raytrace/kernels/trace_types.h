@@ -41,7 +41,7 @@ struct ShadowRays {
     float* seen[3];       ///< [count] out: 0..1 of red, green, blue
 };
 
-/// Where rays go on from a hit, an array each: what they share, then `lobe_planes` for each of them.
+/// Where rays continue from a hit, an array each: what they share, then `lobe_planes` for each of them.
 enum NextPlaneNumber : int32_t {
     next_o = 0,     ///< the hit, about the eye
     next_n = 3,     ///< unit normal of the surface's plane, on the side that is seen
@@ -76,7 +76,7 @@ struct ShapeView {
     float to_object[3][4];  ///< rows: about the eye -> object space
 };
 enum ShapeNumber : int32_t { shape_none = -1, shape_sphere, shape_cylinder, shape_cone, shape_torus, shape_plane };
-/// Faces of shapes, in the place of triangles.
+/// Faces of shapes, instead of triangles.
 enum ShapeFaceNumber : int32_t { face_side, face_top, face_bottom };
 
 /// Hits of one draw.
@@ -87,7 +87,7 @@ struct HitJob : MaterialJob {
     const int32_t* triangle;  ///< [count] likewise
     RayView rays;
     cpu_shading::MeshView mesh;
-    ShapeView shape;       ///< in place of the triangles, which are its faces' numbers then
+    ShapeView shape;       ///< instead of the triangles, which are its faces' numbers then
     int32_t is_of_splats;  ///< 1: the mesh is splats; rays leave them beyond their neighbors, which overlap them
     const float* t;        ///< [count] of shapes: where on the rays; read up to batch_padding past it
     float to_eye[3][4];    ///< rows of object space -> about the eye
@@ -99,7 +99,7 @@ struct HitJob : MaterialJob {
     const void* tracer;
     int32_t is_path;       ///< 1: rough surfaces spread what goes through, classical ones send on no more than arrives
     int32_t is_opened;     ///< 1: alpha thins the surface's own light, before the fog
-    const NextRays* next;  ///< null: no ray goes on
+    const NextRays* next;  ///< null: no ray continues
     float to_rays[3];      ///< from the eye to where Embree's coordinates are 0, negated: place about the eye + this
     float* red;            ///< [count] out, linear, finite
     float* green;
@@ -129,7 +129,7 @@ enum PathOutNumber : int32_t {
     out_emitter_o = 4,  ///< where the ray to the emitter begins, about the eye (3)
     out_emitter_d = 7,  ///< the emitter is at 1 on it, the environment at infinity (3)
     out_emitter_weight = 10,  ///< of its radiance; 0: no ray (3)
-    out_o = 13,               ///< where the path goes on, about the eye (3)
+    out_o = 13,               ///< where the path continues, about the eye (3)
     out_d = 16,               ///< unit (3)
     out_weight = 19,          ///< 0: it ends (3)
     out_pdf = 22,             ///< [1/sr] of the direction; 0: emitters are not sampled in this lobe

@@ -102,7 +102,7 @@ void put_terms(const lit::LightTerms& terms, TracedLight& out) {
     put(out.specular, terms.specular);
 }
 
-/// One light at a surface point, but for its terms.
+/// One light at a surface point, except for its terms.
 void trace_light(const EveryJob& job, int32_t i, vec3 position, const lit::Surface& surface,
                  const lit::LightSample& sample, TracedLight& out) {
     trace_reach(job.of.lights[i], position, out);
@@ -283,7 +283,7 @@ void trace_pixel(const ShadeJob* job, PixelTrace* pixel, TracedLight* lights, Tr
     cpu::find_radiance(p.material, p.source, p.b, p.seen(), radiance);
     trace_surroundings(p, radiance[0], out);
     put(out.color, cpu::behind_fog(p.material, p.point().position, radiance[0]));
-    out.alpha = cpu::shown_alpha(p.material, p.state().bumps, p.state().base.color.w);
+    out.alpha = cpu::alpha_in_silhouette(p.material, p.state().bumps, p.state().base.color.w);
 }
 
 }  // namespace rakelight::raster::RL_ISA

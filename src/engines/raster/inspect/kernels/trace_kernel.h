@@ -6,8 +6,8 @@
 
 namespace rakelight::raster::trace {
 
-/// Lights one point of flat and Gouraud shading as the engine's `light` does and records how: `received` is ambient,
-/// diffuse and specular, each the sum over the lights in their order; TracedLight::sum is left at 0. `lights` takes
+/// Lights one point of flat and Gouraud shading as the engine's `light` does, and records how. `received` is ambient,
+/// diffuse and specular, each summed over the lights in order. TracedLight::sum is left at 0. `lights` takes
 /// job->light_count entries, `parts` as many.
 void trace_point(const ShadeJob* job, float roughness, const float (&position)[3], const float (&normal)[3],
                  float (&received)[3][3], TracedLight* lights, TracedParts* parts);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The terms of the lights taken apart into their factors, for the recorder: each part of a term is a product whose
-// factors the equations' own functions give. What they come to is the kernel's term but for rounding, which
-// tests/unit/raster/explain_parts_test.cpp holds them to.
+// factors the equations' own functions give. Their sum is the kernel's term except for rounding, as
+// tests/unit/raster/explain_parts_test.cpp checks.
 #pragma once
 #include "engines/raster/inspect/kernels/trace_kernel.h"
 #include "engines/raster/kernels/whole_pixels.h"
@@ -199,7 +199,7 @@ inline void trace_parts(const PartSource& of, TracedParts& out) {
     layer_parts(of, out);
 }
 
-/// What comes from all around, as environment_terms() forms it, and the emission under a coat.
+/// What comes from the environment, as environment_terms() forms it, and the emission under a coat.
 inline void trace_parts_around(const WholePixels& p, TracedParts& out) {
     const auto& job = p.material;
     const lit::MaterialSurface& s = p.state().surface;

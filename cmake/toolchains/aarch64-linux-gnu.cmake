@@ -1,0 +1,17 @@
+# Debian's cross compiler for AArch64 (g++-aarch64-linux-gnu), with the libraries of a Debian tree for arm64 at RAKELIGHT_SYSROOT
+# (tests/packages/aarch64.sh makes one). Programs of the build run under qemu-aarch64 (qemu-user).
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR aarch64)
+set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES RAKELIGHT_SYSROOT)
+set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
+set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
+set(CMAKE_SYSROOT ${RAKELIGHT_SYSROOT})
+set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64 -L ${RAKELIGHT_SYSROOT})
+set(CMAKE_FIND_ROOT_PATH ${RAKELIGHT_SYSROOT})
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+set(ENV{PKG_CONFIG_SYSROOT_DIR} ${RAKELIGHT_SYSROOT})
+set(ENV{PKG_CONFIG_LIBDIR} ${RAKELIGHT_SYSROOT}/usr/lib/aarch64-linux-gnu/pkgconfig:${RAKELIGHT_SYSROOT}/usr/share/pkgconfig)

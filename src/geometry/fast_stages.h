@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stages of the fast path in order, each with its source.
+#pragma once
+#include "geometry/fast_state.h"
+
+namespace rakelight::geometry {
+
+// --- fast_scatter.cpp ----------------------------------------------------------------------------------------
+
+/// Adds the votes of all faces to the rows of their vertices, inside each mesh. Fixed pieces of about 128k triangles
+/// own vertex ranges; votes for another piece's vertex are transferred and added in the order of the pieces, so results
+/// are bit-identical for any number of threads. Faces for which float is not safe are computed in double and rounded.
+/// @return false: an index is out of range (nothing was read through it)
+bool scatter_votes(FastState& state);
+
+// --- fast_weld.cpp -------------------------------------------------------------------------------------------
+
+std::uint32_t weld_partition_bits(std::uint32_t vertices);
+
+/// Writes the hashes of positions first .. last - 1 of a mesh (world space, -0 as +0; with scope `object` including the
+/// object) and counts them by partition in the lane.
+void hash_places(const FastState& state, LaneScratch& lane, std::uint32_t mesh, std::uint32_t first,
+                 std::uint32_t last);
+
+/// Welds vertices (exactly, -0 equal to +0; with scope `object` only inside one object) and gives each class the sum of
+/// its members' rows in index order. All places must be hashed. One radix partition by hash, then a cache-sized hash
+/// table per partition; each class lies in one partition, so threads do not share classes.
+void weld_rows(FastState& state);
+
+// --- fast_classes.cpp ----------------------------------------------------------------------------------------
+
+/// Gives the members of each class their common sums: normals of all; tangents of members of one handedness within 45
+/// degrees of each other (connected pairs). Classes that float cannot decide like the general path (nearly cancelling
+/// normals, mirrored charts at one vertex, angles near 45 degrees) are left to it: weight -1.
+/// @param duplicates  whole classes: all members but one, with that one; sorted here
+void join_classes(FastState& state, std::vector<Duplicate>& duplicates);
+
+// --- fast_finish.cpp -----------------------------------------------------------------------------------------
+
+/// From the sums to unit normals and tangents in the caller's buffers.
+/// @return global indices of vertices left to the general path, ascending; their output is invalid
+std::vector<std::uint32_t> finish_rows(FastState& state);
+
+// --- fast_hard_places.cpp ------------------------------------------------------------------------------------
+
+/// Recomputes some places by the general path with all faces that touch them, and replaces the output of the fast path.
+/// The general path's result at a place depends only on the faces there.
+/// @param vertices global indices, ascending; with a vertex all others at its place
+/// @param splits [meshes] gets the split vertices
+void redo_places(FastState& state, std::span<const std::uint32_t> vertices, std::span<const AttributeBuffers> out,
+                 std::vector<SplitAttributes>& splits);
+
+}  // namespace rakelight::geometry

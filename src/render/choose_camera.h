@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Chooses the camera of a picture. See choose_camera() in <rakelight/picture.h>.
+#pragma once
+#include <rakelight/picture.h>
+
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+
+/// Functions of public headers for scenes that passed validate(), which the public ones do first.
+namespace valid {
+/// @param aspect  a number > 0
+Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context);
+}  // namespace valid
+
+/// Warns if the requested up direction has no effect in that view.
+void warn_if_up_is_along(dvec3 up, const Camera& camera, const std::string& file, Report& report);
+
+/// A camera of the file, in the world, for a picture of that aspect.
+Camera camera_of_file(const Scene& scene, std::size_t index, double aspect);
+
+/// False if the box is entirely outside one plane of the camera's frustum: nothing of it is visible.
+bool may_see(const Camera& camera, double aspect, const Bounds& bounds);
+
+/// Why nothing of the box is visible, without a full stop; empty: something may be.
+std::string why_blind(const Camera& camera, double aspect, const Bounds& bounds);
+/// Warns of a camera that was requested and sees nothing.
+void warn_if_blind(const Camera& camera, double aspect, const Bounds& bounds, const std::string& file, Report& report);
+
+/// Near and far as the request says, where it does. @throws Error usage: near is not less than far
+void set_asked_depths(Camera& camera, const ViewRequest& view);
+
+/// The camera with square pixels in a picture of another aspect than its own: all that it shows stays in the picture.
+Camera adapt_to_aspect(Camera camera, double aspect);
+
+/// Whether a view is that of a camera of the file, moved or not. The scene has one then, or choose_camera() refuses the view.
+bool takes_camera_of_file(const Scene& scene, const ViewRequest& view);
+
+/// A horizontal angle alone becomes the vertical one of square pixels; both change `aspect` to that of what is seen.
+ViewRequest resolve_angles(ViewRequest view, double& aspect);
+
+/// Near and far about the box as seen along the view; a camera inside or in front of it gets a near of far / 10000.
+void set_depths(Camera& camera, const Bounds& bounds);
+
+/// The axis that a view orbits about: the up axis of its world.
+dvec3 axis_of_turns(const ViewRequest& view);
+
+/// @throws Error usage: a placement that no camera can have, whatever the model
+void check_placement(const ViewRequest& view);
+
+/// Moves, rotates and zooms a fitted or a file's camera as requested (a fitted one already has its up and view angle).
+/// Near and far are then those of the request, else they enclose the box. `file` is for remarks.
+Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view, double aspect, const Bounds& bounds,
+                    const std::string& file, Context& context);
+
+}  // namespace rakelight
