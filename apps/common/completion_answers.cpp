@@ -50,7 +50,7 @@ std::vector<std::string> words_of_key(const RenderKey& key) {
 
 Answers answers_for(const Option& option) {
     if (option.form == Form::flag) return {};
-    if (option.form == Form::switched) return {.takes_value = false, .is_file = false, .words = {"on", "off"}};
+    if (option.form == Form::on_off) return {.takes_value = false, .is_file = false, .words = {"on", "off"}};
     Answers answers{.takes_value = true, .is_file = false, .words = {}};
     const std::string_view type = option.type;
     const RenderKey* const key = option.is_setting ? find_render_key(option.name) : nullptr;
