@@ -102,6 +102,10 @@ def run_command(root, program, command, wrong):
         folder, is_missing = pathlib.Path(temporary), False
         for at, word in enumerate(words):
             option = words[at - 1] if at else ""
+            if word.startswith("file:///home/"):  # a model in somebody's folder
+                name = word.rpartition("/")[2].replace("%20", " ")
+                is_missing |= not provide(root, folder, name)
+                words[at] = f"{folder.as_uri()}/{word.rpartition('/')[2]}"
             if option in ("-o", "--output"):
                 pass  # the program makes folders
             elif option == "--config":

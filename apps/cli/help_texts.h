@@ -184,7 +184,7 @@ the file manager lets the program see it.
 
 Examples:
   rakelight thumbnail helmet.glb helmet.png 256
-  rakelight thumbnail file:///home/me/a%20helmet.glb /tmp/thumbnail.png 128)";
+  rakelight thumbnail file:///home/me/a%20helmet.glb thumbnail.png 128)";
 
 inline constexpr const char* check_footer =
     R"(Examples:

@@ -155,7 +155,7 @@ class CommandLine(program.Case):
         self.assertEqual(self.pictures(), ["new/deeper/a.png"])
         self.assertEqual(self.run_program("broken.obj", "-o", "other/b.png", *SIZE).code, 4)
         self.assertEqual(self.run_program("gone.obj", "-o", "third/b.png", *SIZE).code, 3)
-        self.check_refused(self.run_program("a.obj", "-o", "a.obj/b.png", *SIZE), 1, "is no folder")
+        self.check_refused(self.run_program("a.obj", "-o", "a.obj/b.png", *SIZE), 1, "is not a folder")
         self.assertEqual(self.files(), ["a.obj", "broken.obj", "new"])
 
     # --- pipes, one scene ---
@@ -365,7 +365,7 @@ class CommandLine(program.Case):
         self.write("model/a.obj", "mtllib a.mtl\nusemtl a\n" + square(0))
         self.write("model/a.mtl", "newmtl a\nmap_Kd ../wood.png\n")
         result = self.fine("check", "./model/../model/a.obj")
-        self.assertIn("texture '../wood.png' lies outside the model's folder; it is left out (--allow-outside takes it)", result.err)
+        self.assertIn("texture '../wood.png' lies outside the model's folder; it is left out (--allow-outside permits it)", result.err)
         self.assertIn("./model/../model/a.", result.err)
         self.write("model/a.mtl", "newmtl a\nmap_Kd C:\\\\work\\\\wood.png\n")
         self.assertIn("wood.png' is not in the model's folder", self.fine("check", "model/a.obj").err)

@@ -69,7 +69,7 @@ class Process(program.Case):
     def test_an_output_that_cannot_be_written_is_exit_1(self):
         self.write("a.obj")
         (self.folder / "taken.png").mkdir()
-        self.check_refused(self.run_program("render", "a.obj", "-o", "a.obj/such/a.png"), 1, "a.obj/such", "is no folder")
+        self.check_refused(self.run_program("render", "a.obj", "-o", "a.obj/such/a.png"), 1, "a.obj/such", "is not a folder")
         self.check_refused(self.run_program("render", "a.obj", "-o", "taken.png"), 1, "taken.png")
         self.assertEqual(self.files(), ["a.obj", "taken.png"])
 

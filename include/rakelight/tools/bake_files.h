@@ -23,7 +23,7 @@ struct BakeRequest {
 /// A written picture.
 struct BakedFile {
     BakeMap map = BakeMap::normal;
-    std::string file{};
+    std::string file{};  ///< path
 };
 
 /// Result of bake_files().
