@@ -2,8 +2,8 @@
 // Seam-free normals and tangents for models of many parts. Needs no Scene: spans and matrices in, arrays out.
 //
 // Terms of this header:
-// - A *position* is a point in world space. Vertices whose positions are welded (AttributeOptions::weld_distance) are
-//   at the same position, in whatever mesh they are.
+// - A *position* is a point in world space. Welded vertices (AttributeOptions::weld_distance) share one position, also
+//   if they belong to different meshes. With Scope::object, only vertices of one object are welded.
 // - A *corner* is one of the three corners of a triangle. Corner 3 * t + k is corner k of triangle t.
 // - A *valid face* has a nonzero area and only finite corners. All other faces contribute nothing to any result.
 // - A *corner group* is a set of corners at one position that get the same normal.
@@ -22,9 +22,12 @@ namespace rakelight {
 /// The faces over which a normal is smoothed: one face, the faces of one object, or the faces of all objects.
 enum class Scope : std::uint8_t { face, object, model };
 
-/// The weight of a face normal in the vertex normal at one corner: 1, the area of the face, the angle of the face at
-/// the corner, or angle times area. `uniform` follows Gouraud 1971. `angle` follows Thuermer & Wuethrich 1998,
-/// "Computing Vertex Normals from Polygonal Facets".
+/// The weight of a unit face normal in the vertex normal at one corner.
+/// - `uniform`: 1 (Gouraud 1971).
+/// - `area`: the area of the face.
+/// - `angle`: the angle of the face at the corner (Thuermer & Wuethrich 1998, "Computing Vertex Normals from Polygonal
+///   Facets").
+/// - `angle_area`: the angle times the area.
 enum class CornerWeight : std::uint8_t { uniform, area, angle, angle_area };
 
 /// How tangents are computed.
@@ -35,8 +38,8 @@ enum class CornerWeight : std::uint8_t { uniform, area, angle, angle_area };
 ///   were baked with MikkTSpace.
 /// - `published`: the mean unit tangent and the mean unit bitangent of all faces at a position within the scope,
 ///   mirrored faces included. The bitangent is a separate attribute. The tangent is made perpendicular to the normal.
-///   Then it is negated if cross(normal, tangent) and the bitangent point to opposite sides. So all frames are
-///   right-handed, and maps on mirrored texture coordinates run backwards along u.
+///   Then it is negated if dot(cross(normal, tangent), bitangent) < 0. So all frames are right-handed, and maps on
+///   mirrored texture coordinates run backwards along u.
 /// - `published_no_handedness`: as `published`, but no tangent is negated. Its w gives the side of the bitangent.
 enum class TangentMode : std::uint8_t { averaged, published, mikktspace, published_no_handedness };
 /// Whether bitangents are a separate attribute.
@@ -87,14 +90,14 @@ enum class GroupKind : std::uint8_t { none, masks, numbers };
 /// One mesh, placed in the world.
 struct AttributeMesh {
     std::uint32_t object = 0;                    ///< meshes with equal numbers form one object (Scope::object)
-    std::span<const vec3> positions{};           ///< [V] object space; may be non-finite: such faces are not valid
+    std::span<const vec3> positions{};           ///< [V] object space; faces with non-finite corners are not valid
     std::span<const std::uint32_t> indices{};    ///< [3T] each < V; counter-clockwise seen from outside
     std::span<const vec2> texcoords{};           ///< [V] or empty; v down
-    std::span<const vec3> normals{};             ///< [V] or empty; read only when AttributeOptions::normals is false
+    std::span<const vec3> normals{};             ///< [V] or empty; see AttributeOptions::normals and `locked`
     std::span<const std::uint32_t> smoothing{};  ///< [T] or empty
     GroupKind group_kind = GroupKind::none;      ///< the meaning of `smoothing`
     /// [3T] or empty: one vector for each corner, used only if `smoothing` is empty. Two faces of one object join at a
-    /// position if their corners have equal vectors there. For importers that deliver normals, but no smoothing groups.
+    /// position if their corners have equal vectors there. Use the normals of an importer that drops smoothing groups.
     std::span<const vec3> smoothing_hint{};
     dmat4 to_world{};  ///< object -> world, affine; det < 0 mirrors
     /// [V] or empty. Nonzero: the vertex is locked, so it keeps its entry of `normals`. `normals` must then not be
@@ -205,7 +208,7 @@ struct CornerVertex {
 
 /// The vertices that a split appends to one mesh. They do not fit into the mesh's buffers. If no vertex was split
 /// (V' = V), all arrays are empty. Otherwise append `normals` and `tangents` to the first V entries of the buffers, and
-/// change the indices of the listed corners. The result equals MeshAttributes.
+/// change the indices of the listed corners. This gives the contents of MeshAttributes.
 struct SplitAttributes {
     std::vector<std::uint32_t> source_vertex{};  ///< [V' - V] input vertex that each appended vertex copies; ascending
     std::vector<vec3> normals{};                 ///< [V' - V]
@@ -217,7 +220,7 @@ struct SplitAttributes {
 
 /// Scratch memory of compute_attributes_into(), reused by later calls with any number of vertices. The fast case (see
 /// compute_attributes_into()) uses 16 bytes per vertex for normals, or 32 for normals and tangents, and 8 more for the
-/// weld. All other cases use about 42 bytes per triangle. Concurrent calls need a workspace each.
+/// weld. All other cases use about 42 bytes per triangle. Concurrent calls must not share a workspace.
 class RL_API AttributeWorkspace {
 public:
     AttributeWorkspace();
@@ -234,10 +237,11 @@ private:
 
 /// compute_attributes() into the caller's buffers.
 ///
-/// The *fast case* joins all faces at each position. Its conditions are: crease angle pi, uniform weight, scope model
-/// or object, averaged and orthogonalized tangents, a weld distance of at most 0, one angle-preserving matrix for all
-/// meshes, no smoothing groups, hints, locks or quantized positions. Once the workspace has grown, the fast case
-/// allocates no memory in proportion to the model. In all other cases only the largest arrays come from the workspace.
+/// The *fast case* joins all faces at each position. It needs these options: crease angle pi, uniform weight, scope
+/// model or object, a weld distance of at most 0, averaged and orthogonalized tangents. All meshes must have the same
+/// angle-preserving matrix, and no smoothing groups, hints, locks or quantized positions. Once the workspace has grown,
+/// the fast case allocates no memory in proportion to the model. In all other cases only the largest arrays come from
+/// the workspace.
 ///
 /// @param out [meshes] buffers must not overlap each other or the input
 /// @return split vertices and counts, one entry per mesh; the same values as compute_attributes()

@@ -72,9 +72,9 @@ enum class PointShape : std::uint8_t { none, square, disc };
 
 /// Data channels of an engine, as bits. They describe the nearest opaque surface at the pixel's center. A masked
 /// surface counts where its texture is opaque. Blended surfaces appear in the color only. Directions and positions are
-/// in world space. In a pixel without a surface, depth is +infinity, indices are no_index, and all other channels are
-/// 0. Opaque lines and points have depth, position, object, mesh, material, base color and emission. Their other
-/// channels have the values of a pixel without a surface.
+/// in world space. In a pixel without a surface, depth is +infinity and indices are no_index. All other channels are 0
+/// there, unless their comment says otherwise. Opaque lines and points have depth, position, object, mesh, material,
+/// base color and emission. Their other channels have the values of a pixel without a surface.
 enum Channel : std::uint32_t {
     channel_depth = 1u << 0,  ///< [m] distance along the view axis
     /// Shading normal: interpolated, with normal map, on the lit side; unit.
