@@ -39,7 +39,7 @@ struct PrepareOptions {
     UvProjection uv = UvProjection::none;  ///< for meshes without texture coordinates
     /// How tangents are computed. If present, it also replaces the tangents of the file. If absent, a mesh keeps the
     /// tangents of its file. A mesh without tangents gets TangentMode::mikktspace if it keeps the normals of its file,
-    /// because its normal maps were baked for them. All other meshes get TangentMode::averaged.
+    /// because normal maps are usually baked for such tangents. All other meshes get TangentMode::averaged.
     std::optional<TangentMode> tangents{};
     Orthogonalize orthogonalize = Orthogonalize::attribute;  ///< AttributeOptions::orthogonalize
     /// Keeps the bitangents of the published modes of `tangents` as a separate attribute (Mesh::bitangents). Otherwise

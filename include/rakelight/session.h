@@ -19,8 +19,8 @@ class PreparedScene;
 /// at a time; different sessions are independent. A moved-from session can only be assigned to or destroyed.
 ///
 ///     Session session;
-/// session.set(load("helmet.glb", {}, context));
-/// for (const Camera& camera : cameras) session.render(camera, settings, frame, context);
+///     session.set(load("helmet.glb", {}, context));
+///     for (const Camera& camera : cameras) session.render(camera, settings, frame, context);
 class RL_API Session {
 public:
     /// @throws Error usage: no such engine
