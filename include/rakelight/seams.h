@@ -20,8 +20,9 @@ inline constexpr double authored_flat_deg = 1;
 
 /// Options of join_seams().
 struct SeamOptions {
-    double crease_angle_rad = radians(60);  ///< as AttributeOptions::crease_angle_rad
-    double weld_distance = -1;              ///< as AttributeOptions::weld_distance
+    /// As AttributeOptions::crease_angle_rad. AttributeMesh::crease_angle_rad overrides it.
+    double crease_angle_rad = radians(60);
+    double weld_distance = -1;  ///< as AttributeOptions::weld_distance
 };
 
 /// Statistics over all meshes.
