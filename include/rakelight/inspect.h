@@ -18,7 +18,8 @@ namespace rakelight {
 
 /// A node with meshes.
 struct ObjectSummary {
-    /// Name of the node. In world files it is "PART/name", or "PART" if the part has only one object.
+    /// Name of the node. In world files it is "PART/NODE". It is only "NODE" if the name of the node already begins
+    /// with the name of the part.
     std::string name{};
     std::uint32_t node = no_index;                                                 ///< into Scene::nodes
     std::uint64_t meshes = 0, triangles = 0, vertices = 0, lines = 0, points = 0;  ///< sums over the node's meshes
@@ -32,10 +33,9 @@ struct ObjectSummary {
 /// Topology and normals of one object's surface. Positions are welded with the automatic distance
 /// (AttributeOptions::weld_distance < 0).
 struct SurfaceSummary {
-    std::uint64_t edges = 0;       ///< edges of the welded triangles
-    std::uint64_t open_edges = 0;  ///< edges with one face
-    std::uint64_t inconsistent_edges =
-        0;  ///< edges with two faces of opposite orientation: one of the two is inside out
+    std::uint64_t edges = 0;               ///< edges of the welded triangles
+    std::uint64_t open_edges = 0;          ///< edges with one face
+    std::uint64_t inconsistent_edges = 0;  ///< edges with two faces of opposite orientation: one is inside out
     std::uint64_t non_manifold_edges = 0;  ///< edges with three or more faces
     bool closed = false;                   ///< the object has edges, but no open edge
     std::uint64_t t_junctions = 0;         ///< vertices of any object in the interior of this object's open edges

@@ -18,8 +18,8 @@ struct RL_API Bounds {
     double diagonal() const;  ///< [m]
 };
 
-/// Bounding box in world space [m] of all drawn vertices of all objects, without non-finite ones. Empty if nothing is
-/// drawn.
+/// Bounding box in world space [m] of all drawn vertices of all objects. Non-finite vertices are ignored. Empty if
+/// nothing is drawn.
 /// @throws Error bad_file: see validate()
 RL_API Bounds bounds(const Scene& scene);
 
