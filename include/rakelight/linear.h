@@ -175,8 +175,8 @@ constexpr T determinant(const Matrix3<T>& m) {
     return dot(m[0], cross(m[1], m[2]));
 }
 
-/// Cofactor matrix: the inverse transpose times the determinant. It transforms normals, also for a singular m. If m
-/// mirrors, the winding of the triangles is flipped, and the transformed normals agree with the flipped winding.
+/// Cofactor matrix: the inverse transpose times the determinant. It transforms normals, also for a singular m:
+/// cofactor(m) * cross(a, b) == cross(m * a, m * b). If m mirrors, negate the result to keep normals outward.
 template <class T>
 constexpr Matrix3<T> cofactor(const Matrix3<T>& m) {
     return {{cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])}};

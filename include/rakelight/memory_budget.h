@@ -10,7 +10,7 @@
 
 namespace rakelight {
 
-/// The budget. Its default limit is 2 GiB, or 64 bytes per byte read if that is more. Thread-safe.
+/// The budget. Its default limit is 2 GiB, or 64 times the bytes read from files if that is more. Thread-safe.
 class RL_API MemoryBudget {
 public:
     explicit MemoryBudget(std::uint64_t max_bytes = 0);  ///< @param max_bytes  [bytes] limit; 0: the default limit

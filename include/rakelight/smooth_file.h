@@ -69,9 +69,9 @@ struct SmoothedFile {
 /// `output`. Skinned models are in bind pose. Textures are not decoded. A second run over the output changes nothing.
 ///
 /// From glTF or GLB to glTF or GLB, and from OBJ to OBJ, all other data of the file is kept. All other conversions to
-/// .glb, .gltf, .obj or .ply use a generic writer, and the report lists what the new format cannot express. In OBJ and
-/// PLY all instances are in world space, and normals are computed from the rounded positions. A PLY file has one mesh,
-/// but SmoothedFile::meshes has an entry for each instance.
+/// .glb, .gltf, .obj or .ply use a generic writer, and the report lists what this writer cannot express. In OBJ and
+/// PLY all instances are in world space, and new normals are computed from the rounded positions. A PLY file has one
+/// mesh, but SmoothedFile::meshes has an entry for each instance.
 ///
 /// `output` may be `input`. If it is in another folder, referenced files are copied to that folder, without replacing
 /// existing files. The output appears complete or not at all.
