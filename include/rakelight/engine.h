@@ -19,8 +19,9 @@ struct Window {
     bool operator==(const Window&) const = default;
 };
 
-/// [px] longest edge on the screen for which Shading::automatic uses Gouraud shading. Gouraud interpolates the lighting
-/// of the corners, so a pixel differs from Phong shading at most by the change of lighting within this distance.
+/// [px] Shading::automatic uses Gouraud shading for meshes whose edges are at most this long on the screen. Gouraud
+/// shading interpolates the lighting of the corners. So a pixel differs from Phong shading at most by the change of
+/// lighting within this distance.
 inline constexpr double automatic_gouraud_px = 2;
 
 /// Overrides the shading of objects or materials by name.
@@ -54,8 +55,8 @@ enum class Cull : std::uint8_t { automatic, none, back, front };
 /// - `back_face`: as `none`, with back-face culling if Cull is automatic.
 enum class Visibility : std::uint8_t { z_reversed, z_float, z16, z24, z32, painter, none, back_face };
 
-/// Interpolation of attributes: perspective-correct, or linear in screen space as on old hardware (textures bend at
-/// triangle edges).
+/// Interpolation of attributes. `perspective`: perspective-correct. `screen`: linear in screen space, as on old
+/// hardware, so that textures bend at triangle edges.
 enum class AttributeInterpolation : std::uint8_t { perspective, screen };
 
 /// The rendering method. All methods except `automatic` and `radiosity` need a ray-tracing engine.
@@ -77,12 +78,12 @@ enum class PointShape : std::uint8_t { none, square, disc };
 /// base color and emission. Their other channels have the values of a pixel without a surface.
 enum Channel : std::uint32_t {
     channel_depth = 1u << 0,  ///< [m] distance along the view axis
-    /// Shading normal: interpolated, with normal map, on the lit side; unit.
+    /// Unit shading normal, on the lit side of the surface: interpolated, and perturbed by the normal map.
     channel_normal = 1u << 1,
     channel_object = 1u << 2,       ///< node index
     channel_material = 1u << 3,     ///< material index; no_index also for meshes without a material
     channel_mesh = 1u << 4,         ///< mesh index
-    channel_triangle = 1u << 5,     ///< triangle of that mesh, from 0
+    channel_triangle = 1u << 5,     ///< index of the triangle in its mesh
     channel_face_normal = 1u << 6,  ///< geometric normal of the triangle, on the visible side; unit
     /// xyz: unit tangent, as used by normal maps. w: +1 or -1; the bitangent is cross(normal, xyz) w. All components
     /// are 0 for meshes without tangents.
@@ -90,7 +91,7 @@ enum Channel : std::uint32_t {
     channel_position = 1u << 8,  ///< [m]
     /// Perspective-correct barycentric coordinates, in the order of the triangle's indices; sum 1.
     channel_barycentric = 1u << 9,
-    /// Interpolated texture coordinates of set 0, v down, without transform and wrapping; 0 for meshes without them.
+    /// Interpolated texture coordinates of set 0, v down, without transform and wrapping; 0 for meshes without set 0.
     channel_uv = 1u << 10,
     channel_uv1 = 1u << 11,  ///< as channel_uv, for set 1
     /// Number of opaque triangles that cover the pixel's center after culling and clipping, including hidden triangles.
@@ -139,7 +140,7 @@ inline constexpr int max_paths_per_pixel = 1 << 20;
 /// Settings of path tracing.
 struct PathSettings {
     LightSampling light_sampling = LightSampling::both;
-    int seed = 0;  ///< of the random numbers
+    int seed = 0;  ///< seed of the random numbers
     /// [s] time limit. Rendering stops before a pass that is expected to end after this time. 0: no limit.
     double max_seconds = 0;
     /// Rendering stops after the pass that brings the estimated relative error below this value. The relative error is
@@ -155,8 +156,8 @@ inline constexpr int default_radiosity_elements = 20000, max_radiosity_elements 
 
 /// Settings of the method radiosity: docs/radiosity.md.
 struct RadiositySettings {
-    /// Maximum number of elements. A two-sided element counts twice. If the scene has more triangles than this, the
-    /// maximum is 1.5 times the number of triangles, but never more than max_radiosity_elements.
+    /// Maximum number of elements. If the scene has more triangles than this, the maximum is 1.5 times the number of
+    /// triangles, but never more than max_radiosity_elements. Two-sided elements and triangles count twice.
     int elements = default_radiosity_elements;
     double unshot = 0.001;  ///< 0..1: shooting stops when at most this share of the power is unshot
     bool operator==(const RadiositySettings&) const = default;
@@ -191,7 +192,7 @@ struct RenderSettings {
     int shadow_size = 1024;  ///< [texels] side of a shadow map, 16..8192
     float shadow_bias = 1;   ///< multiplies the automatic bias, which depends on texel size and slope
     int shadow_filter = 1;   ///< [texels] radius of the filter, 0..4: (2 r + 2)^2 comparisons
-    /// Ambient occlusion of ambient light and the environment: docs/ambient-occlusion.md.
+    /// Ambient occlusion, which darkens ambient light and the light of the environment: docs/ambient-occlusion.md.
     bool ambient_occlusion = false;
     double ambient_occlusion_radius = 0;  ///< [m] >= 0: maximum distance of occluders; 0: by default_occlusion_share
     int ambient_occlusion_samples = default_occlusion_samples;  ///< samples per pixel
@@ -222,8 +223,8 @@ struct RenderSettings {
     /// `square`, else as discs.
     PointShape points = PointShape::none;
     float line_width = 1, point_size = 4;  ///< [px] 0 < size <= 256; also for lines and points of the scene
-    /// Linear RGB and alpha of edges and vertices. If alpha is 0, they are black if `surfaces` is true, and otherwise
-    /// have the color of their material.
+    /// Linear RGB and alpha of edges and vertices. If alpha is 0, the color is automatic: black if `surfaces` is true,
+    /// otherwise the color of the material.
     vec4 line_color{0, 0, 0, 0};
     vec4 background{0.18f, 0.18f, 0.2f, 1};  ///< linear RGB and alpha
     /// Linear color of the background in glass and mirrors; absent: `background`. separate_background() sets this

@@ -30,15 +30,17 @@ struct ViewRequest {
     std::string camera{};                ///< index (from 0) or name of a camera of the file, or empty
     std::optional<dvec3> position{};     ///< [m] world
     std::optional<dvec3> focal_point{};  ///< [m] world; what the camera looks at
-    std::optional<dvec3> up{};           ///< up vector of the picture, any length; default: the world's
+    std::optional<dvec3> up{};           ///< up vector of the picture, any length; default: `world_up`
     /// The world's up direction, any length, default +Y. Sides, the environment and the picture's default up vector
     /// rotate with it. If only `up` is given, fitted views rotate with `up`.
     std::optional<dvec3> world_up{};
     /// View direction of a fitted view in world space, any length; replaces the side.
     std::optional<dvec3> direction{};
-    /// Orbit about the focal point, applied last: to the right about the world's up direction, then upward.
+    /// The camera orbits its focal point by these angles, after all other members are applied. It first moves to the
+    /// right about the world's up direction by `azimuth_rad`, then upward by `elevation_rad`.
     std::optional<double> azimuth_rad{}, elevation_rad{};
-    std::optional<double> zoom_factor{};       ///< > 0: share of the picture's smaller side for the model; default 0.9
+    /// > 0; default 0.9: the share of the picture's smaller side that the model fills.
+    std::optional<double> zoom_factor{};
     std::optional<double> vertical_fov_rad{};  ///< 0..pi, both exclusive
     /// 0..pi, both exclusive. If only the horizontal angle is given, pixels are square, and the vertical angle follows
     /// from it. If both angles are given, pixels may be non-square.
@@ -59,7 +61,7 @@ struct ViewRequest {
     bool operator==(const ViewRequest&) const = default;
 };
 
-/// Overrides applied to every material; textures use texture coordinate set 0.
+/// Overrides for every material of a scene. The textures use set 0 of the texture coordinates.
 struct MaterialOverrides {
     std::string base_color{}, normal{}, height{};  ///< picture files; empty: the model's own
     std::optional<double> normal_scale{};          ///< Material::normal_scale
@@ -109,7 +111,7 @@ struct MotionRequest {
 
 /// The requested clips of a scene with their times. Clips with Animation::plays_always are added at the same time. The
 /// result is empty if no clip is requested.
-/// @throws Error usage: no such clip; the message lists them
+/// @throws Error usage: no such clip; the message lists the clips of the scene
 RL_API std::vector<ClipTime> clips_of(const Scene& scene, const MotionRequest& motion);
 
 /// How data channels are written, as bits.
@@ -159,7 +161,7 @@ struct Overlays {
 
 /// The description of one picture.
 struct PictureRequest {
-    std::string input{};          ///< model file, or builtin:teapot, sphere, cylinder, cone, torus, plane
+    std::string input{};          ///< model file, world file or built-in shape, as for load()
     std::string output{};         ///< ending .png, .jpg, .webp, .ppm (sRGB, 8 bit), .exr or .hdr (linear)
     std::string engine = "soft";  ///< name for make_engine()
     LoadOptions load{};
@@ -177,11 +179,11 @@ struct PictureRequest {
     /// A preset restricts materials and lights (docs/shading.md). It also sets the members of the keys for which
     /// is_preset_key() is true, but only when the key "preset" is read by read_render_keys().
     Preset preset = Preset::none;
-    std::vector<std::string> given_keys{};  ///< explicitly given keys of [render], which look and preset do not change
+    std::vector<std::string> given_keys{};  ///< keys of [render] whose settings `look` and `preset` must not change
     double light_intensity = 1;             ///< >= 0; multiplies every light
     /// 0..1; 0: off. Limits the range of point and spot lights that have no range. The limit is the distance at which
-    /// the radiance of a white Lambert surface that faces the light falls below this value. So each light that is cut
-    /// off darkens a surface by at most this value.
+    /// the radiance of a white Lambert surface that faces the light falls below this value. So a surface loses at most
+    /// this radiance per light.
     double light_cutoff = 0;
     std::optional<Fog> fog{};  ///< replaces Scene::fog
     Overlays overlays{};
@@ -224,7 +226,7 @@ struct RenderOverrides {
 
 /// The picture of a world file, and its settings.
 struct WorldRequest {
-    PictureRequest picture{};           ///< LoadOptions::overridden lists the overridden keys
+    PictureRequest picture{};           ///< picture.load.overridden lists the overridden keys
     std::vector<WorldValue> applied{};  ///< applied settings of the file's [render], with resolved file names
 };
 
