@@ -17,10 +17,10 @@ namespace rakelight {
 
 /// Options of match_borders().
 struct MatchOptions {
-    double distance = 0;                        ///< [m] in world space, > 0: largest gap between matching borders
-    Scope scope = Scope::model;                 ///< `object`: only meshes of one object match; `face`: none
-    double crease_angle_rad = radians(60);      ///< as AttributeOptions::crease_angle_rad, for the faces at the gap
-    double weld_distance = -1;                  ///< as AttributeOptions::weld_distance
+    double distance = 0;                    ///< [m] in world space, > 0: maximum gap between matching borders
+    Scope scope = Scope::model;             ///< `object`: meshes match only within one object; `face`: no meshes match
+    double crease_angle_rad = radians(60);  ///< as AttributeOptions::crease_angle_rad, for the faces at the gap
+    double weld_distance = -1;              ///< as AttributeOptions::weld_distance
     CornerWeight weight = CornerWeight::angle;  ///< weight of normals in the sums of join_borders()
     /// For authored normals: borders stay separate if the faces of both sides are authored flat and their normals
     /// differ by more than `authored_flat_deg` (seams.h).

@@ -29,8 +29,7 @@ struct NormalSides;  // internal
 /// "No such element" for indices into the arrays of a Scene.
 inline constexpr std::uint32_t no_index = std::numeric_limits<std::uint32_t>::max();
 
-// --- textures and materials
-// ----------------------------------------------------------------------------------------------
+// --- textures and materials ------------------------------------------------------------------------------------------
 
 /// Texture addressing outside of 0..1.
 enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
@@ -214,8 +213,7 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-// --- meshes
-// --------------------------------------------------------------------------------------------------------------
+// --- meshes ----------------------------------------------------------------------------------------------------------
 
 /// Primitive type of a mesh.
 enum class Topology : std::uint8_t { triangles, lines, points };
@@ -234,7 +232,7 @@ enum class SubdivisionUv : std::uint8_t { boundaries, smooth, linear };
 /// A mesh as the control net of a subdivision surface.
 struct Subdivision {
     int level = 0;    ///< 0..8: every edge becomes 2^level edges; 0: no subdivision
-    double edge = 0;  ///< [m] in world space: stop at the first level with no longer edge; 0: always use `level`
+    double edge = 0;  ///< [m] in world space: stop as soon as no edge is longer than this; 0: always use `level`
     SubdivisionScheme scheme = SubdivisionScheme::automatic;
     SubdivisionUv uv = SubdivisionUv::boundaries;
     bool round_corners = false;  ///< boundary vertices of a single face are smoothed too
@@ -333,8 +331,7 @@ struct Mesh {
     bool operator==(const Mesh&) const = default;
 };
 
-// --- placement
-// -----------------------------------------------------------------------------------------------------------
+// --- placement -------------------------------------------------------------------------------------------------------
 
 /// Local transform: translation * rotation * scale, or any affine matrix. The parts are separate for animation.
 struct Transform {
@@ -396,8 +393,7 @@ struct Animation {
     bool operator==(const Animation&) const = default;
 };
 
-// --- lights and cameras
-// --------------------------------------------------------------------------------------------------
+// --- lights and cameras ----------------------------------------------------------------------------------------------
 
 /// The type of a light.
 enum class LightType : std::uint8_t { ambient, directional, point, spot };
@@ -478,8 +474,7 @@ struct RL_API Camera {
     bool operator==(const Camera&) const = default;
 };
 
-// --- scene
-// ---------------------------------------------------------------------------------------------------------------
+// --- scene -----------------------------------------------------------------------------------------------------------
 
 /// The pose of an animated scene. The nodes keep the transforms of the file; attributes are computed from these.
 struct ScenePose {
