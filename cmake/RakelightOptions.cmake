@@ -14,6 +14,7 @@ option(RAKELIGHT_IMPORT "Build rakelight-import (Assimp: FBX, DAE, 3DS, ASE, Ble
 option(RAKELIGHT_OPENGL "Build the engine gl (libepoxy)" ON)
 option(RAKELIGHT_TRACE "Build the engine trace (headers of Embree 3; the library is loaded when it is asked for)" ON)
 option(RAKELIGHT_VIEWER "Build rakelight-view (GLFW, Dear ImGui)" ON)
+option(RAKELIGHT_PYTHON "Build the Python module (pybind11)" OFF)
 option(RAKELIGHT_WERROR "Warnings are errors" OFF)
 set(RAKELIGHT_SANITIZE "" CACHE STRING "Sanitizers, for example address,undefined")
 

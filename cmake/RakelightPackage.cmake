@@ -121,10 +121,10 @@ endif()
 
 # One file of targets for each library and kind: whoever asks for attributes meets no other library's name.
 foreach(kind IN LISTS kinds)
-  foreach(name library attributes)
+  foreach(name library attributes)  # two components, as who wants attributes alone need not have the other's libraries
     set(set Rakelight-${name}-${kind})
     install(TARGETS rakelight_${name}_${kind} EXPORT ${set} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
-      LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development)
+      LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name} NAMELINK_COMPONENT development)
     install(EXPORT ${set} NAMESPACE Rakelight:: DESTINATION ${package_dir} COMPONENT development)
   endforeach()
 endforeach()
@@ -176,7 +176,7 @@ rl_pkg_config(rakelight-attributes "Seam-free normals and tangents for 3D models
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation
-  FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.cpp")
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.cpp" PATTERN site EXCLUDE PATTERN measurements EXCLUDE)
 
 if(RAKELIGHT_TESTS)
   add_test(NAME consumer

@@ -61,7 +61,7 @@ DOORS = {
 
 # Public header -> the module that implements it (and whose layer it belongs to).
 PUBLIC = {
-    "export": "base", "error": "base", "current_error": "base", "report": "base", "context": "base", "memory_budget": "base", "rare": "base",
+    "export": "base", "error": "base", "current_error": "base", "report": "base", "context": "base", "memory_budget": "base", "rare": "base", "interleaved": "base",
     "vector": "math", "linear": "math", "joint_influence": "math",
     "block": "image", "image": "image", "colormap": "image",
     "attributes": "geometry", "seams": "geometry", "matching_borders": "geometry",
@@ -90,6 +90,7 @@ LIBRARIES = {
     r"embree": ["engines/raytrace"],
     r"epoxy/|EGL/|GL/": ["engines/opengl", "apps/viewer/gl_pictures.cpp"],
     r"toml": ["io"],
+    r"pybind11/": ["python/src"],
 }
 
 # Sources compiled per instruction set see only these: nothing whose inline functions the linker could merge between sets.
@@ -259,7 +260,7 @@ def main():
     parser.add_argument("--compile", action="store_true", help="also compile every header alone")
     options = parser.parse_args()
     wrong = []
-    for path in sources("src", "include", "apps", "examples"):
+    for path in sources("src", "include", "apps", "examples", "python"):
         check_file(path, wrong)
         if path.parts[0] == "include":
             check_export(path, wrong)

@@ -177,6 +177,15 @@ inline constexpr const char* bench_footer =
 Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found, 4 file
 broken or too large.)";
 
+inline constexpr const char* thumbnail_footer =
+    R"(A model that takes more is given up with exit code 1, so that no file, however it is made,
+keeps a file manager waiting. Textures are read from the model's own folder, where
+the file manager lets the program see it.
+
+Examples:
+  rakelight thumbnail helmet.glb helmet.png 256
+  rakelight thumbnail file:///home/me/a%20helmet.glb /tmp/thumbnail.png 128)";
+
 inline constexpr const char* check_footer =
     R"(Examples:
   rakelight check world.scene.toml

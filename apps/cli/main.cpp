@@ -4,6 +4,7 @@
 
 #include <rakelight/tools/exit_code.h>
 
+#include "../common/completion.h"
 #include "../common/manual.h"
 #include "../common/view_command.h"
 #include "help_texts.h"
@@ -35,6 +36,7 @@ int run(int argc, const char* const* argv) {
                           {join_windows_command(), run_join_windows},
                           {bake_command(), run_bake},
                           {radiosity_command(), run_radiosity},
+                          {thumbnail_command(), run_thumbnail},
                           {apps::view_command(), nullptr}};
     std::vector<Command> commands;
     for (const Verb& verb : verbs) commands.push_back(verb.command);
@@ -42,7 +44,7 @@ int run(int argc, const char* const* argv) {
                                 main_footer, commands, "rakelight MODEL... [-o FILE] [OPTIONS]"};
     const std::vector<std::string> words = with_implied_verb(program, {argv + std::min(argc, 1), argv + argc});
     apps::CommandLine line;
-    line.help = apps::manual_for(program, words);
+    line.help = apps::manual_for(program, words) + apps::completion_for(program, words);
     if (line.help.empty()) line = apps::read_command_line(program, words);
     if (!line.help.empty() || line.is_version) {
         print_data(line.is_version ? version_text() : line.help);

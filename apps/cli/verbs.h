@@ -49,4 +49,8 @@ int run_bake(const Run& run);
 Command radiosity_command();
 int run_radiosity(const Run& run);
 
+/// The small picture of a model for file managers.
+Command thumbnail_command();
+int run_thumbnail(const Run& run);
+
 }  // namespace rakelight::cli

@@ -8,8 +8,19 @@
 #include <rakelight/export.h>
 #include <rakelight/picture.h>
 #include <rakelight/scene_queries.h>
+#include <rakelight/session.h>
 
 namespace rakelight {
+
+/// The steps of render_picture() between loading and preparing a scene: clips at their times, apply_look(), colors of
+/// vertex arrays, with_requested_surfaces(), and points as the look draws them. The request is explicit in the settings
+/// that these steps chose.
+/// @throws Error bad_file: see validate(); usage: no such clip or array; not_found: a picture of the request
+RL_API Scene with_requested_look(Scene scene, PictureRequest& request, Context& context);
+
+/// apply_look_exposure() with a session that already has the scene, so that nothing is prepared twice.
+/// @param camera  of choose_camera()
+RL_API void apply_look_exposure(Session& session, const Camera& camera, PictureRequest& request, Context& context);
 
 /// First step of Look::standard. Chooses settings that neither the file nor the request gives: samples, light, shadows,
 /// and whether the file's camera and lights are used. Writes the chosen settings into the request. The report lists

@@ -7,6 +7,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -47,17 +48,52 @@ void run_on_plain_threads(const Context& context, std::size_t count, void (*call
 }
 #endif
 
+/// Arenas that no context uses at the moment. oneTBB 2021 keeps 7 KiB of each destroyed arena, so the memory of a program
+/// that makes a context for each call would grow without limit.
+class SpareArenas {
+public:
+    std::unique_ptr<tbb::task_arena> take(int threads) {
+        const std::lock_guard lock(mutex_);
+        std::vector<std::unique_ptr<tbb::task_arena>>& of = by_threads_[threads];
+        if (of.empty()) return std::make_unique<tbb::task_arena>(threads);
+        std::unique_ptr<tbb::task_arena> arena = std::move(of.back());
+        of.pop_back();
+        return arena;
+    }
+    void give(int threads, std::unique_ptr<tbb::task_arena> arena) noexcept {
+        try {
+            const std::lock_guard lock(mutex_);
+            by_threads_[threads].push_back(std::move(arena));
+        } catch (...) {  // no memory for the list: the arena ends
+        }
+    }
+    /// Never destroyed, because contexts may outlive static objects.
+    static SpareArenas& all() {
+        static SpareArenas& arenas = *new SpareArenas;
+        return arenas;
+    }
+
+private:
+    std::mutex mutex_;
+    std::map<int, std::vector<std::unique_ptr<tbb::task_arena>>> by_threads_;
+};
+
 }  // namespace
 
 struct Context::Arena {
     // Without the control oneTBB writes a warning to standard error when more threads are requested than there are
     // cores.
-    explicit Arena(int threads)
-        : control(tbb::global_control::max_allowed_parallelism,
+    explicit Arena(int count)
+        : threads(count),
+          control(tbb::global_control::max_allowed_parallelism,
                   std::size_t(std::max(threads, tbb::this_task_arena::max_concurrency()))),
-          arena(threads) {}
+          arena(SpareArenas::all().take(threads)) {}
+    Arena(const Arena&) = delete;
+    Arena& operator=(const Arena&) = delete;
+    ~Arena() { SpareArenas::all().give(threads, std::move(arena)); }
+    int threads;
     tbb::global_control control;
-    tbb::task_arena arena;
+    std::unique_ptr<tbb::task_arena> arena;
 };
 
 struct Context::Files {
@@ -123,7 +159,7 @@ void Context::run_parallel(std::size_t count, void (*call)(const void*, std::siz
 #if defined(__SANITIZE_THREAD__)
     run_on_plain_threads(*this, count, call, body);
 #else
-    arena_->arena.execute([=, this] {
+    arena_->arena->execute([=, this] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1),
                           [=, this](const tbb::blocked_range<std::size_t>& range) {
                               for (std::size_t i = range.begin(); i != range.end(); ++i) {

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include <rakelight/export.h>
+
 #include "math/functions.h"
 
 namespace rakelight {
@@ -45,7 +47,7 @@ const EncodingTables& tables() {
 float linear_from_srgb(float s) { return float(linear_from_srgb_exact(double(unit_range(s)))); }
 float srgb_from_linear(float l) { return float(srgb_from_linear_exact(double(unit_range(l)))); }
 float linear_from_srgb8(std::uint8_t s) { return tables().decoded[s]; }
-vec3 linear_from_srgb(vec3 s) { return {linear_from_srgb(s.x), linear_from_srgb(s.y), linear_from_srgb(s.z)}; }
+RL_API vec3 linear_from_srgb(vec3 s) { return {linear_from_srgb(s.x), linear_from_srgb(s.y), linear_from_srgb(s.z)}; }
 
 std::uint8_t srgb8_from_linear(float l) {
     if (!(l > 0.0f)) return 0;

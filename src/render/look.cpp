@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <optional>
 
+#include <rakelight/validate.h>
+
 #include "prepare/pose_scene.h"
 #include "render/choose_camera.h"
 #include "render/picture_steps.h"
@@ -123,6 +125,15 @@ void apply_look_exposure(const Scene& asked, PictureRequest& request, Context& c
     Session session("soft");
     session.set(ready.prepared);
     adjust_to_picture(request, session, ready.camera, context);
+}
+
+void apply_look_exposure(Session& session, const Camera& camera, PictureRequest& request, Context& context) {
+    adjust_to_picture(request, session, camera, context);
+}
+
+Scene with_requested_look(Scene scene, PictureRequest& request, Context& context) {
+    validate(scene);
+    return looked_as_asked(std::move(scene), request, context);
 }
 
 Scene looked_as_asked(Scene scene, PictureRequest& request, Context& context) {

@@ -2,6 +2,7 @@
 // Bytes of buffer views that nothing refers to: what goes, what moves, what stays.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "io/gltf/save_compact.h"

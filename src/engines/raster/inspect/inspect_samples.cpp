@@ -86,7 +86,8 @@ SampleColors inspect_samples(const Inspection& inspection, const Inspection::Geo
             window.y >= area.y + area.height)
             continue;
         TileJob job = tile_job(of, drawn);
-        job.marks = nullptr;  // they are laid over the means of samples, except behind glass, where only surfaces are shown
+        job.marks =
+            nullptr;  // they are laid over the means of samples, except behind glass, where only surfaces are shown
         TileScratch s;
         draw(job, tile, s);
         for (int y = window.y - drawn.grid.origin_y(tile), y_end = y + window.height; y < y_end; ++y)

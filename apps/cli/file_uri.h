@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files as file managers name them: "file:///home/me/a%20b.glb".
+#pragma once
+#include <string>
+
+namespace rakelight::cli {
+
+/// The path that a file's address means (RFC 8089: no host, localhost or this machine's name, %XX decoded); words that are no address
+/// stay as they are. @throws Error usage: an address of another kind or machine, a broken %XX, %00
+std::string path_of_uri(const std::string& word);
+
+}  // namespace rakelight::cli

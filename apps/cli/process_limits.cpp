@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "process_limits.h"
+
+#include <sys/resource.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <vector>
+
+#include <rakelight/tools/unfinished_outputs.h>
+
+#include "console.h"
+
+namespace rakelight::cli {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto between_looks = 10ms;
+
+/// Of the process's first thread, which is who starts programs; empty where the kernel does not tell.
+std::vector<pid_t> children() {
+    const std::string self = std::to_string(getpid());
+    std::ifstream list("/proc/" + self + "/task/" + self + "/children");
+    std::vector<pid_t> out;
+    for (pid_t child = 0; list >> child;) out.push_back(child);
+    return out;
+}
+
+double seconds_of(timespec time) { return double(time.tv_sec) + double(time.tv_nsec) * 1e-9; }
+
+/// Of a process that runs; 0: there is none.
+double cpu_seconds_of(pid_t process) {
+    clockid_t clock{};
+    timespec time{};
+    return clock_getcpuclockid(process, &clock) == 0 && clock_gettime(clock, &time) == 0 ? seconds_of(time) : 0;
+}
+
+/// Of the children that have ended.
+double ended_cpu_seconds() {
+    rusage use{};
+    getrusage(RUSAGE_CHILDREN, &use);
+    return double(use.ru_utime.tv_sec + use.ru_stime.tv_sec) +
+           double(use.ru_utime.tv_usec + use.ru_stime.tv_usec) * 1e-6;
+}
+
+std::uint64_t bytes_of(pid_t process) {
+    std::ifstream numbers("/proc/" + std::to_string(process) + "/statm");
+    std::uint64_t whole = 0, resident = 0;
+    numbers >> whole >> resident;
+    return resident * std::uint64_t(sysconf(_SC_PAGESIZE));
+}
+
+/// Which limit is passed; empty: none.
+std::string passed(const Limits& limits, double seconds) {
+    double cpu = cpu_seconds_of(getpid()) + ended_cpu_seconds();
+    std::uint64_t bytes = bytes_of(getpid());
+    for (const pid_t child : children()) cpu += cpu_seconds_of(child), bytes += bytes_of(child);
+    const std::string time = std::to_string(int(limits.cpu_seconds * 1000)) + " ms of processor time";
+    const double until_end =
+        2 * std::chrono::duration<double>(between_looks).count();  // the next look, and ending itself
+    if (cpu + until_end > limits.cpu_seconds) return "it takes more than the " + time + " that it may";
+    if (seconds > limits.seconds) return "it takes longer than " + std::to_string(int(limits.seconds)) + " s";
+    if (bytes <= limits.bytes) return {};
+    return "it takes more than the " + std::to_string(limits.bytes >> 20) + "M of memory that it may";
+}
+
+}  // namespace
+
+ProcessLimits::ProcessLimits(const Limits& limits, const std::string& file) : limits_(limits), file_(file) {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose own memory is more
+    const rlimit most{limits.bytes, limits.bytes};
+    setrlimit(RLIMIT_DATA, &most);  // fails where a lower one is there, which is as good
+#endif
+    thread_ = std::thread([this] { watch(); });
+}
+
+ProcessLimits::~ProcessLimits() {
+    {
+        const std::lock_guard lock(mutex_);
+        is_over_ = true;
+    }
+    changed_.notify_one();
+    thread_.join();
+}
+
+void ProcessLimits::watch() {
+    using namespace std::chrono;
+    const auto begun = steady_clock::now();
+    std::unique_lock lock(mutex_);
+    while (!changed_.wait_for(lock, between_looks, [this] { return is_over_; })) {
+        const std::string reason = passed(limits_, duration<double>(steady_clock::now() - begun).count());
+        if (reason.empty()) continue;
+        remove_unfinished_outputs();
+        const std::string line = error_line(Error(ErrorCode::failed, reason).with_file(file_));
+        static_cast<void>(!write(STDERR_FILENO, line.data(), line.size()));
+        _exit(1);
+    }
+}
+
+}  // namespace rakelight::cli

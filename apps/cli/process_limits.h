@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// For runs that somebody waits for and that must not cost more than they are worth: thumbnails.
+#pragma once
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace rakelight::cli {
+
+struct Limits {
+    double cpu_seconds;   ///< of all threads, and of the programs that this one has started
+    double seconds;       ///< of the clock, so that nothing waits for ever
+    std::uint64_t bytes;  ///< of memory in use, with the programs that this one has started
+};
+
+/// While it lives, a thread looks every 10 ms at what this process takes. Past a limit, of processor time shortly before it, it removes unfinished outputs, says which limit it
+/// was in a line on standard error, and ends the process with exit code 1. Memory has a hard limit of the same size beside that, for what
+/// asks for much at once: then the program says that there is no memory.
+class ProcessLimits {
+public:
+    /// @param file  for the line
+    ProcessLimits(const Limits& limits, const std::string& file);
+    ~ProcessLimits();
+    ProcessLimits(const ProcessLimits&) = delete;
+    ProcessLimits& operator=(const ProcessLimits&) = delete;
+
+private:
+    void watch();
+
+    Limits limits_;
+    std::string file_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    bool is_over_ = false;
+    std::thread thread_;
+};
+
+}  // namespace rakelight::cli

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "completion_answers.h"
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+
+#include <rakelight/error.h>
+#include <rakelight/request.h>
+#include <rakelight/tools/values.h>
+
+namespace rakelight::apps {
+namespace {
+
+constexpr std::string_view list_begins = "use one of: ";
+
+bool is_plain(std::string_view word) {
+    return !word.empty() && std::ranges::all_of(word, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '.';
+    });
+}
+
+/// The parts of a list, if all of them are words.
+std::vector<std::string> plain_parts(std::string_view list, char separator) {
+    std::vector<std::string> words;
+    for (std::string_view part : values::split(list, separator)) {
+        while (part.starts_with(' ')) part.remove_prefix(1);
+        if (!is_plain(part)) return {};
+        words.emplace_back(part);
+    }
+    return words;
+}
+
+/// What a key of [render] lists when it is given a word that it cannot have.
+std::vector<std::string> words_of_key(const RenderKey& key) {
+    if (key.kind == RenderKey::Kind::file || key.kind == RenderKey::Kind::flag) return {};
+    PictureRequest request;
+    const std::string nonsense = "?";
+    try {
+        key.read(request, {&nonsense, 1});
+    } catch (const Error& error) {
+        const std::string_view text = error.what();
+        const std::size_t at = text.find(list_begins);
+        if (at != text.npos) return plain_parts(text.substr(at + list_begins.size()), ',');
+    }
+    return {};
+}
+
+}  // namespace
+
+Answers answers_for(const Option& option) {
+    if (option.form == Form::flag) return {};
+    if (option.form == Form::on_off) return {.takes_value = false, .is_file = false, .words = {"on", "off"}};
+    Answers answers{.takes_value = true, .is_file = false, .words = {}};
+    const std::string_view type = option.type;
+    const RenderKey* const key = option.is_setting ? find_render_key(option.name) : nullptr;
+    for (const std::string_view word : {"FILE", "DIR", "PICTURE", "MODEL", "FOLDER"}) answers.is_file |= type == word;
+    answers.is_file |= key && key->kind == RenderKey::Kind::file;
+    if (type.find('|') != type.npos) answers.words = plain_parts(type, '|');
+    if (answers.words.empty() && key) answers.words = words_of_key(*key);
+    return answers;
+}
+
+std::vector<std::string> spellings(const Option& option) {
+    std::vector<std::string> names{std::string("--") + option.name};
+    if (option.also) names.push_back(std::string("--") + option.also);
+    if (option.letter) names.push_back(std::string("-") + option.letter);
+    return names;
+}
+
+std::string brief(const char* help) {
+    constexpr std::size_t longest = 72;
+    std::string text = help;
+    text.erase(std::min({text.find(": "), text.find("; "), text.find(". "), text.size()}));
+    if (text.size() <= longest) return text;
+    text.erase(std::min(text.rfind(' ', longest), longest));
+    return text + " ...";
+}
+
+std::string joined_words(const std::vector<std::string>& words, const char* separator) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
+    return text;
+}
+
+}  // namespace rakelight::apps

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Needs bash alone, not the package bash-completion.
+#include <algorithm>
+#include <map>
+
+#include "completion.h"
+#include "completion_answers.h"
+
+namespace rakelight::apps {
+namespace {
+
+/// Patterns of "verb:--option" by what they are answered with: "words on off".
+using Cases = std::map<std::string, std::vector<std::string>>;
+
+std::string action(const Answers& answers) {
+    if (!answers.words.empty() && !answers.takes_value) return "switch=\"" + joined_words(answers.words, " ") + "\"";
+    if (!answers.words.empty()) return "values=\"" + joined_words(answers.words, " ") + "\"";
+    return answers.is_file ? "kind=file" : "kind=other";
+}
+
+/// One pattern for all commands where they agree about an option, else one a command.
+Cases cases_of(const Program& program) {
+    std::map<std::string, std::map<std::string, std::vector<std::string>>> by_option;  // option, action: commands
+    for (const Command& command : program.commands)
+        for (const Option& option : command.options)
+            if (const Answers answers = answers_for(option); answers != Answers{})
+                for (const std::string& name : spellings(option))
+                    by_option[name][action(answers)].emplace_back(command.name);
+    Cases cases;
+    for (const auto& [option, actions] : by_option)
+        for (const auto& [words, commands] : actions)
+            for (const std::string& command : actions.size() == 1 ? std::vector<std::string>{"*"} : commands)
+                cases[words].push_back(command + ":" + option);
+    return cases;
+}
+
+std::string options_of(const Command& command) {
+    std::string text = "--help";
+    for (const Option& option : command.options)
+        if (!option.is_hidden)
+            for (const std::string& name : spellings(option)) text += " " + name;
+    return text;
+}
+
+}  // namespace
+
+std::string bash_completion(const Program& program) {
+    const std::string name = program.name;
+    std::string verbs, cases;
+    for (const Command& command : program.commands) verbs += (verbs.empty() ? "" : " ") + std::string(command.name);
+    std::string out = "# bash completion of " + name + ", written by `" + name + " --completion bash`\n_" + name +
+                      R"(() {
+    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}
+    local verbs=")" + verbs +
+                      R"(" verb options values= switch= kind=model
+    # "--engine=gl" comes as three words
+    if [ "$word" = = ]; then word=; elif [ "$before" = = ]; then before=${COMP_WORDS[COMP_CWORD-2]}; fi
+    case " $verbs " in *" ${COMP_WORDS[1]} "*) verb=${COMP_WORDS[1]} ;; *) verb=)" +
+                      program.commands[0].name + R"( ;; esac
+    case $verb in
+)";
+    for (const Command& command : program.commands)
+        out += "    " + std::string(command.name) + ") options=\"" + options_of(command) + "\" ;;\n";
+    out += "    esac\n    case $verb:$before in\n";
+    for (const auto& [words, patterns] : cases_of(program))
+        out += "    " + joined_words(patterns, " | ") + ") " + words + " ;;\n";
+    return out + R"(    esac
+    COMPREPLY=()
+    if [ -n "$values" ]; then
+        mapfile -t COMPREPLY < <(compgen -W "$values" -- "$word")
+    elif [ "$kind" = other ]; then
+        return
+    elif [ "${word:0:1}" = - ]; then
+        [ "$COMP_CWORD" != 1 ] || options+=" --version"
+        mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
+    else
+        [ "$COMP_CWORD" != 1 ] || switch="$verbs help"
+        compopt -o filenames 2>/dev/null
+        mapfile -t COMPREPLY < <(compgen -W "$switch" -- "$word"; compgen -f -- "$word")
+    fi
+}
+complete -F _)" +
+           name + " " + name + "\n";
+}
+
+}  // namespace rakelight::apps

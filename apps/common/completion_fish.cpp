@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// One line an option; commands whose options are alike share it.
+#include <map>
+
+#include "completion.h"
+#include "completion_answers.h"
+
+namespace rakelight::apps {
+namespace {
+
+std::string quoted(const std::string& text) {
+    std::string out = "'";
+    for (const char c : text) out += (c == '\'' || c == '\\' ? "\\" : "") + std::string(1, c);
+    return out + "'";
+}
+
+std::string arguments_of(const Option& option) {
+    std::string out;
+    for (const std::string& name : spellings(option))
+        out += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+    const Answers answers = answers_for(option);
+    if (answers.is_file && answers.words.empty())
+        out += " -r -F";
+    else if (answers.takes_value)
+        out += " -x";
+    if (!answers.words.empty() && answers.takes_value) out += " -a " + quoted(joined_words(answers.words, " "));
+    return out + " -d " + quoted(brief(option.help));
+}
+
+}  // namespace
+
+std::string fish_completion(const Program& program) {
+    const std::string name = program.name, complete = "complete -c " + name, is_first = "__" + name + "_is_first";
+    std::string verbs, out;
+    std::vector<std::string> lines;  // in the order of the options
+    std::map<std::string, std::string> commands_of;
+    for (const Command& command : program.commands) {
+        verbs += " " + std::string(command.name);
+        out += complete + " -n " + is_first + " -a " + command.name + " -d " + quoted(command.help) + "\n";
+        for (const Option& option : command.options) {
+            if (option.is_hidden) continue;
+            const std::string line = arguments_of(option);
+            std::string& commands = commands_of[line];
+            if (commands.empty()) lines.push_back(line);
+            commands += " " + std::string(command.name);
+        }
+    }
+    for (const std::string& line : lines)
+        out += complete + " -n '__" + name + "_is" + commands_of[line] + "'" + line + "\n";
+    return "# fish completion of " + name + ", written by `" + name + " --completion fish`\nfunction __" + name + R"(_is
+    set -l words (commandline -opc)
+    set -l verb )" +
+           program.commands[0].name + R"(
+    if set -q words[2]; and contains -- $words[2])" +
+           verbs + R"(
+        set verb $words[2]
+    end
+    contains -- $verb $argv
+end
+function )" +
+           is_first + R"(
+    test (count (commandline -opc)) -eq 1
+end
+)" + complete +
+           " -n " + is_first + " -l version -s V -d 'Say version, formats, engines and instruction sets'\n" + complete +
+           " -l help -s h -d 'Show the help'\n" + out;
+}
+
+}  // namespace rakelight::apps

@@ -1,0 +1,31 @@
+# What a desktop and shells want beside the programs, made by the program itself where it can: completions and icons.
+set(RAKELIGHT_ZSH_DIR ${CMAKE_INSTALL_DATADIR}/zsh/site-functions CACHE STRING "Where zsh's completion goes")
+set(made "")
+# rl_printed_by_program(FILE FOLDER ARGUMENTS...): a file that `rakelight ARGUMENTS` prints, installed to FOLDER.
+function(rl_printed_by_program file folder)
+  set(path ${PROJECT_BINARY_DIR}/desktop/${file})
+  add_custom_command(OUTPUT ${path} COMMAND rakelight ${ARGN} > ${path} DEPENDS rakelight VERBATIM)
+  install(FILES ${path} DESTINATION ${folder} COMPONENT programs OPTIONAL)
+  set(made ${made} ${path} PARENT_SCOPE)
+endfunction()
+
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/desktop/bash ${PROJECT_BINARY_DIR}/desktop/zsh ${PROJECT_BINARY_DIR}/desktop/fish)
+rl_printed_by_program(bash/rakelight ${CMAKE_INSTALL_DATADIR}/bash-completion/completions --completion bash)
+rl_printed_by_program(zsh/_rakelight ${RAKELIGHT_ZSH_DIR} --completion zsh)
+rl_printed_by_program(fish/rakelight.fish ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d --completion fish)
+foreach(size 48 64 128 256)
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/desktop/${size})
+  rl_printed_by_program(${size}/rakelight.png ${CMAKE_INSTALL_DATADIR}/icons/hicolor/${size}x${size}/apps
+    render builtin:teapot -o png:- --resolution ${size},${size} --background transparent --color "#d9772b" --samples 8)
+endforeach()
+add_custom_target(rakelight_desktop ALL DEPENDS ${made})
+
+set(desktop ${PROJECT_SOURCE_DIR}/packages/desktop)
+install(FILES ${desktop}/rakelight.thumbnailer DESTINATION ${CMAKE_INSTALL_DATADIR}/thumbnailers COMPONENT programs)
+install(FILES ${desktop}/rakelight.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT programs)
+if(TARGET rakelight-view)
+  install(FILES ${desktop}/rakelight-view.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT programs)
+  install(FILES ${desktop}/io.github.rakelight.Rakelight.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT programs)
+  file(WRITE ${PROJECT_BINARY_DIR}/desktop/rakelight-view.1 ".so man1/rakelight.1\n")
+  install(FILES ${PROJECT_BINARY_DIR}/desktop/rakelight-view.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT programs)
+endif()

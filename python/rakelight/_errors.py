@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Exceptions and warnings."""
+
+
+class Error(Exception):
+    """What the library says of bad input or of its surroundings, in one line: ``str(error)``.
+
+    Attributes:
+        reason: what is wrong, without file and place
+        file: the file that it is about; empty: none
+        place: where in the file: "line 12", "mesh 3 'body'"; may be empty
+        advice: what to do; may be empty
+        setting: the setting that it is about, as the program's options are named: "crease-angle"; may be empty
+    """
+
+    reason: str = ""
+    file: str = ""
+    place: str = ""
+    advice: str = ""
+    setting: str = ""
+
+
+class UsageError(Error, ValueError):
+    """An argument that cannot be: a wrong word, shape, type or number."""
+
+
+class NotFoundError(Error, FileNotFoundError):
+    """A file that is not there or cannot be read."""
+
+    def __str__(self) -> str:
+        return str(self.args[0]) if self.args else ""
+
+
+class BadFileError(Error):
+    """A file that is broken or of no known format, or a scene in which there is nothing to draw."""
+
+
+class RakelightWarning(UserWarning):
+    """What was changed, guessed or dropped on the way."""

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Meshes as arrays, and their normals and tangents."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._errors import UsageError
+from ._run import Progress, remarks_of, threads, told
+
+Floats = NDArray[np.float32]
+Indices = NDArray[np.uint32]
+
+
+@dataclass(eq=False)
+class Mesh:
+    """Triangles of one material. Arrays are taken as they are: float32 and 32-bit integers, row by row, are never copied for
+    :func:`attributes`, and once for a :class:`Scene`. Those of a loaded scene are its own memory and cannot be written to.
+
+    Args:
+        vertices: [V, 3] positions [m], object space
+        faces: [T, 3] integers < V; counter-clockwise seen from outside
+        normals: [V, 3] unit, object space
+        tangents: [V, 4] xyz unit, w = +1 or -1: bitangent = cross(normal, xyz) * w
+        uv: [V, 2] texture coordinates, v down
+        colors: [V, 4] linear RGBA
+        name: of its object
+        color: linear RGB or RGBA of its surface, 0 to 1; None: the default material
+        to_world: [4, 4] object space to world; None: the same
+        arrays: {name: [V] or [V, n]} other numbers of the vertices, of loaded meshes
+        material: number of its material in the scene that it comes from
+        topology: "triangles", or "lines" or "points" of loaded meshes: faces are [L, 2] or [P, 1] then
+        origin: [m] of loaded meshes whose numbers are large: positions count from here
+    """
+
+    vertices: ArrayLike
+    faces: ArrayLike
+    normals: ArrayLike | None = None
+    tangents: ArrayLike | None = None
+    uv: ArrayLike | None = None
+    colors: ArrayLike | None = None
+    name: str = ""
+    color: ArrayLike | None = None
+    to_world: ArrayLike | None = None
+    arrays: dict[str, Floats] = field(default_factory=dict)
+    material: int | None = None
+    topology: str = "triangles"
+    origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    @property
+    def vertex_normals(self) -> ArrayLike | None:
+        """The name that trimesh has for ``normals``."""
+        return self.normals
+
+    def trimesh_arguments(self) -> dict[str, Any]:
+        """``trimesh.Trimesh(**mesh.trimesh_arguments())``: vertices and faces as they are, nothing merged."""
+        return {"vertices": self.vertices, "faces": self.faces, "vertex_normals": self.normals, "process": False}
+
+
+MeshLike = Any
+"""A :class:`Mesh`, or anything with ``.vertices`` and ``.faces`` (trimesh) or ``.triangles`` (Open3D): normals, texture coordinates and a
+name are taken where they have the usual names; or a tuple (vertices, faces)."""
+
+
+def _first(thing: object, *names: str) -> Any:
+    """The first attribute that is there and not empty."""
+    for name in names:
+        value: Any = thing
+        for part in name.split("."):
+            value = getattr(value, part, None)
+        if value is not None and (not hasattr(value, "__len__") or len(value) > 0):
+            return value
+    return None
+
+
+def _per_vertex(values: Any, vertices: NDArray[Any]) -> NDArray[Any] | None:
+    """Open3D has texture coordinates of corners under like names: those are left out."""
+    if values is None:
+        return None
+    array = np.asarray(values)
+    return array if array.ndim == 2 and len(array) == len(vertices) else None
+
+
+def mesh_of(thing: MeshLike) -> Mesh:
+    """Makes a :class:`Mesh` of anything that is like one."""
+    if isinstance(thing, Mesh):
+        return thing
+    if isinstance(thing, tuple) and len(thing) == 2:
+        return Mesh(thing[0], thing[1])
+    faces = _first(thing, "faces", "triangles")
+    if not hasattr(thing, "vertices") or not (hasattr(thing, "faces") or hasattr(thing, "triangles")):
+        raise UsageError(f"a mesh with .vertices and .faces is expected, not {type(thing).__name__}")
+    vertices = np.asarray(thing.vertices)
+    name = _first(thing, "name", "metadata.name")
+    return Mesh(
+        vertices,
+        np.zeros((0, 3), np.uint32) if faces is None else np.asarray(faces),
+        normals=_per_vertex(_first(thing, "vertex_normals", "normals"), vertices),
+        uv=_per_vertex(_first(thing, "visual.uv", "uv"), vertices),
+        name=name if isinstance(name, str) else "",
+    )
+
+
+def meshes_of(things: MeshLike | Iterable[MeshLike] | Mapping[str, MeshLike]) -> list[Mesh]:
+    """One mesh, several, or {name: mesh}; of a trimesh scene all, placed."""
+    if isinstance(things, Mapping):
+        meshes = []
+        for name, thing in things.items():
+            mesh = mesh_of(thing)
+            meshes.append(replace(mesh, name=mesh.name or str(name)))
+        return meshes
+    if hasattr(things, "dump") and hasattr(things, "geometry"):
+        return meshes_of(list(things.dump()))
+    is_one = isinstance(things, Mesh) or hasattr(things, "vertices") or (isinstance(things, tuple) and len(things) == 2)
+    if is_one:
+        return [mesh_of(things)]
+    if not isinstance(things, Iterable):
+        raise UsageError(f"a mesh or several are expected, not {type(things).__name__}")
+    return [mesh_of(thing) for thing in things]
+
+
+def dict_of(mesh: Mesh) -> dict[str, Any]:
+    """As the extension takes it."""
+    if mesh.topology != "triangles":
+        raise UsageError(f"a mesh of triangles is expected, not one of {mesh.topology}")
+    keys = ("vertices", "faces", "normals", "tangents", "uv", "colors", "name", "color", "to_world")
+    out: dict[str, Any] = {key: getattr(mesh, key) for key in keys}
+    if any(mesh.origin):
+        place = np.eye(4) if mesh.to_world is None else np.array(mesh.to_world, dtype=np.float64)
+        shift = np.eye(4)
+        shift[:3, 3] = mesh.origin
+        out["to_world"] = place @ shift
+    return out
+
+
+@dataclass(eq=False)
+class Attributes:
+    """Normals and tangents of one mesh. A vertex whose corners differ is split: V' >= V, the first V keep their numbers.
+
+    Attributes:
+        normals: [V', 3] float32, unit, object space
+        tangents: [V', 4] float32, xyz unit and perpendicular to the normal, w = +1 or -1; None without texture coordinates
+        faces: [T, 3] uint32 < V'; where nothing was split the very array that was given
+        source: [V'] uint32, the vertex of the input that each is
+        degenerate_faces: without area or with a corner that is not finite: they had no say
+        isolated_vertices: that no other face touches: their normal is (0, 0, 1)
+    """
+
+    normals: Floats
+    tangents: Floats | None
+    faces: ArrayLike
+    source: Indices
+    degenerate_faces: int
+    isolated_vertices: int
+
+    def expand(self, values: ArrayLike) -> NDArray[Any]:
+        """Numbers of the input's vertices [V, ...] as those of the split ones [V', ...]."""
+        return np.asarray(values)[self.source]
+
+
+def options_of(
+    scope: str, weight: str, crease_angle: float, weld_distance: float | None, tangents: bool, tangent_mode: str
+) -> dict[str, Any]:
+    if weld_distance is not None and not weld_distance >= 0:
+        raise UsageError("weld_distance: must be 0 or more")
+    return {
+        "scope": scope,
+        "weight": weight.replace("_", "-"),
+        "crease_angle_rad": float(crease_angle) * (np.pi / 180.0),
+        "weld_distance": -1.0 if weld_distance is None else float(weld_distance),
+        "tangents": bool(tangents),
+        "tangent_mode": tangent_mode.replace("_", "-"),
+    }
+
+
+def attributes(
+    meshes: MeshLike | Iterable[MeshLike] | Mapping[str, MeshLike],
+    *,
+    scope: str = "model",
+    weight: str = "angle",
+    crease_angle: float = 60.0,
+    weld_distance: float | None = None,
+    tangents: bool = True,
+    tangent_mode: str = "averaged",
+    objects: Sequence[int] | None = None,
+    progress: Progress = None,
+) -> list[Attributes]:
+    """Seam-free normals, and tangents where there are texture coordinates. Arrays of the right type are read where they lie.
+
+    Args:
+        meshes: one mesh, several that are one model, or {name: mesh}
+        scope: over which faces normals are smoothed: "model" (no seams between meshes), "object", "face" (flat)
+        weight: how strongly a triangle pulls on its corners: "angle", "area", "angle_area", "uniform"
+        crease_angle: [degrees] 0 to 180; edges bent more stay sharp
+        weld_distance: [m] positions at most this far apart are one; None: equal, but for rounding; 0: equal
+        tangents: also make tangents
+        tangent_mode: "averaged", "mikktspace", "published", "published_no_handedness"
+        objects: [meshes] meshes of one number are one object; None: each is one
+    Returns:
+        one entry for each mesh
+    Raises:
+        UsageError: shapes, types or indices that do not fit
+    """
+    given = meshes_of(meshes)
+    options = options_of(scope, weight, crease_angle, weld_distance, tangents, tangent_mode)
+    numbers = list(range(len(given))) if objects is None else [int(number) for number in objects]
+    if len(numbers) != len(given):
+        raise UsageError(f"objects: there are {len(numbers)} numbers for {len(given)} meshes")
+    with told(progress) as tell:
+        made, remarks = _core.attributes([dict_of(mesh) for mesh in given], numbers, options, threads(), tell)
+    remarks_of(remarks)
+    out = []
+    for mesh, new in zip(given, made):
+        split: Indices = new["split_from"]
+        kept = np.arange(len(new["normals"]) - len(split), dtype=np.uint32)
+        faces = mesh.faces if new["faces"] is None else new["faces"]
+        source = np.concatenate([kept, split]) if len(split) else kept
+        out.append(Attributes(new["normals"], new["tangents"], faces, source, new["degenerate_faces"], new["isolated_vertices"]))
+    return out

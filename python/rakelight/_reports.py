@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Why pixels are as they are, what is in models, and files written as the program writes them."""
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from . import _core
+from ._camera import CameraLike, camera_settings
+from ._errors import UsageError
+from ._run import Path, Progress, name_of, remarks_of, settings_of, threads, told
+from ._scene import scene_of
+from ._session import Resolution, SceneLike
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """Why a pixel has its color: everything that the soft engine computes on the way to it.
+
+    Attributes:
+        x, y: [px] from the left, from the top
+        color: linear RGB and alpha of the picture's pixel
+        sum: of all terms: the same, to the bit
+        codes: the pixel of a PNG file, 0 to 255
+        is_background: nothing is drawn there
+        object, material: names of what is nearest; empty: nothing, or they have none
+        triangles: all that cover the pixel, with their fate
+        data: all of it, as ``rakelight explain --json`` writes it
+        text: for people
+    """
+
+    x: int
+    y: int
+    color: tuple[float, ...]
+    sum: tuple[float, ...]
+    codes: tuple[int, ...]
+    is_background: bool
+    object: str
+    material: str
+    triangles: list[dict[str, Any]] = field(repr=False)
+    data: dict[str, Any] = field(repr=False)
+    text: str = field(repr=False)
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def _explanation(x: int, y: int, row: dict[str, Any], text: str) -> Explanation:
+    triangles: list[dict[str, Any]] = row.get("triangles", [])
+    seen: dict[str, Any] = next((t for t in triangles if t.get("fate") == "visible"), {})
+    return Explanation(
+        x, y, tuple(row["color"]), tuple(row["sum"]), tuple(row["codes"]), bool(row["is_background"]),
+        seen.get("object", ""), seen.get("material_name", ""), triangles, row, text,
+    )  # fmt: skip
+
+
+def explain_pixels(
+    scene: SceneLike,
+    pixels: Iterable[tuple[int, int]],
+    camera: CameraLike = None,
+    *,
+    resolution: Resolution | None = None,
+    progress: Progress = None,
+    **settings: Any,
+) -> list[Explanation]:
+    """:func:`explain` for several pixels [(x, y), ...] of one picture."""
+    places = [(int(x), int(y)) for x, y in pixels]
+    words = settings_of({**settings, **camera_settings(camera), "resolution": resolution})
+    with told(progress) as tell:
+        rows, remarks = _core.explain(scene_of(scene)._core, words, places, threads(), tell)
+    remarks_of(remarks)
+    return [_explanation(x, y, json.loads(row)["rows"][0], text) for (x, y), (row, text) in zip(places, rows)]
+
+
+def explain(
+    scene: SceneLike,
+    x: int,
+    y: int,
+    camera: CameraLike = None,
+    *,
+    resolution: Resolution | None = None,
+    progress: Progress = None,
+    **settings: Any,
+) -> Explanation:
+    """Follows one pixel of the picture that :func:`rakelight.render` draws with the same arguments.
+
+    Args:
+        x, y: [px] of the whole picture; 0, 0 is the top left one
+    Raises:
+        UsageError: the pixel is not in the picture
+    """
+    return explain_pixels(scene, [(x, y)], camera, resolution=resolution, progress=progress, **settings)[0]
+
+
+def inspect(
+    scene: SceneLike,
+    *,
+    borders: bool = True,
+    surfaces: bool = True,
+    check: Mapping[str, Any] | None = None,
+    progress: Progress = None,
+    **settings: Any,
+) -> dict[str, Any]:
+    """What is in a model: a row of ``rakelight inspect --json``.
+
+    Args:
+        borders: look for positions that objects share, and their seams
+        surfaces: look at edges, faces and normals of each object
+        check: limits by the names of the program's options with ``_`` for ``-``: ``{"max_seam": 1.0, "closed": True}``; the result's
+            ``"check"`` has {"passed", "failures"} then. Without "max_seam" no seam is looked at
+        settings: ``normals``, ``crease_angle``, ``weight``, ``weld_distance``, ``border_distance``, ``animation_time``, ...
+    Returns:
+        {"triangles", "bounds", "objects", "seams", "borders", "materials", ...}: docs/inspect.md
+    """
+    limits = None
+    if check is not None:
+        limits = {"max-seam": None, **{name.replace("_", "-"): value for name, value in check.items()}}
+        if not borders and limits["max-seam"] is not None:
+            raise UsageError("max_seam is looked at with borders=True alone")
+    with told(progress) as tell:
+        text, remarks = _core.inspect(scene_of(scene)._core, settings_of(settings), borders, surfaces, limits, threads(), tell)
+    remarks_of(remarks)
+    row: dict[str, Any] = json.loads(text)["rows"][0]
+    return row
+
+
+def render_file(
+    scene: SceneLike,
+    path: Path,
+    camera: CameraLike = None,
+    *,
+    resolution: Resolution | None = None,
+    channels: Sequence[str] | str | None = None,
+    progress: Progress = None,
+    **settings: Any,
+) -> dict[str, Any]:
+    """Draws a picture into a file, the same bytes as ``rakelight render`` writes: .png .jpg .webp .ppm .exr .hdr, with overlays
+    (``grid=True``) and channel files.
+
+    Returns:
+        a row of ``rakelight render --json``
+    """
+    names = [channels] if isinstance(channels, str) else channels
+    listed = None if names is None else ",".join(name.replace("_", "-") for name in names)
+    words = settings_of({**settings, **camera_settings(camera), "resolution": resolution, "channels": listed})
+    with told(progress) as tell:
+        text, remarks = _core.render_file(scene_of(scene)._core, name_of(path), words, threads(), tell)
+    remarks_of(remarks)
+    row: dict[str, Any] = json.loads(text)["rows"][0]
+    return row
+
+
+def smooth_file(
+    input: Path,
+    output: Path,
+    *,
+    normals: str = "seams",
+    weight: str = "angle",
+    crease_angle: float = 60.0,
+    weld_distance: float | None = None,
+    border_distance: float = 0.0,
+    tangents: str = "auto",
+    allow_outside: bool = False,
+    progress: Progress = None,
+) -> dict[str, Any]:
+    """Writes a model back with seam-free normals and tangents; all else of glTF, GLB and OBJ files stays as it is.
+
+    Args:
+        input, output: files; may be the same
+        normals: "seams" (the file's stay, and are joined where parts meet), or made anew: "model", "object", "face"
+        tangents: "auto", "always", "never"
+        border_distance: [m] normals also agree along borders at most this far apart that share no vertices; 0: off
+    Returns:
+        a row of ``rakelight smooth --json``
+    """
+    from ._mesh import options_of
+
+    scopes = {"seams": "model", "flat": "face"}
+    options = options_of(scopes.get(normals, normals), weight, crease_angle, weld_distance, True, "averaged")
+    with told(progress) as tell:
+        text, remarks = _core.smooth_file(
+            name_of(input), name_of(output), normals, tangents, border_distance, allow_outside, options, threads(), tell
+        )
+    remarks_of(remarks)
+    row: dict[str, Any] = json.loads(text)["rows"][0]
+    return row
+
+

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What all calls share: threads, progress, remarks, and settings as words."""
+from __future__ import annotations
+
+import importlib
+import inspect
+import os
+import warnings
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import Any, NamedTuple, Union
+
+from . import _core
+from ._errors import RakelightWarning, UsageError
+
+Progress = Union[bool, None, Callable[[str, float], None]]
+"""None: nothing is shown. True: a bar by tqdm, where it is installed. A function: called with a stage and how far it is, 0 to 1."""
+
+Path = Union[str, "os.PathLike[str]"]
+
+_threads = 0
+
+
+class Remark(NamedTuple):
+    """What was changed, guessed or dropped, or is to be known."""
+
+    kind: str
+    """"note", "changed", "guessed", "dropped" or "warning"."""
+    file: str
+    place: str
+    message: str
+    times: int
+    """How often."""
+
+
+def set_threads(count: int) -> None:
+    """Sets how many threads each later call uses; 0 (the default): all processors. Results do not depend on it."""
+    if not 0 <= count <= 1024:
+        raise UsageError("threads must be 1 to 1024, or 0 for all processors")
+    global _threads
+    _threads = int(count)
+
+
+def threads() -> int:
+    return _threads
+
+
+@contextmanager
+def told(progress: Progress) -> Iterator[Callable[[str, float], None] | None]:
+    """The function that the extension calls."""
+    if progress is None or progress is False:
+        yield None
+    elif progress is not True:
+        yield progress
+    else:
+        try:
+            tqdm = importlib.import_module("tqdm.auto").tqdm
+        except ImportError:
+            yield None
+            return
+        with tqdm(total=100, unit="%", leave=False) as bar:
+
+            def tell(stage: str, fraction: float) -> None:
+                bar.set_description(stage)
+                bar.n = round(100 * fraction)
+                bar.refresh()
+
+            yield tell
+
+
+def remarks_of(rows: list[tuple[str, str, str, str, int]]) -> list[Remark]:
+    """Remarks that are no notes become warnings."""
+    remarks = [Remark(*row) for row in rows]
+    level, frame = 1, inspect.currentframe()
+    while frame is not None and frame.f_globals.get("__package__") == __package__:  # the caller's line is what is shown
+        level, frame = level + 1, frame.f_back
+    for remark in remarks:
+        if remark.kind != "note":
+            where = ": ".join(part for part in (remark.file, remark.place) if part)
+            warnings.warn(f"{where}: {remark.message}" if where else remark.message, RakelightWarning, stacklevel=level)
+    return remarks
+
+
+def name_of(path: Path) -> bytes:
+    """A file's name as the system has it."""
+    return os.fsencode(path)
+
+
+def _word(key: str, value: Any) -> str:
+    if isinstance(value, bool) or type(value).__name__ == "bool_":
+        return "on" if value else "off"
+    if isinstance(value, str):
+        return value
+    if isinstance(value, os.PathLike):
+        return str(os.fspath(value))
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, (list, tuple)):
+        return ",".join(_word(key, part) for part in value)
+    if isinstance(value, (int, float)):
+        return repr(value)
+    raise UsageError(f"{key}: {type(value).__name__} is no value of a setting")
+
+
+_lists: dict[str, bool] = _core.setting_keys()
+
+
+def settings_of(settings: Mapping[str, Any]) -> list[tuple[str, list[str]]]:
+    """Keyword arguments as settings: ``crease_angle=40`` is the program's ``--crease-angle 40``; None leaves a setting out."""
+    out = []
+    for name, value in settings.items():
+        key = name.replace("_", "-")
+        if value is None:
+            continue
+        several = _lists.get(key, False) and isinstance(value, (list, tuple))
+        out.append((key, [_word(name, part) for part in value] if several else [_word(name, value)]))
+    return out

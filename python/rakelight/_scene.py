@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Scenes."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._errors import UsageError
+from ._mesh import Mesh, MeshLike, dict_of, meshes_of, options_of
+from ._run import Path, Progress, Remark, name_of, remarks_of, threads, told
+
+if TYPE_CHECKING:
+    from ._camera import CameraLike
+    from ._picture import Picture
+    from ._reports import Explanation
+
+
+@dataclass(frozen=True, eq=False)
+class Object:
+    """A node of the scene that has meshes."""
+
+    name: str
+    node: int
+    """Its number, which the channel ``object`` has."""
+    meshes: tuple[int, ...]
+    """Into :attr:`Scene.meshes`."""
+    to_world: NDArray[np.float64]
+    """[4, 4] object space to world."""
+
+
+class Scene:
+    """A model or a world: objects, meshes, materials, lights, cameras. It does not change: what changes it returns a new one, which shares
+    all that stays. Made by :func:`rakelight.load` or :meth:`from_meshes`."""
+
+    def __init__(self, core: _core.Scene, remarks: list[Remark] | None = None) -> None:
+        self._core = core
+        self._meshes: list[Mesh] | None = None
+        self.remarks: list[Remark] = remarks or []
+        """What was changed, guessed or dropped on the way here, notes too."""
+
+    @classmethod
+    def from_meshes(cls, meshes: MeshLike | Iterable[MeshLike] | Mapping[str, MeshLike]) -> Scene:
+        """A scene of one mesh, of several, or of {name: mesh}: :class:`Mesh`, or anything with ``.vertices`` and ``.faces``.
+
+        Raises:
+            UsageError: shapes, types or indices that do not fit
+        """
+        return cls(_core.scene_of_meshes([dict_of(mesh) for mesh in meshes_of(meshes)]))
+
+    @property
+    def source(self) -> str:
+        """The file that it comes from; empty: none."""
+        return self._core.source
+
+    @property
+    def meshes(self) -> list[Mesh]:
+        """All meshes, each once, in object space. The arrays are the scene's own memory: reading costs nothing, writing is refused."""
+        if self._meshes is None:
+            self._meshes = [_mesh(self._core, index) for index in range(self._core.mesh_count)]
+        return list(self._meshes)
+
+    @property
+    def objects(self) -> list[Object]:
+        """What is placed where."""
+        return [Object(name, node, tuple(meshes), to_world) for name, node, meshes, to_world in self._core.objects()]
+
+    def placed_meshes(self) -> list[Mesh]:
+        """The meshes of all objects, each with its ``to_world`` and its object's name; a mesh that stands twice is here twice."""
+        meshes = self.meshes
+        return [
+            replace(meshes[index], name=thing.name or meshes[index].name, to_world=thing.to_world)
+            for thing in self.objects
+            for index in thing.meshes
+        ]
+
+    @property
+    def nodes(self) -> list[str]:
+        """Names, by the numbers of the channel ``object``."""
+        return self._core.nodes
+
+    @property
+    def materials(self) -> list[str]:
+        """Names, by the numbers of the channel ``material``."""
+        return self._core.materials
+
+    @property
+    def cameras(self) -> list[str]:
+        """Names of the file's cameras."""
+        return self._core.cameras
+
+    @property
+    def animations(self) -> list[str]:
+        """Names of the file's clips."""
+        return self._core.animations
+
+    @property
+    def bounds(self) -> NDArray[np.float64] | None:
+        """[2, 3] low and high corner [m] of the world's box about all that is drawn; None: nothing is."""
+        box = self._core.bounds()
+        return None if box is None else np.stack(box)
+
+    def smooth(
+        self,
+        scope: str = "model",
+        *,
+        weight: str = "angle",
+        crease_angle: float = 60.0,
+        weld_distance: float | None = None,
+        tangents: bool = True,
+        tangent_mode: str = "averaged",
+        progress: Progress = None,
+    ) -> Scene:
+        """The scene with new seam-free normals, and tangents where there are texture coordinates. Arguments: :func:`rakelight.attributes`."""
+        options = options_of(scope, weight, crease_angle, weld_distance, tangents, tangent_mode)
+        with told(progress) as tell:
+            core, rows = _core.smooth(self._core, options, threads(), tell)
+        return Scene(core, self.remarks + remarks_of(rows))
+
+    def repair_seams(self, *, crease_angle: float = 60.0, border_distance: float = 0.0, progress: Progress = None) -> Scene:
+        """The scene with the file's normals, joined where meshes meet: what ``rakelight smooth`` does by default. Where the file has none
+        they are made over the whole model.
+
+        Args:
+            crease_angle: [degrees] 0 to 180; edges bent more stay sharp
+            border_distance: [m] normals also agree along borders at most this far apart that share no vertices; 0: off
+        """
+        if not 0 <= crease_angle <= 180:
+            raise UsageError("crease_angle: must be 0 to 180 degrees")
+        if not 0 <= border_distance < float("inf"):
+            raise UsageError("border_distance: must be 0 or more")
+        with told(progress) as tell:
+            core, rows = _core.repair(self._core, crease_angle * (np.pi / 180.0), border_distance, threads(), tell)
+        return Scene(core, self.remarks + remarks_of(rows))
+
+    def save(self, path: Path, *, progress: Progress = None) -> None:
+        """Writes .glb, or .ply (triangles alone). To keep all else of a file as it is: :func:`rakelight.smooth_file`."""
+        with told(progress) as tell:
+            remarks_of(_core.save(self._core, name_of(path), threads(), tell))
+
+    def render(self, camera: CameraLike = None, **options: Any) -> Picture:
+        """:func:`rakelight.render` of this scene."""
+        from ._session import render
+
+        return render(self, camera, **options)
+
+    def inspect(self, **options: Any) -> dict[str, Any]:
+        """:func:`rakelight.inspect` of this scene."""
+        from ._reports import inspect
+
+        return inspect(self, **options)
+
+    def explain(self, x: int, y: int, **options: Any) -> Explanation:
+        """:func:`rakelight.explain` of this scene."""
+        from ._reports import explain
+
+        return explain(self, x, y, **options)
+
+    def _repr_png_(self) -> bytes:
+        return self.render(resolution=(640, 480)).png()
+
+    def __repr__(self) -> str:
+        return f"<rakelight.Scene {self.source or 'of arrays'}: {len(self._core.objects())} objects, {self._core.mesh_count} meshes>"
+
+
+def _mesh(core: _core.Scene, index: int) -> Mesh:
+    arrays = _core.mesh(core, index)
+    sets = arrays.pop("uv_sets")
+    vertices, faces = arrays.pop("vertices"), arrays.pop("faces")
+    return Mesh(
+        np.zeros((0, 3), np.float32) if vertices is None else vertices,
+        np.zeros((0, 3), np.uint32) if faces is None else faces,
+        uv=sets[0] if sets else None,
+        **arrays,
+    )
+
+
+def load(path: Path, *, allow_outside: bool = False, max_memory: int = 0, progress: Progress = None) -> Scene:
+    """Loads a model (glTF, GLB, OBJ, PLY, FBX, DAE, 3DS, STL, ...), a world (.scene.toml), or ``"builtin:teapot"``.
+
+    Args:
+        allow_outside: the file may refer to files outside of its own folder
+        max_memory: [bytes] that its data may ask for; 0: 2 GiB, or 64 bytes for each byte of its files
+    Raises:
+        NotFoundError, BadFileError: with file and place
+    """
+    if max_memory < 0:
+        raise UsageError("max_memory: must be 0 or more bytes")
+    with told(progress) as tell:
+        core, rows = _core.load(name_of(path), allow_outside, threads(), max_memory, tell)
+    return Scene(core, remarks_of(rows))
+
+
+def load_bytes(data: bytes, name: str, *, max_memory: int = 0, progress: Progress = None) -> Scene:
+    """Loads a model that lies in memory. ``name`` says the format by its ending, as "model.glb"."""
+    with told(progress) as tell:
+        core, rows = _core.load_bytes(bytes(data), os.fsencode(name), threads(), max_memory, tell)
+    return Scene(core, remarks_of(rows))
+
+
+def scene_of(thing: Any) -> Scene:
+    """A scene as it is; a path is loaded; all else is taken as meshes."""
+    if isinstance(thing, Scene):
+        return thing
+    if isinstance(thing, (str, os.PathLike)):
+        return load(thing)
+    return Scene.from_meshes(thing)

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pictures."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Union
+
+from . import _core
+from ._camera import CameraLike, camera_settings
+from ._errors import UsageError
+from ._mesh import Mesh
+from ._picture import Picture
+from ._run import Path, Progress, remarks_of, settings_of, threads, told
+from ._scene import Scene, scene_of
+
+SceneLike = Union[Scene, Path, Mesh, Any]
+"""A :class:`Scene`, a file's name, or what :meth:`Scene.from_meshes` takes."""
+
+Resolution = Sequence[int]
+Window = Sequence[int]
+
+
+def _channels(channels: Sequence[str] | str) -> tuple[int, bool, bool]:
+    names = [channels] if isinstance(channels, str) else list(channels)
+    if not names:
+        raise UsageError("channels: at least one is expected, such as 'image'")
+    bits = 0
+    for name in names:
+        if name not in ("image", "color"):
+            bits |= _core.channel_bits(name.replace("_", "-"))
+    return bits, "image" in names, "color" in names
+
+
+class Session:
+    """Many pictures of one scene: what was made for one is kept for the next. One thread at a time; a session for each thread.
+
+    What nobody names (light, samples, background, exposure) is decided at the first picture, as the program decides it, and stays.
+
+        session = rakelight.Session("model.glb", resolution=(256, 256))
+        for camera in cameras:
+            picture = session.render(camera, channels=["image", "depth"])
+
+    Args:
+        scene: a :class:`Scene`, a file's name, or meshes
+        resolution: (width, height) [px] of pictures that name none; None: 1280 x 720
+        max_memory: [bytes] that textures may ask for; 0: 2 GiB
+        settings: the options of ``rakelight render`` with ``_`` for ``-``: ``shadows=True``, ``samples=8``, ``background="white"``,
+            ``light=["point:0,2,3", "ambient:0.1,0.1,0.1"]``
+    Raises:
+        UsageError: a setting that is not there, with the nearest that is; a value that it cannot have
+    """
+
+    def __init__(
+        self, scene: SceneLike, *, resolution: Resolution | None = None, max_memory: int = 0, **settings: Any
+    ) -> None:
+        self.scene = scene_of(scene)
+        _refuse(settings)
+        words = settings_of({"resolution": resolution, **settings})
+        self._core = _core.Session(self.scene._core, words, threads(), max_memory)
+
+    def render(
+        self,
+        camera: CameraLike = None,
+        *,
+        resolution: Resolution | None = None,
+        window: Window | None = None,
+        channels: Sequence[str] | str = ("image",),
+        progress: Progress = None,
+    ) -> Picture:
+        """Draws one view. Arguments: :func:`rakelight.render`."""
+        bits, has_image, has_color = _channels(channels)
+        view = settings_of({**camera_settings(camera), "resolution": resolution, "window": window})
+        with told(progress) as tell:
+            drawn = self._core.render(view, bits, has_image, has_color, tell)
+        remarks_of(self._core.take_remarks())
+        return Picture(drawn)
+
+
+def _refuse(settings: dict[str, Any]) -> None:
+    for name in ("channels", "channel_files", "window"):
+        if name in settings:
+            raise UsageError(f"{name}: is for render(), not for a session or a file")
+
+
+def render(
+    scene: SceneLike,
+    camera: CameraLike = None,
+    *,
+    resolution: Resolution | None = None,
+    window: Window | None = None,
+    channels: Sequence[str] | str = ("image",),
+    progress: Progress = None,
+    **settings: Any,
+) -> Picture:
+    """Draws a picture: the same pixels, to the bit, as ``rakelight render`` writes with the same settings.
+
+    Args:
+        scene: a :class:`Scene`, a file's name, or meshes
+        camera: a :class:`Camera`; a side ("front", "isometric", ...); a camera of the file by name or number; None: the file's first, or one
+            that shows all
+        resolution: (width, height) [px]; None: 1280 x 720
+        window: (x, y, width, height) [px] the part of the picture that is drawn
+        channels: what the result has, row 0 on top:
+
+            - image: [H, W, 3] uint8, sRGB; [H, W, 4] with ``background="transparent"``
+            - color: [H, W, 4] float32, linear RGB and alpha
+            - depth: [H, W] float32 [m] along the view axis; infinity where nothing is
+            - normal, face_normal: [H, W, 3] float32, unit, world; tangent: [H, W, 4]
+            - position: [H, W, 3] float32 [m] world
+            - object, mesh, material, triangle: [H, W] uint32; :data:`NONE` where nothing is; overdraw: [H, W] uint32
+            - uv, uv1: [H, W, 2] float32; barycentric: [H, W, 3] float32
+            - base_color, ambient, diffuse, specular, emission: [H, W, 3] float32, linear; "lighting": the last four; "all": all of these
+        settings: as :class:`Session`
+    Raises:
+        UsageError, NotFoundError, BadFileError
+    """
+    session = Session(scene, resolution=resolution, **settings)
+    return session.render(camera, window=window, channels=channels, progress=progress)

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes out of scenes and into them.
+#include "meshes.h"
+
+#include <pybind11/stl.h>
+
+#include <rakelight/error.h>
+#include <rakelight/validate.h>
+
+#include "errors.h"
+#include "scene.h"
+
+namespace rakelight::python {
+namespace {
+
+std::optional<py::array_t<float>> vertex_floats(const py::dict& mesh, const char* key, const std::string& place,
+                                                py::ssize_t columns, py::ssize_t vertices) {
+    if (!mesh.contains(key) || mesh[key].is_none()) return {};
+    const std::string name = place + ": " + key;
+    py::array_t<float> values = floats(mesh[key], name, columns);
+    if (values.shape(0) != vertices)
+        throw Error(ErrorCode::usage, name + ": there are " + std::to_string(values.shape(0)) + " rows for " +
+                                          std::to_string(vertices) + " vertices");
+    return values;
+}
+
+template <class T>
+Block<T> block_of(const py::array_t<float>& array) {
+    const std::span<const T> values = span_of<T>(array);
+    return std::vector<T>(values.begin(), values.end());
+}
+template <class T>
+Block<T> block_of(const std::optional<py::array_t<float>>& array) {
+    return array ? block_of<T>(*array) : Block<T>();
+}
+
+/// A surface of one color, neither metal nor mirror.
+Material material_of(const py::handle& color, const std::string& place) {
+    const py::array_t<float> rgb = floats(color, place + ": color", 0);
+    if (rgb.size() != 3 && rgb.size() != 4)
+        throw Error(ErrorCode::usage, place + ": color: 3 or 4 numbers are expected");
+    Material material;
+    const float* const c = rgb.data();
+    material.base_color = {c[0], c[1], c[2], rgb.size() == 4 ? c[3] : 1};
+    if (material.base_color.w < 1) material.alpha_mode = AlphaMode::blend;
+    material.metallic_roughness.metallic = 0;
+    material.metallic_roughness.roughness = 0.6f;
+    material.double_sided = true;
+    return material;
+}
+
+Mesh mesh_of(const MeshArrays& arrays) {
+    Mesh mesh;
+    mesh.name = arrays.name;
+    mesh.positions = block_of<vec3>(arrays.vertices);
+    const std::span<const std::uint32_t> indices = span_of(arrays.triangles);
+    mesh.indices = std::vector<std::uint32_t>(indices.begin(), indices.end());
+    mesh.normals = block_of<vec3>(arrays.normals);
+    mesh.tangents = block_of<vec4>(arrays.tangents);
+    mesh.colors = block_of<vec4>(arrays.colors);
+    if (arrays.uv) mesh.texcoords = {block_of<vec2>(arrays.uv)};
+    return mesh;
+}
+
+SceneHandle scene_of(const py::list& meshes) {
+    Scene scene;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        const py::dict given = meshes[i];
+        const std::string place = "mesh " + std::to_string(i);
+        const MeshArrays arrays = mesh_arrays(given, place);
+        Mesh mesh = mesh_of(arrays);
+        if (given.contains("color") && !given["color"].is_none()) {
+            mesh.material = std::uint32_t(scene.materials.size());
+            scene.materials.push_back(material_of(given["color"], place));
+        }
+        scene.meshes.push_back(std::move(mesh));
+        Node& node = scene.nodes.emplace_back();
+        node.name = arrays.name;
+        node.meshes = {std::uint32_t(i)};
+        if (arrays.to_world) node.local.matrix = *arrays.to_world;
+    }
+    validate(scene);
+    return {std::move(scene)};
+}
+
+py::dict arrays_of(const Mesh& mesh) {
+    py::dict out;
+    for (const VertexArray& array : mesh.arrays) {
+        const py::ssize_t columns = py::ssize_t(array.components), rows = py::ssize_t(array.values.size()) / columns;
+        out[text_of(array.name)] =
+            view(array.values, columns == 1 ? std::vector<py::ssize_t>{rows} : std::vector<py::ssize_t>{rows, columns});
+    }
+    return out;
+}
+
+const char* topology_of(const Mesh& mesh) {
+    return mesh.topology == Topology::triangles ? "triangles" : mesh.topology == Topology::lines ? "lines" : "points";
+}
+
+/// What a mesh has, without copies.
+py::dict dict_of(const SceneHandle& handle, std::size_t index) {
+    if (index >= handle.scene.meshes.size()) throw py::index_error("no such mesh");
+    const Mesh& mesh = handle.scene.meshes[index];
+    const py::ssize_t corners = mesh.topology == Topology::triangles ? 3 : mesh.topology == Topology::lines ? 2 : 1;
+    py::dict out;
+    out["name"] = text_of(mesh.name);
+    out["topology"] = topology_of(mesh);
+    out["origin"] = py::make_tuple(mesh.origin.x, mesh.origin.y, mesh.origin.z);
+    out["vertices"] = view(mesh.positions);
+    out["faces"] = view(mesh.indices, {py::ssize_t(mesh.indices.size()) / corners, corners});
+    out["normals"] = view(mesh.normals);
+    out["tangents"] = view(mesh.tangents);
+    out["colors"] = view(mesh.colors);
+    py::list sets;
+    for (const Block<vec2>& set : mesh.texcoords) sets.append(view(set));
+    out["uv_sets"] = sets;
+    out["arrays"] = arrays_of(mesh);
+    out["material"] = mesh.material == no_index ? py::object(py::none()) : py::int_(mesh.material);
+    return out;
+}
+
+}  // namespace
+
+dmat4 placement(py::handle from, const std::string& name) {
+    const dmat4 m = matrix(from, name);
+    if (m[0].w != 0 || m[1].w != 0 || m[2].w != 0 || m[3].w != 1)
+        throw Error(ErrorCode::usage, name + ": the last row must be 0 0 0 1");
+    return m;
+}
+
+MeshArrays mesh_arrays(const py::dict& mesh, const std::string& place) {
+    MeshArrays out;
+    if (mesh.contains("name")) out.name = py::cast<std::string>(mesh["name"]);
+    out.vertices = floats(mesh["vertices"], place + ": vertices", 3);
+    const py::ssize_t vertices = out.vertices.shape(0);
+    out.triangles = triangles(mesh["faces"], place + ": faces", std::size_t(vertices));
+    out.normals = vertex_floats(mesh, "normals", place, 3, vertices);
+    out.tangents = vertex_floats(mesh, "tangents", place, 4, vertices);
+    out.uv = vertex_floats(mesh, "uv", place, 2, vertices);
+    out.colors = vertex_floats(mesh, "colors", place, 4, vertices);
+    if (mesh.contains("to_world") && !mesh["to_world"].is_none())
+        out.to_world = placement(mesh["to_world"], place + ": to_world");
+    return out;
+}
+
+void define_meshes(py::module_& module) {
+    module.def("mesh", &dict_of);
+    module.def("scene_of_meshes", &scene_of);
+}
+
+}  // namespace rakelight::python

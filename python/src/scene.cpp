@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes: loaded, made of arrays, smoothed, saved, and what is in them.
+#include "scene.h"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+
+#include <rakelight/linear.h>
+#include <rakelight/load.h>
+#include <rakelight/prepare.h>
+#include <rakelight/render.h>
+#include <rakelight/scene_queries.h>
+
+#include "arrays.h"
+#include "errors.h"
+#include "options.h"
+#include "run.h"
+
+namespace rakelight::python {
+namespace {
+
+py::tuple with_remarks(Scene scene, Runner& runner) {
+    return py::make_tuple(SceneHandle{std::move(scene)}, remarks_of(runner.context().report()));
+}
+
+py::tuple load_file(const std::string& path, bool allow_outside, int threads, std::uint64_t max_memory,
+                    const py::object& progress) {
+    Runner runner(threads, max_memory);
+    LoadOptions options;
+    options.allow_outside = allow_outside;
+    Scene scene = runner.run(progress, [&] { return load(path, options, runner.context()); });
+    return py::make_tuple(SceneHandle{std::move(scene), is_world_file(path) ? path : std::string(), options},
+                          remarks_of(runner.context().report()));
+}
+
+py::tuple load_bytes(const py::bytes& bytes, const std::string& name, int threads, std::uint64_t max_memory,
+                     const py::object& progress) {
+    const std::string_view view = bytes;
+    const auto* const data = reinterpret_cast<const std::byte*>(view.data());
+    std::vector<std::byte> copy(data, data + view.size());
+    Runner runner(threads, max_memory);
+    return with_remarks(runner.run(progress, [&] { return load(std::move(copy), name, {}, runner.context()); }),
+                        runner);
+}
+
+py::tuple smoothed(const SceneHandle& handle, const py::dict& options, int threads, const py::object& progress) {
+    const AttributeOptions attributes = attribute_options(options);
+    Runner runner(threads, 0);
+    Scene scene = runner.run(progress, [&] { return smooth(handle.scene, attributes, runner.context()); });
+    return py::make_tuple(SceneHandle{std::move(scene), handle.world, handle.load},
+                          remarks_of(runner.context().report()));
+}
+
+/// Some mesh has normals that can be joined.
+bool has_normals(const Scene& scene) {
+    return std::ranges::any_of(scene.meshes, [](const Mesh& mesh) { return !mesh.normals.empty(); });
+}
+
+py::tuple repaired(const SceneHandle& handle, double crease_angle_rad, double border_distance, int threads,
+                   const py::object& progress) {
+    Runner runner(threads, 0);
+    Scene scene = runner.run(progress, [&] {
+        Context& context = runner.context();
+        Scene joined = has_normals(handle.scene)
+                           ? repair_seams(handle.scene, {.crease_angle_rad = crease_angle_rad}, context)
+                           : smooth(handle.scene, {.crease_angle_rad = crease_angle_rad}, context);
+        if (!(border_distance > 0)) return joined;
+        MatchOptions match;
+        match.distance = border_distance, match.crease_angle_rad = crease_angle_rad, match.keep_flat = true;
+        return repair_borders(joined, match, context);
+    });
+    return py::make_tuple(SceneHandle{std::move(scene), handle.world, handle.load},
+                          remarks_of(runner.context().report()));
+}
+
+py::list saved(const SceneHandle& handle, const std::string& path, int threads, const py::object& progress) {
+    Runner runner(threads, 0);
+    runner.run(progress, [&] { save(handle.scene, path, runner.context()); });
+    return remarks_of(runner.context().report());
+}
+
+std::vector<dmat4> matrices_of(const Scene& scene) {
+    std::vector<dmat4> world(scene.nodes.size());
+    for (std::size_t i = 0; i < world.size(); ++i) {
+        const Transform& local = scene.pose ? scene.pose->local[i] : scene.nodes[i].local;
+        world[i] = local.matrix ? *local.matrix : compose(local.translation, local.rotation, local.scale);
+        if (scene.nodes[i].parent != no_index) world[i] = world[scene.nodes[i].parent] * world[i];
+    }
+    return world;
+}
+
+/// [(name, node, [mesh, ...], matrix)] of nodes that have meshes.
+py::list objects_of(const SceneHandle& handle) {
+    py::list out;
+    const std::vector<dmat4> world = matrices_of(handle.scene);
+    for (std::size_t i = 0; i < world.size(); ++i) {
+        const Node& node = handle.scene.nodes[i];
+        if (!node.meshes.empty())
+            out.append(py::make_tuple(text_of(node.name), i, node.meshes, array_of_matrix(world[i])));
+    }
+    return out;
+}
+
+template <class T>
+py::list names_of(const std::vector<T>& things) {
+    py::list out;
+    for (const T& thing : things) out.append(text_of(thing.name));
+    return out;
+}
+
+/// (low, high), or None where nothing is drawn.
+py::object bounds_of(const SceneHandle& handle) {
+    const Bounds box = bounds(handle.scene);
+    if (box.empty()) return py::none();
+    return py::make_tuple(take(std::vector<double>{box.low.x, box.low.y, box.low.z}),
+                          take(std::vector<double>{box.high.x, box.high.y, box.high.z}));
+}
+
+}  // namespace
+
+void define_scene(py::module_& module) {
+    py::class_<SceneHandle>(module, "Scene")
+        .def_property_readonly("source", [](const SceneHandle& h) { return text_of(h.scene.source); })
+        .def_property_readonly("nodes", [](const SceneHandle& h) { return names_of(h.scene.nodes); })
+        .def_property_readonly("materials", [](const SceneHandle& h) { return names_of(h.scene.materials); })
+        .def_property_readonly("cameras", [](const SceneHandle& h) { return names_of(h.scene.cameras); })
+        .def_property_readonly("lights", [](const SceneHandle& h) { return names_of(h.scene.lights); })
+        .def_property_readonly("animations", [](const SceneHandle& h) { return names_of(h.scene.animations); })
+        .def_property_readonly("mesh_count", [](const SceneHandle& h) { return h.scene.meshes.size(); })
+        .def("objects", &objects_of)
+        .def("bounds", &bounds_of);
+    module.def("load", &load_file);
+    module.def("load_bytes", &load_bytes);
+    module.def("smooth", &smoothed);
+    module.def("repair", &repaired);
+    module.def("save", &saved);
+}
+
+}  // namespace rakelight::python

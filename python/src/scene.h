@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes and settings as the other files of the binding take them.
+#pragma once
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rakelight/request.h>
+#include <rakelight/scene.h>
+
+namespace rakelight::python {
+
+namespace py = pybind11;
+
+/// A scene that does not change, and where what its pictures are like stands.
+struct SceneHandle {
+    Scene scene;
+    std::string world{};  ///< the world file that it was loaded from; empty: none
+    LoadOptions load{};   ///< as it was loaded
+};
+
+/// Settings by the keys of [render]: [(key, [word, ...])].
+using Settings = std::vector<std::pair<std::string, std::vector<std::string>>>;
+std::vector<WorldValue> values_of(const Settings& settings);
+
+/// The picture that the program would draw of a scene with these settings as options. @throws Error usage
+PictureRequest request_of(const SceneHandle& handle, const Settings& settings, Context& context);
+
+/// Parts of the module.
+void define_meshes(py::module_& module);
+void define_attributes(py::module_& module);
+void define_scene(py::module_& module);
+void define_build(py::module_& module);
+void define_session(py::module_& module);
+void define_reports(py::module_& module);
+
+}  // namespace rakelight::python

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Normals and tangents: the program's bits, and no copies."""
+import gc
+import json
+import struct
+
+import numpy as np
+import pytest
+from conftest import DATA
+
+import rakelight
+
+
+def accessors(path):
+    """[{attribute: array}] of the primitives of a GLB file without compression."""
+    data = path.read_bytes()
+    size = struct.unpack_from("<I", data, 12)[0]
+    document, binary = json.loads(data[20:20 + size]), data[28 + size:]
+    kinds = {5126: np.float32, 5125: np.uint32, 5123: np.uint16}
+    counts = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+
+    def array(index):
+        accessor = document["accessors"][index]
+        view = document["bufferViews"][accessor["bufferView"]]
+        assert not view.get("byteStride") or view["byteStride"] == 4 * counts[accessor["type"]]
+        start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+        columns = counts[accessor["type"]]
+        return np.frombuffer(binary, kinds[accessor["componentType"]], accessor["count"] * columns, start).reshape(-1, columns)
+
+    return [{name: array(i) for name, i in p["attributes"].items()} for mesh in document["meshes"] for p in mesh["primitives"]]
+
+
+@pytest.mark.parametrize("scope", ["model", "object", "face"])
+def test_normals_are_those_that_the_program_writes(program, tmp_path, scope):
+    model = DATA / "spot" / "spot_slab5.glb"
+    program.run("smooth", model, "-o", tmp_path / "program.glb", "--normals", scope)
+    written = accessors(tmp_path / "program.glb")
+    made = rakelight.attributes(rakelight.load(model).placed_meshes(), scope=scope, tangents=False)
+    assert len(written) == len(made)
+    for a, b in zip(written, made):
+        assert a["NORMAL"].tobytes() == b.normals.tobytes()
+    scene = rakelight.load(model).smooth(scope, tangents=False)
+    for a, mesh in zip(written, scene.meshes):
+        assert a["NORMAL"].tobytes() == mesh.normals.tobytes()
+
+
+def test_tangents_are_those_that_the_program_writes(program, tmp_path):
+    model = DATA / "maps" / "wall.obj"
+    program.run("smooth", model, "-o", tmp_path / "program.glb", "--normals", "model", "--tangents", "always")
+    made = rakelight.attributes(rakelight.load(model).placed_meshes())
+    written = accessors(tmp_path / "program.glb")
+    assert written and len(written) == len(made)
+    for a, b in zip(written, made):
+        assert a["TANGENT"].tobytes() == b.tangents.tobytes()
+
+
+def test_a_smoothed_file_is_the_program_s(program, tmp_path):
+    model = DATA / "spot" / "spot_slab5.glb"
+    program.run("smooth", model, "-o", tmp_path / "a.glb")
+    row = rakelight.smooth_file(model, tmp_path / "b.glb")
+    assert (tmp_path / "a.glb").read_bytes() == (tmp_path / "b.glb").read_bytes()
+    assert row["changed"]
+
+
+@pytest.mark.parametrize("model", ["builtin:teapot", DATA / "spot" / "spot_slab5.glb"])
+def test_repaired_seams_are_gone(model):
+    cut = rakelight.load(model)
+    if model == "builtin:teapot":
+        cut = cut.smooth("object")
+    before = cut.inspect(surfaces=False, check={"max_seam": 1})["check"]
+    after = cut.repair_seams().inspect(surfaces=False, check={"max_seam": 1})["check"]
+    assert not before["passed"] and after["passed"]
+
+
+def test_threads_do_not_change_bits():
+    meshes = rakelight.load(DATA / "knight" / "Knight_noNormals.glb").placed_meshes()
+    many = rakelight.attributes(meshes)
+    try:
+        rakelight.set_threads(1)
+        one = rakelight.attributes(meshes)
+    finally:
+        rakelight.set_threads(0)
+    assert all(a.normals.tobytes() == b.normals.tobytes() for a, b in zip(many, one))
+
+
+def address(array):
+    return array.__array_interface__["data"][0]
+
+
+def test_arrays_of_a_scene_are_its_own_memory(teapot):
+    first, again = teapot.meshes[1], rakelight.Scene(teapot._core).meshes[1]
+    for name in ("vertices", "faces", "uv"):
+        assert address(getattr(first, name)) == address(getattr(again, name))
+        assert not getattr(first, name).flags.writeable
+    smooth = teapot.smooth()
+    assert address(smooth.meshes[1].faces) == address(first.faces) or len(smooth.meshes[1].vertices) > len(first.vertices)
+
+
+def test_arrays_outlive_their_scene():
+    vertices = rakelight.load("builtin:teapot").meshes[0].vertices
+    expected = vertices.copy()
+    gc.collect()
+    rakelight.load("builtin:sphere:tolerance=0.0001")  # takes the memory, where it were free
+    np.testing.assert_array_equal(vertices, expected)
+
+
+def test_faces_that_nothing_splits_are_the_array_that_was_given(quad):
+    made = rakelight.attributes(quad)[0]
+    assert made.faces is quad.faces
+    np.testing.assert_array_equal(made.normals, [[0, 0, 1]] * 4)
+    np.testing.assert_array_equal(made.source, [0, 1, 2, 3])
+
+
+@pytest.mark.parametrize("kind", [np.int8, np.uint8, np.int16, np.int32, np.uint32, np.int64, np.uint64])
+def test_faces_of_any_integers(quad, kind):
+    made = rakelight.attributes((quad.vertices, quad.faces.astype(kind)))[0]
+    np.testing.assert_array_equal(made.normals, [[0, 0, 1]] * 4)
+
+
+@pytest.mark.parametrize("layout", ["F", "strided", "float64", "big", "list"])
+def test_vertices_of_any_layout(quad, layout):
+    vertices = {
+        "F": np.asfortranarray(quad.vertices),
+        "strided": np.repeat(quad.vertices, 2, axis=0)[::2],
+        "float64": quad.vertices.astype(np.float64),
+        "big": quad.vertices.astype(">f4"),
+        "list": quad.vertices.tolist(),
+    }[layout]
+    np.testing.assert_array_equal(rakelight.attributes((vertices, quad.faces))[0].normals, [[0, 0, 1]] * 4)
+
+
+def test_vertices_split_where_corners_differ():
+    corner = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)
+    made = rakelight.attributes((corner, [[0, 1, 2], [0, 2, 3]]), crease_angle=30)[0]
+    assert len(made.normals) == 6 and list(made.source[4:]) == [0, 2]
+    np.testing.assert_array_equal(made.expand(corner), corner[made.source])
+    assert np.asarray(made.faces).max() == 5
+
+
+def test_a_mirrored_placement_keeps_the_outside(quad):
+    mirror = np.diag([-1.0, 1, 1, 1])
+    quad.to_world = mirror
+    np.testing.assert_array_equal(rakelight.attributes(quad)[0].normals, [[0, 0, 1]] * 4)

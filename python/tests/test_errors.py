@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is wrong is an exception that says so; nothing crashes."""
+import numpy as np
+import pytest
+
+import rakelight
+
+NAN, INF = float("nan"), float("inf")
+
+
+def test_an_error_says_where(tmp_path):
+    with pytest.raises(FileNotFoundError) as caught:
+        rakelight.load("nowhere.glb")
+    assert isinstance(caught.value, rakelight.NotFoundError) and isinstance(caught.value, rakelight.Error)
+    assert caught.value.file == "nowhere.glb" and caught.value.reason and str(caught.value).startswith("nowhere.glb: ")
+    broken = tmp_path / "broken.scene.toml"
+    broken.write_text("[[light]]\ntype = 'sun'\n")
+    with pytest.raises(rakelight.BadFileError) as caught:
+        rakelight.load(broken)
+    assert caught.value.file == str(broken) and "line 2" in caught.value.place
+
+
+def test_a_setting_that_is_not_there_names_the_nearest(teapot):
+    with pytest.raises(rakelight.UsageError, match="shadows"):
+        rakelight.render(teapot, shadow=True)
+    with pytest.raises(ValueError) as caught:
+        rakelight.render(teapot, shading="fong")
+    assert caught.value.setting == "shading"
+
+
+@pytest.mark.parametrize("options", [
+    {"resolution": (0, 10)}, {"resolution": (10,)}, {"resolution": (10, 10, 10)}, {"resolution": (70000, 10)}, {"resolution": "big"},
+    {"resolution": (NAN, 1)}, {"window": (0, 0, 100, 100), "resolution": (10, 10)}, {"channels": []}, {"channels": ["color", "depht"]},
+    {"camera": "nobody"}, {"camera": 7}, {"camera": 1.5}, {"camera": True},
+    {"camera": rakelight.Camera((NAN, 0, 0))}, {"camera": rakelight.Camera((0, 0))}, {"camera": rakelight.Camera((0, 0, 1), vertical_fov=180)},
+    {"camera": rakelight.Camera((0, 0, 1), near=2, far=1)}, {"samples": 3}, {"light": object()}, {"grid": True}, {"channels": ["albedo"]},
+])  # fmt: skip
+def test_arguments_that_cannot_be(teapot, options):
+    with pytest.raises(rakelight.UsageError):
+        rakelight.render(teapot, **options)
+
+
+TRIANGLE = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+
+
+@pytest.mark.parametrize("mesh, words", [
+    ((np.zeros((3, 2)), [[0, 1, 2]]), r"vertices: the shape must be \(n, 3\), not \(3, 2\)"),
+    ((np.zeros(9), [[0, 1, 2]]), "vertices: the shape"),
+    ((np.zeros((3, 3, 3)), [[0, 1, 2]]), "vertices: the shape"),
+    ((np.array(["a", "b", "c"]), [[0, 1, 2]]), "vertices"),
+    ((np.zeros((3, 3), complex), [[0, 1, 2]]), "vertices: numbers are expected, not complex128"),
+    ((np.zeros((3, 3), object), [[0, 1, 2]]), "vertices: numbers"),
+    ((None, [[0, 1, 2]]), "vertices"),
+    ((TRIANGLE, None), "faces"),
+    ((TRIANGLE, [[0, 1, 3]]), "index 3 of triangle 0 is not one of the 3 vertices"),
+    ((TRIANGLE, [[0, 1, 2], [0, -1, 2]]), "index -1 of triangle 1"),
+    ((TRIANGLE, np.array([[0, 1, 2**40]])), "index 1099511627776"),
+    ((TRIANGLE, np.array([[0, 1, 2**63]], np.uint64)), "index 9223372036854775808"),
+    ((TRIANGLE, [[0.0, 1.0, 2.0]]), "faces: integers are expected, not float64"),
+    ((TRIANGLE, [[0, 1, 2, 0]]), "faces: the shape must be"),
+    ((TRIANGLE, [[True, False, True]]), "faces: integers"),
+    (([], [[0, 1, 2]]), "not one of the 0 vertices"),
+])  # fmt: skip
+def test_meshes_that_cannot_be(mesh, words):
+    with pytest.raises(rakelight.UsageError, match=words):
+        rakelight.attributes(mesh)
+    with pytest.raises(rakelight.UsageError, match=words):
+        rakelight.Scene.from_meshes([mesh])
+
+
+@pytest.mark.parametrize("name, values", [
+    ("normals", np.zeros((2, 3))), ("normals", np.zeros((3, 4))), ("uv", np.zeros((3, 3))), ("tangents", np.zeros((3, 3))),
+    ("colors", np.zeros((3, 3))), ("to_world", np.eye(3)), ("to_world", np.full((4, 4), NAN)), ("to_world", np.ones((4, 4))),
+    ("color", [1]), ("color", "red"),
+])  # fmt: skip
+def test_arrays_that_do_not_fit(name, values):
+    with pytest.raises(rakelight.UsageError, match=name):
+        rakelight.Scene.from_meshes(rakelight.Mesh(TRIANGLE, [[0, 1, 2]], **{name: values}))
+
+
+def test_what_is_no_mesh():
+    for thing in (5, object(), "teapot", [3], {"a": 1}):
+        with pytest.raises(rakelight.UsageError):
+            rakelight.Scene.from_meshes(thing)
+
+
+def test_numbers_that_are_not_finite_have_no_say():
+    vertices = np.array(TRIANGLE + [[NAN, 0, 0], [INF, 1, 1]], np.float32)
+    made = rakelight.attributes((vertices, [[0, 1, 2], [0, 1, 3], [1, 2, 4]]))[0]
+    assert made.degenerate_faces == 2 and np.isfinite(made.normals).all()
+    scene = rakelight.Scene.from_meshes((vertices, [[0, 1, 2], [0, 1, 3]]))
+    assert rakelight.render(scene, resolution=(16, 16))["image"].shape == (16, 16, 3)
+
+
+@pytest.mark.parametrize("vertices, faces", [
+    (np.zeros((0, 3)), np.zeros((0, 3), int)), ([], []), (TRIANGLE, []), (TRIANGLE, np.zeros((0, 3))), (TRIANGLE, [[0, 0, 0]]),
+])  # fmt: skip
+def test_nothing_is_fine_for_attributes_and_nothing_to_draw(vertices, faces):
+    made = rakelight.attributes((vertices, faces))[0]
+    assert made.normals.shape == (len(vertices), 3)
+    if len(faces) == 0:
+        with pytest.raises(rakelight.BadFileError, match="nothing to draw"):
+            rakelight.render((vertices, faces))
+
+
+def test_no_meshes():
+    assert rakelight.attributes([]) == []
+    with pytest.raises(rakelight.BadFileError):
+        rakelight.render([])
+
+
+@pytest.mark.parametrize("options", [
+    {"scope": "all"}, {"weight": "heavy"}, {"crease_angle": 181}, {"crease_angle": NAN}, {"weld_distance": -1}, {"weld_distance": NAN},
+    {"weld_distance": INF}, {"tangent_mode": "own"}, {"objects": [1]},
+])  # fmt: skip
+def test_options_of_attributes_that_cannot_be(quad, options):
+    with pytest.raises(rakelight.UsageError):
+        rakelight.attributes([quad, quad], **options)
+
+
+def test_endings_that_nobody_writes(teapot, tmp_path):
+    with pytest.raises(rakelight.UsageError, match="use .glb or .ply"):
+        teapot.save(tmp_path / "a.stl")
+    with pytest.raises(rakelight.UsageError):
+        rakelight.render(teapot, resolution=(8, 8)).save(tmp_path / "a.bmp")
+    with pytest.raises(rakelight.Error):
+        rakelight.render_file(teapot, tmp_path / "a.doc")
+    with pytest.raises(rakelight.UsageError):
+        rakelight.smooth_file("a.glb", "b.glb", normals="all")
+    with pytest.raises(rakelight.UsageError):
+        rakelight.set_threads(-1)
+    with pytest.raises(rakelight.UsageError):
+        rakelight.explain(teapot, 5000, 0)
+
+
+def test_a_scene_stays_when_a_call_fails(teapot):
+    session = rakelight.Session(teapot, resolution=(16, 16))
+    with pytest.raises(rakelight.UsageError):
+        session.render("nobody")
+    assert session.render("front")["image"].shape == (16, 16, 3)

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Explanations and inspections."""
+import json
+
+import pytest
+from conftest import DATA
+
+import rakelight
+
+
+def test_an_explanation_is_of_the_picture_s_pixel(teapot):
+    picture = rakelight.render(teapot, resolution=(64, 48), channels=["image", "color"])
+    pixel = rakelight.explain(teapot, 30, 24, resolution=(64, 48))
+    assert list(pixel.codes) == picture["image"][24, 30].tolist()
+    assert list(pixel.color) == picture["color"][24, 30].tolist()
+    assert pixel.sum == pixel.color and not pixel.is_background
+    assert pixel.object in teapot.nodes and pixel.material == "porcelain"
+    assert pixel.triangles[0]["fate"] == "visible" and "Light" in str(pixel)
+    assert rakelight.explain(teapot, 0, 0, resolution=(64, 48)).is_background
+
+
+def test_several_pixels(teapot):
+    several = rakelight.explain_pixels(teapot, [(1, 2), (30, 24)], resolution=(64, 48))
+    assert [(p.x, p.y) for p in several] == [(1, 2), (30, 24)]
+    assert several[1] == rakelight.explain(teapot, 30, 24, resolution=(64, 48))
+
+
+def test_an_inspection_is_the_program_s(program):
+    model = DATA / "spot" / "spot_slab5.glb"
+    row = json.loads(program.run("inspect", model, "--json"))["rows"][0]
+    row.pop("remarks", None), row.pop("warnings", None)
+    found = rakelight.inspect(model)
+    for key in ("triangles", "bounds", "objects", "seams", "borders"):
+        assert found[key] == row[key], key
+
+
+def test_limits(teapot):
+    assert "check" not in rakelight.inspect(teapot)
+    assert rakelight.inspect(teapot, check={"closed": True})["check"]["failures"]
+    assert rakelight.inspect(teapot, check={"no_degenerate": False})["check"]["passed"]
+    with pytest.raises(rakelight.UsageError):
+        rakelight.inspect(teapot, check={"perfect": True})
+    with pytest.raises(rakelight.UsageError):
+        rakelight.inspect(teapot, borders=False, check={"max_seam": 1})

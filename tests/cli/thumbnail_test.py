@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""`rakelight thumbnail`: addresses of files, sizes, what the picture is, and the limits past which it gives up.
+
+  thumbnail_test.py PROGRAM [unittest arguments]"""
+import os
+import pathlib
+import unittest
+
+import program
+
+MODELS = {".glb", ".gltf", ".obj", ".ply", ".xyz", ".pts", ".fbx", ".dae", ".3ds", ".ase", ".blend", ".stl", ".off", ".x"}
+
+
+class Thumbnail(program.Case):
+    def fine(self, *arguments):
+        result = self.run_program(*arguments)
+        self.assertEqual((result.code, result.err), (0, ""))
+
+    def test_is_a_square_png_with_a_clear_background(self):
+        self.write("square.obj", program.SQUARE.format(name="a"))
+        self.fine("thumbnail", "square.obj", "small", "64")
+        width, height, channels, rows = program.png(self.folder / "small")
+        self.assertEqual((width, height, channels), (64, 64, 4))
+        self.assertEqual(rows[0][3], 0)
+        self.assertEqual(rows[32][32 * 4 + 3], 255)
+
+    def test_is_the_picture_that_render_draws(self):
+        self.write("two.obj", program.TWO_PARTS)
+        self.fine("thumbnail", "two.obj", "a.png", "48")
+        self.fine("render", "two.obj", "-o", "b.png", "--resolution", "48,48", "--background", "transparent", "--look", "default")
+        self.assertEqual(program.png(self.folder / "a.png"), program.png(self.folder / "b.png"))
+
+    def test_addresses_of_files(self):
+        self.write("a b%ü.obj", program.SQUARE.format(name="a"))
+        for host in ("", "localhost"):
+            address = f"file://{host}{self.folder}/a%20b%25%c3%BC.obj"
+            self.fine("thumbnail", address, "small.png", "32")
+            self.assertEqual(program.png(self.folder / "small.png")[0], 32)
+            (self.folder / "small.png").unlink()
+
+    def test_addresses_that_are_none(self):
+        for address, reason in (("smb://host/a.obj", "is no file of this machine"), ("file://elsewhere/a.obj", "is no file of this machine"),
+                                ("file:///a%2", "two hexadecimal digits"), ("file:///a%", "two hexadecimal digits"),
+                                ("file:///a%zz.obj", "two hexadecimal digits"), ("file:///a%00.obj", "zero byte"), ("file://a", "has no path")):
+            result = self.run_program("thumbnail", address, "small.png", "32")
+            self.assertEqual((result.code, len(result.lines)), (2, 1), address)
+            self.assertIn(reason, result.err)
+
+    def test_sizes(self):
+        self.write("square.obj", program.SQUARE.format(name="a"))
+        for size in ("15", "2049", "big", "64.5"):
+            result = self.run_program("thumbnail", "square.obj", "small.png", size)
+            self.assertEqual((result.code, len(result.lines)), (2, 1), size)
+            self.assertIn("SIZE", result.err)
+
+    def test_writes_onto_a_file_that_is_there(self):
+        """File managers make the file, and in a sandbox it can be written but not replaced."""
+        self.write("square.obj", program.SQUARE.format(name="a"))
+        place = self.folder / "small.png"
+        place.write_bytes(b"x" * 100_000)
+        before = os.stat(place).st_ino
+        self.fine("thumbnail", "square.obj", "small.png", "32")
+        self.assertEqual(os.stat(place).st_ino, before)
+        self.assertEqual(program.png(place)[0], 32)
+
+    def test_a_file_that_is_no_model_leaves_no_thumbnail(self):
+        self.write("broken.glb", "glTF")
+        result = self.run_program("thumbnail", "broken.glb", "small.png", "32")
+        self.assertEqual((result.code, len(result.lines)), (4, 1))
+        self.assertFalse((self.folder / "small.png").exists())
+
+    def test_a_pipe_is_no_model(self):
+        os.mkfifo(self.folder / "pipe.obj")
+        result = self.run_program("thumbnail", "pipe.obj", "small.png", "32")
+        self.assertEqual((result.code, len(result.lines)), (3, 1))
+
+    def many_objects(self):
+        """A second's work, for an engine with a list of what is drawn."""
+        faces = [f"o part{i}\nv {i % 200} {i // 200} 0\nv {i % 200 + 1} {i // 200} 0\nv {i % 200} {i // 200 + 1} 1\nf -3 -2 -1\n" for i in range(60000)]
+        self.write("many.obj", "".join(faces))
+
+    def test_gives_up_past_its_processor_time(self):
+        self.many_objects()
+        result = self.run_program("thumbnail", "many.obj", "small.png", "64", "--cpu-seconds", "0.1")
+        self.assertEqual((result.code, len(result.lines)), (1, 1), result.err)
+        self.assertIn("100 ms of processor time", result.err)
+        self.assertEqual(os.listdir(self.folder), ["many.obj"])
+
+    @unittest.skipIf(program.SANITIZED, "sanitizers have memory of their own")
+    def test_gives_up_past_its_memory(self):
+        self.many_objects()
+        result = self.run_program("thumbnail", "many.obj", "small.png", "64", "--max-memory", "30M", "--cpu-seconds", "60")
+        self.assertNotEqual(result.code, 0)
+        self.assertEqual(len(result.lines), 1, result.err)
+        self.assertEqual(os.listdir(self.folder), ["many.obj"])
+
+    @unittest.skipIf(program.SANITIZED, "sanitizers have memory of their own")
+    def test_broken_files_take_no_more_than_they_may(self):
+        """Each ends with a known exit code, a thumbnail or one line, and never takes more than 300 MB."""
+        folder = pathlib.Path(os.environ.get("RAKELIGHT_SHARED", pathlib.Path(__file__).parents[3] / "shared")) / "hostile"
+        if not folder.is_dir():
+            self.skipTest(f"{folder} is not there")
+        models = [path for path in sorted(folder.rglob("*")) if path.suffix.lower() in MODELS]
+        self.assertGreater(len(models), 300)
+        for model in models:
+            picture, said = self.folder / "small.png", self.folder / "said"
+            picture.unlink(missing_ok=True)
+            actions = [(os.POSIX_SPAWN_OPEN, 2, str(said), os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)]
+            child = os.posix_spawn(program.PROGRAM, [program.PROGRAM, "thumbnail", str(model), str(picture), "128"], os.environ, file_actions=actions)
+            _, status, used = os.wait4(child, 0)
+            with self.subTest(model=model.relative_to(folder)):
+                code = os.waitstatus_to_exitcode(status)
+                self.assertIn(code, (0, 1, 3, 4))
+                self.assertEqual(picture.exists(), code == 0)
+                self.assertEqual(len(said.read_text(errors="replace").splitlines()), int(code != 0))
+                self.assertLess(used.ru_maxrss * 1024, 300e6)
+
+
+if __name__ == "__main__":
+    program.main()

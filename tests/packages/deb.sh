@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The Debian packages in a bare Debian: they install, draw, make thumbnails as file managers do, serve a C++ program, and leave nothing when
+# they are removed. Outside, lintian and the checkers of desktop files look at them.
+set -euo pipefail
+cd "$(dirname "$(readlink -f "$0")")/../.."
+
+compgen -G 'build/packages/*.deb' >/dev/null || { echo 'there are no packages: tools/make_packages.sh makes them' >&2; exit 1; }
+if command -v lintian >/dev/null; then
+    lintian --allow-root --display-info --fail-on error,warning,info build/packages/*.deb
+else
+    echo 'lintian is not installed: left out'
+fi
+if command -v desktop-file-validate >/dev/null; then desktop-file-validate packages/desktop/*.desktop; fi
+if command -v appstreamcli >/dev/null; then appstreamcli validate --no-net packages/desktop/*.metainfo.xml; fi
+
+inside=$(mktemp)
+trap 'rm -f "$inside"' EXIT
+cat >"$inside" <<'INSIDE'
+quietly() { "$@" >/root/log 2>&1 || { tail -n 30 /root/log; exit 1; }; }
+# All files but those that apt, dpkg and caches write.
+files() { find / -xdev \( -path /var -o -path /work -o -path /given -o -path /out -o -path /root -o -path /proc -o -path /dev -o -path /sys -o -path /tmp \) -prune -o ! -type d -print | sort; }
+is_png() { [ "$(head -c 4 "$1" | tail -c 3)" = PNG ]; }
+
+files >/root/before
+quietly apt-get install "$GIVEN"/packages/{rakelight_,librakelight0_}*.deb
+rakelight --version
+
+cp "$GIVEN/spot_slab5.glb" .
+rakelight spot_slab5.glb -o spot.png --resolution 200,200
+is_png spot.png
+printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n' >a.stl
+rakelight a.stl -o stl.png --resolution 64,64  # by the helper
+is_png stl.png
+[ "$(rakelight-view --help | head -n 1)" ]
+! rakelight-view spot_slab5.glb 2>/dev/null  # there is no display
+
+# The line of the entry, with %u, %o and %s as a file manager fills them in. Its words have no blanks.
+cp spot_slab5.glb 'a spot.glb'
+line=$(sed -n 's/^Exec=//p' /usr/share/thumbnailers/rakelight.thumbnailer)
+command -v "$(sed -n 's/^TryExec=//p' /usr/share/thumbnailers/rakelight.thumbnailer)" >/dev/null
+line=${line//%u/file://$PWD/a%20spot.glb}
+line=${line//%o/$PWD/thumbnail}
+read -ra words <<<"${line//%s/128}"
+"${words[@]}"
+is_png thumbnail
+cp thumbnail spot.png "$OUT"
+
+for file in /usr/share/man/man1/rakelight.1.gz /usr/share/man/man1/rakelight-view.1.gz /usr/share/applications/rakelight-view.desktop \
+    /usr/share/mime/packages/rakelight.xml /usr/share/icons/hicolor/48x48/apps/rakelight.png /usr/share/bash-completion/completions/rakelight; do
+    [ -s "$file" ] || { echo "$file is missing"; exit 1; }
+done
+
+# A program that uses the attributes alone, by pkg-config.
+quietly apt-get install "$GIVEN"/packages/{librakelight-dev,librakelight-attributes0}*.deb g++ pkg-config
+# shellcheck disable=SC2046
+g++ -std=c++20 "$GIVEN/attributes.cpp" -o attributes $(pkg-config --cflags --libs rakelight-attributes)
+./attributes
+quietly apt-get purge rakelight librakelight0 librakelight-attributes0 librakelight-dev g++ pkg-config
+quietly apt-get autoremove --purge
+files >/root/after
+diff <(grep -i rakelight /root/before || true) <(grep -i rakelight /root/after || true)
+left=$(comm -13 /root/before /root/after)
+[ -z "$left" ] || { echo "left behind: $left"; }
+echo 'installed, drawn, linked and removed'
+INSIDE
+tests/packages/bare_debian.sh --give build/packages --give data/spot/spot_slab5.glb --give examples/attributes.cpp --out build/packages-tried "$inside"

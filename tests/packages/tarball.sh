@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The archive in a bare Debian: it runs from where it is unpacked and from where it is moved, with the helper and Embree, as any user, without
+# a package; it loads nothing of the system but the C and C++ libraries.
+set -euo pipefail
+cd "$(dirname "$(readlink -f "$0")")/../.."
+
+compgen -G 'build/packages/*.tar.xz' >/dev/null || { echo 'there is no archive: tools/make_tarball.sh makes it' >&2; exit 1; }
+tar -tf build/packages/rakelight-*.tar.xz >build/tarball.list
+grep -q /licenses/libtbb12 build/tarball.list
+inside=$(mktemp)
+trap 'rm -f "$inside"' EXIT
+# A bare Debian has no xz.
+archive=build/$(basename build/packages/rakelight-*.tar.xz .xz)
+xz -dc build/packages/rakelight-*.tar.xz >"$archive"
+cat >"$inside" <<'INSIDE'
+mkdir '/tmp/a place'
+tar -C '/tmp/a place' -xf "$GIVEN"/rakelight-*.tar
+mv '/tmp/a place'/rakelight-* '/tmp/a place/moved'
+program='/tmp/a place/moved/bin/rakelight'
+"$program" --version
+cp "$GIVEN/spot_slab5.glb" .
+printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n' >a.stl
+chmod 777 .
+as_nobody() { setpriv --reuid=65534 --regid=65534 --clear-groups env HOME=/nowhere "$@"; }
+as_nobody "$program" spot_slab5.glb -o spot.png --resolution 100,100
+as_nobody "$program" a.stl -o stl.png --resolution 64,64
+as_nobody "$program" spot_slab5.glb -o traced.png --resolution 64,64 --engine trace
+for file in spot.png stl.png traced.png; do [ "$(head -c 4 "$file" | tail -c 3)" = PNG ]; done
+for file in '/tmp/a place/moved'/bin/rakelight '/tmp/a place/moved'/libexec/rakelight/*; do
+    foreign=$(ldd "$file" | grep -v -E '/tmp/a place|linux-vdso|ld-linux|lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s)\.so' || true)
+    [ -z "$foreign" ] || { echo "$file loads $foreign"; exit 1; }
+done
+echo 'runs from where it was moved'
+INSIDE
+tests/packages/bare_debian.sh --give "$archive" --give data/spot/spot_slab5.glb "$inside"
