@@ -22,7 +22,7 @@ namespace rakelight {
 /// The faces over which a normal is smoothed: one face, the faces of one object, or the faces of all objects.
 enum class Scope : std::uint8_t { face, object, model };
 
-/// The weight of a unit face normal in the vertex normal at one corner.
+/// How much the unit normal of a face counts in a vertex normal. The weight is computed for each corner of the face.
 /// - `uniform`: 1 (Gouraud 1971).
 /// - `area`: the area of the face.
 /// - `angle`: the angle of the face at the corner (Thuermer & Wuethrich 1998, "Computing Vertex Normals from Polygonal
@@ -31,16 +31,18 @@ enum class Scope : std::uint8_t { face, object, model };
 enum class CornerWeight : std::uint8_t { uniform, area, angle, angle_area };
 
 /// How tangents are computed.
-/// - `averaged`: a weighted sum at each position, with the weights of the normals. The sum is over all vertices of
-///   equal handedness whose tangents lie within 45 degrees of each other.
+/// - `averaged`: the unit tangents of the faces at each position are summed, with the weights used for normals
+///   (CornerWeight). A sum includes only vertices of the same corner group and of the same handedness. Two such
+///   vertices share a sum if their tangents differ by at most 45 degrees, or if a chain of such pairs connects them.
 /// - `mikktspace`: the same tangents as MikkTSpace (Mikkelsen 2008, "Simulation of Wrinkled Surfaces Revisited") with
 ///   an angular threshold of 180 degrees. Each mesh is computed in its own object space. Use this mode for maps that
 ///   were baked with MikkTSpace.
-/// - `published`: the mean unit tangent and the mean unit bitangent of all faces at a position within the scope,
-///   mirrored faces included. The bitangent is a separate attribute. The tangent is made perpendicular to the normal.
-///   Then it is negated if dot(cross(normal, tangent), bitangent) < 0. So all frames are right-handed, and maps on
-///   mirrored texture coordinates run backwards along u.
-/// - `published_no_handedness`: as `published`, but no tangent is negated. Its w gives the side of the bitangent.
+/// - `published`: at each position the unit tangents of all faces in the scope are averaged, and so are their unit
+///   bitangents. Mirrored faces are included. The bitangent is a separate attribute. The tangent is made perpendicular
+///   to the normal. Then it is negated if dot(cross(normal, tangent), bitangent) < 0. So all frames are right-handed,
+///   and maps on mirrored texture coordinates run backwards along u.
+/// - `published_no_handedness`: as `published`, but no tangent is negated. The w of a tangent gives the side of the
+///   bitangent: it is the sign of dot(cross(normal, tangent), bitangent).
 enum class TangentMode : std::uint8_t { averaged, published, mikktspace, published_no_handedness };
 /// Whether bitangents are a separate attribute.
 inline bool is_published(TangentMode mode) {
@@ -61,11 +63,14 @@ struct AttributeOptions {
     /// welded.
     ///
     /// < 0: automatic. Two meshes with equal matrices are welded only where their positions are equal. For other meshes
-    /// the distance is the sum of the rounding errors of the two meshes. The rounding error of a mesh is 2 float ulps
-    /// of its largest coordinate, scaled to the world, plus 1 ulp of the distance of its pivot. The distance of the
-    /// pivot is measured from the center of the model's bounding box or from the world origin, whichever is nearer. The
-    /// error is limited to 2^-14 of the diagonal of the bounding box. For quantized positions see
-    /// AttributeMesh::position_step.
+    /// the distance is the sum of the rounding errors of the two meshes. The rounding error of a mesh has two parts:
+    /// - 2 float ulps of the mesh's largest coordinate, which is first scaled to the world,
+    /// - 1 float ulp of the distance of the mesh's pivot. The pivot is the world position of the object-space origin.
+    ///   Its distance is measured from the center of the model's bounding box or from the world origin, whichever is
+    ///   nearer.
+    ///
+    /// The rounding error is limited to 2^-14 of the diagonal of the bounding box. Quantized positions have other
+    /// rules, see AttributeMesh::position_step.
     ///
     /// A chain of vertices, each close to the next, is welded to one position. If the chain extends over more than
     /// twice the distance, only its equal positions are welded, and the report gets a warning. No vertex is moved.
@@ -77,8 +82,9 @@ struct AttributeOptions {
     /// TangentMode::mikktspace ignores this option: MikkTSpace orthogonalizes the tangent of each face before summing.
     Orthogonalize orthogonalize = Orthogonalize::attribute;
     bool measure_orthogonality = false;  ///< fill MeshAttributes::orthogonality_loss_*
-    /// For a crease angle of pi: true joins two faces at a position only if a chain of common edges connects them. So
-    /// the two halves of a bow-tie stay separate. For smaller crease angles this rule always applies.
+    /// If true, two faces at a position are joined only if a chain of common edges connects them. So the two halves of
+    /// a bow-tie stay separate. The option matters only for a crease angle of pi: for smaller angles this rule always
+    /// applies.
     bool fans = false;
     bool locked_vote = true;  ///< faces at locked vertices contribute to normals of other vertices at the same position
 };
@@ -97,17 +103,20 @@ struct AttributeMesh {
     std::span<const std::uint32_t> smoothing{};  ///< [T] or empty
     GroupKind group_kind = GroupKind::none;      ///< the meaning of `smoothing`
     /// [3T] or empty: one vector for each corner, used only if `smoothing` is empty. Two faces of one object join at a
-    /// position if their corners have equal vectors there. Use the normals of an importer that drops smoothing groups.
+    /// position if their corners have equal vectors there. If an importer drops smoothing groups, pass its normals
+    /// here.
     std::span<const vec3> smoothing_hint{};
     dmat4 to_world{};  ///< object -> world, affine; det < 0 mirrors
     /// [V] or empty. Nonzero: the vertex is locked, so it keeps its entry of `normals`. `normals` must then not be
     /// empty. A vertex with a zero or non-finite normal is not locked.
     std::span<const std::uint8_t> locked{};
     /// [m] object space, >= 0: the quantization step of the positions; 0: not quantized. A quantized position may be
-    /// off by half a step on each axis. So the automatic AttributeOptions::weld_distance uses at least half the
-    /// diagonal of a cube with this side as the rounding error of this mesh. Automatic welding does not join two
-    /// positions of quantized meshes if one mesh has vertices at both of them: neighboring points of the grid are
-    /// different positions.
+    /// off by half a step on each axis. So for the automatic AttributeOptions::weld_distance, the rounding error of
+    /// this mesh is at least half the diagonal of a cube whose edges are one step long. If either of two meshes is
+    /// quantized, they are welded within the distance even if their matrices are equal.
+    ///
+    /// Automatic welding does not join two positions of quantized meshes if any one mesh has vertices at both
+    /// positions. That mesh stores them as neighboring grid points, so they are different positions.
     double position_step = 0;
     /// [rad] 0..pi, overrides AttributeOptions::crease_angle_rad; < 0: not set. Between two meshes the smaller angle
     /// applies.
@@ -120,7 +129,7 @@ struct MeshAttributes {
     std::vector<vec3> normals{};  ///< [V'] unit, finite; (0, 0, 1) if no valid face touches the vertex's position
     /// [V'] Empty without texcoords. xyz is unit, and perpendicular to the normal unless Orthogonalize::off was given.
     /// w is +1 or -1 in object space; in world space a mirroring matrix negates it. If the texture area is zero, w is
-    /// +1 and xyz is the coordinate axis farthest from the normal in world space, orthogonalized.
+    /// +1, and xyz is the world axis farthest from the normal, made perpendicular to the normal.
     std::vector<vec4> tangents{};
     std::vector<vec3> bitangents{};        ///< [V'] unit, towards decreasing v; filled only by the published modes
     std::vector<std::uint32_t> indices{};  ///< [3T] each < V'; empty if no vertex was split: use the input's indices
@@ -132,14 +141,14 @@ struct MeshAttributes {
     /// AttributeOptions::measure_orthogonality.
     double orthogonality_loss_max_deg = 0, orthogonality_loss_mean_deg = 0;
     /// Number of faces on which a normal map runs backwards. On such a face the mean tangent of the corners points
-    /// against the direction of increasing u, or the mean of cross(n, t) * w points against the direction of decreasing
-    /// v. Only the published modes count these faces.
+    /// towards decreasing u, or the mean of cross(n, t) * w points towards increasing v (v is down). Only the published
+    /// modes count these faces.
     std::uint32_t inverted_faces = 0;
 };
 
-/// The corner groups of all meshes. Computed once, valid for any positions of the same meshes (poses, morphs).
-/// regroup() reuses a plan when the crease angle changes. Immutable; cheap to copy. Memory: about 45 bytes per
-/// triangle.
+/// The corner groups of all meshes. A plan is computed once and stays valid when vertices of the same meshes move
+/// (poses, morphs). regroup() reuses a plan when the crease angle changes. A plan is immutable and cheap to copy. It
+/// takes about 45 bytes per triangle.
 class RL_API AttributePlan {
 public:
     struct Impl;
@@ -164,7 +173,7 @@ RL_API AttributePlan group(std::span<const AttributeMesh> meshes, const Attribut
 /// group(meshes, options, context), but faster: it reuses face normals, welded positions and the faces around each
 /// position. It welds again only if AttributeOptions::weld_distance, `normals` or `scope` differs from the plan's.
 /// @param plan    of group() or regroup()
-/// @param meshes as given to group(), unmoved; only their smoothing groups, hints and locks may have changed
+/// @param meshes as given to group(), with unmoved positions; only smoothing groups, hints and locks may have changed
 /// @throws Error bad_file: counts that differ from the plan's; and as group()
 RL_API AttributePlan regroup(const AttributePlan& plan, std::span<const AttributeMesh> meshes,
                              const AttributeOptions& options, Context& context);
@@ -177,10 +186,10 @@ RL_API AttributePlan regroup(const AttributePlan& plan, std::span<const Attribut
 RL_API std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<const AttributeMesh> meshes,
                                               Context& context);
 
-/// The second step for other values of faces (light, measurements): each vertex gets the mean over the faces of its
-/// corner group, with the plan's weights. The result is smooth across the same edges as the normals, also between
-/// objects, and sharp at creases. Each component of a mean lies between its minimum and its maximum over the faces. The
-/// mean of equal values is bit-identical to them.
+/// Like accumulate(), but averages the caller's own per-face values (light, measurements). Each vertex gets the mean
+/// over the faces of its corner group, with the plan's weights. The result is smooth across the same edges as the
+/// normals, also between objects, and sharp at creases. Each component of a mean lies between the minimum and the
+/// maximum of this component over the faces. If all values are equal, the mean is bit-identical to them.
 /// @param meshes as given to group(); positions may have moved
 /// @param values [meshes][T] finite; values of faces that are not valid are ignored
 /// @return [meshes][V'] vertices as in the result of accumulate(); 0 if a vertex's corner group has no valid face
@@ -200,15 +209,15 @@ struct AttributeBuffers {
     std::span<vec4> tangents{};  ///< [>= V] if the mesh has texcoords and tangents are requested; else ignored
 };
 
-/// A corner that no longer uses the vertex of the input's indices.
+/// A corner whose index changed because its vertex was split.
 struct CornerVertex {
     std::uint32_t corner, vertex;  ///< the corner (3 * triangle + 0, 1 or 2), and its new vertex
     bool operator==(const CornerVertex&) const = default;
 };
 
-/// The vertices that a split appends to one mesh. They do not fit into the mesh's buffers. If no vertex was split
-/// (V' = V), all arrays are empty. Otherwise append `normals` and `tangents` to the first V entries of the buffers, and
-/// change the indices of the listed corners. This gives the contents of MeshAttributes.
+/// The vertices that are appended to one mesh because vertices were split. AttributeBuffers has no entries for them. If
+/// no vertex was split (V' = V), all arrays are empty. Otherwise append `normals` and `tangents` to the first V entries
+/// of the buffers, and change the indices of the listed corners. The result has the contents of MeshAttributes.
 struct SplitAttributes {
     std::vector<std::uint32_t> source_vertex{};  ///< [V' - V] input vertex that each appended vertex copies; ascending
     std::vector<vec3> normals{};                 ///< [V' - V]
@@ -219,8 +228,9 @@ struct SplitAttributes {
 };
 
 /// Scratch memory of compute_attributes_into(), reused by later calls with any number of vertices. The fast case (see
-/// compute_attributes_into()) uses 16 bytes per vertex for normals, or 32 for normals and tangents, and 8 more for the
-/// weld. All other cases use about 42 bytes per triangle. Concurrent calls must not share a workspace.
+/// compute_attributes_into()) uses 24 bytes per vertex for normals alone, or 40 for normals and tangents. 8 of these
+/// bytes are for the weld. All other cases use about 42 bytes per triangle. Concurrent calls must not share a
+/// workspace.
 class RL_API AttributeWorkspace {
 public:
     AttributeWorkspace();
@@ -240,8 +250,8 @@ private:
 /// The *fast case* joins all faces at each position. It needs these options: crease angle pi, uniform weight, scope
 /// model or object, a weld distance of at most 0, averaged and orthogonalized tangents. All meshes must have the same
 /// angle-preserving matrix, and no smoothing groups, hints, locks or quantized positions. Once the workspace has grown,
-/// the fast case allocates no memory in proportion to the model. In all other cases only the largest arrays come from
-/// the workspace.
+/// the fast case allocates no memory per vertex or triangle. In all other cases the workspace holds only the largest
+/// arrays, and each call allocates the others.
 ///
 /// @param out [meshes] buffers must not overlap each other or the input
 /// @return split vertices and counts, one entry per mesh; the same values as compute_attributes()

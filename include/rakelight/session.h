@@ -45,8 +45,8 @@ public:
     ///         cancelled
     std::shared_ptr<const PreparedScene> prepared(const RenderSettings& settings, Context& context);
 
-    /// Does all work of render() except drawing. Afterwards the engine has the scene with its textures, and the report
-    /// has the remarks about both.
+    /// Does all work of render() except drawing. Afterwards the engine has the scene and its textures, and the report
+    /// has the remarks about the scene and the textures.
     /// @throws Error as render()
     void warm_up(const Camera& camera, const RenderSettings& settings, Context& context);
     /// Draws through a camera: one at a node of the scene, or one placed in world space. A scene without lights and
