@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Seam-free normals and tangents for models of many parts. Needs no Scene: spans and matrices in, arrays out.
+//
+// Terms of this header:
+// - A *position* is a point in world space. Welded vertices (AttributeOptions::weld_distance) share one position, also
+//   if they belong to different meshes. With Scope::object, only vertices of one object are welded.
+// - A *corner* is one of the three corners of a triangle. Corner 3 * t + k is corner k of triangle t.
+// - A *valid face* has a nonzero area and only finite corners. All other faces contribute nothing to any result.
+// - A *corner group* is a set of corners at one position that get the same normal.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -15,105 +22,133 @@ namespace rakelight {
 /// The faces over which a normal is smoothed: one face, the faces of one object, or the faces of all objects.
 enum class Scope : std::uint8_t { face, object, model };
 
-/// The weight of a face normal in the vertex normal at one corner. `uniform` is the sum of unit face normals (Gouraud
-/// 1971); `angle` is Thuermer & Wuethrich 1998, "Computing Vertex Normals from Polygonal Facets".
+/// How much the unit normal of a face counts in a vertex normal. The weight is computed for each corner of the face.
+/// - `uniform`: 1 (Gouraud 1971).
+/// - `area`: the area of the face.
+/// - `angle`: the angle of the face at the corner (Thuermer & Wuethrich 1998, "Computing Vertex Normals from Polygonal
+///   Facets").
+/// - `angle_area`: the angle times the area.
 enum class CornerWeight : std::uint8_t { uniform, area, angle, angle_area };
 
-/// How tangents are computed. `averaged`: a weighted sum at each position, with the normals' weights, over vertices of
-/// equal handedness whose tangents lie within 45 degrees of each other. `mikktspace`: reproduces MikkTSpace (Mikkelsen
-/// 2008, "Simulation of Wrinkled Surfaces Revisited") at an angular threshold of 180 degrees, for each mesh in its own
-/// space. Use it for maps that were baked with MikkTSpace. `published`: averages unit tangents and unit bitangents of
-/// all faces at a position, mirrored or not, over the scope. The tangent is made perpendicular to the normal, and
-/// negated where it disagrees with the bitangent, which is a separate attribute. All frames are then right-handed, and
-/// maps on mirrored texture coordinates run backwards along u. `published_no_handedness`: the same without the
-/// negation; w gives the side of the bitangent.
+/// How tangents are computed.
+/// - `averaged`: the unit tangents of the faces at each position are summed, with the weights used for normals
+///   (CornerWeight). A sum includes only vertices of the same corner group and of the same handedness. Two such
+///   vertices share a sum if their tangents differ by at most 45 degrees, or if a chain of such pairs connects them.
+/// - `mikktspace`: the same tangents as MikkTSpace (Mikkelsen 2008, "Simulation of Wrinkled Surfaces Revisited") with
+///   an angular threshold of 180 degrees. Each mesh is computed in its own object space. Use this mode for maps that
+///   were baked with MikkTSpace.
+/// - `published`: at each position the unit tangents of all faces in the scope are averaged, and so are their unit
+///   bitangents. Mirrored faces are included. The bitangent is a separate attribute. The tangent is made perpendicular
+///   to the normal. Then it is negated if dot(cross(normal, tangent), bitangent) < 0. So all frames are right-handed,
+///   and maps on mirrored texture coordinates run backwards along u.
+/// - `published_no_handedness`: as `published`, but no tangent is negated. The w of a tangent gives the side of the
+///   bitangent: it is the sign of dot(cross(normal, tangent), bitangent).
 enum class TangentMode : std::uint8_t { averaged, published, mikktspace, published_no_handedness };
 /// Whether bitangents are a separate attribute.
 inline bool is_published(TangentMode mode) {
     return mode == TangentMode::published || mode == TangentMode::published_no_handedness;
 }
 
-/// Whether tangents are orthogonalized against the normals here (`attribute`) or kept as summed (`off`).
+/// `attribute`: the summed tangents are made perpendicular to the normals. `off`: they are only normalized.
 enum class Orthogonalize : std::uint8_t { attribute, off };
 
 /// Options of compute_attributes().
 struct AttributeOptions {
     Scope scope = Scope::model;
     CornerWeight weight = CornerWeight::angle;
-    /// [rad] 0..pi. Faces that share an edge are joined if the angle between their normals is at most this one. A slack of
-    /// 1e-5 rad allows for the rounding of positions. pi joins everything at a position, 0 is flat.
+    /// [rad] 0..pi. Faces that share an edge are joined if the angle between their normals is at most this angle. A
+    /// slack of 1e-5 rad allows for the rounding of positions. pi: all faces at a position are joined. 0: flat shading.
     double crease_angle_rad = radians(60);
-    /// [m] in world space: positions this close are welded; 0: only equal ones. < 0: automatic, the sum of the rounding
-    /// errors of the two meshes that meet. The error of a mesh is zero where both matrices are equal. Else it is 2
-    /// float ulps of its largest local coordinate, scaled to the world, plus 1 ulp of the distance of its pivot. That
-    /// distance counts from the center of the model's box or from the world origin, whichever is less. The error is at
-    /// most 2^-14 of the box's diagonal. For quantized positions see AttributeMesh::position_step. Connected components
-    /// of close pairs are one place. Components wider than twice the distance are welded exactly only, with a warning
-    /// in the report. Positions never move.
+    /// [m] in world space. Vertices at most this far apart are welded. 0: only vertices with equal positions are
+    /// welded.
+    ///
+    /// < 0: automatic. Two meshes with equal matrices are welded only where their positions are equal. For other meshes
+    /// the distance is the sum of the rounding errors of the two meshes. The rounding error of a mesh has two parts:
+    /// - 2 float ulps of the mesh's largest coordinate, which is first scaled to the world,
+    /// - 1 float ulp of the distance of the mesh's pivot. The pivot is the world position of the object-space origin.
+    ///   Its distance is measured from the center of the model's bounding box or from the world origin, whichever is
+    ///   nearer.
+    ///
+    /// The rounding error is limited to 2^-14 of the diagonal of the bounding box. Quantized positions have other
+    /// rules, see AttributeMesh::position_step.
+    ///
+    /// A chain of vertices, each close to the next, is welded to one position. If the chain extends over more than
+    /// twice the distance, only its equal positions are welded, and the report gets a warning. No vertex is moved.
     double weld_distance = -1;
-    bool normals = true;         ///< false: keep the given normals (every mesh must have them) and make only tangents
-    bool tangents = true;        ///< where texture coordinates exist
-    bool groups_across = false;  ///< smoothing groups also apply between objects
+    bool normals = true;   ///< false: keep the given normals (every mesh must have them) and compute only tangents
+    bool tangents = true;  ///< compute tangents for meshes with texture coordinates
+    bool groups_across = false;  ///< smoothing groups also join faces of different objects
     TangentMode tangent_mode = TangentMode::averaged;
-    /// `mikktspace` ignores it: it orthogonalizes the vote of each face.
+    /// TangentMode::mikktspace ignores this option: MikkTSpace orthogonalizes the tangent of each face before summing.
     Orthogonalize orthogonalize = Orthogonalize::attribute;
     bool measure_orthogonality = false;  ///< fill MeshAttributes::orthogonality_loss_*
-    /// At a crease angle of pi: faces at a place are joined only across common edges, so each fan is a group (bow-ties
-    /// are separated). Below pi this is always so.
+    /// If true, two faces at a position are joined only if a chain of common edges connects them. So the two halves of
+    /// a bow-tie stay separate. The option matters only for a crease angle of pi: for smaller angles this rule always
+    /// applies.
     bool fans = false;
-    bool locked_vote = true;  ///< faces at locked vertices contribute to the normals of other vertices at their place
+    bool locked_vote = true;  ///< faces at locked vertices contribute to normals of other vertices at the same position
 };
 
-/// The meaning of smoothing[]: bit masks join when AND != 0 (3DS, ASE), numbers join when equal (OBJ); 0 is flat.
+/// The meaning of AttributeMesh::smoothing. `masks` (3DS, ASE): two faces join if the AND of their bit masks is not 0.
+/// `numbers` (OBJ): two faces join if their numbers are equal. In both cases a face with the value 0 is flat.
 enum class GroupKind : std::uint8_t { none, masks, numbers };
 
 /// One mesh, placed in the world.
 struct AttributeMesh {
     std::uint32_t object = 0;                    ///< meshes with equal numbers form one object (Scope::object)
-    std::span<const vec3> positions{};           ///< [V] object space; a face with a non-finite corner has no vote
+    std::span<const vec3> positions{};           ///< [V] object space; faces with non-finite corners are not valid
     std::span<const std::uint32_t> indices{};    ///< [3T] each < V; counter-clockwise seen from outside
     std::span<const vec2> texcoords{};           ///< [V] or empty; v down
-    std::span<const vec3> normals{};             ///< [V] or empty; read only when AttributeOptions::normals is false
+    std::span<const vec3> normals{};             ///< [V] or empty; see AttributeOptions::normals and `locked`
     std::span<const std::uint32_t> smoothing{};  ///< [T] or empty
-    GroupKind group_kind = GroupKind::none;
-    std::span<const vec3>
-        smoothing_hint{};  ///< [3T] or empty: corners of one position whose hints are equal were one group
-    dmat4 to_world{};      ///< object -> world, affine; det < 0 mirrors
-    /// [V] or empty. Nonzero: the vertex keeps its entry of `normals`, which is then required. Ignored where that
-    /// normal is zero or not finite.
+    GroupKind group_kind = GroupKind::none;      ///< the meaning of `smoothing`
+    /// [3T] or empty: one vector for each corner, used only if `smoothing` is empty. Two faces of one object join at a
+    /// position if their corners have equal vectors there. If an importer drops smoothing groups, pass its normals
+    /// here.
+    std::span<const vec3> smoothing_hint{};
+    dmat4 to_world{};  ///< object -> world, affine; det < 0 mirrors
+    /// [V] or empty. Nonzero: the vertex is locked, so it keeps its entry of `normals`. `normals` must then not be
+    /// empty. A vertex with a zero or non-finite normal is not locked.
     std::span<const std::uint8_t> locked{};
-    /// [m] object space, >= 0: the quantization step of the positions; 0: not quantized. A position may be off by half
-    /// a step on each axis. AttributeOptions::weld_distance < 0 then uses half the diagonal of the step's cube for this
-    /// mesh. It does not weld to a mesh that already has a vertex at the same place, because the next code is then
-    /// another place.
+    /// [m] object space, >= 0: the quantization step of the positions; 0: not quantized. A quantized position may be
+    /// off by half a step on each axis. So for the automatic AttributeOptions::weld_distance, the rounding error of
+    /// this mesh is at least half the diagonal of a cube whose edges are one step long. If either of two meshes is
+    /// quantized, they are welded within the distance even if their matrices are equal.
+    ///
+    /// Automatic welding does not join two positions of quantized meshes if any one mesh has vertices at both
+    /// positions. That mesh stores them as neighboring grid points, so they are different positions.
     double position_step = 0;
     /// [rad] 0..pi, overrides AttributeOptions::crease_angle_rad; < 0: not set. Between two meshes the smaller angle
     /// applies.
     double crease_angle_rad = -1;
 };
 
-/// Result for one mesh: vertex v < V keeps its number; a vertex whose corners differ is appended. Object space.
+/// Result for one mesh, in object space. Vertices 0 to V - 1 are the input's vertices in the same order. If the corners
+/// of a vertex get different normals or tangents, copies of the vertex are appended. V' is the new number of vertices.
 struct MeshAttributes {
-    std::vector<vec3> normals{};  ///< [V'] unit, finite; (0, 0, 1) where no face with a vote touches the vertex's place
-    /// [V'] xyz unit and perpendicular to the normal, w = +1 or -1 in object space (a mirroring matrix flips it in
-    /// world space); empty without texcoords. Where the texture area is zero: the axis farthest from the world normal,
-    /// orthogonalized, w = +1.
+    std::vector<vec3> normals{};  ///< [V'] unit, finite; (0, 0, 1) if no valid face touches the vertex's position
+    /// [V'] Empty without texcoords. xyz is unit, and perpendicular to the normal unless Orthogonalize::off was given.
+    /// w is +1 or -1 in object space; in world space a mirroring matrix negates it. If the texture area is zero, w is
+    /// +1, and xyz is the world axis farthest from the normal, made perpendicular to the normal.
     std::vector<vec4> tangents{};
     std::vector<vec3> bitangents{};        ///< [V'] unit, towards decreasing v; filled only by the published modes
-    std::vector<std::uint32_t> indices{};  ///< [3T] each < V'; empty when no vertex was split (the input's are valid)
-    std::vector<std::uint32_t> source_vertex{};  ///< [V' - V] the vertex that each appended one copies
-    std::uint32_t degenerate_faces = 0;          ///< faces without a vote: zero area or a non-finite corner
-    std::uint32_t isolated_vertices = 0;         ///< vertices that no face with a vote touches
-    /// [degrees] deviation of summed tangents from perpendicular to their normals, in world space before Gram-Schmidt;
-    /// 0 unless AttributeOptions::measure_orthogonality.
+    std::vector<std::uint32_t> indices{};  ///< [3T] each < V'; empty if no vertex was split: use the input's indices
+    std::vector<std::uint32_t> source_vertex{};  ///< [V' - V] the input vertex that each appended vertex copies
+    std::uint32_t degenerate_faces = 0;          ///< faces with zero area or a non-finite corner
+    std::uint32_t isolated_vertices = 0;         ///< vertices that no valid face touches
+    /// [degrees] maximum and mean over the vertices: the angle between the summed tangent and the plane perpendicular
+    /// to the normal. Measured in world space before orthogonalization. 0 unless
+    /// AttributeOptions::measure_orthogonality.
     double orthogonality_loss_max_deg = 0, orthogonality_loss_mean_deg = 0;
-    /// Faces on which a map runs backwards: the mean tangent of their corners points against the direction of u on the
-    /// face, or the mean of cross(n, t) * w against that of -v. Counted by the published modes only.
+    /// Number of faces on which a normal map runs backwards. On such a face the mean tangent of the corners points
+    /// towards decreasing u, or the mean of cross(n, t) * w points towards increasing v (v is down). Only the published
+    /// modes count these faces.
     std::uint32_t inverted_faces = 0;
 };
 
-/// Which corners share a normal. Computed once, valid for any positions of the same meshes (poses, morphs), and reused
-/// by regroup() when the crease angle changes. Immutable; cheap to copy. Memory: about 45 bytes per triangle.
+/// The corner groups of all meshes. A plan is computed once and stays valid when vertices of the same meshes move
+/// (poses, morphs). regroup() reuses a plan when the crease angle changes. A plan is immutable and cheap to copy. It
+/// takes about 45 bytes per triangle.
 class RL_API AttributePlan {
 public:
     struct Impl;
@@ -126,60 +161,65 @@ private:
     std::shared_ptr<const Impl> impl_;
 };
 
-/// First step: finds equal positions (exact in world space, compared in double, -0 equal to +0), joins faces by crease
-/// angle and smoothing groups, and finds the vertices to split. Expected O(n), deterministic for any number of threads.
-/// Normals are summed only in groups whose face normals may cancel.
-/// @throws Error bad_file: sizes that do not fit, an index out of range (first one in the message), a non-finite
-///         matrix.
+/// First step: makes the corner groups. It welds positions, joins faces by crease angle and smoothing groups, and finds
+/// the vertices to split. Positions are compared in world space, in double precision; -0 equals +0. Face normals of a
+/// corner group may cancel each other, as on two coincident shells of opposite orientation. Such a group is split.
+/// Expected O(n), deterministic for any number of threads.
+/// @throws Error bad_file: sizes that do not fit, an index out of range (the message names the first one), a non-finite
+///         matrix
 RL_API AttributePlan group(std::span<const AttributeMesh> meshes, const AttributeOptions& options, Context& context);
 
-/// The first step again with other options (a crease slider): the same plan as group(meshes, options, context), faster.
-/// Places, face normals and the faces around each place are reused. Another scope (except face), weld_distance or
-/// `normals` repeats the weld.
+/// The first step again with other options, for example from a slider of the crease angle. It returns the same plan as
+/// group(meshes, options, context), but faster: it reuses face normals, welded positions and the faces around each
+/// position. It welds again only if AttributeOptions::weld_distance, `normals` or `scope` differs from the plan's.
 /// @param plan    of group() or regroup()
-/// @param meshes as given to group(), unmoved; only their smoothing groups, hints and locks may have changed
+/// @param meshes as given to group(), with unmoved positions; only smoothing groups, hints and locks may have changed
 /// @throws Error bad_file: counts that differ from the plan's; and as group()
 RL_API AttributePlan regroup(const AttributePlan& plan, std::span<const AttributeMesh> meshes,
                              const AttributeOptions& options, Context& context);
 
-/// Second step: the sums over the same meshes. Positions may have moved; counts must be equal. If nothing has moved,
-/// the result is bit-identical to compute_attributes(), except at a crease angle of pi with uniform weight, where
+/// Second step: computes normals and tangents as sums over the corner groups of the plan. Positions may have moved
+/// since the first step; the counts of vertices and triangles must be equal. If no position has moved, the result is
+/// bit-identical to that of compute_attributes(). Exception: at a crease angle of pi with uniform weight,
 /// compute_attributes() sums in float.
 /// @return one entry per mesh, in the order of the input
 RL_API std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<const AttributeMesh> meshes,
                                               Context& context);
 
-/// The second step for other values of faces (light, measurements): each vertex gets the mean over the faces of its
-/// group, with the plan's weights. The result is smooth wherever normals are, also across objects, and sharp at
-/// creases. Each component lies between the minimum and maximum over the faces; a constant stays bit-identical.
+/// Like accumulate(), but averages the caller's own per-face values (light, measurements). Each vertex gets the mean
+/// over the faces of its corner group, with the plan's weights. The result is smooth across the same edges as the
+/// normals, also between objects, and sharp at creases. Each component of a mean lies between the minimum and the
+/// maximum of this component over the faces. If all values are equal, the mean is bit-identical to them.
 /// @param meshes as given to group(); positions may have moved
-/// @param values [meshes][T] finite; values of faces without a vote are ignored
-/// @return [meshes][V'] numbered as in the result of accumulate(); 0 where no face with a vote touches a vertex's group
+/// @param values [meshes][T] finite; values of faces that are not valid are ignored
+/// @return [meshes][V'] vertices as in the result of accumulate(); 0 if a vertex's corner group has no valid face
 /// @throws Error bad_file: counts that differ from the plan's
 RL_API std::vector<std::vector<vec3>> average(const AttributePlan& plan, std::span<const AttributeMesh> meshes,
                                               std::span<const std::span<const vec3>> values, Context& context);
 
-/// Both steps. All corners of a group get bit-equal vectors in world space, then transformed to each object's space.
+/// Both steps. All corners of a corner group get bit-equal vectors in world space. These vectors are then transformed
+/// to the space of each object.
 RL_API std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> meshes,
                                                       const AttributeOptions& options, Context& context);
 
-/// Output buffers of compute_attributes_into() for one mesh, by the input's vertex numbers; entries beyond V are not
-/// written.
+/// Output buffers of compute_attributes_into() for one mesh. Entry v belongs to vertex v of the input. Entries beyond V
+/// are not written.
 struct AttributeBuffers {
     std::span<vec3> normals{};   ///< [>= V]
     std::span<vec4> tangents{};  ///< [>= V] if the mesh has texcoords and tangents are requested; else ignored
 };
 
-/// A corner (3 * triangle + 0, 1 or 2) that uses another vertex than the input's index.
+/// A corner whose index changed because its vertex was split.
 struct CornerVertex {
-    std::uint32_t corner, vertex;  ///< the corner; its new vertex
+    std::uint32_t corner, vertex;  ///< the corner (3 * triangle + 0, 1 or 2), and its new vertex
     bool operator==(const CornerVertex&) const = default;
 };
 
-/// The split vertices of one mesh, which do not fit into its buffers. All empty if none was split (V' = V). Else append
-/// normals and tangents to the first V entries of the buffers, and change the listed corners, to get MeshAttributes.
+/// The vertices that are appended to one mesh because vertices were split. AttributeBuffers has no entries for them. If
+/// no vertex was split (V' = V), all arrays are empty. Otherwise append `normals` and `tangents` to the first V entries
+/// of the buffers, and change the indices of the listed corners. The result has the contents of MeshAttributes.
 struct SplitAttributes {
-    std::vector<std::uint32_t> source_vertex{};  ///< [V' - V] the vertex that each appended one copies; ascending
+    std::vector<std::uint32_t> source_vertex{};  ///< [V' - V] input vertex that each appended vertex copies; ascending
     std::vector<vec3> normals{};                 ///< [V' - V]
     std::vector<vec4> tangents{};                ///< [V' - V], or empty without tangents
     std::vector<CornerVertex> corners{};         ///< ascending; each vertex is >= V
@@ -187,9 +227,10 @@ struct SplitAttributes {
     std::uint32_t isolated_vertices = 0;         ///< as in MeshAttributes
 };
 
-/// Scratch memory of compute_attributes_into(), reused by later calls of any size. It holds 16 bytes per vertex for
-/// normals, or 32 for normals and tangents, and 8 more for the weld. The general algorithm needs about 42 bytes per
-/// triangle. Not shared by concurrent calls.
+/// Scratch memory of compute_attributes_into(), reused by later calls with any number of vertices. The fast case (see
+/// compute_attributes_into()) uses 24 bytes per vertex for normals alone, or 40 for normals and tangents. 8 of these
+/// bytes are for the weld. All other cases use about 42 bytes per triangle. Concurrent calls must not share a
+/// workspace.
 class RL_API AttributeWorkspace {
 public:
     AttributeWorkspace();
@@ -198,21 +239,24 @@ public:
     ~AttributeWorkspace();
     std::size_t bytes() const;  ///< allocated now
     struct Impl;
-    Impl& impl();  ///< new for a workspace that was moved from
+    Impl& impl();  ///< for use by the library only; a workspace that was moved from gets a new one
 
 private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// compute_attributes() into the caller's buffers. The fast case joins everything at a place: crease angle pi, uniform
-/// weight, scope model or object, no smoothing groups or hints, exact weld, one angle-preserving matrix for all meshes.
-/// It allocates nothing of the model's size once the workspace has grown. With other options the largest arrays come
-/// from the workspace.
+/// compute_attributes() into the caller's buffers.
+///
+/// The *fast case* joins all faces at each position. It needs these options: crease angle pi, uniform weight, scope
+/// model or object, a weld distance of at most 0, averaged and orthogonalized tangents. All meshes must have the same
+/// angle-preserving matrix, and no smoothing groups, hints, locks or quantized positions. Once the workspace has grown,
+/// the fast case allocates no memory per vertex or triangle. In all other cases the workspace holds only the largest
+/// arrays, and each call allocates the others.
 ///
 /// @param out [meshes] buffers must not overlap each other or the input
 /// @return split vertices and counts, one entry per mesh; the same values as compute_attributes()
-/// @throws Error usage: a buffer too small (mesh and sizes in the message); and as compute_attributes(). The buffers
-///         are then unspecified
+/// @throws Error usage: a buffer is too small (the message has the mesh and the sizes); and as compute_attributes().
+///         After an error the contents of the buffers are unspecified.
 RL_API std::vector<SplitAttributes> compute_attributes_into(std::span<const AttributeMesh> meshes,
                                                             const AttributeOptions& options,
                                                             std::span<const AttributeBuffers> out,

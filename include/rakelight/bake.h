@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Baking: stores details of a high-polygon surface (HIGH) in maps for a low-polygon surface (LOW).
 //
-// Rays follow LOW's normals, which are smooth across its objects, from a cage `distance` outside of LOW to the same
-// distance inside. A texel shows the first triangle of HIGH that faces outward.
+// The cage is the surface of LOW, moved outward by `distance` along normals that are smooth over all objects of LOW.
+// Each ray starts at the cage, runs along these normals, and ends at the same distance inside of LOW. A texel shows the
+// first triangle on its ray that belongs to HIGH and faces outward.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -19,20 +20,21 @@ namespace rakelight {
 /// The content of a map.
 enum class BakeMap : std::uint8_t {
     normal,     ///< HIGH's shading normal, including its normal map
-    height,     ///< [m] from LOW along its smooth normal
-    curvature,  ///< [1/m] mean curvature of HIGH, convex > 0
-    occlusion,  ///< 0..1: cosine-weighted visible share of the hemisphere above HIGH
-    light,      ///< irradiance / pi on HIGH from its lights and surfaces, linear RGB: with_radiosity()
+    height,     ///< [m] distance of HIGH from LOW along LOW's smooth normal
+    curvature,  ///< [1/m] mean curvature of HIGH; convex > 0
+    occlusion,  ///< 0..1: cosine-weighted unoccluded share of the hemisphere above HIGH
+    light,      ///< irradiance / pi on HIGH, from HIGH's lights and surfaces, linear RGB: with_radiosity()
 };
 
 /// The name of a map, also in file names: "normal".
 RL_API const char* name_of(BakeMap map) noexcept;
-/// Component type of integer pictures: 16 bits for heights, else 8.
+/// Component type of integer pictures: 16 bits for heights, 8 bits for all other maps.
 RL_API Component component_of(BakeMap map) noexcept;
 /// All maps in their order.
 RL_API std::span<const BakeMap> all_bake_maps() noexcept;
 
-/// The space of normals: the tangent space of LOW's interpolated normal and MikkTSpace tangent, or LOW's object space.
+/// The space of normals. `tangent`: the tangent space of LOW's interpolated normal and MikkTSpace tangent. `object`:
+/// LOW's object space.
 enum class BakeSpace : std::uint8_t { tangent, object };
 
 /// Options of bake_maps().
@@ -41,49 +43,53 @@ struct BakeOptions {
     int width = 1024, height = 1024;  ///< [px] 1..16384
     double distance = 0;              ///< [m] distance of the cage, >= 0; 0: automatic (BakeReport::distance)
     BakeSpace space = BakeSpace::tangent;
-    /// Orthonormalize normal and tangent per texel, as engines do by default; false: only interpolate them, as in
-    /// MikkTSpace.
+    /// true: orthonormalize normal and tangent in each texel, as engines do by default. false: only interpolate normal
+    /// and tangent, as in MikkTSpace.
     bool normalize_frames = false;
-    bool green_down = false;  ///< tangent space: green points to increasing v
-    /// LOW's normals. `automatic`: the file's if present, else computed over all objects; `model`: always computed.
+    bool green_down = false;  ///< in tangent space: green points to increasing v
+    /// LOW's normals. `automatic`: the normals of the file if present, else computed over all objects. `model`: always
+    /// computed over all objects.
     NormalSource low_normals = NormalSource::automatic;
-    /// HIGH's normals. `automatic`: as rendered (glTF without normals is flat); `model`: computed over all objects with
-    /// a crease angle of 60 degrees.
+    /// HIGH's normals. `automatic`: as rendered, so that glTF without normals is flat. `model`: computed over all
+    /// objects with a crease angle of 60 degrees.
     NormalSource high_normals = NormalSource::automatic;
-    double crease_angle_rad = pi;   ///< 0..pi: for LOW's computed normals. The cage has no creases
-    int samples = 4;                ///< per texel: 1, 4 or 16, on a regular grid
-    int padding = 8;                ///< [px] 0..1024: how far the borders of charts are extended
-    bool make_coordinates = false;  ///< replace LOW's texture coordinates; its textures are removed
+    double crease_angle_rad = pi;   ///< 0..pi: for LOW's computed normals. The normals of the cage have no creases
+    int samples = 4;                ///< samples per texel: 1, 4 or 16, on a regular grid
+    int padding = 8;                ///< [px] 0..1024: width by which charts are extended beyond their borders
+    bool make_coordinates = false;  ///< replace LOW's texture coordinates; LOW's textures are removed
     int chart_margin = 8;           ///< [px] 1..1024: free space between computed charts
     int rays = 64;                  ///< 1..4096: occlusion rays per sample, rounded up to a square number
     double occlusion_distance = 0;  ///< [m] >= 0: maximum distance of occluders; 0: unlimited
     int light_elements = RadiositySettings{}.elements;  ///< 1..max_radiosity_elements: for BakeMap::light
-    double curvature_radius =
-        0;  ///< [m] >= 0: radius whose curvature is white (concave: black); 0: 1/50 of HIGH's diagonal
+    /// [m] >= 0; 0: 1/50 of HIGH's diagonal. In integer pictures, a convex surface with this radius of curvature is
+    /// white, and a concave surface with this radius is black.
+    double curvature_radius = 0;
 };
 
 /// Statistics of bake_maps().
 struct BakeReport {
     double distance = 0;            ///< [m] distance of the cage
     bool is_proposed = false;       ///< the distance was chosen automatically
-    double curvature_radius = 0;    ///< [m]
-    std::uint64_t texels = 0;       ///< covered or touched by charts
-    std::uint64_t beyond = 0;       ///< of these: HIGH is beyond the cage; integer heights are clamped
-    std::uint64_t missed = 0;       ///< of these: no ray hit HIGH; they show LOW itself
+    double curvature_radius = 0;    ///< [m] see BakeOptions::curvature_radius
+    std::uint64_t texels = 0;       ///< texels that charts cover or touch
+    std::uint64_t beyond = 0;       ///< texels where HIGH is beyond the cage; integer heights are clamped there
+    std::uint64_t missed = 0;       ///< texels where no ray hit HIGH; they show LOW itself
     std::uint32_t charts = 0;       ///< connected pieces of LOW on the map
-    std::uint32_t mirrored = 0;     ///< of these: mirrored on the map
-    std::uint32_t overlapping = 0;  ///< of these: overlap another chart or themselves
-    std::uint64_t overlapping_texels =
-        0;  ///< texels of several charts: baked for the first chart that is not mirrored, else the first
-    std::uint32_t made_coordinates = 0;  ///< mesh instances of LOW that got texture coordinates
+    std::uint32_t mirrored = 0;     ///< charts that are mirrored on the map
+    std::uint32_t overlapping = 0;  ///< charts that overlap another chart or themselves
+    /// Texels that several charts cover. They are baked for the first chart that is not mirrored. If all charts are
+    /// mirrored, they are baked for the first chart.
+    std::uint64_t overlapping_texels = 0;
+    std::uint32_t made_coordinates = 0;  ///< mesh instances of LOW that got new texture coordinates
     double texels_per_meter = 0;         ///< resolution of computed charts
-    RadiosityReport radiosity{};         ///< of BakeMap::light
+    RadiosityReport radiosity{};         ///< statistics of the light for BakeMap::light
 };
 
-/// The values of a map, see BakeMap; normals are unit, in BakeOptions::space, y towards decreasing v.
+/// The values of a map, see BakeMap. Normals are unit, in BakeOptions::space; in tangent space y points to decreasing
+/// v.
 struct BakedMap {
     BakeMap map = BakeMap::normal;
-    int channels = 1;             ///< normal and light: 3
+    int channels = 1;             ///< 3 for normal and light, otherwise 1
     std::vector<float> values{};  ///< [height * width * channels]
 };
 
@@ -92,26 +98,33 @@ struct BakeResult {
     int width = 0, height = 0;     ///< [px]
     std::vector<BakedMap> maps{};  ///< in the order of the options
     BakeReport report{};
-    /// LOW with matching texture coordinates (computed if it had none), normals and tangents; without normal and height
-    /// maps.
+    /// LOW with the texture coordinates, normals and tangents that fit the maps. Texture coordinates are computed if
+    /// LOW had none. Normal maps and height maps of LOW are removed.
     Scene low{};
     MemoryCharge charge{};  ///< memory charge of the maps
 };
 
-/// Bakes HIGH to LOW. Both may have many objects; LOW's objects share one map. Texels outside of charts copy the
-/// nearest chart within the padding. Beyond it they are constant (normal: (0, 0, 1); height, curvature and light 0,
-/// occlusion 1). Texture coordinates are those of set 0. If a mesh of LOW has none, all meshes get new ones: connected
-/// faces along one axis form a chart, and charts are packed in shelves. Bit-identical for any number of threads.
-/// @throws Error usage: options out of range, no space for the charts; bad_file: see validate(), no triangles, over the
-///         memory budget; light: HIGH has no light, and as with_radiosity(); failed: built without rays or Embree not
-///         installed, cancelled
+/// Bakes HIGH to LOW. Both may have many objects; all objects of LOW share one map. Texels outside of all charts copy
+/// the nearest chart within the padding. Beyond the padding they have a constant value: (0, 0, 1) for normals, 1 for
+/// occlusion, 0 for height, curvature and light.
+///
+/// The maps use set 0 of LOW's texture coordinates. If a mesh of LOW has no set 0, all meshes of LOW get new texture
+/// coordinates. For these, connected faces along one axis form a chart, and charts are packed in shelves. Bit-identical
+/// for any number of threads.
+/// @throws Error usage: options out of range, or the charts do not fit; bad_file: an invalid scene (see validate()), no
+///         triangles, over the memory budget, BakeMap::light of a HIGH without light; failed: built without rays,
+///         Embree is not installed, cancelled. BakeMap::light also throws as with_radiosity()
 RL_API BakeResult bake_maps(const Scene& high, const Scene& low, const BakeOptions& options, Context& context);
 
 /// Whether this build supports baking.
 RL_API bool can_bake() noexcept;
 
-/// A map as a picture. Normals: 0.5 + 0.5 n. Integers: height: 0.5 at LOW, 0 and 1 at the cage; curvature: 0.5 where flat, 0 and 1
-/// at 1 / curvature_radius; light: sRGB, 1 at most. Floats: height, curvature, occlusion and light as they are.
+/// A map as a picture. Normals n are stored as 0.5 + 0.5 n. In float pictures all other maps keep their values. Integer
+/// pictures are scaled:
+/// - height: 0.5 at LOW, 1 at the cage, 0 at the same distance inside;
+/// - curvature: 0.5 where flat, 1 at 1 / curvature_radius, 0 at -1 / curvature_radius;
+/// - occlusion: 0..1;
+/// - light: sRGB, clamped to 1.
 /// @throws Error bad_file: over the memory budget
 RL_API Pixels picture_of(const BakeResult& result, const BakedMap& map, const BakeOptions& options, Component component,
                          Context& context);

@@ -12,8 +12,8 @@
 
 namespace rakelight {
 
-/// An immutable array shared by any number of scenes. Copies share the storage, and equality is identity of the
-/// storage. Engines use it to keep data derived from a block. The default is empty.
+/// An immutable array shared by any number of scenes. Copies share the storage. Two blocks are equal only if they share
+/// their storage. So engines can reuse data that they derived from an equal block. The default is empty.
 template <class T>
 class Block {
 public:
@@ -47,7 +47,7 @@ public:
     std::span<const T> span() const { return {data(), size()}; }
     /// The whole array.
     operator std::span<const T>() const { return span(); }
-    /// Equal for blocks that share an array; null: empty.
+    /// An address that is equal for blocks that share an array. Null: the block is empty.
     const void* identity() const { return storage_; }
     /// Whether the array has a memory charge; an empty block needs none.
     bool is_charged() const { return !storage_ || storage_->charge.bytes() > 0; }

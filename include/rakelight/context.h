@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The run context that goes through every long function: threads, cancel, progress, memory budget, report.
+// The context of a run, passed to every long function: threads, cancellation, progress, memory budget, report.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -25,10 +25,11 @@ struct ContextOptions {
     std::uint64_t max_memory = 0;  ///< [bytes] limit for data of files; 0: the default of MemoryBudget
     /// Called with a stage ("load", "render") and its progress 0..1. From any thread, one call at a time.
     std::function<void(std::string_view stage, double fraction)> progress{};
-    const Context* parent = nullptr;  ///< its cancellation also cancels this context; must outlive it
-    /// Path of the program rakelight-import, which reads FBX, DAE, STL and other formats. Empty: the parent's path,
-    /// else the environment variable RAKELIGHT_IMPORT, else next to the running program, else where the library is
-    /// installed.
+    /// Canceling the parent also cancels this context. The parent must outlive this context.
+    const Context* parent = nullptr;
+    /// Path of the program rakelight-import, which reads FBX, DAE, STL and other formats. If the path is empty, these
+    /// places are tried in order: the path of the parent, the environment variable RAKELIGHT_IMPORT, the folder of the
+    /// running program, the folder where the library is installed.
     std::string import_helper{};
 };
 
@@ -49,27 +50,28 @@ public:
     /// Calls ContextOptions::progress.
     /// @param fraction 0..1 of the stage
     void progress(std::string_view stage, double fraction);
-    /// Maps progress 0..1 to this part of the stage, for work done in several rounds.
+    /// For work in several rounds: later calls of progress() with 0..1 are mapped to the range from..to of the stage.
     void set_progress_range(double from, double to);
     /// Requests cancellation: each loop ends at its next item. From any thread.
     void cancel() noexcept { cancelled_ = true; }
-    /// Whether it or its parent was cancelled.
+    /// Whether this context or its parent was cancelled.
     bool cancelled() const noexcept { return cancelled_ || (options_.parent && options_.parent->cancelled()); }
     void throw_if_cancelled() const;  ///< @throws Error failed "cancelled"
-    /// Clears cancel() for the next run. Only while nothing runs on this context.
+    /// Clears the cancellation for the next run. Call it only while nothing runs on this context.
     void reset_cancel() noexcept { cancelled_ = false; }
-    /// ContextOptions::import_helper, or the parent's.
+    /// ContextOptions::import_helper of this context or, if empty, of its parent.
     const std::string& import_helper() const noexcept;
 
-    /// Records a file that a loader opens. Textures are opened when they are decoded: see EncodedImage::path.
+    /// Records a file that a loader opens. Textures are not recorded, because they are opened later:
+    /// EncodedImage::path.
     void note_file(const std::string& path);
     /// The recorded files in order, each once, including unreadable ones.
     std::vector<std::string> files() const;
 
-    /// Calls body(i) for every i in 0..count-1, on the context's threads, in any order, each once; returns when all are
-    /// done. The first exception of a body is rethrown here. Bodies must be independent; calls may nest. `body` is any
-    /// callable and is not copied.
-    /// @throws Error failed "cancelled": bodies that had not started were not called.
+    /// Calls body(i) once for every i in 0..count-1, on the context's threads, in any order. Returns when all calls
+    /// have ended. If calls throw, the first exception is rethrown here. The calls must not depend on each other. A
+    /// body may call parallel_for(). `body` is any callable and is not copied.
+    /// @throws Error failed "cancelled": some bodies were not called
     template <class Body>
     void parallel_for(std::size_t count, const Body& body) {
         run_parallel(

@@ -18,11 +18,13 @@ enum class ErrorCode {
     check_failed,  ///< 5: a check found problems
 };
 
-/// Bad input or environment. `what()` is one printable line: "FILE: PLACE: SETTING: REASON; ADVICE", absent parts left out,
-/// control characters replaced, at most 600 bytes. Never thrown for programming mistakes (those assert).
+/// Bad input or environment. `what()` is one printable line of at most 600 bytes: "FILE: PLACE: SETTING: REASON;
+/// ADVICE". Absent parts are left out, and control characters are replaced. Programming errors cause failed assertions
+/// instead.
 class RL_API Error : public std::exception {
 public:
-    /// @param reason  for people, one sentence without a full stop: "accessor 7 reads past the end of buffer 0 (needs 1200 bytes, has 960)"
+    /// @param reason  for people, one sentence without a full stop: "accessor 7 reads past the end of buffer 0 (needs
+    ///        1200 bytes, has 960)"
     /// @param place   where in the file: "line 12", "accessor 7", "node 3"; may be empty
     /// @param advice  what to do: "export FBX or glTF instead"; may be empty
     explicit Error(ErrorCode code, std::string reason, std::string place = {}, std::string advice = {});
@@ -37,10 +39,10 @@ public:
     const std::string& file() const noexcept { return file_; }
     /// What to do; may be empty.
     const std::string& advice() const noexcept { return advice_; }
-    /// The setting of the error, as a key of [render] in world files: "crease-angle"; empty: none. A part of it may
-    /// follow: "light color".
+    /// The setting that the error is about, as a key of [render] in world files: "crease-angle". The name of a part may
+    /// follow: "light color". Empty: no setting.
     const std::string& setting() const noexcept { return setting_; }
-    /// Other settings that are involved, or that help.
+    /// Other settings that take part in the error, or that help.
     const std::vector<std::string>& related() const noexcept { return related_; }
     /// The whole line.
     const char* what() const noexcept override { return text_.c_str(); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the library shows to those who link it. Its objects are compiled with hidden visibility; only declarations with RL_API
-// are seen from outside a shared library. Templates and inline functions need none.
+// The macro RL_API, which exports a function or class from the shared library. All other symbols are hidden. Templates
+// and inline functions do not need RL_API.
 #pragma once
 
 #if defined(__GNUC__)

@@ -18,13 +18,14 @@ enum class Component : std::uint8_t { u8, u16, f32 };
 constexpr std::size_t size_of(Component c) { return c == Component::u8 ? 1 : c == Component::u16 ? 2 : 4; }
 
 /// Decoded pixels. Row 0 is on top; rows are tightly packed. A pixel has `channels` interleaved components: 1 gray,
-/// 2 gray and alpha, 3 RGB, 4 RGBA; alpha is not premultiplied. u8 and u16 are the file's code values 0..max; f32 are linear values.
+/// 2 gray and alpha, 3 RGB, 4 RGBA. Alpha is not premultiplied. u8 and u16 components are the code values of the file,
+/// 0..max. f32 components are linear values.
 struct Pixels {
     int width = 0, height = 0;  ///< [px] >= 0
     int channels = 0;           ///< 1..4
     Component component = Component::u8;
     bool is_linear =
-        false;  ///< the file holds linear light (EXR, HDR); else the role of the texture decides the color space
+        false;  ///< true: linear light (EXR, HDR); false: the material's use of the texture decides the color space
     std::vector<std::byte> bytes{};  ///< [height * row_bytes()]
     /// The file is marked as sRGB (PNG sRGB chunk, or gAMA of 45455): normal maps with this mark get a warning.
     bool is_tagged_srgb = false;
@@ -42,26 +43,30 @@ struct Pixels {
 /// creates it and sets `decode`, so that engines need no image library.
 struct EncodedImage {
     std::string name{};  ///< for people: "textures/body.png" or "image 3 'body' (embedded)"
-    std::string file{};  ///< its file (the model for embedded pictures), for messages
-    std::string path{};  ///< path of the encoded file, or empty if embedded
-    std::shared_ptr<const std::vector<std::byte>> bytes{};  ///< the encoded bytes when embedded, else null
-    std::string mime_type{};  ///< as declared by the file, may be empty; the content decides
-    /// Decodes. Reentrant.
-    /// @throws Error bad_file or not_found: broken, too large for the memory budget, not a picture.
+    std::string file{};  ///< for messages: the picture file; for embedded pictures the model file
+    std::string path{};  ///< path of the picture file; empty for embedded pictures
+    std::shared_ptr<const std::vector<std::byte>> bytes{};  ///< encoded bytes of an embedded picture, else null
+    std::string mime_type{};  ///< as declared by the model file; may be empty. Only the content decides the format
+    /// Decodes the picture. Reentrant.
+    /// @throws Error not_found; bad_file: broken, too large for the memory budget, or not a picture
     std::function<Pixels(const EncodedImage&, Context&)> decode{};
     std::string place{};  ///< for messages: where `file` names it ("line 9, column 18" of a world file), or empty
-    /// The result of decode() without pixel data, so that too large pictures are refused before decoding. Null: not
-    /// available. For separate files it reports the bytes read to the memory budget, and decode() does not. Call
-    /// decoded(), which calls both. Reentrant.
+    /// The result of decode() without pixel data, so that too large pictures are refused before they are decoded. Null:
+    /// not available. For picture files, this function reports the size of the file to the memory budget; decode() does
+    /// not. Use decoded(), which calls both functions. Reentrant.
     /// @throws Error as decode()
     std::function<Pixels(const EncodedImage&, Context&)> measure{};
 };
 /// A shared picture.
 using ImageHandle = std::shared_ptr<const EncodedImage>;
 
-/// Tone mapping from linear light to 0..1 of a display. `none` clamps. `reinhard`: Reinhard et al. 2002, "Photographic
-/// Tone Reproduction for Digital Images", eq. 3, on the luminance. `neutral`: Khronos PBR Neutral. `aces`: the fit of
-/// ACES by Hill. `agx`: AgX.
+/// Tone mapping from linear light to the range 0..1 of a display.
+/// - `none`: values are clamped.
+/// - `reinhard`: Reinhard et al. 2002, "Photographic Tone Reproduction for Digital Images", eq. 3, applied to
+///   luminance.
+/// - `neutral`: Khronos PBR Neutral.
+/// - `aces`: the ACES fit by Hill.
+/// - `agx`: AgX.
 enum class ToneMapping : std::uint8_t { none, reinhard, neutral, aces, agx };
 
 /// Exposure and tone mapping.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Attributes in and out of interleaved vertex buffers. The kernels read packed arrays, so these copy: a few bytes a vertex, little
-// beside the smoothing itself. compute_attributes() takes packed arrays as they are.
+// Attributes in and out of interleaved vertex buffers. compute_attributes() reads and writes packed arrays. The
+// functions of this header copy between packed arrays and interleaved buffers. A copy takes little time compared with
+// smoothing.
 #pragma once
 #include <cstddef>
 #include <cstring>
@@ -15,7 +16,7 @@ namespace rakelight {
 template <class Byte>
 struct InterleavedAttribute {
     std::span<Byte> buffer{};      ///< the whole buffer
-    std::size_t offset = 0;        ///< [bytes] of the first vertex's attribute in it
+    std::size_t offset = 0;        ///< [bytes] offset of the first vertex's attribute in the buffer
     std::size_t stride = 0;        ///< [bytes] from one vertex to the next; 0: packed, as in OpenGL
     std::size_t vertex_count = 0;  ///< vertices in the buffer
 
@@ -31,7 +32,7 @@ struct InterleavedAttribute {
 };
 
 /// A packed copy of an interleaved attribute.
-/// @return [vertex_count]; empty where the buffer does not hold all of them
+/// @return [vertex_count]; empty if the buffer does not hold the attributes of all vertices
 template <class T>
 std::vector<T> packed(const InterleavedAttribute<const std::byte>& from) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -43,8 +44,9 @@ std::vector<T> packed(const InterleavedAttribute<const std::byte>& from) {
 }
 
 /// Writes a packed attribute into an interleaved buffer. All other bytes of the buffer stay.
-/// @param values  [>= vertex_count]; those beyond it (vertices that were split) need a larger buffer first
-/// @return false where the buffer does not hold all of them or values are missing: then nothing is written
+/// @param values  [>= vertex_count]. Values beyond vertex_count are not written; for vertices that were split, enlarge
+///        the buffer first
+/// @return true: written. false: nothing was written, because the buffer or `values` has too few vertices
 template <class T>
 bool write_interleaved(std::span<const T> values, const InterleavedAttribute<std::byte>& to) {
     static_assert(std::is_trivially_copyable_v<T>);

@@ -9,7 +9,7 @@ namespace rakelight {
 /// Four joints of a vertex with their weights.
 struct JointInfluence {
     std::array<std::uint16_t, 4> joints{};  ///< into Skin::joints
-    std::array<float, 4> weights{};         ///< weights over all blocks of a vertex sum to 1, or all are 0
+    std::array<float, 4> weights{};         ///< all weights of a vertex (four or eight) sum to 1, or all are 0
     bool operator==(const JointInfluence&) const = default;
 };
 

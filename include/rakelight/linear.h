@@ -108,8 +108,8 @@ bool is_finite(Vector3<T> a) {
     return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
-/// Unit vector in the direction of `a`, without overflow or underflow for any finite length; `fallback` for zero and
-/// non-finite `a`.
+/// Unit vector in the direction of `a`, without overflow or underflow for any finite length. If `a` is zero or
+/// non-finite, the result is `fallback`.
 template <class T>
 Vector3<T> normalize_or(Vector3<T> a, Vector3<T> fallback) {
     const T largest = std::fmax(std::fmax(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
@@ -151,13 +151,13 @@ constexpr Matrix3<T> operator*(const Matrix3<T>& a, const Matrix3<T>& b) {
     return {{a * b[0], a * b[1], a * b[2]}};
 }
 
-/// An affine matrix (last row 0 0 0 1) times a point or a direction.
+/// An affine matrix (last row 0 0 0 1) times a point.
 template <class T>
 constexpr Vector3<T> transform_point(const Matrix4<T>& m, Vector3<T> p) {
     return {m[0].x * p.x + m[1].x * p.y + m[2].x * p.z + m[3].x, m[0].y * p.x + m[1].y * p.y + m[2].y * p.z + m[3].y,
             m[0].z * p.x + m[1].z * p.y + m[2].z * p.z + m[3].z};
 }
-/// Ignores the translation.
+/// An affine matrix times a direction: without the translation.
 template <class T>
 constexpr Vector3<T> transform_direction(const Matrix4<T>& m, Vector3<T> d) {
     return {m[0].x * d.x + m[1].x * d.y + m[2].x * d.z, m[0].y * d.x + m[1].y * d.y + m[2].y * d.z,
@@ -169,14 +169,14 @@ template <class T>
 constexpr Matrix3<T> upper_left(const Matrix4<T>& m) {
     return {{m[0].xyz(), m[1].xyz(), m[2].xyz()}};
 }
-/// Negative for mirroring matrices.
+/// The determinant. It is negative for mirroring matrices.
 template <class T>
 constexpr T determinant(const Matrix3<T>& m) {
     return dot(m[0], cross(m[1], m[2]));
 }
 
-/// Cofactor matrix: the inverse transpose times the determinant. Transforms normals for any determinant; for mirroring
-/// m with flipped winding, normals still point outward.
+/// Cofactor matrix: the inverse transpose times the determinant. It transforms normals, also for a singular m:
+/// cofactor(m) * cross(a, b) == cross(m * a, m * b). If m mirrors, negate the result to keep normals outward.
 template <class T>
 constexpr Matrix3<T> cofactor(const Matrix3<T>& m) {
     return {{cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])}};
@@ -201,19 +201,25 @@ constexpr Matrix4<T> scaling(Vector3<T> s) {
     return {{{s.x, 0, 0, 0}, {0, s.y, 0, 0}, {0, 0, s.z, 0}, {0, 0, 0, 1}}};
 }
 
-/// Translation * rotation * scale. The quaternion is normalized; zero is the identity.
+/// Translation * rotation * scale. The quaternion is normalized; a zero quaternion is the identity.
 RL_API dmat4 compose(dvec3 translation, dquat rotation, dvec3 scale);
 
-/// Inverse of an affine matrix; returns false and leaves `out` unchanged if it is singular.
+/// Inverse of an affine matrix. If the matrix is singular, returns false and leaves `out` unchanged.
 RL_API bool inverse_affine(const dmat4& m, dmat4& out);
 
-/// Camera to world: at `eye`, looking at `target` along -Z. If the target is at the eye, or `up` is parallel to the
-/// view, a fixed direction is used instead, so the result is always a rigid transform.
+/// The transform from camera space to world space, for a camera at `eye` that looks at `target` along its -Z axis. If
+/// the target is at the eye, or `up` is parallel to the view direction, a fixed direction is used instead. So the
+/// result is always a rigid transform.
 RL_API dmat4 look_at(dvec3 eye, dvec3 target, dvec3 up);
 
-/// Clip space with -w <= x, y, z <= w, camera looking along -Z. `z_far` may be infinity. z_near > 0, fov in (0, pi), aspect = width / height.
+/// Perspective projection to clip space, -w <= x, y, z <= w. The camera looks along -Z.
+/// @param vertical_fov_rad  0..pi, both exclusive
+/// @param aspect  width / height
+/// @param z_near  > 0
+/// @param z_far  may be infinity
 RL_API dmat4 perspective(double vertical_fov_rad, double aspect, double z_near, double z_far);
-/// The same for orthographic projection; half_height > 0 is half of the visible height.
+/// Orthographic projection to clip space.
+/// @param half_height  > 0: half of the visible height
 RL_API dmat4 orthographic(double half_height, double aspect, double z_near, double z_far);
 
 }  // namespace rakelight

@@ -12,7 +12,7 @@
 
 namespace rakelight {
 
-/// A file in memory: load() reads its bytes in place of a file with its name.
+/// A file in memory. If load() opens a file of this name, it reads these bytes instead.
 struct MemoryFile {
     std::string name{};  ///< its ending selects the format; references are relative to its folder
     std::shared_ptr<const std::vector<std::byte>> bytes{};  ///< the whole file
@@ -23,23 +23,24 @@ struct MemoryFile {
 struct LoadOptions {
     bool allow_outside = false;  ///< references may leave the model's folder tree
     std::vector<MemoryFile> memory_files{};
-    /// More inputs as for load(), merged into the same scene with their own coordinates. They apply when load() reads
-    /// `path`, but not when it reads these inputs.
+    /// Paths of further inputs. load() merges them into the scene of `path`. Each input keeps its coordinates.
     std::vector<std::string> joined{};
-    /// Overridden settings in [render] of a world file, such as "camera-index": what they refer to need not exist.
+    /// Keys in [render] of a world file that the caller overrides, such as "camera-index". What these settings of the
+    /// file refer to need not exist.
     std::vector<std::string> overridden{};
     bool operator==(const LoadOptions&) const = default;
 };
 
-/// Loads a model file, a world file, or one of builtin:teapot, sphere, cylinder, cone, torus, plane, with parameters as
-/// in shape_of_words(). Changed, guessed and dropped data is listed in context.report().
+/// Loads a model file, a world file or a built-in shape. Built-in shapes are "builtin:teapot", "builtin:sphere" and so
+/// on, with parameters as in shape_of_words(). context.report() lists changed, guessed and dropped data.
 /// @throws Error not_found, bad_file
 RL_API Scene load(const std::string& path, const LoadOptions& options, Context& context);
 
 /// The same for a file in memory.
 /// @param bytes  the whole file
-/// @param path its name: the ending selects the format, references are relative to its folder (default: the working
-///         folder), and messages use it
+/// @param path  name of the file for messages. Its ending selects the format. References in the file are relative to
+///         the
+///        folder of this path; without a folder, to the working folder
 /// @throws Error not_found: a referenced file; bad_file; failed: no space for the temporary file of the import helper
 RL_API Scene load(std::vector<std::byte> bytes, const std::string& path, const LoadOptions& options, Context& context);
 

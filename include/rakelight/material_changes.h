@@ -14,8 +14,8 @@ namespace rakelight {
 
 /// Selects materials of a scene.
 struct MaterialTarget {
-    std::string name{};             ///< of the material; "*": all; "default": the material of meshes without one
-    std::uint32_t node = no_index;  ///< only the materials of this object; no_index: of all objects
+    std::string name{};  ///< name of a material; "*": all materials; "default": the material of meshes without one
+    std::uint32_t node = no_index;  ///< only the materials of this object; no_index: the materials of all objects
     bool operator==(const MaterialTarget&) const = default;
 };
 
@@ -25,9 +25,10 @@ struct MaterialChanges {
     std::vector<WorldValue> values{};
 };
 
-/// The scene with keys of [[material]] set as in a world file. Changes of all objects are applied first. Changes of
-/// single objects follow; these objects get new materials and meshes at the end of the tables.
-/// @throws Error usage; bad_file: see validate(); not_found, bad_file: a picture
+/// The scene with keys of [[material]] set as in a world file. Changes for all objects are applied first, then changes
+/// for single objects. For a change of a single object, new materials and meshes are added at the end of the scene's
+/// tables.
+/// @throws Error usage; bad_file: an invalid scene (see validate()); not_found, bad_file: a picture
 RL_API Scene with_material_changes(Scene scene, std::span<const MaterialChanges> changes, Context& context);
 
 /// The same for all materials of a name.

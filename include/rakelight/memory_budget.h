@@ -10,20 +10,20 @@
 
 namespace rakelight {
 
-/// The budget: 2 GiB, or 64 bytes per byte read if that is more, or the user's limit. Thread-safe.
+/// The budget. Its default limit is 2 GiB, or 64 times the bytes read from files if that is more. Thread-safe.
 class RL_API MemoryBudget {
 public:
-    explicit MemoryBudget(std::uint64_t max_bytes = 0);  ///< @param max_bytes  [bytes]; 0: the default above
+    explicit MemoryBudget(std::uint64_t max_bytes = 0);  ///< @param max_bytes  [bytes] limit; 0: the default limit
     MemoryBudget(const MemoryBudget&) = delete;
     MemoryBudget& operator=(const MemoryBudget&) = delete;
 
-    /// Records bytes read from files; this raises the limit until all charges have ended. For bytes that are charged
-    /// themselves, MemoryCharge::of_file() does both.
+    /// Records bytes read from files. They raise the default limit until all charges have ended. If the bytes stay in
+    /// memory and must be charged, use MemoryCharge::of_file() instead.
     void note_read(std::uint64_t bytes) noexcept;
-    /// Checks that `bytes` are available now, without charging them: for short-lived buffers.
-    /// @throws Error bad_file, as MemoryCharge
+    /// Checks that `bytes` are available now, without a charge. For short-lived buffers.
+    /// @throws Error bad_file, as the constructor of MemoryCharge
     void check(std::uint64_t bytes, std::string_view what) const;
-    std::uint64_t charged() const noexcept;  ///< [bytes] of all live charges
+    std::uint64_t charged() const noexcept;  ///< [bytes] sum of all live charges
     std::uint64_t limit() const noexcept;    ///< [bytes] current limit
     /// Number of refused charges and checks.
     std::uint64_t refusals() const noexcept;
@@ -34,25 +34,24 @@ private:
     std::shared_ptr<Account> account_;
 };
 
-/// An RAII charge of bytes. Store it next to the memory that it accounts for, so that both end together. It may outlive
-/// the budget. The default is empty.
+/// An RAII charge of bytes. Store the charge next to its memory, so that both end together. A charge may outlive the
+/// budget. The default is empty.
 class RL_API MemoryCharge {
 public:
     MemoryCharge() = default;
     /// An empty charge that may grow.
     explicit MemoryCharge(MemoryBudget& budget) : account_(budget.account_) {}
-    /// Create it before an allocation whose size comes from a file.
-    /// @throws Error bad_file "WHAT: N bytes beside U in use, more than the limit of M". Nothing is charged in that
-    ///         case.
+    /// Charges `bytes`. Create the charge before an allocation whose size comes from a file.
+    /// @throws Error bad_file "WHAT: N bytes beside U in use, more than the limit of M". Then nothing is charged.
     MemoryCharge(MemoryBudget& budget, std::uint64_t bytes, std::string_view what);
-    /// The charge of bytes read from a file; they raise the limit first.
+    /// A charge for bytes read from a file. First the bytes raise the limit, as with MemoryBudget::note_read().
     /// @throws Error bad_file, as the constructor
     static MemoryCharge of_file(MemoryBudget& budget, std::uint64_t bytes, std::string_view what);
     MemoryCharge(MemoryCharge&& from) noexcept;
     MemoryCharge& operator=(MemoryCharge&& from) noexcept;
     ~MemoryCharge();
 
-    /// Adds bytes; thread-safe, like shrink(). Requires a charge with a budget.
+    /// Adds bytes. The charge must have a budget. grow() and shrink() are thread-safe.
     /// @throws Error bad_file, as the constructor; the charge is then unchanged
     void grow(std::uint64_t bytes, std::string_view what);
     /// Releases bytes, at most all.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Animation: scenes at a moment of their clips. For skinning and morphing of vertices see posed_scene() in
+// Animation: the scene at a given time of its clips. For skinning and morphing of vertices see posed_scene() in
 // <rakelight/prepare.h>.
 #pragma once
 #include <cstdint>
@@ -14,27 +14,29 @@ namespace rakelight {
 /// A moment of a clip.
 struct ClipTime {
     std::uint32_t animation = 0;  ///< into Scene::animations
-    double time_s = 0;            ///< [s] finite; clamped to the first and last key of each channel
+    double time_s = 0;            ///< [s] finite; each channel clamps it to the times of its first and last key
     bool operator==(const ClipTime&) const = default;
 };
 
-/// The time range of a clip; 0 to 0 without keys.
+/// The time range of a clip. Without keys both times are 0.
 struct ClipSpan {
     double begin_s = 0, end_s = 0;  ///< [s]
-    /// [s]
+    /// [s] duration
     double length() const { return end_s - begin_s; }
 };
 /// The time range from the first to the last key of all channels.
 RL_API ClipSpan clip_span(const Animation& animation);
 
-/// The scene at a moment of its clips: Scene::pose gets the transforms and morph weights, and properties of materials,
-/// lights and cameras are replaced. Without clips: the scene as in its file. Interpolation as in glTF 2.0, appendix C:
-/// step, linear (rotations along the shorter arc), cubic Hermite splines. If several clips animate one property, the
-/// last one applies. Meshes are shared; the cost depends on the channels only.
+/// The scene at a moment of its clips. Scene::pose gets the transforms and morph weights. Animated properties of
+/// materials, lights and cameras are replaced. If `clips` is empty, the result is the scene as in its file.
+/// Interpolation as in glTF 2.0, appendix C: step, linear (rotations along the shorter arc), or cubic Hermite splines.
+/// If several clips animate one property, the last clip applies. Meshes are shared; the cost depends on the number of
+/// channels only.
 /// @throws Error usage: no such clip, a non-finite time; bad_file: see validate()
 RL_API Scene scene_at(Scene scene, std::span<const ClipTime> clips);
 
-/// The clip of a world file's keys, the last one of its scene. It has Animation::plays_always.
+/// The name of the clip that holds the keyframes of a world file. It is the last clip of the scene, and has
+/// Animation::plays_always.
 inline constexpr std::string_view world_clip_name = "world";
 
 /// A property of materials, lights or cameras that can be animated.

@@ -16,14 +16,15 @@
 
 namespace rakelight {
 
-/// The camera for a picture of `aspect` = width / height, placed in world space, with near and far planes around the
-/// model. A camera of the file with another aspect is widened until its whole field of view is in the picture. A camera
-/// of the file that sees nothing of the model's bounding box is replaced by a fitted one, with a warning.
+/// The camera for a picture of `aspect` = width / height. It is placed in world space, with near and far planes around
+/// the model. If a camera of the file has another aspect, its field of view is widened until the picture contains the
+/// original field of view. If the model's bounding box is outside of the view of that camera, a fitted camera replaces
+/// it, with a warning.
 /// @throws Error usage: no such side or camera, impossible angle or position; bad_file "nothing to draw".
 RL_API Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context);
 
-/// The values at the ends of the gray and color scales of PNG channels. They come from the model's whole bounding box,
-/// so that windows of one picture match.
+/// The values at the ends of the gray and color scales in PNG files of channels. They are computed from the whole
+/// bounding box of the model. So they are equal for all windows of one picture.
 struct ChannelRange {
     double depth_low = 0, depth_high = 0;  ///< [m] along the view axis, clipped to the camera's near and far
     dvec3 low{}, high{};                   ///< [m] world
@@ -31,37 +32,39 @@ struct ChannelRange {
 
 /// The result of one PictureRequest.
 struct PictureResult {
-    std::string file{}, output{};  ///< the model; the written picture
-    std::vector<std::string>
-        channel_files{};           ///< EXR files in the order of the Channel bits, the file of layers, PNG files
-    ChannelRange channel_range{};  ///< of PNG channels
-    int width = 0, height = 0;     ///< [px] of the file
-    std::uint64_t triangles = 0, objects = 0;  ///< drawn; each instance counts
+    std::string file{}, output{};  ///< names of the model file and of the written picture
+    /// The files of data channels: first the EXR files in the order of the Channel bits, then the file of layers, then
+    /// the PNG files.
+    std::vector<std::string> channel_files{};
+    ChannelRange channel_range{};              ///< for the PNG files of channels
+    int width = 0, height = 0;                 ///< [px] of the picture file
+    std::uint64_t triangles = 0, objects = 0;  ///< numbers of drawn triangles and objects; each instance counts
     std::string engine{}, isa{};               ///< `isa` is empty for engines that do not select an instruction set
     int threads = 0;                           ///< worker threads
     double load_ms = 0, prepare_ms = 0, render_ms = 0, write_ms = 0;  ///< [ms] wall clock
     RenderStats stats{};
-    /// Of 8-bit pictures: pixels whose red, green and blue are all 0, or all 255, including the background.
+    /// For 8-bit pictures: number of pixels with red, green and blue all 0 (black) or all 255 (white), background
+    /// included.
     std::uint64_t black_pixels = 0, white_pixels = 0;
-    double done = 1;  ///< 0..1 share of finished pixels; less than 1: cancelled (PictureRequest::keep_partial)
+    double done = 1;  ///< 0..1: share of finished pixels; less than 1 if cancelled (PictureRequest::keep_partial)
 };
 
-/// Draws a picture and writes it with its channel files. Memory: a strip of rows of at most 64 MiB, or 64 rows, besides
-/// the engine's own. Either all files appear complete, or none. Remarks go to context.report().
-/// @throws Error usage, not_found, bad_file, failed; errors about the model carry its file name.
+/// Draws a picture and writes it with its channel files. Besides the memory of the engine it needs memory for a strip
+/// of the picture: at most 64 MiB, or 64 rows if these are larger. Either all files appear complete, or none. Remarks
+/// go to context.report().
+/// @throws Error usage, not_found, bad_file, failed; errors about the model have its file name
 RL_API PictureResult render_picture(const PictureRequest& request, Context& context);
-/// The same for a scene in memory; `request.input` is its name in the result.
-/// @throws Error as above; bad_file: see
-/// validate()
+/// The same for a scene in memory. The result calls it `request.input`.
+/// @throws Error as above; bad_file: an invalid scene (see validate())
 RL_API PictureResult render_picture(const Scene& scene, const PictureRequest& request, Context& context);
 
-/// The same into memory: `file` gets the bytes of the picture file, in the format of the ending of `request.output`.
-/// Nothing is written.
-/// @throws Error as above; usage: data channels in files of their own
+/// The same, but nothing is written to disk. `file` gets the bytes of the picture file. Its format follows from the
+/// ending of `request.output`.
+/// @throws Error as above; usage: the request has data channels in files of their own
 RL_API PictureResult render_picture(const PictureRequest& request, std::vector<std::byte>& file, Context& context);
 
-/// Only the color, in memory: the pixels of the PNG file, RGB, or RGBA where background.w < 1. `request.output` and the
-/// data channels are ignored.
+/// The same, but only the color, in memory. `color` gets the pixels of the PNG file: RGB, or RGBA if background.w < 1.
+/// `request.output` and the data channels are ignored.
 /// @throws Error as above
 RL_API PictureResult render_picture(const PictureRequest& request, Pixels& color, Context& context);
 
@@ -69,10 +72,10 @@ RL_API PictureResult render_picture(const PictureRequest& request, Pixels& color
 RL_API vec3 linear_from_srgb(vec3 s);
 
 /// Checks a request before anything is loaded: ending, size, window, engine, missing output folder. render_picture()
-/// calls it; callers with many pictures call it for all of them before they draw the first.
+/// calls this function. If you draw many pictures, check all requests before you draw the first picture.
 /// @throws Error usage or failed
 RL_API void check_request(const PictureRequest& request);
-/// The same for a picture that stays in memory.
+/// The same for a picture that stays in memory: does not check the output.
 RL_API void check_drawing(const PictureRequest& request);
 
 }  // namespace rakelight

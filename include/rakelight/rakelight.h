@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole library in one include. Headers for the project's own programs are in rakelight/tools/. Reading order:
-// render.h (the facade), load.h, scene.h (the data), engine.h (settings, frame), session.h (many pictures), request.h
-// and picture.h (files, worlds, cameras), linear.h, scene_queries.h.
+// The whole library in one include. Headers for the project's own programs are in rakelight/tools/.
+// Reading order: render.h (the facade), load.h, scene.h (the data), engine.h (settings, frame), session.h (many
+// pictures), request.h and picture.h (files, worlds, cameras), linear.h, scene_queries.h.
 #pragma once
 #include <rakelight/attributes.h>
 #include <rakelight/bake.h>

@@ -9,8 +9,8 @@
 
 namespace rakelight {
 
-/// Like std::optional, but stored on the heap: an unset value has the size of a pointer. For large members that most
-/// objects do not have. Copies are deep.
+/// Like std::optional, but the value is on the heap, so an unset value needs only a pointer. For large members that
+/// most objects do not have. Copies are deep.
 template <class T>
 class Rare {
 public:
@@ -39,7 +39,7 @@ private:
     std::unique_ptr<T> value_;
 };
 
-/// A vector that is nearly always empty and then has the size of a pointer.
+/// A vector for lists that are nearly always empty. An empty list needs only a pointer.
 template <class T>
 class RareList {
 public:

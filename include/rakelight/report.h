@@ -11,8 +11,8 @@
 
 namespace rakelight {
 
-/// The kind of a remark. `changed`, `guessed` and `dropped` are about the model's data. Programs print these and
-/// `warning` always, and `note` only when asked (--verbose).
+/// The kind of a remark. `changed`, `guessed` and `dropped` are about the model's data. The programs print notes only
+/// with --verbose, and all other remarks always.
 enum class Remark { note, changed, guessed, dropped, warning };
 
 /// The name of a remark in JSON: "note", "changed", "guessed", "dropped", "warning".
@@ -22,16 +22,16 @@ RL_API const char* name_of(Remark remark) noexcept;
 struct ReportEntry {
     Remark remark = Remark::note;
     std::string file{};       ///< as the caller named it; may be empty
-    std::string place{};      ///< "mesh 3 'body'", "line 12"; that of the first occurrence
+    std::string place{};      ///< place of the first occurrence: "mesh 3 'body'", "line 12"
     std::string message{};    ///< one sentence without a full stop
-    std::uint64_t count = 1;  ///< how often the same remark was made for the same file
+    std::uint64_t count = 1;  ///< number of equal remarks
     /// Settings that `message` quotes, as keys of [render] in world files: "normal-map-green".
     std::vector<std::string> settings{};
 };
 
-/// Collects remarks. Thread-safe. Equal remarks (kind, file, message) are stored once and counted. At most 1000
-/// distinct notes and 1000 others are kept and the rest only counted, so a hostile file cannot fill memory with
-/// warnings. Entries are in the order of their first occurrence.
+/// Collects remarks. Thread-safe. Two remarks are equal if kind, file and message are equal. Equal remarks are stored
+/// once and counted. At most 1000 distinct notes and 1000 other remarks are stored, so that a hostile file cannot fill
+/// the memory with warnings. Further remarks are only counted. Entries are in the order of their first occurrence.
 class RL_API Report {
 public:
     /// Adds a remark, or counts it if an equal one is stored.
@@ -39,8 +39,8 @@ public:
              std::vector<std::string> settings = {});
     /// A copy of the remarks so far.
     std::vector<ReportEntry> entries() const;
-    std::uint64_t left_out() const;        ///< remarks beyond the first 1000 distinct ones of notes, and of others
-    std::uint64_t notes_left_out() const;  ///< the notes among left_out()
+    std::uint64_t left_out() const;        ///< number of remarks that were not stored
+    std::uint64_t notes_left_out() const;  ///< number of notes that were not stored
     /// Removes all remarks.
     void clear();
 

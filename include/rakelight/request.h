@@ -24,28 +24,32 @@ namespace rakelight {
 /// The camera of a picture; all members are optional. By default the first camera of the file is used, or a camera
 /// fitted to the model's bounding box if the file has none.
 struct ViewRequest {
-    /// "front", "back", "left", "right", "top", "bottom", "isometric", "default"; "file": its first camera; or empty.
+    /// "front", "back", "left", "right", "top", "bottom", "isometric", "default", or empty. "file" is the first camera
+    /// of the file.
     std::string side{};
     std::string camera{};                ///< index (from 0) or name of a camera of the file, or empty
     std::optional<dvec3> position{};     ///< [m] world
     std::optional<dvec3> focal_point{};  ///< [m] world; what the camera looks at
-    std::optional<dvec3> up{};           ///< up vector of the picture, any length; default: the world's
+    std::optional<dvec3> up{};           ///< up vector of the picture, any length; default: `world_up`
     /// The world's up direction, any length, default +Y. Sides, the environment and the picture's default up vector
     /// rotate with it. If only `up` is given, fitted views rotate with `up`.
     std::optional<dvec3> world_up{};
     /// View direction of a fitted view in world space, any length; replaces the side.
     std::optional<dvec3> direction{};
-    /// Orbit about the focal point, applied last: to the right about the world's up direction, then upward.
+    /// The camera orbits its focal point by these angles, after all other members are applied. It first moves to the
+    /// right about the world's up direction by `azimuth_rad`, then upward by `elevation_rad`.
     std::optional<double> azimuth_rad{}, elevation_rad{};
-    std::optional<double> zoom_factor{};  ///< > 0; share of the picture's smaller side filled by the model; default 0.9
+    /// > 0; default 0.9: the share of the picture's smaller side that the model fills.
+    std::optional<double> zoom_factor{};
     std::optional<double> vertical_fov_rad{};  ///< 0..pi, both exclusive
-    /// 0..pi, both exclusive. Alone: the vertical one follows, with square pixels. With the vertical one: pixels may be
-    /// non-square.
+    /// 0..pi, both exclusive. If only the horizontal angle is given, pixels are square, and the vertical angle follows
+    /// from it. If both angles are given, pixels may be non-square.
     std::optional<double> horizontal_fov_rad{};
-    /// [m] > 0, z_near < z_far: the clip planes. Absent: the camera's own, or around the model for fitted and placed
-    /// cameras.
+    /// [m] > 0, z_near < z_far: the clip planes. If absent, cameras of the file keep their own clip planes. Fitted and
+    /// placed cameras get clip planes around the model.
     std::optional<double> z_near{}, z_far{};
-    bool orthographic = false;  ///< orthographic projection with the extent of the perspective one at the focal point
+    /// Orthographic projection. Its extent is that of the perspective projection at the focal point.
+    bool orthographic = false;
 
     /// Whether a member defines the camera's placement or field of view.
     bool is_placed() const {
@@ -57,10 +61,10 @@ struct ViewRequest {
     bool operator==(const ViewRequest&) const = default;
 };
 
-/// Overrides applied to every material; textures use texture coordinate set 0.
+/// Overrides for every material of a scene. The textures use set 0 of the texture coordinates.
 struct MaterialOverrides {
     std::string base_color{}, normal{}, height{};  ///< picture files; empty: the model's own
-    std::optional<double> normal_scale{};          ///< of all normal maps
+    std::optional<double> normal_scale{};          ///< Material::normal_scale
     std::optional<bool> green_down{};              ///< Material::green_down
     std::optional<bool> centered_normals{};        ///< Material::centered_normals
     std::optional<vec3> color{};                   ///< linear; base color factor
@@ -81,7 +85,7 @@ RL_API Scene override_materials(const Scene& scene, const MaterialOverrides& ove
 /// Unlit coloring by a custom vertex attribute (Mesh::arrays).
 struct Coloring {
     bool is_on = false;              ///< false: material colors
-    std::string array{};             ///< its name; empty: the first one
+    std::string array{};             ///< name of the attribute; empty: the first attribute
     std::optional<int> component{};  ///< from 0; absent: the magnitude over all components
     std::optional<dvec2> range{};    ///< values at the ends of the color map, x <= y; absent: minimum and maximum
     ColorMap map = ColorMap::viridis;
@@ -89,30 +93,34 @@ struct Coloring {
     bool operator==(const Coloring&) const = default;
 };
 
-/// The scene in these colors, which replace materials and vertex colors; vertices without the attribute are gray.
+/// The scene colored by a vertex attribute. The colors replace materials and vertex colors. Vertices without the
+/// attribute are gray.
 /// @throws Error usage: no such attribute or component; the message lists the available ones
 RL_API Scene color_by_array(Scene scene, const Coloring& coloring, Context& context);
 
 /// Which clips of a scene are shown, and their time. By default nodes have the transforms of the file.
 struct MotionRequest {
-    std::optional<int> index{};      ///< into Scene::animations; -1: all; absent: by `name`, else the first
-    std::string name{};              ///< of a clip; empty: by `index`
-    std::optional<double> time_s{};  ///< [s] absent: the begin of the clip
-    bool autoplay = false;           ///< the viewer starts playing; a picture shows the clip
+    std::optional<int> index{};      ///< into Scene::animations; -1: all clips; absent: the clip `name`, or the first
+    std::string name{};              ///< of a clip; empty: the clip `index`
+    std::optional<double> time_s{};  ///< [s] absent: the start of the clip
+    bool autoplay = false;           ///< the viewer plays the clip at once; a picture shows the clip
     /// Whether any member is set.
     bool is_set() const { return index || !name.empty() || time_s || autoplay; }
     bool operator==(const MotionRequest&) const = default;
 };
 
-/// The requested clips of a scene with their times, and the clips with Animation::plays_always at the same time. Empty:
-/// none requested.
-/// @throws Error usage: no such clip; the message lists them
+/// The requested clips of a scene with their times. Clips with Animation::plays_always are added at the same time. The
+/// result is empty if no clip is requested.
+/// @throws Error usage: no such clip; the message lists the clips of the scene
 RL_API std::vector<ClipTime> clips_of(const Scene& scene, const MotionRequest& motion);
 
-/// How data channels are written, as bits. `exr`: one file per channel, NAME.depth.exr, with 32-bit floats in Y, R G, R G
-/// B or R G B A. Indices are floats there (exact up to 2^24), -1 for none. `layers`: one file with the layers depth.Z,
-/// normal.X ... next to R, G, B in the .exr output, else in NAME.channels.exr; indices are UINT. `png`: one viewable picture
-/// per channel, NAME.depth.png.
+/// How data channels are written, as bits.
+/// - `exr`: one EXR file of 32-bit floats per data channel: NAME.depth.exr. One component is stored as the EXR channel
+///   Y, two as R and G, three as R, G and B, four as R, G, B and A. Indices are converted to floats, exact up to 2^24;
+///   no_index is -1.
+/// - `layers`: all data channels as layers of one EXR file, with EXR channels such as depth.Z and normal.X. The file is
+///   the output itself if its name ends with .exr; else it is NAME.channels.exr. Indices have the EXR type UINT.
+/// - `png`: one picture for viewing per data channel: NAME.depth.png.
 enum ChannelFiles : std::uint32_t {
     channel_files_exr = 1u << 0,
     channel_files_layers = 1u << 1,
@@ -125,8 +133,8 @@ RL_API std::uint32_t channels_by_name(std::string_view name);
 
 /// Defaults of settings that are not given: docs/default-look.md.
 enum class Look : std::uint8_t {
-    plain,    ///< the values of the members
-    standard  ///< apply_look() sets what neither the file nor PictureRequest::given_keys sets
+    plain,    ///< settings keep the values of their members
+    standard  ///< apply_look() chooses settings that neither the file nor PictureRequest::given_keys gives
 };
 
 /// Predefined combinations of settings: docs/shading.md.
@@ -136,7 +144,8 @@ enum class Preset : std::uint8_t {
 };
 /// Whether a preset sets this key of [render]. Explicitly given keys override the preset.
 RL_API bool is_preset_key(std::string_view key);
-/// Whether settings contain a preset. As an override it replaces these keys of a world file.
+/// Whether settings contain the key "preset". If such settings override those of a world file, all keys of
+/// is_preset_key() in the file are ignored.
 RL_API bool sets_preset(std::span<const WorldValue> settings);
 
 /// Overlays drawn over the finished picture: docs/overlays.md.
@@ -152,7 +161,7 @@ struct Overlays {
 
 /// The description of one picture.
 struct PictureRequest {
-    std::string input{};          ///< model file, or builtin:teapot, sphere, cylinder, cone, torus, plane
+    std::string input{};          ///< model file, world file or built-in shape, as for load()
     std::string output{};         ///< ending .png, .jpg, .webp, .ppm (sRGB, 8 bit), .exr or .hdr (linear)
     std::string engine = "soft";  ///< name for make_engine()
     LoadOptions load{};
@@ -161,67 +170,76 @@ struct PictureRequest {
     MotionRequest motion{};
     PrepareOptions prepare{};
     ViewRequest view{};
-    std::optional<std::vector<Light>>
-        lights{};  ///< replace all lights; absent: the file's, or the default rig if neither lights nor an environment light the scene
-    bool default_lights = false;  ///< use the default rig even if the file has lights; `lights` overrides it
-    bool studio_lights = false;   ///< the built-in studio and a key light replace all lights; `lights` overrides it
+    /// If present, these lights replace all others. If absent, the picture has the lights of the file. If the file has
+    /// neither lights nor an environment that lights the scene, the picture has the default light rig.
+    std::optional<std::vector<Light>> lights{};
+    bool default_lights = false;  ///< use the default rig even if the file has lights; `lights` overrides this
+    bool studio_lights = false;   ///< the built-in studio and a key light replace all lights; `lights` overrides this
     Look look = Look::plain;
-    /// Also restricts materials and lights. Reading the key "preset" sets the keys of is_preset_key().
+    /// A preset restricts materials and lights (docs/shading.md). It also sets the members of the keys for which
+    /// is_preset_key() is true, but only when the key "preset" is read by read_render_keys().
     Preset preset = Preset::none;
-    std::vector<std::string> given_keys{};  ///< explicitly given keys of [render], which look and preset do not change
+    std::vector<std::string> given_keys{};  ///< keys of [render] whose settings `look` and `preset` must not change
     double light_intensity = 1;             ///< >= 0; multiplies every light
-    /// [radiance of a white Lambert surface facing the light] 0..1: point and spot lights without a range get one that
-    /// ends where their light falls below this value. No surface loses more than this from a light. 0: off.
+    /// 0..1; 0: off. Limits the range of point and spot lights that have no range. The limit is the distance at which
+    /// the radiance of a white Lambert surface that faces the light falls below this value. So a surface loses at most
+    /// this radiance per light.
     double light_cutoff = 0;
-    std::optional<Fog> fog{};  ///< replaces the scene's
+    std::optional<Fog> fog{};  ///< replaces Scene::fog
     Overlays overlays{};
-    ToneSettings tone{};      ///< for 8-bit pictures; EXR and HDR stay linear
-    std::string hdri_file{};  ///< equirectangular picture that replaces the scene's environment; empty: none
-    /// Whether the environment (without a file: the scene's, else the built-in studio) lights the scene, and whether it
-    /// is the background. Absent: as in the scene, else off.
+    ToneSettings tone{};  ///< for 8-bit pictures; EXR and HDR stay linear
+    /// Equirectangular picture that replaces the picture of the scene's environment. Empty: the scene's environment, or
+    /// the built-in studio if the scene has none.
+    std::string hdri_file{};
+    /// `hdri_ambient`: whether the environment lights the scene. `hdri_skybox`: whether it is the background. Absent:
+    /// as in the scene; off if the scene has no environment.
     std::optional<bool> hdri_ambient{}, hdri_skybox{};
-    std::optional<double> hdri_intensity{};     ///< >= 0; replaces the scene's Environment::intensity
-    std::optional<double> hdri_rotation_rad{};  ///< about +Y, replaces the scene's
-    RenderSettings
-        settings{};  ///< channels are written by `channel_files`; with a window the picture has the window's size; alpha is written if background.w < 1
+    std::optional<double> hdri_intensity{};     ///< >= 0; replaces Environment::intensity of the scene
+    std::optional<double> hdri_rotation_rad{};  ///< about +Y; replaces Environment::rotation_rad of the scene
+    /// Data channels are written as `channel_files` says. With a window, the picture has the size of the window. Alpha
+    /// is written if background.w < 1.
+    RenderSettings settings{};
     std::uint32_t channel_files = channel_files_exr;  ///< ChannelFiles bits
-    /// Write cancelled pictures with the finished pixels, the rest in the background's color; false: write nothing.
+    /// true: a cancelled picture is written; its unfinished pixels have the background's color. false: it is not
+    /// written.
     bool keep_partial = false;
-    bool half_colors =
-        false;  ///< colors in EXR files, including color channels, as 16-bit halves; data stays at 32 bits
+    /// EXR files store colors, including the color channels, as 16-bit halves. All other data stays at 32 bits.
+    bool half_colors = false;
     /// Whether anything is drawn over the finished picture.
     bool has_overlays() const { return overlays.any() || (coloring.is_on && coloring.has_bar); }
     bool operator==(const PictureRequest&) const = default;
 };
 
-/// Whether settings define the shading of the whole picture. As overrides they disable the shading of materials and
-/// parts of a world (RenderSettings::material_shading).
+/// Whether settings define the shading of the whole picture. If such settings override those of a world file, the
+/// shading of its materials and parts is ignored (RenderSettings::material_shading).
 RL_API bool sets_shading(std::span<const WorldValue> settings);
 
 /// Settings that override those of a world file.
 struct RenderOverrides {
-    /// Each overrides the same key in the file; a camera placement overrides all camera placements.
+    /// Each value overrides the same key in the file. A value that places the camera overrides all keys of the file
+    /// that place the camera.
     std::vector<WorldValue> values{};
-    /// Whether to use a setting of the file; empty: use all. Errors thrown by it get the place in the file.
+    /// Whether to use a setting of the file; empty: use all settings. If this function throws an Error, the error gets
+    /// the line and column of the setting.
     std::function<bool(std::string_view key)> accepts{};
 };
 
 /// The picture of a world file, and its settings.
 struct WorldRequest {
-    PictureRequest picture{};           ///< LoadOptions::overridden lists the overridden keys
+    PictureRequest picture{};           ///< picture.load.overridden lists the overridden keys
     std::vector<WorldValue> applied{};  ///< applied settings of the file's [render], with resolved file names
 };
 
 /// Reads [render] of a world file and applies `overrides`. File names are relative to the world's folder. The caller
 /// sets the output.
-/// @throws Error not_found, bad_file: with the file, line and column of what is wrong; usage: an override is invalid or
+/// @throws Error not_found; bad_file, with the file, line and column of the fault; usage: an override is invalid or
 ///         conflicts with a setting of the file
 RL_API WorldRequest read_world_request(const std::string& path, const LoadOptions& options,
                                        const RenderOverrides& overrides, Context& context);
 /// The same without overrides.
 RL_API PictureRequest request_of_world(const std::string& path, const LoadOptions& options, Context& context);
 
-/// The error with its place in the file if it is about a setting of the file; else unchanged.
+/// The error with the line and column of its setting, if it is about a setting of the file. Otherwise the same error.
 RL_API Error at_world_value(const Error& error, const WorldRequest& world);
 
 }  // namespace rakelight

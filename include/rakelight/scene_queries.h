@@ -18,15 +18,16 @@ struct RL_API Bounds {
     double diagonal() const;  ///< [m]
 };
 
-/// Bounding box in world space [m] of all drawn vertices of all objects, without non-finite ones. Empty if nothing is
-/// drawn.
+/// Bounding box in world space [m] of all drawn vertices of all objects. Non-finite vertices are ignored. Empty if
+/// nothing is drawn.
 /// @throws Error bad_file: see validate()
 RL_API Bounds bounds(const Scene& scene);
 
-/// The default light rig, fixed to the camera: ambient 0.12, a key light (0.68) from above left and a fill light (0.2)
-/// from the right. Both are directional and white, in classical units; a white surface stays just below 1.
+/// The default light rig, fixed to the camera: ambient light (0.12), a key light (0.68) from above left and a fill
+/// light (0.2) from the right. The key and fill lights are directional. All lights are white, in classical units. The
+/// radiance of a white surface stays just below 1.
 RL_API std::vector<Light> default_lights(const dmat4& camera_to_world);
-/// The key light of the built-in studio, from the left above the camera.
+/// The key light of the built-in studio. It lies to the left above the camera.
 RL_API std::vector<Light> studio_lights(const dmat4& camera_to_world);
 
 }  // namespace rakelight

@@ -17,46 +17,41 @@
 
 namespace rakelight {
 
-/// Which meshes get tangents. `automatic`: meshes whose material has a normal or height map, and meshes with tangents.
-/// `always`: all with texture coordinates. `never`: none; the file's tangents are removed, because they belong to its
-/// old normals.
+/// Which meshes get tangents.
+/// - `automatic`: meshes that have tangents, and meshes with a normal map or height map in their material.
+/// - `always`: all meshes with texture coordinates.
+/// - `never`: none. Tangents of the file are removed, because they belong to the old normals.
 enum class TangentChoice : std::uint8_t { automatic, always, never };
 
-/// Treatment of the file's normals. `seams`: kept, but joined where meshes meet (<rakelight/seams.h>); tangents rotate
-/// with them. `replaced`: computed by SmoothFileOptions::attributes.
+/// Treatment of the file's normals. `seams`: the normals are kept, but joined where meshes meet (<rakelight/seams.h>);
+/// tangents rotate with their normals. `replaced`: new normals are computed with SmoothFileOptions::attributes.
 enum class AuthoredNormals : std::uint8_t { seams, replaced };
 
 /// Options of smooth_file().
 struct SmoothFileOptions {
-    /// `normals` and `tangents` are ignored; see `tangents` below. With AuthoredNormals::seams, only crease angle and
-    /// weld distance apply to existing normals; meshes without normals use all options.
+    /// The members attributes.normals and attributes.tangents are ignored. With AuthoredNormals::seams, only crease
+    /// angle and weld distance apply to existing normals. Meshes without normals use all options.
     AttributeOptions attributes{};
     AuthoredNormals authored = AuthoredNormals::seams;
-    /// [m] in world space, finite, >= 0: also match normals along borders at most this far apart
-    /// (<rakelight/matching_borders.h>), within attributes.scope (face: none); 0: off.
+    /// [m] in world space, finite, >= 0; 0: off. Also matches normals along borders that are at most this far apart
+    /// (<rakelight/matching_borders.h>). Only meshes within one attributes.scope match; with Scope::face no meshes
+    /// match.
     double border_distance = 0;
     TangentChoice tangents = TangentChoice::automatic;
     bool bitangents = false;      ///< glTF: write bitangents of the published modes as the attribute _BITANGENT
     bool keep_unused = false;     ///< glTF: keep unused buffer views in the file
-    bool keep_instances = false;  ///< glTF: instances keep sharing one mesh, with the attributes of the first
+    bool keep_instances = false;  ///< glTF: instances keep sharing one mesh, with the attributes of the first instance
     LoadOptions load{};
 };
 
 /// Changes of one mesh of the output (glTF: one primitive).
 struct SmoothedMesh {
     std::string name{};                                   ///< for people; may be empty
-    std::uint32_t mesh = no_index, primitive = no_index;  ///< its indices in glTF output
-    std::uint64_t vertices = 0;                           ///< before
-    std::uint64_t vertices_split = 0;                     ///< vertices added because corners of one vertex differ
-    /// The change of an attribute.
-    enum class Change : std::uint8_t {
-        none,
-        kept,
-        made,
-        replaced,
-        removed,
-        turned
-    };  ///< turned: some rotated, the others kept
+    std::uint32_t mesh = no_index, primitive = no_index;  ///< indices of mesh and primitive in glTF output
+    std::uint64_t vertices = 0;                           ///< number of vertices before
+    std::uint64_t vertices_split = 0;                     ///< number of vertices added by splits
+    /// The change of an attribute. `turned`: some vectors were rotated, the others were kept.
+    enum class Change : std::uint8_t { none, kept, made, replaced, removed, turned };
     Change normals = Change::kept, tangents = Change::none;
 };
 
@@ -64,28 +59,31 @@ struct SmoothedMesh {
 struct SmoothedFile {
     std::string file{}, output{};    ///< as they were named
     bool changed = false;            ///< false: normals and tangents were already right; the file was copied unchanged
-    std::uint32_t meshes_added = 0;  ///< glTF: copies for instances that need their own normals
+    std::uint32_t meshes_added = 0;  ///< glTF: number of copies for instances that need their own normals
     std::vector<SmoothedMesh> meshes{};
     std::optional<SeamReport> seams{};     ///< if authored normals were kept
     std::optional<MatchReport> borders{};  ///< if there was a border distance
 };
 
 /// Reads `input` (a model or a world), repairs or computes normals and tangents over all its objects, and writes
-/// `output`. Skinned models are in bind pose. glTF or GLB to glTF or GLB, and OBJ to OBJ, keep all other data of the file. Other
-/// conversions to .glb, .gltf, .obj or .ply use a generic writer; the report lists what it cannot express. In OBJ and
-/// PLY the instances are in world space, with normals of the rounded positions; PLY has one mesh, and `meshes` lists
-/// each instance. Textures are not decoded. `output` may be `input`. In another folder, referenced files are copied
-/// next to it, without replacing existing files. A second run over the output changes nothing. The output appears when
-/// it is complete.
-/// @throws Error usage (no conversion between the formats), not_found, bad_file, failed (cannot write)
+/// `output`. Skinned models are in bind pose. Textures are not decoded. A second run over the output changes nothing.
+///
+/// From glTF or GLB to glTF or GLB, and from OBJ to OBJ, all other data of the file is kept. All other conversions to
+/// .glb, .gltf, .obj or .ply use a generic writer, and the report lists what this writer cannot express. In OBJ and
+/// PLY all instances are in world space, and new normals are computed from the rounded positions. A PLY file has one
+/// mesh, but SmoothedFile::meshes has an entry for each instance.
+///
+/// `output` may be `input`. If it is in another folder, referenced files are copied to that folder, without replacing
+/// existing files. The output appears complete or not at all.
+/// @throws Error usage: no conversion between the formats; not_found; bad_file; failed: the output cannot be written
 RL_API SmoothedFile smooth_file(const std::string& input, const std::string& output, const SmoothFileOptions& options,
                                 Context& context);
 
 /// Output of a preview.
 struct PreviewPlace {
     std::string page{};  ///< an .html file
-    std::string picture_before{},
-        picture_after{};  ///< .png files next to it; empty: the pictures are embedded in the page
+    /// .png files in the folder of the page. Empty: the pictures are embedded in the page.
+    std::string picture_before{}, picture_after{};
 };
 
 /// Writes a page with the changes that smooth_file() would make to `input`: heat maps of the seams before and after

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors, matrices and quaternions as plain structs. float types are vec2/vec3/vec4/mat4, double ones dvec2/dvec3/dvec4/dmat4.
-// Column vectors; a matrix is four columns, element (row r, column c) is m[c][r]. Right-handed, +Y up, camera along -Z.
+// Vectors, matrices and quaternions as plain structs. Float types are vec2, vec3, vec4, mat3, mat4. Double types are
+// dvec2, dvec3, dvec4, dmat3, dmat4, dquat. Vectors are columns. A matrix is an array of columns: the element in row r
+// and column c is m[c][r]. Coordinates are right-handed, +Y is up, and cameras look along -Z.
 #pragma once
 #include <cstddef>
 

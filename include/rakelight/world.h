@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// World files (*.scene.toml): scenes composed of models, primitives, lights and cameras. This is the parsed and checked
-// content of a file, before its models are loaded. Format: docs/world-files.md.
+// World files (*.scene.toml): scenes composed of models, primitives, lights and cameras. The types of this header hold
+// the parsed and checked content of a file, before its models are loaded. Format: docs/world-files.md.
 #pragma once
 #include <optional>
 #include <span>
@@ -14,7 +14,7 @@
 
 namespace rakelight {
 
-/// A place in a file, counted from 1; 0: none.
+/// A place in a file. Lines and columns count from 1; 0: unknown.
 struct WorldPlace {
     int line = 0, column = 0;  ///< of the first character
     bool operator==(const WorldPlace&) const = default;
@@ -22,59 +22,61 @@ struct WorldPlace {
 /// "line 3, column 7"
 RL_API std::string to_text(WorldPlace place);
 
-/// A key with its value: as words ("1.5", "on", "red"), and as numbers if all words are numeric.
+/// A key with its value. The value is stored as words ("1.5", "on", "red"), and also as numbers if all words are
+/// numeric.
 struct WorldValue {
     std::string key{};                 ///< as written
-    std::vector<std::string> words{};  ///< one, or the elements of an array
+    std::vector<std::string> words{};  ///< one word, or the elements of an array
     std::vector<double> numbers{};     ///< [words], or empty if a word is not numeric
-    bool is_array = false;             ///< written in brackets
-    WorldPlace place{};                ///< of the value; of the key in [render]
+    bool is_array = false;             ///< true: the value is written in brackets
+    WorldPlace place{};                ///< place of the value; in [render]: place of the key
     bool operator==(const WorldValue&) const = default;
 };
 
-/// Translation * rotation about x, then y, then z * scale.
+/// A placement: scale along the axes, then rotation about x, then about y, then about z, then translation.
 struct WorldPlacement {
-    dvec3 position{0, 0, 0}, rotation_deg{0, 0, 0}, scale{1, 1, 1};  ///< [m]; [degrees]; along the axes
+    dvec3 position{0, 0, 0}, rotation_deg{0, 0, 0}, scale{1, 1, 1};  ///< position in [m], rotation in [degrees]
 };
 
 /// A model file in the world.
 struct WorldModel {
-    std::string name{};  ///< of its node; default: the file's name without ending
-    std::string file{};  ///< as written: relative to the world file's folder, or "builtin:teapot"
+    std::string name{};  ///< name of the model's node; default: the name of the file without its ending
+    std::string file{};  ///< as written: relative to the folder of the world file, or "builtin:teapot"
     WorldPlacement placement{};
-    std::string material{};  ///< a material of the world for the whole model; empty: its own materials
-    std::string normals{};   ///< "auto", "file", "flat", "object", "model"; empty: by PrepareOptions::normals
-    std::optional<double> crease_angle_rad{};  ///< 0..pi; absent: by PrepareOptions
-    std::optional<Subdivision> subdivision{};  ///< absent: by PrepareOptions
-    bool lights = false, cameras = false;      ///< whether to include the model's own
+    std::string material{};  ///< name of a material of the world for the whole model; empty: the model's own materials
+    std::string normals{};   ///< "auto", "file", "flat", "object", "model"; empty: PrepareOptions::normals
+    std::optional<double> crease_angle_rad{};  ///< 0..pi; absent: PrepareOptions::crease_angle_rad
+    std::optional<Subdivision> subdivision{};  ///< absent: PrepareOptions::subdivision
+    bool lights = false, cameras = false;      ///< whether the world includes the lights and cameras of the model
     std::optional<Shading> shading{};
-    WorldPlace place{}, material_place{};  ///< of `file`, `material`
+    WorldPlace place{}, material_place{};  ///< `place`: of the key "file". `material_place`: of the key "material"
 };
 
 /// A built-in shape.
 struct WorldPrimitive {
-    std::string name{}, type{};  ///< "teapot", "sphere", "cylinder", "cone", "torus", "plane"
+    std::string name{}, type{};  ///< `type`: "teapot", "sphere", "cylinder", "cone", "torus" or "plane"
     WorldPlacement placement{};
     double radius = 1, tube_radius = 0.35, height = 2;  ///< [m] tube_radius: of the torus
     double width = 2, depth = 2;                        ///< [m] of the plane
     int divisions = 1;                                  ///< quads per side of the plane or of the teapot's patches
-    int objects = 1;                                    ///< number of objects it is cut into
-    double tolerance =
-        0;  ///< [m] largest distance between facets and the surface; 0: 1/1000 of the largest radius, teapot: by `divisions`
-    std::string material{};                    ///< a material of the world; empty: the default material
+    int objects = 1;                                    ///< number of objects into which the shape is cut
+    /// [m] largest distance between facets and the exact surface. 0: 1/1000 of the largest radius; for the teapot
+    /// `divisions` applies instead.
+    double tolerance = 0;
+    std::string material{};                    ///< name of a material of the world; empty: the default material
     std::string normals{};                     ///< as WorldModel::normals
-    std::optional<double> crease_angle_rad{};  ///< 0..pi; absent: by PrepareOptions
-    std::optional<Subdivision> subdivision{};  ///< absent: by PrepareOptions
+    std::optional<double> crease_angle_rad{};  ///< 0..pi; absent: PrepareOptions::crease_angle_rad
+    std::optional<Subdivision> subdivision{};  ///< absent: PrepareOptions::subdivision
     std::optional<Shading> shading{};
     WorldPlace place{}, material_place{}, objects_place{};
 };
 
 /// Changes to materials, or a new material of the world.
 struct WorldMaterial {
-    std::string name{};   ///< of the material; "*": all of `model`
-    std::string model{};  ///< changes only materials of this model; empty: of all models
-    /// Name of an object of the model, or its node index: changes only this object's materials, after changes for all
-    /// objects. Empty: all objects.
+    std::string name{};   ///< name of the material; "*": all materials of `model`
+    std::string model{};  ///< only materials of this model are changed; empty: of all models
+    /// Name or node index of an object of the model. Only the materials of this object are changed. Such changes are
+    /// made after changes for all objects. Empty: all objects.
     std::string object{};
     std::vector<WorldValue> values{};
     WorldPlace place{};
@@ -91,9 +93,9 @@ struct WorldEnvironment {
 struct WorldTrack {
     /// Interpolation between keys.
     enum class Between : std::uint8_t { linear, step, smooth };  ///< smooth: a cubic spline through the keys
-    AnimationPath path = AnimationPath::camera;                  ///< or light
-    std::uint32_t element = 0;  ///< into WorldFile::cameras or lights; out of range: ignored
-    std::string property{};     ///< name in animated_properties() (motion.h), in its units
+    AnimationPath path = AnimationPath::camera;                  ///< AnimationPath::camera or AnimationPath::light
+    std::uint32_t element = 0;  ///< into WorldFile::cameras or WorldFile::lights; if out of range, the track is ignored
+    std::string property{};     ///< a name of animated_properties() (motion.h); `values` have the units of the property
     Between between = Between::linear;
     std::vector<float> times{};   ///< [K] [s] strictly increasing
     std::vector<float> values{};  ///< [K * width]
@@ -107,7 +109,8 @@ struct WorldRemark {
     std::string message{};  ///< for people
 };
 
-/// The content of a world file, in its order. Numbers are finite and in range; referenced files are not checked.
+/// The content of a world file, in the order of the file. Numbers are finite and in range. Referenced files are not
+/// checked.
 struct WorldFile {
     std::vector<WorldModel> models{};
     std::vector<WorldPrimitive> primitives{};
@@ -122,38 +125,41 @@ struct WorldFile {
     std::vector<WorldRemark> remarks{};  ///< load() adds them to the report
 };
 
-/// Whether a name is that of a world file: "*.scene.toml", ignoring case.
+/// Whether a file name is that of a world file: "*.scene.toml", ignoring case.
 RL_API bool is_world_file(std::string_view path);
 
+/// Parses and checks the text of a world file.
 /// @param text the whole file in UTF-8, at most 4 MiB and 10 000 entries of a kind
 /// @throws Error bad_file, with line and column; for unknown keys with the nearest known key. Keys of [render] are
 ///         checked by read_world_request()
 RL_API WorldFile parse_world(std::string_view text);
 
-/// Reads and parses.
+/// Reads a world file and parses it.
 /// @throws Error not_found; and as parse_world(), with the file's name
 RL_API WorldFile read_world(const std::string& path, Context& context);
 
-/// The text of a world file that parse_world() reads as this world, without comments. Cameras are exact up to the
-/// rounding of one look_at(). File names are written unchanged, relative to the folder of the new file.
+/// The text of a world file, without comments. parse_world() reads it as the same world; cameras may differ by the
+/// rounding of one look_at(). File names are written unchanged, so they are relative to the folder of the new file.
 /// @throws Error usage: not representable in a world file, such as lights on a node, an environment picture without a
 ///         file, unknown or invalid settings; bad_file: what parse_world() refuses
 RL_API std::string to_toml(const WorldFile& world);
-/// Writes a world file; it appears when it is complete.
+/// Writes a world file. The file appears complete or not at all.
 /// @throws Error as to_toml(); usage: another ending; failed: cannot be written
 RL_API void save_world(const WorldFile& world, const std::string& path);
 
-/// The path of a file named in a world.
-/// @param path of the world file
-/// @throws Error bad_file: it is outside of the world's folder, unless `allow_outside`
+/// The path of a file that a world file names.
+/// @param path  of the world file
+/// @param name  of the other file, as written in the world file
+/// @throws Error bad_file: the other file is outside of the folder of the world file, and `allow_outside` is false
 RL_API std::string resolve_in_world(const std::string& path, const std::string& name, bool allow_outside);
 
-/// Parses "KEY=VALUE" for materials: keys of [[material]] with their checks. Lists are separated by commas, flags are
-/// on or off, colors are linear or "#rrggbb".
+/// Parses words "KEY=VALUE" with the keys of [[material]], and checks the values. The elements of lists are separated
+/// by commas, flags are on or off, and colors are linear or "#rrggbb".
 /// @throws Error usage
 RL_API std::vector<WorldValue> material_values(std::span<const std::string> words);
 
-/// Parses a shape such as "sphere" or "sphere:tolerance=0.01:radius=2": keys of [[primitive]] with their checks.
+/// Parses a shape such as "sphere" or "sphere:tolerance=0.01:radius=2" with the keys of [[primitive]], and checks the
+/// values.
 /// @throws Error usage
 RL_API WorldPrimitive shape_of_words(std::string_view words);
 
@@ -162,9 +168,9 @@ RL_API std::string world_schema();
 
 struct PictureRequest;
 
-/// A key of [render] and the setting it controls.
+/// A key of [render] and the setting that it controls.
 struct RenderKey {
-    /// The form of its value.
+    /// The form of the value.
     enum class Kind : std::uint8_t {
         value,
         file,    ///< a file name
@@ -174,10 +180,11 @@ struct RenderKey {
     };
     const char* name;  ///< "crease-angle"
     Kind kind{};
-    /// @param words one, or the elements of a list, at least one; flags: "on", "off".
+    /// Sets the setting.
+    /// @param words  one word, or at least one element of a list; flags are "on" or "off"
     /// @throws Error usage about the key
     void (*read)(PictureRequest& to, std::span<const std::string> words);
-    /// Words from which read() restores the setting; empty: it has its default.
+    /// Words from which read() restores the setting. Empty: the setting has its default.
     std::vector<std::string> (*write)(const PictureRequest& of);
 };
 
@@ -185,13 +192,14 @@ struct RenderKey {
 RL_API std::span<const RenderKey> render_keys();
 /// The key of that name, or null.
 RL_API const RenderKey* find_render_key(std::string_view name);
-/// @throws Error usage: no such key, with the nearest name
+/// The key of that name.
+/// @throws Error usage: no such key; the message has the nearest name
 RL_API const RenderKey& require_render_key(const std::string& name);
 /// Whether a key of [render] places the camera: a side, a camera of the file, a position, a direction. Such keys
 /// override each other.
 RL_API bool places_camera(std::string_view key);
 
-/// Whether the words of a value of [render] are file names, which are relative to the world's folder.
+/// Whether the words of a value of [render] are file names. Such names are relative to the folder of the world file.
 RL_API bool names_files(const WorldValue& value);
 
 /// Applies values, each key once, and checks their combination. File names are used unchanged.
@@ -199,8 +207,9 @@ RL_API bool names_files(const WorldValue& value);
 RL_API void read_render_keys(std::span<const WorldValue> values, PictureRequest& to);
 
 /// The inverse of read_render_keys(): the keys of settings that differ from their defaults. Colors are exact up to 1e-6
-/// in display values, light directions are normalized, and light names are lost. Files and LoadOptions are not keys.
-/// @throws Error usage: not representable by keys, such as an empty list of lights or a light on a node
+/// in display values, light directions are normalized, and light names are lost. Input, output and LoadOptions have no
+/// keys.
+/// @throws Error usage: keys cannot express a setting, such as an empty list of lights or a light on a node
 RL_API std::vector<WorldValue> written_render_keys(const PictureRequest& of);
 
 }  // namespace rakelight

@@ -13,9 +13,9 @@ namespace rakelight {
 /// Options of bake_files().
 struct BakeRequest {
     std::string high{}, low{};  ///< inputs of load()
-    std::string output{};       ///< name of the pictures, PNG or EXR; {map} becomes the name of the map
-    std::string model{};        ///< output model, .glb or .gltf; empty: none
-    int bits = 0;               ///< PNG: 8 or 16; 0: 16 for heights, else 8
+    std::string output{};       ///< name of the PNG or EXR pictures; {map} becomes the name of the map
+    std::string model{};        ///< output model, .glb or .gltf; empty: no model is written
+    int bits = 0;               ///< PNG: 8 or 16 bits; 0: 16 bits for heights, 8 bits for all other maps
     BakeOptions options{};
     LoadOptions load{};
 };
@@ -35,11 +35,11 @@ struct BakeFilesResult {
     BakeReport report{};
 };
 
-/// Bakes and writes the pictures. `model` gets LOW with matching texture coordinates, normals and tangents. Its
-/// materials get the baked 8-bit maps of normals (tangent space) and occlusion in place of their own. Outputs appear
-/// complete or not at all.
-/// @throws Error usage: a format that cannot hold a map, one name for several maps; as load() and bake_maps(); failed:
-///         cannot write
+/// Bakes the maps and writes them as pictures. The file BakeRequest::model gets LOW with the texture coordinates,
+/// normals and tangents that fit the maps. In its materials, the baked 8-bit maps of normals (tangent space) and
+/// occlusion replace the original maps. Outputs appear complete or not at all.
+/// @throws Error usage: a format that cannot hold a map, one name for several maps; failed: an output cannot be
+///         written; and as load() and bake_maps()
 RL_API BakeFilesResult bake_files(const BakeRequest& request, Context& context);
 
 /// One line: the written files and the cage distance.

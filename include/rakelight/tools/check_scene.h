@@ -29,8 +29,8 @@ struct SceneSummary {
 /// Counts the contents of a scene.
 RL_API SceneSummary summarize(const Scene& scene);
 
-/// Checks whether a picture of a loaded scene can be drawn, as far as possible without drawing it.
-/// @throws Error usage: its shadow maps are too large for the context's memory
+/// Checks whether a picture of a loaded scene can be drawn, as far as this is possible without drawing.
+/// @throws Error usage: the shadow maps of the picture are too large for the context's memory budget
 RL_API void check_picture(const Scene& scene, const PictureRequest& request, Context& context);
 
 /// A few readable lines.

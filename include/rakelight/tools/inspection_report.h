@@ -35,8 +35,9 @@ private:
     std::size_t models_ = 0;
 };
 
-/// JUnit XML with a test suite for each model: a test case "load" and one for each limit. Failures name the worst
-/// object. A model that cannot be read is an error of "load". Format: https://github.com/testmoapp/junitxml
+/// JUnit XML with a test suite for each model. A suite has a test case "load" and a test case for each limit. Failures
+/// name the worst object. If a model cannot be read, the test case "load" has an error. Format:
+/// https://github.com/testmoapp/junitxml
 RL_API std::string to_junit(std::span<const InspectionRow> rows, const CheckLimits& limits);
 
 }  // namespace rakelight

@@ -14,7 +14,7 @@ namespace rakelight {
 struct WindowPart {
     /// PNG, EXR or HDR
     std::string file{};
-    int x = -1, y = -1;  ///< [px] its top left pixel in the whole picture; -1: from the file
+    int x = -1, y = -1;  ///< [px] position of the window's top left pixel in the whole picture; -1: from the file
 };
 
 /// Options of join_windows().
@@ -31,13 +31,13 @@ struct JoinResult {
     std::size_t parts = 0;      ///< number of parts
 };
 
-/// Writes the whole picture of the parts: PNG (8 or 16 bits per component), EXR (any channels) or HDR. Parts and output
-/// have the same format. Pixel values are copied; overlapping parts must be equal. For parts written by
-/// render_picture(), the file equals the whole picture byte by byte. Works row by row, with memory for a few rows of
-/// each part. The output appears complete or not at all.
+/// Joins the parts to the whole picture and writes it: PNG (8 or 16 bits per component), EXR (any channels) or HDR.
+/// Parts and output must have the same format. Pixel values are copied. If parts overlap, their common pixels must be
+/// equal. If render_picture() wrote the parts, the output equals the file of the whole picture, byte for byte. The
+/// function works row by row, with memory for a few rows of each part. The output appears complete or not at all.
 /// @throws Error usage: no parts, unknown position of a part, another format of the output; not_found; bad_file: parts
-///         of different formats or pictures, a part outside of the picture, uncovered pixels, different overlapping
-///         parts, a broken part; failed: the output cannot be written, cancelled
+///         of different formats or pictures, a part outside of the picture, pixels that no part covers, overlapping
+///         parts that differ, a broken part; failed: the output cannot be written, cancelled
 RL_API JoinResult join_windows(const JoinRequest& request, Context& context);
 
 }  // namespace rakelight

@@ -21,8 +21,9 @@ struct RadiosityFile {
 };
 
 /// Loads a model or world as render_picture() does, lights it by with_radiosity() and writes glTF 2.0 (.glb or .gltf).
-/// The file has unlit materials (KHR_materials_unlit) and COLOR_0 in float, which may exceed 1. With `lightmap` it has
-/// the original triangles and a lightmap as emission texture: with_lightmap().
+/// The file has unlit materials (KHR_materials_unlit) and vertex colors (COLOR_0) in float, which may exceed 1. With
+/// `lightmap` it has the original triangles, and a lightmap as emission texture instead of vertex colors:
+/// with_lightmap().
 /// @param request uses input, output, lights, normals, the time of a clip and settings.radiosity
 /// @param lightmap absent: vertex colors
 /// @throws Error usage: another ending of the output; as load(), with_radiosity() and save()

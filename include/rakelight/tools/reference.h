@@ -11,7 +11,7 @@
 
 namespace rakelight {
 
-/// The decisive metric of PictureComparison.
+/// The metric of PictureComparison that decides.
 enum class ReferenceMeasure : std::uint8_t { flip, psnr, rmse, ssim };
 inline constexpr Word<ReferenceMeasure> reference_measure_words[] = {{"flip", ReferenceMeasure::flip},
                                                                      {"psnr", ReferenceMeasure::psnr},
@@ -25,9 +25,9 @@ RL_API double default_threshold(ReferenceMeasure measure);
 struct ReferenceRequest {
     std::string picture{};  ///< file of the reference
     ReferenceMeasure measure = ReferenceMeasure::flip;
-    std::optional<double>
-        threshold{};           ///< maximum for flip and rmse, minimum for psnr and ssim; absent: default_threshold()
-    std::string difference{};  ///< picture file for the FLIP per pixel; empty: none
+    /// Maximum for flip and rmse, minimum for psnr and ssim. Absent: default_threshold().
+    std::optional<double> threshold{};
+    std::string difference{};  ///< picture file for the FLIP per pixel; empty: it is not written
 };
 
 /// Result of compare_with_reference().
@@ -35,7 +35,7 @@ struct ReferenceResult {
     std::string reference{};  ///< file of the reference
     ReferenceMeasure measure = ReferenceMeasure::flip;
     double threshold = 0;           ///< the applied threshold
-    std::optional<double> value{};  ///< absent: ssim of pictures with a side of fewer than 11 pixels
+    std::optional<double> value{};  ///< value of the metric; absent: ssim, and a side has fewer than 11 pixels
     bool passed = false;            ///< the value is within the threshold
     std::string difference{};       ///< the written file, or empty
     PictureComparison comparison{};
@@ -43,7 +43,7 @@ struct ReferenceResult {
 
 /// Compares a picture file with its reference.
 /// @param page not null: gets the comparison
-/// @throws Error not_found: no such reference, with advice; check_failed: different sizes; bad_file, failed
+/// @throws Error not_found: no such reference; check_failed: different sizes; bad_file; failed
 RL_API ReferenceResult compare_with_reference(const std::string& picture, const ReferenceRequest& request,
                                               ComparisonPage* page, Context& context);
 

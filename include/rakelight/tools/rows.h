@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The JSON reports of the program: one row per file, with the result and remarks, or the error. All are UTF-8 with
-// invalid bytes replaced, and end with a line feed.
+// The JSON reports of the program. A report has one row per file; a row has the result and remarks, or the error.
+// Reports are in UTF-8, with invalid bytes replaced, and end with a line feed.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -35,16 +35,16 @@ struct ReportRow {
 
 /// The position of a picture in a sequence.
 struct FrameRow {
-    std::int64_t frame = 0;   ///< its number
-    double time_s = 0;        ///< [s] of the clip
-    bool is_skipped = false;  ///< the file existed: only its names are known
+    std::int64_t frame = 0;   ///< number of the picture
+    double time_s = 0;        ///< [s] time of the clip
+    bool is_skipped = false;  ///< the file existed, so the row has only names
 };
 
 /// A row of `render --json`.
 struct PictureRow : ReportRow {
     PictureResult result{};                      ///< at least `file` and `output`
-    std::optional<ReferenceResult> reference{};  ///< if it was compared with one
-    std::optional<FrameRow> frame{};             ///< of a sequence
+    std::optional<ReferenceResult> reference{};  ///< if the picture was compared with a reference
+    std::optional<FrameRow> frame{};             ///< if the picture belongs to a sequence
     std::size_t movie_pictures = 0;              ///< number of pictures of a movie; 0: the output is a picture
 };
 
@@ -65,7 +65,7 @@ struct InspectionRow : ReportRow {
 /// A row of `compare --json`.
 struct ComparisonRow : ReportRow {
     std::string a{}, b{};                ///< files or scenes
-    std::string engine_a{}, engine_b{};  ///< of scenes; empty: pictures
+    std::string engine_a{}, engine_b{};  ///< engines that drew the scenes; empty for picture files
     CompareOptions options{};
     std::optional<PictureComparison> comparison{};
     std::vector<CheckFailure> failures{};  ///< violated limits
@@ -108,7 +108,7 @@ RL_API std::string to_json(std::span<const CheckRow> rows);
 RL_API std::string to_json(std::span<const InspectionRow> rows);
 /// {"schema": "rakelight.compare/1", "rows": [...]}; numbers that are not finite are null.
 RL_API std::string to_json(std::span<const ComparisonRow> rows);
-/// {"schema": "rakelight.explain/1", "rows": [...]}; docs/explain.md says what is in it.
+/// {"schema": "rakelight.explain/1", "rows": [...]}; docs/explain.md describes the contents.
 RL_API std::string to_json(std::span<const ExplainRow> rows);
 /// {"schema": "rakelight.stages/1", "rows": [...]}
 RL_API std::string to_json(std::span<const StagesRow> rows);
@@ -121,7 +121,7 @@ RL_API std::string to_json(std::span<const JoinRow> rows);
 /// {"schema": "rakelight.bake/1", "rows": [...]}
 RL_API std::string to_json(std::span<const BakeRow> rows);
 
-/// A readable table; rows with an error are omitted. Empty: no rows.
+/// A readable table without the rows that have an error. Empty: there are no other rows.
 RL_API std::string to_text(std::span<const ComparisonRow> rows);
 /// "NAME", or "NAME (ENGINE)" if the engine is given.
 RL_API std::string title_of(const std::string& name, const std::string& engine);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes text files atomically: a file appears when it is complete.
+// Writes text files atomically: a file appears complete or not at all.
 #pragma once
 #include <string>
 
@@ -7,10 +7,11 @@
 
 namespace rakelight {
 
-/// Checks that a file can be written, before any work.
+/// Checks that a file can be written. Call it before long work.
 /// @throws Error failed, with the file
 RL_API void check_text_output(const std::string& path);
 
+/// Writes a text file.
 /// @throws Error failed, with the file
 RL_API void save_text(const std::string& path, const std::string& text);
 

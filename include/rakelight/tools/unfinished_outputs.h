@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cleanup for programs that must exit before cancelled work has stopped.
+// Cleanup for programs that must exit while cancelled work is still running.
 #pragma once
 #include <rakelight/export.h>
 

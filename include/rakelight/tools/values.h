@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parsers of textual values for options and [render] of world files: numbers, lists, sizes, colors, lights. All throw
-// Error usage about `setting` with the expected form. Numbers use std::from_chars, independent of the locale.
+// Parsers of values in options and in [render] of world files: numbers, lists, sizes, colors, lights. If a text is
+// wrong, a parser throws an Error usage about `setting`, with the expected form. Numbers are parsed by std::from_chars,
+// independent of the locale.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -21,7 +22,7 @@ RL_API Error wrong(const std::string& setting, std::string reason, std::string a
 RL_API std::vector<double> numbers(const std::string& setting, std::string_view text, std::size_t count);
 /// One finite number.
 RL_API double number(const std::string& setting, std::string_view text);
-/// One in low..high.
+/// One finite number in low..high.
 RL_API double number(const std::string& setting, std::string_view text, double low, double high);
 /// Three finite numbers.
 RL_API dvec3 vector3(const std::string& setting, std::string_view text);
@@ -31,16 +32,17 @@ RL_API int integer(const std::string& setting, std::string_view text, int low, i
 /// Integers separated by commas ("1280,720"; a resolution may also be written "1280x720").
 RL_API std::vector<int> integers(const std::string& setting, std::string_view text, std::size_t count);
 
-/// "500M", "1.5G", "1073741824": bytes, powers of 1024.
+/// A size in bytes: "500M", "1.5G", "1073741824". Units are powers of 1024.
 RL_API std::uint64_t byte_size(const std::string& setting, std::string_view text);
 
-/// Display color "0.2,0.2,0.2", "#ff8000", "ff8000", "#f80", a name of CSS ("white"), or "transparent": linear RGB and alpha.
+/// A display color as linear RGB and alpha: "0.2,0.2,0.2", "#ff8000", "ff8000", "#f80", a name of CSS ("white"), or
+/// "transparent".
 RL_API vec4 background(const std::string& setting, std::string_view text);
 /// The same without "transparent". `advice` is part of the error message.
 RL_API vec4 display_color(const std::string& setting, std::string_view text,
                           const char* advice = "write r,g,b from 0 to 1, '#rrggbb' or a name such as white");
 
-/// Linear light "1,0.9,0.8", not negative, or a display color by code or name.
+/// A light color: linear light "1,0.9,0.8" without negative numbers, or a display color by code or name.
 RL_API vec3 light_color(const std::string& setting, std::string_view text);
 /// The normalized direction.
 RL_API dvec3 unit(const std::string& setting, dvec3 direction);
@@ -55,11 +57,11 @@ RL_API Fog fog(const std::string& setting, std::string_view text);
 /// "on", "off"; also "true", "false", "1", "0".
 RL_API bool on_off(const std::string& setting, std::string_view text);
 
-/// Whether a text is meant as a number; for these no similar word is proposed.
+/// Whether a text is meant as a number. For numbers, error messages propose no similar word.
 RL_API bool is_number(std::string_view text);
 
 /// The index of a text in a list of words.
-/// @throws Error usage with the nearest word and all words
+/// @throws Error usage: the list does not have the text; the message has the nearest word and all words
 RL_API std::size_t word_number(const std::string& setting, std::string_view text, std::span<const char* const> names);
 
 /// The value of a word in a fixed list.
@@ -69,12 +71,12 @@ T word(const std::string& setting, std::string_view text, std::span<const Word<T
     for (const Word<T>& word : words) names.push_back(word.name);
     return words[word_number(setting, text, names)].value;
 }
-/// The same of an array.
+/// The same for an array.
 template <class T, std::size_t n>
 T word(const std::string& setting, std::string_view text, const Word<T> (&words)[n]) {
     return word<T>(setting, text, std::span(words));
 }
-/// The same of a list.
+/// The same for an initializer list.
 template <class T>
 T word(const std::string& setting, std::string_view text, std::initializer_list<Word<T>> words) {
     return word<T>(setting, text, std::span(words.begin(), words.size()));

@@ -70,12 +70,13 @@ RL_API bool same_word(std::string_view a, std::string_view b);
 /// 1964, "A technique for computer detection and correction of spelling errors".
 RL_API std::size_t spelling_distance(std::string_view a, std::string_view b);
 
-/// The most similar word to a misspelled one; empty: none is similar, or `word` is longer than 64 bytes.
+/// The word that is most similar to a misspelled word. Empty: no word is similar, or `word` is longer than 64 bytes.
 RL_API std::string nearest_word(std::string_view word, const std::vector<std::string_view>& words);
 
-/// "a, b, c, d, e and 4 more": names for a message, each once, in the given order, through one_line().
-/// @param most number of listed names; the others are counted
-/// @param max_bytes  of each name
+/// A list of names for a message: "a, b, c, d, e and 4 more". Each name appears once, in the given order, and is made
+/// safe by one_line().
+/// @param most  maximum number of listed names; the other names are counted
+/// @param max_bytes  maximum length of each name
 RL_API std::string list_of_names(const std::vector<std::string>& names, std::size_t most = 5,
                                  std::size_t max_bytes = 40);
 
