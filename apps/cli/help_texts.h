@@ -178,9 +178,9 @@ Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found, 4 f
 broken or too large.)";
 
 inline constexpr const char* thumbnail_footer =
-    R"(A model that takes more is given up with exit code 1, so that no file, however it is made,
-keeps a file manager waiting. Textures are read from the model's own folder, where
-the file manager lets the program see it.
+    R"(If a model needs more, the program ends with exit code 1. So no file can keep a file
+manager waiting. Textures are read from the folder of the model, if the file manager
+gives the program access to it.
 
 Examples:
   rakelight thumbnail helmet.glb helmet.png 256
