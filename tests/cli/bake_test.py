@@ -134,7 +134,7 @@ class Bake(program.Case):
             (("square.obj", "square.obj", *output, "--space", "objct"), 2, "--space", "did you mean 'object'?"),
             (("square.obj", "square.obj", *output, "--distnce", "1"), 2, "did you mean --distance?"),
             (("square.obj", "square.obj", *output, "--model", "m.obj"), 2, "--model", ".glb"),
-            (("square.obj", "square.obj", "-o", "square.obj/n.png"), 1, "no folder"),
+            (("square.obj", "square.obj", "-o", "square.obj/n.png"), 1, "not a folder"),
         )
         before = self.files()
         for words, code, *said in cases:

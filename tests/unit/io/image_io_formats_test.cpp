@@ -273,7 +273,7 @@ TEST(DecodeImage, SaysWhatItCannotRead) {
                                         {"GIF89a...", "GIF"},
                                         {"DDS ....", "DDS"},
                                         {"\xabKTX 20\xbb", "KTX"},
-                                        {"#?RADIANCE\n\n-X 3 +Y 3\n", "turned"},
+                                        {"#?RADIANCE\n\n-X 3 +Y 3\n", "rotated"},
                                         {"BM", "too early"},
                                         {"\xff\xd8\xff\xe0", "JPEG"},
                                         {"\x89PNG\r\n\x1a\n", "PNG"},

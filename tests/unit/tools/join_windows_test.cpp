@@ -122,7 +122,7 @@ TEST_F(JoinWindows, WhatMakesNoPictureIsOneErrorAndNoFile) {
         EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
         EXPECT_FALSE(std::filesystem::exists(folder.file("out.png")));
     };
-    refused({}, "no part", ErrorCode::usage);
+    refused({}, "no window", ErrorCode::usage);
     refused({{left}}, "no window covers columns 40 to 60 of rows 0 to 46; render them with --window 40,0,21,47");
     refused({{left}, {foreign}}, "is a window of a picture of 61 x 50 pixels, not of 61 x 47");
     refused({{left}, {deep}}, "is PNG of 3 channels with 16 bits");
