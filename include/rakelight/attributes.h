@@ -31,9 +31,10 @@ enum class Scope : std::uint8_t { face, object, model };
 enum class CornerWeight : std::uint8_t { uniform, area, angle, angle_area };
 
 /// How tangents are computed.
-/// - `averaged`: the unit tangents of the faces at each position are summed, with the weights used for normals
-///   (CornerWeight). A sum includes only vertices of the same corner group and of the same handedness. Two such
-///   vertices share a sum if their tangents differ by at most 45 degrees, or if a chain of such pairs connects them.
+/// - `averaged`: the unit tangents of the faces are summed, with the weights used for normals (CornerWeight). Not all
+///   tangents at a position go into one sum. Two vertices are compatible if they have the same corner group and the
+///   same handedness, and if their tangents differ by at most 45 degrees. Two vertices share a sum only if they are
+///   compatible or connected by a chain of compatible vertices.
 /// - `mikktspace`: the same tangents as MikkTSpace (Mikkelsen 2008, "Simulation of Wrinkled Surfaces Revisited") with
 ///   an angular threshold of 180 degrees. Each mesh is computed in its own object space. Use this mode for maps that
 ///   were baked with MikkTSpace.
@@ -64,16 +65,18 @@ struct AttributeOptions {
     ///
     /// < 0: automatic. Two meshes with equal matrices are welded only where their positions are equal. For other meshes
     /// the distance is the sum of the rounding errors of the two meshes. The rounding error of a mesh has two parts:
-    /// - 2 float ulps of the mesh's largest coordinate, which is first scaled to the world,
-    /// - 1 float ulp of the distance of the mesh's pivot. The pivot is the world position of the object-space origin.
-    ///   Its distance is measured from the center of the model's bounding box or from the world origin, whichever is
-    ///   nearer.
+    /// - 2 float ulps of the mesh's size. The size is the largest object-space coordinate times the scale of
+    ///   AttributeMesh::to_world.
+    /// - 1 float ulp of the distance between the mesh's pivot (the object-space origin, in world space) and a reference
+    ///   point. The reference point is the world origin or the center of the model's bounding box, whichever is nearer
+    ///   to the pivot.
     ///
     /// The rounding error is limited to 2^-14 of the diagonal of the bounding box. Quantized positions have other
     /// rules, see AttributeMesh::position_step.
     ///
     /// A chain of vertices, each close to the next, is welded to one position. If the chain extends over more than
-    /// twice the distance, only its equal positions are welded, and the report gets a warning. No vertex is moved.
+    /// twice the distance, only its vertices with equal positions are welded, and the report gets a warning. No vertex
+    /// is moved.
     double weld_distance = -1;
     bool normals = true;   ///< false: keep the given normals (every mesh must have them) and compute only tangents
     bool tangents = true;  ///< compute tangents for meshes with texture coordinates

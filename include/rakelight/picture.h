@@ -23,8 +23,10 @@ namespace rakelight {
 /// @throws Error usage: no such side or camera, impossible angle or position; bad_file "nothing to draw".
 RL_API Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context);
 
-/// The values at the ends of the gray and color scales in PNG files of channels. They are computed from the whole
-/// bounding box of the model. So they are equal for all windows of one picture.
+/// Data channels (depth, position and so on) can be written as PNG files (channel_files_png). These files show depth
+/// with a gray scale, and position with a color scale. ChannelRange has the values at the ends of both scales. They are
+/// computed from the bounding box of the whole model. So every window of a picture, which is a part that is rendered
+/// separately, gets the same values.
 struct ChannelRange {
     double depth_low = 0, depth_high = 0;  ///< [m] along the view axis, clipped to the camera's near and far
     dvec3 low{}, high{};                   ///< [m] world
@@ -36,7 +38,7 @@ struct PictureResult {
     /// The files of data channels: first the EXR files in the order of the Channel bits, then the file of layers, then
     /// the PNG files.
     std::vector<std::string> channel_files{};
-    ChannelRange channel_range{};              ///< for the PNG files of channels
+    ChannelRange channel_range{};              ///< the scales of data channels in PNG files
     int width = 0, height = 0;                 ///< [px] of the picture file
     std::uint64_t triangles = 0, objects = 0;  ///< numbers of drawn triangles and objects; each instance counts
     std::string engine{}, isa{};               ///< `isa` is empty for engines that do not select an instruction set
@@ -49,12 +51,12 @@ struct PictureResult {
     double done = 1;  ///< 0..1: share of finished pixels; less than 1 if cancelled (PictureRequest::keep_partial)
 };
 
-/// Draws a picture and writes it with its channel files. Besides the memory of the engine it needs memory for a strip
-/// of the picture: at most 64 MiB, or 64 rows if these are larger. Either all files appear complete, or none. Remarks
-/// go to context.report().
+/// Draws a picture and writes it with its channel files. Besides the memory of the engine, this function needs memory
+/// for a strip of rows of the picture. The strip takes at most 64 MiB. If 64 rows need more, the strip has 64 rows.
+/// Either all files appear complete, or none. Remarks go to context.report().
 /// @throws Error usage, not_found, bad_file, failed; errors about the model have its file name
 RL_API PictureResult render_picture(const PictureRequest& request, Context& context);
-/// The same for a scene in memory. The result calls it `request.input`.
+/// The same for a scene in memory. PictureResult::file is then `request.input`, which serves only as a name.
 /// @throws Error as above; bad_file: an invalid scene (see validate())
 RL_API PictureResult render_picture(const Scene& scene, const PictureRequest& request, Context& context);
 
