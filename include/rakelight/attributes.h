@@ -118,8 +118,8 @@ struct AttributeMesh {
     /// this mesh is at least half the diagonal of a cube whose edges are one step long. If either of two meshes is
     /// quantized, they are welded within the distance even if their matrices are equal.
     ///
-    /// Automatic welding does not join two positions of quantized meshes if any one mesh has vertices at both
-    /// positions. That mesh stores them as neighboring grid points, so they are different positions.
+    /// Exception for quantized meshes: two positions stay separate if a single mesh has vertices at both of them. That
+    /// mesh stores them as neighboring grid points, so they are different positions.
     double position_step = 0;
     /// [rad] 0..pi, overrides AttributeOptions::crease_angle_rad; < 0: not set. Between two meshes the smaller angle
     /// applies.
@@ -251,7 +251,7 @@ private:
 /// compute_attributes() into the caller's buffers.
 ///
 /// The *fast case* joins all faces at each position. It needs these options: crease angle pi, uniform weight, scope
-/// model or object, a weld distance of at most 0, averaged and orthogonalized tangents. All meshes must have the same
+/// model or object, a weld distance of 0 or automatic (< 0), and averaged, orthogonalized tangents. All meshes must have the same
 /// angle-preserving matrix, and no smoothing groups, hints, locks or quantized positions. Once the workspace has grown,
 /// the fast case allocates no memory per vertex or triangle. In all other cases the workspace holds only the largest
 /// arrays, and each call allocates the others.

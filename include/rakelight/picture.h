@@ -25,8 +25,8 @@ RL_API Camera choose_camera(const Scene& scene, const ViewRequest& view, double 
 
 /// Data channels (depth, position and so on) can be written as PNG files (channel_files_png). These files show depth
 /// with a gray scale, and position with a color scale. ChannelRange has the values at the ends of both scales. They are
-/// computed from the bounding box of the whole model. So every window of a picture, which is a part that is rendered
-/// separately, gets the same values.
+/// computed from the bounding box of the whole model. So all windows of a picture get the same values. (A window is a
+/// part of the picture that is rendered separately.)
 struct ChannelRange {
     double depth_low = 0, depth_high = 0;  ///< [m] along the view axis, clipped to the camera's near and far
     dvec3 low{}, high{};                   ///< [m] world
@@ -35,8 +35,8 @@ struct ChannelRange {
 /// The result of one PictureRequest.
 struct PictureResult {
     std::string file{}, output{};  ///< names of the model file and of the written picture
-    /// The files of data channels: first the EXR files in the order of the Channel bits, then the file of layers, then
-    /// the PNG files.
+    /// The files of data channels, in this order: one EXR file per channel (in the order of the Channel bits), the EXR
+    /// file with all channels as layers (channel_files_layers), the PNG files. Only files that the request asks for.
     std::vector<std::string> channel_files{};
     ChannelRange channel_range{};              ///< the scales of data channels in PNG files
     int width = 0, height = 0;                 ///< [px] of the picture file
@@ -52,7 +52,7 @@ struct PictureResult {
 };
 
 /// Draws a picture and writes it with its channel files. Besides the memory of the engine, this function needs memory
-/// for a strip of rows of the picture. The strip takes at most 64 MiB. If 64 rows need more, the strip has 64 rows.
+/// for a strip of rows of the picture. The strip has as many rows as fit into 64 MiB, but at least 64 rows.
 /// Either all files appear complete, or none. Remarks go to context.report().
 /// @throws Error usage, not_found, bad_file, failed; errors about the model have its file name
 RL_API PictureResult render_picture(const PictureRequest& request, Context& context);
