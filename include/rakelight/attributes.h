@@ -32,9 +32,10 @@ enum class CornerWeight : std::uint8_t { uniform, area, angle, angle_area };
 
 /// How tangents are computed.
 /// - `averaged`: the unit tangents of the faces are summed, with the weights used for normals (CornerWeight). Not all
-///   tangents at a position go into one sum. Two vertices are compatible if they have the same corner group and the
-///   same handedness, and if their tangents differ by at most 45 degrees. Two vertices share a sum only if they are
-///   compatible or connected by a chain of compatible vertices.
+///   tangents at a position go into one sum. First each vertex gets a tangent from its own faces only. Two vertices are
+///   compatible if their corners are in the same corner group, their handedness is the same, and these first tangents
+///   differ by at most 45 degrees. Two vertices share a sum only if they are compatible or connected by a chain of
+///   compatible vertices.
 /// - `mikktspace`: the same tangents as MikkTSpace (Mikkelsen 2008, "Simulation of Wrinkled Surfaces Revisited") with
 ///   an angular threshold of 180 degrees. Each mesh is computed in its own object space. Use this mode for maps that
 ///   were baked with MikkTSpace.
