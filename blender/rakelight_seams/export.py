@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """File > Export > glTF without Seams: Blender's own exporter, then the program."""
+import contextlib
 import os
 import shutil
 
@@ -72,6 +73,8 @@ class ExportWithoutSeams(RunsProgram, SeamOptions, ExportHelper, bpy.types.Opera
             shutil.copyfile(target, path + ".part")  # so that an old file stays whole until the new one is
             os.replace(path + ".part", path)
         except OSError as error:
+            with contextlib.suppress(OSError):
+                os.remove(path + ".part")
             raise Failure(f"{path}: {error.strerror or error}") from None
         for remark in remarks:
             self.report({"INFO"}, f"rakelight: {remark}")

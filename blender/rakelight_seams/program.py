@@ -15,7 +15,8 @@ class Failure(Exception):
 
 def find(context):
     """The path of the program. Throws Failure with what to do where there is none."""
-    path = context.preferences.addons[__package__].preferences.program
+    add_on = context.preferences.addons.get(__package__)  # none with `blender --addons`, which keeps no preferences
+    path = add_on.preferences.program if add_on else ""
     if path:
         path = bpy.path.abspath(path)
         if not (os.path.isfile(path) and os.access(path, os.X_OK)):

@@ -64,7 +64,7 @@ class Mesh:
 
 MeshLike = Any
 """A :class:`Mesh`, or anything with ``.vertices`` and ``.faces`` (trimesh) or ``.triangles`` (Open3D): normals, texture coordinates and a
-name are taken where they have the usual names; or a tuple (vertices, faces)."""
+name are taken where they have the usual names; or a tuple (vertices, faces). ``.visual.uv`` (trimesh) is v up, ``.uv`` is v down."""
 
 
 def _first(thing: object, *names: str) -> Any:
@@ -72,7 +72,7 @@ def _first(thing: object, *names: str) -> Any:
     for name in names:
         value: Any = thing
         for part in name.split("."):
-            value = getattr(value, part, None)
+            value = value.get(part) if isinstance(value, Mapping) else getattr(value, part, None)
         if value is not None and (not hasattr(value, "__len__") or len(value) > 0):
             return value
     return None
@@ -97,11 +97,16 @@ def mesh_of(thing: MeshLike) -> Mesh:
         raise UsageError(f"a mesh with .vertices and .faces is expected, not {type(thing).__name__}")
     vertices = np.asarray(thing.vertices)
     name = _first(thing, "name", "metadata.name")
+    uv = _per_vertex(_first(thing, "visual.uv"), vertices)
+    if uv is not None:  # trimesh: v up
+        uv = np.stack([uv[:, 0], 1 - uv[:, 1]], axis=1)
+    else:
+        uv = _per_vertex(_first(thing, "uv"), vertices)
     return Mesh(
         vertices,
         np.zeros((0, 3), np.uint32) if faces is None else np.asarray(faces),
         normals=_per_vertex(_first(thing, "vertex_normals", "normals"), vertices),
-        uv=_per_vertex(_first(thing, "visual.uv", "uv"), vertices),
+        uv=uv,
         name=name if isinstance(name, str) else "",
     )
 

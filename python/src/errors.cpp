@@ -48,6 +48,8 @@ void translate_errors() {
             if (pointer) std::rethrow_exception(pointer);
         } catch (const Error& error) {
             raise(error);
+        } catch (const py::cast_error&) {
+            raise(Error(ErrorCode::usage, "an argument has the wrong type"));
         }
     });
 }

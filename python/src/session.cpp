@@ -69,18 +69,11 @@ private:
     /// The picture that is asked for, in a look that was taken or is to be.
     PictureRequest requested(const Settings& view, std::uint32_t channels) const {
         PictureRequest request = request_;
-        PictureRequest asked;
-        read_render_keys(values_of(view), asked);
-        const auto names = [&](std::string_view key) {
-            return std::ranges::any_of(view, [&](const auto& v) { return v.first == key; });
-        };
-        if (has_camera(view)) {
-            request.view = asked.view;
-            request.given_keys.insert(request.given_keys.end(), asked.given_keys.begin(), asked.given_keys.end());
+        if (has_camera(view)) {  // another place; zoom, angles of view and depths of the session stay
+            request.view.side.clear(), request.view.camera.clear();
+            request.view.position.reset(), request.view.focal_point.reset(), request.view.direction.reset();
         }
-        if (names("resolution"))
-            request.settings.width = asked.settings.width, request.settings.height = asked.settings.height;
-        if (names("window")) request.settings.window = asked.settings.window;
+        read_render_keys(values_of(view), request);
         request.settings.channels = channels;
         return request;
     }
@@ -92,7 +85,7 @@ private:
             throw Error(ErrorCode::usage, "overlays are drawn into files alone", {}, "use render_file()");
         check_drawing(request);
         if (!is_looked_) {
-            scene_ = with_requested_look(std::move(scene_), request, context);
+            scene_ = with_requested_look(scene_, request, context);  // a copy: if it throws, the scene stays
             take_over(request, has_camera(view));
             is_looked_ = true;
         }

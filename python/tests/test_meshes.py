@@ -31,7 +31,7 @@ def test_trimesh(quad):
     mesh = scene.meshes[0]
     np.testing.assert_array_equal(mesh.vertices, quad.vertices)
     np.testing.assert_array_equal(mesh.faces, quad.faces)
-    np.testing.assert_array_equal(mesh.uv, quad.vertices[:, :2])
+    np.testing.assert_array_equal(mesh.uv, np.stack([quad.vertices[:, 0], 1 - quad.vertices[:, 1]], axis=1))  # v down here
     again = Trimesh(**{key: mesh.trimesh_arguments()[key] for key in ("vertices", "faces")})
     np.testing.assert_array_equal(again.vertices, quad.vertices)
 
@@ -90,3 +90,12 @@ def test_placed_meshes_go_back_into_a_scene(teapot):
 def test_a_scene_shows_itself(teapot):
     assert teapot._repr_png_().startswith(b"\x89PNG")
     assert "6 objects" in repr(teapot)
+
+
+def test_texture_coordinates_of_trimesh_are_v_up():
+    corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
+    thing = types.SimpleNamespace(vertices=corners, faces=np.array([[0, 1, 2], [0, 2, 3]]), visual=types.SimpleNamespace(uv=corners[:, :2]),
+                            metadata={"name": "plate"})
+    made = rakelight.attributes(thing)
+    assert (made[0].tangents[:, 3] == 1).all()  # as glTF: the bitangent points up in the picture
+    assert rakelight.Scene.from_meshes(thing).meshes[0].name == "plate"

@@ -163,3 +163,13 @@ def test_a_file_is_the_program_s(program, tmp_path):
     row = rakelight.render_file("builtin:teapot", tmp_path / "b.png", resolution=SIZE, grid=True)
     assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
     assert row["width"] == 96 and row["triangles"] == 6320
+
+
+@pytest.mark.parametrize("setting", [{"camera_zoom_factor": 0.5}, {"camera_orthographic": True}, {"camera_azimuth_angle": 30}])
+def test_a_named_view_keeps_the_camera_settings_of_the_session(setting):
+    scene = rakelight.load("builtin:teapot")
+    session = rakelight.Session(scene, resolution=(64, 48), **setting)
+    asked = rakelight.render(scene, None, view="front", resolution=(64, 48), **setting)["image"]
+    assert (session.render("front")["image"] == asked).all()
+    assert (session.render("front")["image"] == asked).all()
+    assert (asked != rakelight.render(scene, "front", resolution=(64, 48))["image"]).any()

@@ -31,10 +31,10 @@ private:
     static constexpr Control flush = std::uint64_t(1) << 24;  // FZ
     static Control control() {
         Control value;
-        __asm__ volatile("mrs %0, fpcr" : "=r"(value));
+        __asm__ volatile("mrs %0, fpcr" : "=r"(value) : : "memory");
         return value;
     }
-    static void set_control(Control value) { __asm__ volatile("msr fpcr, %0" : : "r"(value)); }
+    static void set_control(Control value) { __asm__ volatile("msr fpcr, %0" : : "r"(value) : "memory"); }
 #else
     using Control = int;
     static constexpr Control flush = 0;

@@ -5,6 +5,7 @@
   thumbnail_test.py PROGRAM [unittest arguments]"""
 import os
 import pathlib
+import subprocess
 import unittest
 
 import program
@@ -63,6 +64,21 @@ class Thumbnail(program.Case):
         self.fine("thumbnail", "square.obj", "small.png", "32")
         self.assertEqual(os.stat(place).st_ino, before)
         self.assertEqual(program.png(place)[0], 32)
+
+    def test_the_model_itself_is_not_overwritten(self):
+        before = (self.folder / "square.obj").read_bytes()
+        os.symlink("square.obj", self.folder / "link.png")
+        for place in ("square.obj", "./square.obj", "link.png"):
+            result = self.run_program("thumbnail", "square.obj", place, "32")
+            self.assertEqual((result.code, len(result.lines)), (2, 1), result.err)
+            self.assertIn("is the model itself", result.err)
+        self.assertEqual((self.folder / "square.obj").read_bytes(), before)
+
+    def test_a_thumbnail_that_does_not_fit_leaves_no_part(self):
+        shell = f"ulimit -f 1; exec '{program.PROGRAM}' thumbnail square.obj small.png 1024"
+        done = subprocess.run(["bash", "-c", shell], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+        self.assertFalse((self.folder / "small.png").exists())
 
     def test_a_file_that_is_no_model_leaves_no_thumbnail(self):
         self.write("broken.glb", "glTF")

@@ -86,6 +86,9 @@ class Form(unittest.TestCase):
         wanted = list(vcpkg["dependencies"]) + [name for feature in vcpkg["default-features"] for name in vcpkg["features"][feature]["dependencies"]]
         wanted = {"embree" if name == "embree3" else name for name in (entry if isinstance(entry, str) else entry["name"] for entry in wanted)}
         self.assertEqual(names(recipe()["requirements"]["host"]), wanted)
+        required = re.findall(r"pkg_check_modules\(\w+ REQUIRED IMPORTED_TARGET(?: GLOBAL)? (\w+)\)", (ROOT / "src/io/CMakeLists.txt").read_text())
+        self.assertIn("expat", required)
+        self.assertEqual({name.removeprefix("lib") for name in required} - {name.removeprefix("lib") for name in wanted}, set())
 
     def test_steps_are_shell_and_inputs_reach_them_by_the_environment(self):
         for place, step, _ in steps():

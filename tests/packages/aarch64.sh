@@ -43,7 +43,8 @@ cmake --build build/aarch64 --target rakelight test_math test_raster
 arm() { qemu-aarch64 -L "$tree/root" "$@"; }
 echo "wide arithmetic, and pictures for each number of threads and each window, under qemu"
 arm build/aarch64/src/math/test_math --gtest_brief=1
-arm build/aarch64/src/engines/raster/test_raster --gtest_brief=1 --gtest_filter='*Bits*'
+arm build/aarch64/src/engines/raster/test_raster --gtest_filter='*Bits*' >build/aarch64/bits.log || { tail -n 20 build/aarch64/bits.log; exit 1; }
+grep -q '\[  PASSED  \] [1-9]' build/aarch64/bits.log || { echo "no test of bits ran"; exit 1; }
 
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
@@ -59,7 +60,7 @@ same() {
     cmp -s "$out/x86_$name" "$out/arm_$name" || { echo "$name: differs: $*"; different=$((different + 1)); }
 }
 
-small=(--resolution 320,240)
+small=(--resolution "320,240")
 for model in data/spot/*.glb data/head/head.obj data/knight/*.glb data/cages/jack.obj builtin:teapot; do
     name=$(basename "$model" | tr ':.' '__')
     same "$name.png" render "$model" -o %o "${small[@]}"
@@ -74,4 +75,5 @@ for lighting in lambert phong blinn-phong oren-nayar ward pbr; do
     same "lighting_$lighting.png" render builtin:teapot -o %o "${small[@]}" --lighting $lighting
 done
 echo "$count files compared, $different differ"
-[ "$different" = 0 ] && [ "$count" -gt 40 ]
+[ "$different" = 0 ] || exit 1
+[ "$count" -gt 40 ] || { echo "only $count files were compared"; exit 1; }

@@ -33,7 +33,7 @@ printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nver
 rakelight a.stl -o stl.png --resolution 64,64  # by the helper
 is_png stl.png
 [ "$(rakelight-view --help | head -n 1)" ]
-! rakelight-view spot_slab5.glb 2>/dev/null  # there is no display
+if rakelight-view spot_slab5.glb 2>/dev/null; then echo "the window opened without a display"; exit 1; fi
 
 # The line of the entry, with %u, %o and %s as a file manager fills them in. Its words have no blanks.
 cp spot_slab5.glb 'a spot.glb'
