@@ -16,7 +16,8 @@ struct OwnerBand {
     std::vector<std::uint32_t>
         nearest{};  ///< [rows * width] if no sample is covered: the triangle within a texel's distance; or no_index
     std::uint64_t overlapping_texels = 0;
-    std::vector<std::uint32_t> overlapping_charts{};  ///< charts that are hidden by another one somewhere; sorted, unique
+    std::vector<std::uint32_t>
+        overlapping_charts{};  ///< charts that are hidden by another one somewhere; sorted, unique
 };
 
 class TexelOwners {

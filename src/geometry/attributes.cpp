@@ -213,7 +213,8 @@ std::vector<SplitAttributes> geometry::general_attributes_into(std::span<const A
                                                                std::span<const AttributeBuffers> out,
                                                                GeneralScratch& scratch, Context& context) {
     std::vector<SplitAttributes> splits;
-    if (options.tangents && options.tangent_mode != TangentMode::averaged) {  // computed from complete arrays of normals
+    if (options.tangents &&
+        options.tangent_mode != TangentMode::averaged) {  // computed from complete arrays of normals
         const std::vector<MeshAttributes> results = run(meshes, options, scratch, context);
         for (std::size_t m = 0; m < meshes.size(); ++m) splits.push_back(split_from(meshes[m], results[m], out[m]));
         return splits;

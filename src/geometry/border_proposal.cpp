@@ -16,8 +16,9 @@ namespace {
 
 constexpr std::size_t max_asked = 4096, edges_per_chunk = 64;
 constexpr int samples_per_edge = 4;
-constexpr double widest_gap = 0.5;       // of an edge's length
-constexpr double widest_spread = 0.25;   // of an edge's length: maximum variation of its gaps, an angle of about 18 degrees
+constexpr double widest_gap = 0.5;  // of an edge's length
+constexpr double widest_spread =
+    0.25;  // of an edge's length: maximum variation of its gaps, an angle of about 18 degrees
 constexpr double proposed_share = 0.98;  // of the length
 constexpr double min_share = 1e-3;       // of an edge's length, if there is practically no gap
 

@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::uint32_t faces_per_piece = 1u << 18;
 constexpr std::uint32_t max_pieces = 1u << 10;  // of one mesh
-constexpr std::uint32_t pieces_in_flight = 64;  // pieces with simultaneous outboxes, which limits their memory for shuffled meshes
+constexpr std::uint32_t pieces_in_flight =
+    64;  // pieces with simultaneous outboxes, which limits their memory for shuffled meshes
 constexpr std::uint32_t faces_per_small_chunk = 1u << 15;
-constexpr std::uint32_t vertices_per_step = 1u
-                                            << 10;  // rows prepared at a time, so that they are in the cache
+constexpr std::uint32_t vertices_per_step = 1u << 10;  // rows prepared at a time, so that they are in the cache
 
 template <int floats>
 class FastScatter {

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::uint32_t records_per_partition = 1u << 11, partitions_per_task = 8;
 constexpr std::uint32_t max_partitions = 1u << 13;
-constexpr std::uint32_t rounds_by_hash = 4;  // afterwards different positions may share a hash, which is then recomputed
+constexpr std::uint32_t rounds_by_hash =
+    4;  // afterwards different positions may share a hash, which is then recomputed
 
 // For the identity matrix, the bits of the float position; else of the world position in double.
 template <bool identity>

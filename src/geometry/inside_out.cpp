@@ -13,8 +13,9 @@ namespace {
 
 constexpr std::size_t max_bodies = 1000, max_looks = 30'000'000;
 constexpr std::uint32_t nobody = ~0u;
-constexpr double min_fill = 1e-6;     ///< minimum of 36 pi volume^2 / area^3: 1 for a sphere, 0 for a sheet
-constexpr double max_opening = 1e-5;  ///< limit of |sum of area vectors| / area: 0 for closed, consistently oriented surfaces
+constexpr double min_fill = 1e-6;  ///< minimum of 36 pi volume^2 / area^3: 1 for a sphere, 0 for a sheet
+constexpr double max_opening =
+    1e-5;  ///< limit of |sum of area vectors| / area: 0 for closed, consistently oriented surfaces
 
 struct Body {
     dvec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};

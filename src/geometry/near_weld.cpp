@@ -18,8 +18,7 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::size_t crowded =
-    1024;  // places in one cell: more means a hostile file, or a far too large distance
+constexpr std::size_t crowded = 1024;  // places in one cell: more means a hostile file, or a far too large distance
 
 struct Entry {
     dvec3 position;

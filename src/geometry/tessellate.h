@@ -29,8 +29,8 @@ std::vector<CoarseMesh> coarse_meshes(const PlacedMeshes& placed);
 struct FineMesh {
     std::vector<dvec3> places;  ///< [V'] the first V are the coarse mesh's
     std::vector<std::array<std::uint32_t, 2>>
-        middle_of;                       ///< [V' - V] each new vertex bisects the edge between these two earlier vertices
-    std::vector<std::uint32_t> indices;  ///< [3T']
+        middle_of;  ///< [V' - V] each new vertex bisects the edge between these two earlier vertices
+    std::vector<std::uint32_t> indices;          ///< [3T']
     std::vector<std::uint32_t> source_triangle;  ///< [T'] of the coarse mesh
 };
 

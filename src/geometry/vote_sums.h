@@ -26,8 +26,8 @@ inline bool has_cancelled(const NormalRow& row) {
 }
 
 struct VoteSums {
-    BlockArray<NormalRow> normals;    ///< [output vertices]
-    BlockArray<TangentRow> tangents;  ///< [output vertices], or unused without tangents
+    BlockArray<NormalRow> normals;                                   ///< [output vertices]
+    BlockArray<TangentRow> tangents;                                 ///< [output vertices], or unused without tangents
     std::vector<std::uint32_t> degenerate_faces, isolated_vertices;  ///< [meshes]
     std::vector<std::uint32_t> cancelled_groups;  ///< indices of VertexGroups whose normals cancelled
     bool makes_tangents = false;

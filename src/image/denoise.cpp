@@ -77,7 +77,8 @@ float brightness(const Tile& t, int i) { return t.light[0][i] + t.light[1][i] + 
 
 /// Much brighter than its neighbors, with high variance: a firefly, not a small bright object.
 bool is_firefly(const Tile& t, int i) {
-    constexpr int side = 2 * firefly_radius + 1, brighter = 3;  // neighbors that may be as bright, because fireflies cluster
+    constexpr int side = 2 * firefly_radius + 1,
+                  brighter = 3;  // neighbors that may be as bright, because fireflies cluster
     std::array<float, side * side> around;
     int count = 0, bright = 0;
     const float own = brightness(t, i);

@@ -36,7 +36,8 @@ struct NoisyPicture {
     std::span<const vec3> variance{};  ///< [radiance^2] of the mean: variance of the samples / their number
     std::span<const vec3> albedo{};    ///< 0..1, mean of the samples; 1 for samples without a surface or on an emitter
     std::span<const vec3> normal{};    ///< mean of the samples' unit normals; 0 for samples without a surface
-    std::span<const vec3> position{};  ///< [scene units] mean over samples with a surface, preferably relative to the eye; or empty
+    std::span<const vec3>
+        position{};  ///< [scene units] mean over samples with a surface, preferably relative to the eye; or empty
 };
 
 /// Writes the denoised colors. Colors with zero variance change only by rounding (1e-5).

@@ -47,7 +47,8 @@ inline real load_block(const float* p, int stride) {
     return real(RealBatch(_mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p)), _mm_loadu_ps(p + stride), 1)));
 }
 inline void store_block(float* p, int stride, real x, mask m) {
-    const __m256 mixed = _mm256_blendv_ps(load_block(p, stride).v, x.v, m.v.data);  // masked stores are slow on some processors
+    const __m256 mixed =
+        _mm256_blendv_ps(load_block(p, stride).v, x.v, m.v.data);  // masked stores are slow on some processors
     _mm_storeu_ps(p, _mm256_castps256_ps128(mixed));
     _mm_storeu_ps(p + stride, _mm256_extractf128_ps(mixed, 1));
 }

@@ -49,7 +49,8 @@ enum class CapUv : std::uint8_t { around, top, bottom };
 class Revolution {
 public:
     explicit Revolution(int columns) : columns_(columns) {
-        for (int i = 0; i <= 2 * columns; ++i) {  // even: columns, odd: their middles; the last is bit-identical to the first
+        for (int i = 0; i <= 2 * columns;
+             ++i) {  // even: columns, odd: their middles; the last is bit-identical to the first
             const double phi = pi * double(i % (2 * columns)) / columns - pi;
             directions_.push_back(i % (2 * columns) == 0 ? dvec2{0, -1} : dvec2{math::sin(phi), math::cos(phi)});
         }

@@ -18,9 +18,9 @@ namespace {
 constexpr float rim_radius = 1.5f;  ///< of a splat, in spacings, so that scattered points leave few gaps
 constexpr float flat_half = 0.8f;   ///< half side of a flat square divided by the radius
 constexpr float sine_60 = 0.8660254f;
-constexpr float mark_diameter = 2.6f;          ///< of a disc on the screen, in the same unit
-constexpr float max_of_median = 4;             ///< limit for isolated points, in median sizes
-constexpr float max_of_box = 0.025f;           ///< of the box's diagonal: limit for few points, which are dots and not a surface
+constexpr float mark_diameter = 2.6f;  ///< of a disc on the screen, in the same unit
+constexpr float max_of_median = 4;     ///< limit for isolated points, in median sizes
+constexpr float max_of_box = 0.025f;  ///< of the box's diagonal: limit for few points, which are dots and not a surface
 constexpr std::size_t min_for_normals = 1000;  ///< fewer points show no surface
 constexpr std::size_t points_per_task = 1 << 14;
 

@@ -32,7 +32,7 @@ public:
     /// Uses the mesh `number` that place() returned for another instance of the same mesh.
     void share(const Instance& instance, std::uint32_t number);
     std::uint32_t copies() const { return added_.count(); }  ///< number of added meshes
-    std::uint32_t kept() const { return kept_; }  ///< results discarded by `keep_shared`
+    std::uint32_t kept() const { return kept_; }             ///< results discarded by `keep_shared`
 
 private:
     Scene& scene_;

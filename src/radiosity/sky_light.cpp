@@ -15,8 +15,9 @@ namespace rakelight::radiosity {
 namespace {
 
 constexpr int rings = 8, spokes = 8;
-constexpr int widest = 128;       ///< [texels] resolution for finding suns
-constexpr int coarse_width = 16;  ///< [texels] resolution for sampled directions, similar to their number per hemisphere
+constexpr int widest = 128;  ///< [texels] resolution for finding suns
+constexpr int coarse_width =
+    16;  ///< [texels] resolution for sampled directions, similar to their number per hemisphere
 
 /// Cosine-weighted directions about +Z: centers of equal parts of the disc (Malley's method).
 std::array<dvec3, rings * spokes> directions() {

@@ -48,12 +48,12 @@ struct FitOptions {
     /// The world's up direction, which rotates the sides: for Z up the front is at -Y. Nonzero, finite, any length.
     /// Absent: `up`, else +Y.
     std::optional<dvec3> world_up;
-    std::optional<dvec3> up;                   ///< the picture's up vector, nonzero, finite. Absent, or parallel to the view: the side's default
+    std::optional<dvec3>
+        up;  ///< the picture's up vector, nonzero, finite. Absent, or parallel to the view: the side's default
     std::optional<double> vertical_fov_rad;    ///< 0..pi, both exclusive
     std::optional<double> horizontal_fov_rad;  ///< 0..pi, both exclusive; both angles then define the aspect
     bool orthographic = false;
-    std::optional<dvec3>
-        direction;  ///< view direction, replaces the side's; nonzero, finite, any length
+    std::optional<dvec3> direction;             ///< view direction, replaces the side's; nonzero, finite, any length
     double azimuth_rad = 0, elevation_rad = 0;  ///< see orbited()
     double fill = 0.9;                          ///< > 0: share of the picture's smaller side filled by the model
 };
