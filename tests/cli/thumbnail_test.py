@@ -66,6 +66,7 @@ class Thumbnail(program.Case):
         self.assertEqual(program.png(place)[0], 32)
 
     def test_the_model_itself_is_not_overwritten(self):
+        self.write("square.obj", program.SQUARE.format(name="a"))
         before = (self.folder / "square.obj").read_bytes()
         os.symlink("square.obj", self.folder / "link.png")
         for place in ("square.obj", "./square.obj", "link.png"):
@@ -75,6 +76,7 @@ class Thumbnail(program.Case):
         self.assertEqual((self.folder / "square.obj").read_bytes(), before)
 
     def test_a_thumbnail_that_does_not_fit_leaves_no_part(self):
+        self.write("square.obj", program.SQUARE.format(name="a"))
         shell = f"ulimit -f 1; exec '{program.PROGRAM}' thumbnail square.obj small.png 1024"
         done = subprocess.run(["bash", "-c", shell], cwd=self.folder, capture_output=True, text=True)
         self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
