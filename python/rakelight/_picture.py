@@ -2,6 +2,7 @@
 """Pictures as dictionaries of arrays."""
 from __future__ import annotations
 
+import copy
 import os
 import struct
 import zlib
@@ -49,6 +50,10 @@ class Picture(Dict[str, "NDArray[Any]"]):
         super().__init__(drawn)
         self.to_world, self.intrinsics = camera["to_world"], camera["intrinsics"]
         self.near, self.far = camera["near"], camera["far"]
+
+    def copy(self) -> Picture:
+        """The same channels and camera; as of any dictionary, the arrays are shared. ``copy.deepcopy`` copies them, too."""
+        return copy.copy(self)
 
     def png(self) -> bytes:
         """The channel ``image`` as the bytes of a PNG file."""
