@@ -140,8 +140,8 @@ def render_file(
     (``grid=True``) and channel files.
 
     Args:
-        channels: data to be written with the picture, by the names of :func:`rakelight.render`: into the layers of .exr, else into files
-            beside it. "image" and "color" are the picture itself, which is written in any case; None: what the world or the scene says
+        channels: data to be written beside the picture, by the names of :func:`rakelight.render`, each into a file or as
+            ``channel_files`` says. "image" and "color" are the picture itself, which is written in any case; None: what the world says
     Returns:
         a row of ``rakelight render --json``
     """

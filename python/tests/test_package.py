@@ -133,7 +133,7 @@ def test_the_tag_of_a_wheel_is_what_its_files_ask_for(tmp_path, monkeypatch):
     assert repair_wheel.too_new(file, (2, 36)) == []
     versions += ["GLIBC_2.38", "GLIBCXX_3.4.31"]
     assert repair_wheel.platform_tag(tmp_path) == "manylinux_2_38_aarch64"
-    assert repair_wheel.too_new(file, (2, 36)) == ["GLIBCXX_3.4.31", "GLIBC_2.38"]
+    assert repair_wheel.too_new(file, (2, 36)) == ["GLIBC_2.38", "GLIBCXX_3.4.31"]
     assert repair_wheel.too_new(file, repair_wheel.glibc_of("rakelight-1-cp3-cp3-manylinux_2_38_aarch64.whl")) == ["GLIBCXX_3.4.31"]
 
 

@@ -185,15 +185,16 @@ def test_the_picture_itself_is_a_channel_of_a_file(program, tmp_path, teapot):
     rakelight.render_file(teapot, tmp_path / "c.png", resolution=SIZE, channels="image")
     rakelight.render_file(teapot, tmp_path / "d.png", resolution=SIZE)
     assert (tmp_path / "c.png").read_bytes() == (tmp_path / "d.png").read_bytes()
-    assert {file.name for file in tmp_path.iterdir()} == {"a.exr", "b.exr", "c.png", "d.png"}
+    assert {file.name for file in tmp_path.iterdir()} == {"a.exr", "b.exr", "c.png", "d.png"} | {f"{n}.{c}.exr" for n in "ab" for c in ("depth", "face-normal")}
     for channels in ([], ["image", "depht"]):
         with pytest.raises(rakelight.UsageError):
             rakelight.render_file(teapot, tmp_path / "e.png", channels=channels)
 
 
+@pytest.mark.filterwarnings("ignore:.*normal map")
 def test_files_are_found_after_the_working_directory_changes(tmp_path, monkeypatch):
-    models = ["world/room.scene.toml", "maps/wall.obj"]
-    for folder in ("world", "maps"):
+    models = ["world/room.scene.toml", "head/head.obj"]
+    for folder in ("world", "head"):
         shutil.copytree(DATA / folder, tmp_path / folder)
     (tmp_path / "elsewhere").mkdir()
     monkeypatch.chdir(tmp_path)
@@ -203,7 +204,7 @@ def test_files_are_found_after_the_working_directory_changes(tmp_path, monkeypat
         scene = rakelight.load(model)
         os.chdir(tmp_path / "elsewhere")
         np.testing.assert_array_equal(rakelight.render(scene, resolution=SIZE)["image"], expected)
-        np.testing.assert_array_equal(rakelight.render(scene.smooth(), resolution=(8, 6), channels="object")["object"].shape, (6, 8))
+        assert rakelight.render(scene.smooth(), resolution=(8, 6), channels="object")["object"].shape == (6, 8)
         assert scene.source == model
 
 

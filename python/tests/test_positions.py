@@ -72,7 +72,7 @@ def test_large_whole_numbers_are_positions():
 
 
 def test_far_positions_that_are_not_finite_stay_so():
-    vertices = np.concatenate([FAR + CORNERS, [[np.nan, 0, 0], [np.inf, 0, 1e300]]])
+    vertices = np.concatenate([FAR + CORNERS, FAR + [[np.nan, 0, 0], [np.inf, 0, 1e300]]])
     mesh = rakelight.Scene.from_meshes((vertices, FACES)).meshes[0]
     np.testing.assert_allclose(mesh.positions()[:4], FAR + CORNERS, rtol=0, atol=1e-7)
     assert not np.isfinite(mesh.vertices[4:, 0]).any()
