@@ -118,6 +118,9 @@ def test_training_arrays_of_nothing(tmp_path, text):
     (tmp_path / "empty.gltf").write_text(text)
     said = run("training_arrays.py", tmp_path / "empty.gltf", "--folder", tmp_path, code=1)
     assert said.startswith(str(tmp_path / "empty.gltf")) and said.count("\n") == 1, said
+    points = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n"
+    (tmp_path / "points.ply").write_text(points)
+    assert run("training_arrays.py", tmp_path / "points.ply", code=1).endswith("points.ply: there are no triangles\n")
     assert "nowhere.glb" in run("training_arrays.py", "nowhere.glb", "--folder", tmp_path, code=1)
 
 

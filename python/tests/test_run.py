@@ -165,6 +165,10 @@ def tell(stage, fraction):
     inside.set()
     while {stays}:
         pass
+class Late:  # keeps the interpreter busy at its end, so that the thread comes back while it finishes
+    def __del__(self, sleep=time.sleep):
+        sleep(0.3)
+late = Late()
 scene = rakelight.load("builtin:sphere:tolerance=0.00001")
 def work():
     while True:
