@@ -89,7 +89,7 @@ class Mesh:
         return {"vertices": vertices, "faces": self.faces, "vertex_normals": self.normals, "process": False}
 
 
-MeshLike = Any
+MeshLike = Union[Mesh, Any]
 """A :class:`Mesh`, or anything with ``.vertices`` and ``.faces`` (trimesh) or ``.triangles`` (Open3D): normals, texture coordinates and a
 name are taken where they have the usual names; or a tuple (vertices, faces). ``.visual.uv`` (trimesh) is v up, ``.uv`` is v down."""
 

@@ -6,7 +6,7 @@ import copy
 import os
 import struct
 import zlib
-from typing import Any, Dict
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,7 +31,7 @@ def _png(image: NDArray[np.uint8]) -> bytes:
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows.tobytes(), 6)) + chunk(b"IEND", b"")
 
 
-class Picture(Dict[str, "NDArray[Any]"]):
+class Picture(dict[str, "NDArray[Any]"]):
     """What was drawn: {channel: array}, row 0 on top. It shows itself in Jupyter.
 
     Attributes:

@@ -119,8 +119,8 @@ def render(
             - uv, uv1: [H, W, 2] float32; barycentric: [H, W, 3] float32
             - base_color, ambient, diffuse, specular, emission: [H, W, 3] float32, linear; "lighting": the last four; "all": all so far but image
               and color
-            - ambient_occlusion: [H, W] float32; with ``method="path"`` albedo, direct, indirect: [H, W, 3] float32, variance: [H, W];
-              "paths": these four
+            - ambient_occlusion: [H, W] float32, with ``ambient_occlusion=True``; of ``engine="trace", method="path"``: albedo, direct,
+              indirect: [H, W, 3] float32, variance: [H, W]; "paths": these four
         settings: as :class:`Session`
     Raises:
         UsageError, NotFoundError, BadFileError
