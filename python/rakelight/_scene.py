@@ -81,6 +81,8 @@ class Scene:
         Raises:
             UsageError: shapes, types or indices that do not fit; another number of vertices for an animated mesh; a ``to_world``
         """
+        if not isinstance(meshes, Mapping) or not all(hasattr(number, "__index__") for number in meshes):
+            raise UsageError("with_meshes: {number: mesh} is expected")
         given = {operator.index(number): mesh_of(mesh) for number, mesh in meshes.items()}
         for number in given:
             if not 0 <= number < self._core.mesh_count:

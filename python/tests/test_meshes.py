@@ -149,7 +149,7 @@ def test_what_replaces_a_mesh_may_have_a_color_and_other_counts(teapot, quad):
 
 @pytest.mark.parametrize("meshes", [
     {99: ([[0, 0, 0]], [])}, {-1: ([[0, 0, 0]], [])}, {0: ([[0, 0, 0]], [[0, 1, 2]])}, {0: 5},
-    {0: rakelight.Mesh([[0, 0, 0]], [], to_world=np.eye(4))},
+    {0: rakelight.Mesh([[0, 0, 0]], [], to_world=np.eye(4))}, {"body": ([[0, 0, 0]], [])}, [([[0, 0, 0]], [])],
 ])  # fmt: skip
 def test_meshes_that_replace_none(teapot, meshes):
     with pytest.raises(rakelight.UsageError):
