@@ -12,6 +12,7 @@
 #include "image/tone.h"
 #include "math/isa.h"
 #include "unit/raster/busy_scene.h"
+#include "unit/raster/every_geometry_kernels.h"
 
 using namespace rakelight;
 using namespace rakelight::test;
@@ -164,19 +165,11 @@ std::vector<std::int32_t> patches(std::mt19937& random) {
     return visible;
 }
 
-std::vector<const raster::GeometryKernels*> flavours() {
-    std::vector<const raster::GeometryKernels*> all = {raster::scalar::geometry_kernels()};
-    if (is_available(Isa::sse2)) all.push_back(raster::sse2::geometry_kernels());
-    if (is_available(Isa::avx2)) all.push_back(raster::avx2::geometry_kernels());
-    if (is_available(Isa::avx512)) all.push_back(raster::avx512::geometry_kernels());
-    return all;
-}
-
 TEST(CollectKernel, ListsEachPixelOfADrawOnce) {
     std::mt19937 random(3);
     for (int round = 0; round < 20; ++round) {
         const std::vector<std::int32_t> visible = patches(random);
-        for (const raster::GeometryKernels* kernels : flavours()) {
+        for (const raster::GeometryKernels* kernels : raster::every_geometry_kernels()) {
             std::vector<std::int32_t> pixel(visible.size() + 32), shown(pixel);
             const auto count = std::size_t(kernels->collect(visible.data(), 2, 5, pixel.data(), shown.data()));
             for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(shown[i], visible[std::size_t(pixel[i])]);
@@ -195,7 +188,7 @@ TEST(FillEmptyKernel, WritesWhereNothingIsVisibleAndNowhereElse) {
     constexpr std::size_t stride = 70;
     for (int round = 0; round < 20; ++round) {
         const std::vector<std::int32_t> visible = patches(random);
-        for (const raster::GeometryKernels* kernels : flavours()) {
+        for (const raster::GeometryKernels* kernels : raster::every_geometry_kernels()) {
             std::vector<std::uint32_t> out(stride * 64, untouched);
             kernels->fill_empty(visible.data(), 7, out.data(), stride);
             for (std::size_t y = 0; y < 64; ++y)

@@ -9,21 +9,12 @@
 
 #include "engines/raster/visibility/coverage.h"
 #include "math/flush_denormals.h"
-#include "math/isa.h"
+#include "unit/raster/every_geometry_kernels.h"
 
 using namespace rakelight;
 using namespace rakelight::raster;
 
 namespace {
-
-std::vector<const GeometryKernels*> flavours() {
-    std::vector<const GeometryKernels*> all;
-    if (is_available(Isa::scalar)) all.push_back(scalar::geometry_kernels());
-    if (is_available(Isa::sse2)) all.push_back(sse2::geometry_kernels());
-    if (is_available(Isa::avx2)) all.push_back(avx2::geometry_kernels());
-    if (is_available(Isa::avx512)) all.push_back(avx512::geometry_kernels());
-    return all;
-}
 
 PictureCamera picture_camera_of(Projection projection) {
     Camera camera;
@@ -111,7 +102,7 @@ TEST(GeometryKernels, VerticesAreWhereThePlainFunctionsPutThem) {
         const PictureCamera view = picture_camera_of(projection);
         const ScreenMap map(view);
         const ClipVolume volume(view);
-        for (const GeometryKernels* kernels : flavours()) {
+        for (const GeometryKernels* kernels : every_geometry_kernels()) {
             std::vector<ClipVertex> clip;
             std::vector<ScreenVertex> screen;
             const VertexJob job = job_of(view, positions, clip, screen);
@@ -150,7 +141,7 @@ TEST(GeometryKernels, SmallTrianglesCoverWhatThePlainFunctionsSayAtTheSameDepth)
                 expected.visible[p] = std::int32_t(i) + 7;
                 ++written;
             });
-        for (const GeometryKernels* kernels : flavours()) {
+        for (const GeometryKernels* kernels : every_geometry_kernels()) {
             TilePixels found;
             NearestJob job{.rows = rows.data(),
                            .count = 500,
@@ -184,7 +175,7 @@ TEST(GeometryKernels, CentersOnTheEdgesOfSmallTrianglesBelongToTopAndLeftEdges) 
                                       std::uint32_t(1 << (fine_bits - 1)) << (outcode_bits + fine_bits);
         return s;
     };
-    for (const GeometryKernels* kernels : flavours())
+    for (const GeometryKernels* kernels : every_geometry_kernels())
         for (const int size : {1, 2, 5, 9})
             for (const bool falls : {false, true}) {  // which diagonal
                 const int l = 70, t = 135, r = l + size, b = t + size;
@@ -220,7 +211,7 @@ TEST(GeometryKernels, CentersOnTheEdgesOfSmallTrianglesBelongToTopAndLeftEdges) 
 
 TEST(GeometryKernels, TheFarthestDepthOfAPartOfATileIsThatOfItsPixelsAlone) {
     std::mt19937 random(31);
-    for (const GeometryKernels* kernels : flavours()) {
+    for (const GeometryKernels* kernels : every_geometry_kernels()) {
         TilePixels tile;
         kernels->clear_tile(tile.depth.data(), tile.visible.data());
         EXPECT_TRUE(tile == TilePixels{});
@@ -271,7 +262,7 @@ TEST(GeometryKernels, TrianglesWithoutAPixelCenterVanishAndNoOtherDoes) {
             vertices.push_back({x + int(random() % unsigned(size)), y + int(random() % unsigned(size)), 0.5f, 0});
         }
     }
-    for (const GeometryKernels* kernels : flavours()) {
+    for (const GeometryKernels* kernels : every_geometry_kernels()) {
         std::vector<ScreenTriangle> rows(triangles);
         std::vector<std::uint32_t> tiles(triangles);
         SetUpJob job{.indices = indices.data(),
