@@ -15,7 +15,7 @@ struct Answers {
     bool operator==(const Answers&) const = default;
 };
 
-/// By the option's form and type ("up|down", "FILE"), and of a setting the words that its key lists where it refuses one.
+/// By the option's form, its type ("FILE") and its words; of a setting the words that its key lists where it refuses one.
 Answers answers_for(const Option& option);
 
 /// "-o", "--output"; both names where it has two.

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small pictures of models, as file managers show them.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include <rakelight/export.h>
+#include <rakelight/request.h>
+
+namespace rakelight {
+
+/// render_picture() into memory, with textures that are decoded at a reduced size: halved until no side is longer than
+/// 512 pixels, or than four times the longer side of the picture. So a texel is still smaller than a pixel where the
+/// model fills the picture, and nothing pays for the texels that no pixel shows.
+/// @return the bytes of the picture file. Its format follows from the ending of `request.output`
+/// @throws Error usage, not_found, bad_file, failed
+RL_API std::vector<std::byte> thumbnail(const PictureRequest& request, Context& context);
+
+}  // namespace rakelight
