@@ -92,7 +92,7 @@ int run_thumbnail(const Run& run) {
             const ProcessLimits limits({cpu_seconds, cpu_seconds * waits, bytes}, model);
             Context context({.threads = run.threads ? run.threads : 1,
                              .max_memory = bytes > 2 * own_bytes ? bytes - own_bytes : bytes / 2});
-            file = thumbnail(request_of(run, model, size), context);
+            file = thumbnail(request_of(run, model, size), cpu_seconds, context);
             if (run.loudness == Loudness::verbose) print_remarks(context.report(), run.loudness);
         }
         save_bytes(run.inputs[1], file, Saving::in_place);

@@ -98,11 +98,33 @@ Pixels read_whole(const EncodedImage& image, Context& context) {
     return read_image(image, want, any_side, context);
 }
 
+bool is_of_file(const EncodedImage& image) {
+    const auto* const decoder = image.decode.target<Pixels (*)(const EncodedImage&, Context&)>();
+    return decoder && *decoder == read_whole<Want::pixels>;
+}
+
+bool is_jpeg(const EncodedImage& image, Context& context) {
+    std::array<std::byte, 12> first{};
+    if (image.bytes) return codec::reader_of(*image.bytes) == codec::read_jpeg;
+    const std::size_t count = InputFile(image.path, context).read(first);
+    return codec::reader_of(std::span(first).first(count)) == codec::read_jpeg;
+}
+
 }  // namespace
 
+std::uint64_t decoding_work(const EncodedImage& image, Context& context) {
+    if (!is_of_file(image)) return 0;
+    try {
+        const Pixels header = read_image(image, Want::header, any_side, context);
+        return std::uint64_t(header.width) * std::uint64_t(header.height) / (is_jpeg(image, context) ? 4 : 1);
+    } catch (const Error&) {  // told when it is decoded
+        context.throw_if_cancelled();
+        return 0;
+    }
+}
+
 ImageHandle reduced_image(const ImageHandle& image, int most_side) {
-    const auto* const decoder = image->decode.target<Pixels (*)(const EncodedImage&, Context&)>();
-    if (!decoder || *decoder != read_whole<Want::pixels>) return image;
+    if (!is_of_file(*image)) return image;
     EncodedImage reduced = *image;
     reduced.decode = [most_side](const EncodedImage& i, Context& c) {
         return read_image(i, Want::pixels, most_side, c);
