@@ -103,20 +103,13 @@ bool is_of_file(const EncodedImage& image) {
     return decoder && *decoder == read_whole<Want::pixels>;
 }
 
-bool is_jpeg(const EncodedImage& image, Context& context) {
-    std::array<std::byte, 12> first{};
-    if (image.bytes) return codec::reader_of(*image.bytes) == codec::read_jpeg;
-    const std::size_t count = InputFile(image.path, context).read(first);
-    return codec::reader_of(std::span(first).first(count)) == codec::read_jpeg;
-}
-
 }  // namespace
 
 std::uint64_t decoding_work(const EncodedImage& image, Context& context) {
     if (!is_of_file(image)) return 0;
     try {
-        const Pixels header = read_image(image, Want::header, any_side, context);
-        return std::uint64_t(header.width) * std::uint64_t(header.height) / (is_jpeg(image, context) ? 4 : 1);
+        if (image.bytes) return codec::reduced_work(*image.bytes, context);
+        return codec::reduced_work(*read_file(image.path, context, true), context);
     } catch (const Error&) {  // told when it is decoded
         context.throw_if_cancelled();
         return 0;

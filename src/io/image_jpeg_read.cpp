@@ -146,6 +146,13 @@ Pixels read_jpeg(std::span<const std::byte> bytes, Want want, Context& context) 
     return read(bytes, want, 1, context);
 }
 
+bool has_several_scans(std::span<const std::byte> bytes, Context& context) {
+    JpegReader reader;
+    reader.context = &context;
+    if (!read_header(reader, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), 0)) broken(reader);
+    return jpeg_has_multiple_scans(&reader.info) != FALSE;
+}
+
 Pixels read_reduced_jpeg(std::span<const std::byte> bytes, int factor, Context& context) {
     const int scale = std::min(factor, 8);
     Pixels pixels = read(bytes, Want::pixels, unsigned(scale), context);

@@ -81,4 +81,11 @@ Pixels read_reduced(std::span<const std::byte> bytes, int most_side, Want want, 
         whole, factor, [&whole](int y) { return whole.row(y); }, context);
 }
 
+std::uint64_t reduced_work(std::span<const std::byte> bytes, Context& context) {
+    const PictureReader reader = reader_of(bytes);
+    const Pixels header = reader(bytes, Want::header, context);
+    const bool is_by_blocks = reader == read_jpeg && !has_several_scans(bytes, context);
+    return std::uint64_t(header.width) * std::uint64_t(header.height) / (is_by_blocks ? 4 : 1);
+}
+
 }  // namespace rakelight::io::codec

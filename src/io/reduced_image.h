@@ -12,7 +12,8 @@ namespace rakelight::io {
 ImageHandle reduced_image(const ImageHandle& image, int most_side);
 
 /// [pixels] What reduced_image() costs to decode, in pixels of a PNG file: all of the whole picture, but a quarter of
-/// them of a JPEG file, whose blocks are decoded at the reduced size. 0: it cannot be read, or did not come from a file.
+/// them of a JPEG file with one scan, whose blocks are decoded at the reduced size. 0: it cannot be read, or did not come
+/// from a file.
 std::uint64_t decoding_work(const EncodedImage& image, Context& context);
 
 }  // namespace rakelight::io

@@ -18,11 +18,13 @@ struct Cut {
     bool (*has)(TextureRoleNumber);
 };
 
-constexpr std::array<Cut, 3> cuts{
+constexpr std::array<Cut, 4> cuts{
     {{"normal, height and occlusion maps",
       [](TextureRoleNumber role) {
           return role == role_normal || role == role_height || role == role_occlusion || role == role_clearcoat_normal;
       }},
+     {"all textures but those of color, opacity and emission",
+      [](TextureRoleNumber role) { return role != role_base_color && role != role_opacity && role != role_emission; }},
      {"all textures but those of color and opacity",
       [](TextureRoleNumber role) { return role != role_base_color && role != role_opacity; }},
      {"all textures", [](TextureRoleNumber) { return true; }}}};
@@ -40,12 +42,16 @@ void disable_factor(Material& m, TextureRoleNumber role) {
     if (role == role_iridescence) p.iridescence = 0;
 }
 
-void leave_out(Material& material, const Cut& cut) {
+/// @return whether there was something
+bool leave_out(Material& material, const Cut& cut) {
+    bool is_changed = false;
     for (const TextureRole& role : texture_roles()) {
         if (!role.in(material) || !cut.has(role.number)) continue;
         role.in(material) = {};
         disable_factor(material, role.number);
+        is_changed = true;
     }
+    return is_changed;
 }
 
 /// Each picture of a scene with its work.
@@ -72,9 +78,11 @@ Scene with_thumbnail_textures(Scene scene, int most_side, std::uint64_t most_wor
     const auto works = works_of(scene, context);
     for (const Cut& cut : cuts) {
         if (work_of(scene, works) <= most_work) break;
-        for (Material& material : scene.materials) leave_out(material, cut);
-        context.report().add(Remark::dropped, scene.source, "",
-                             std::string("left out, as decoding takes too long: ") + cut.name);
+        bool is_changed = false;
+        for (Material& material : scene.materials) is_changed |= leave_out(material, cut);
+        if (is_changed)
+            context.report().add(Remark::dropped, scene.source, "",
+                                 std::string("left out, as decoding takes too long: ") + cut.name);
     }
     std::map<ImageHandle, ImageHandle> reduced;  // textures that share a picture still do
     for (Texture& texture : scene.textures) {

@@ -123,6 +123,16 @@ TEST(ReducedImage, ACutFileIsAnError) {
     EXPECT_EQ(error_of([&] { codec::read_reduced({}, 8, Want::header, context); }).code(), ErrorCode::bad_file);
 }
 
+TEST(ReducedImage, TheWorkIsThatOfAPngAndLessOfAJpegWithOneScan) {
+    Context context;
+    const Pixels picture = noise_picture(64, 32, 3, Component::u8);
+    EXPECT_EQ(codec::reduced_work(encoded(picture, "a.png"), context), 64u * 32u);
+    EXPECT_EQ(codec::reduced_work(encoded(picture, "a.jpg"), context), 64u * 32u / 4u);
+    EXPECT_EQ(error_of([&] { codec::reduced_work({}, context); }).code(), ErrorCode::bad_file);
+    const ImageHandle missing = image_from_file("a", "model.gltf", "/nowhere/a.png");
+    EXPECT_EQ(decoding_work(*missing, context), 0u);
+}
+
 TEST(ReducedImage, AHandleDecodesAndMeasuresTheReducedPicture) {
     Context context;
     const auto bytes =

@@ -63,13 +63,21 @@ TEST(ThumbnailTextures, NormalMapsAreLeftOutFirst) {
     EXPECT_NE(context.report().entries()[0].message.find("normal, height and occlusion"), std::string::npos);
 }
 
-TEST(ThumbnailTextures, ThenAllButColorsWithTheFactorsThatTheyMultiply) {
+TEST(ThumbnailTextures, ThenAllThatDoNotColorWithTheFactorsThatTheyMultiply) {
+    Context context;
+    const Material m = with_thumbnail_textures(scene_of("png"), 16, 2 * pixels, context).materials[0];
+    EXPECT_TRUE(m.base_color_texture && m.emission_texture);
+    EXPECT_FALSE(m.metallic_roughness.texture || m.normal_texture);
+    EXPECT_EQ(m.emission, (vec3{1, 1, 1}));
+    EXPECT_EQ(m.metallic_roughness.metallic, 0);
+}
+
+TEST(ThumbnailTextures, ThenEmissionWhichWouldShineEverywhere) {
     Context context;
     const Material m = with_thumbnail_textures(scene_of("png"), 16, pixels, context).materials[0];
     EXPECT_TRUE(m.base_color_texture);
-    EXPECT_FALSE(m.emission_texture || m.metallic_roughness.texture || m.normal_texture);
+    EXPECT_FALSE(m.emission_texture);
     EXPECT_EQ(m.emission, (vec3{0, 0, 0}));
-    EXPECT_EQ(m.metallic_roughness.metallic, 0);
 }
 
 TEST(ThumbnailTextures, ThenAll) {
@@ -77,7 +85,18 @@ TEST(ThumbnailTextures, ThenAll) {
     const Material m = with_thumbnail_textures(scene_of("png"), 16, pixels - 1, context).materials[0];
     EXPECT_FALSE(m.base_color_texture);
     EXPECT_EQ(m.base_color, Material().base_color);
-    EXPECT_EQ(context.report().entries().size(), 3u);
+    EXPECT_EQ(context.report().entries().size(), 4u);
+}
+
+TEST(ThumbnailTextures, ThatAreNotThereAreNotReported) {
+    Context context;
+    Scene scene = scene_of("png");
+    scene.materials[0].normal_texture = scene.materials[0].emission_texture =
+        scene.materials[0].metallic_roughness.texture = {};
+    const Material m = with_thumbnail_textures(scene, 16, pixels - 1, context).materials[0];
+    EXPECT_FALSE(m.base_color_texture);
+    EXPECT_EQ(m.metallic_roughness.metallic, Material().metallic_roughness.metallic);
+    EXPECT_EQ(context.report().entries().size(), 1u);
 }
 
 TEST(ThumbnailTextures, AJpegCountsAsAQuarter) {
