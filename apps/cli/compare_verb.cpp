@@ -51,7 +51,8 @@ std::vector<Option> own_options() {
          .type = "LIST",
          .help = "Draw each scene with these engines, such as soft,gl, and compare the first engine with each of the "
                  "others",
-         .words = apps::engine_words},
+         .words = apps::engine_words,
+         .takes_several_words = true},
         {"tolerance", "Compare", "T",
          "A pixel counts as differing if a component differs by more than this (default 0)"},
         {"pixels-per-degree", "Compare", "P",

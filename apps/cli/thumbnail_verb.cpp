@@ -83,7 +83,9 @@ int run_thumbnail(const Run& run) {
                                    ? values::number("cpu-seconds", given.word("cpu-seconds"), 0.05, 60)
                                    : most_cpu_seconds;
     const std::uint64_t bytes = run.max_memory ? run.max_memory : most_bytes;
-    if (bytes < least_bytes) throw values::wrong("max-memory", "must be 32M or more: the program itself takes as much");
+    if (bytes < least_bytes)
+        throw values::wrong("max-memory", "must be " + std::to_string(least_bytes >> 20) +
+                                              "M or more: the program itself takes as much");
     std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of the write
     try {
         std::vector<std::byte> file;

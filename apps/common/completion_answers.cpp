@@ -50,8 +50,9 @@ std::vector<std::string> words_of_key(const RenderKey& key) {
 
 Answers answers_for(const Option& option) {
     if (option.form == Form::flag) return {};
-    if (option.form == Form::on_off) return {.takes_value = false, .is_file = false, .words = {"on", "off"}};
-    Answers answers{.takes_value = true, .is_file = false, .words = {}};
+    if (option.form == Form::on_off)
+        return {.takes_value = false, .is_file = false, .words = {"on", "off"}, .is_list = false};
+    Answers answers{.takes_value = true, .is_file = false, .words = {}, .is_list = false};
     const std::string_view type = option.type;
     const RenderKey* const key = option.is_setting ? find_render_key(option.name) : nullptr;
     for (const std::string_view word : {"FILE", "DIR", "PICTURE", "PLACE"}) answers.is_file |= type == word;
@@ -60,6 +61,7 @@ Answers answers_for(const Option& option) {
         answers.words = option.words();
     else if (key)
         answers.words = words_of_key(*key);
+    answers.is_list = option.takes_several_words;
     return answers;
 }
 

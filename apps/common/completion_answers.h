@@ -12,6 +12,7 @@ struct Answers {
     bool takes_value = false;        ///< something has to follow
     bool is_file = false;            ///< a file or a folder
     std::vector<std::string> words;  ///< one of these; empty: numbers, names, anything
+    bool is_list = false;            ///< or several of them, with commas between
     bool operator==(const Answers&) const = default;
 };
 

@@ -31,9 +31,9 @@ struct Option {
     bool is_hidden = false;      ///< known, but not in the help
     char letter = 0;             ///< "-o"; 0: none
     const char* also = nullptr;  ///< another name of it, in the help too; null: none
-    /// The words that its value can be, or that it lists with commas between: those that its value is read by. Null:
-    /// other values, or a setting, whose key has them.
+    /// The words that its value can be: those that it is read by. Null: other values, or a setting, whose key has them.
     std::vector<std::string> (*words)() = nullptr;
+    bool takes_several_words = false;  ///< with commas between
 };
 
 /// Option::words of the table that the value is read by.

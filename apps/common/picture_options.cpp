@@ -272,6 +272,7 @@ std::vector<Option> picture_options() {
             options.emplace_back(Option{entry.name, entry.group, entry.type, entry.help, form_of(key->kind)});
         option.is_setting = true;
         if (std::string_view(entry.name) == "engine") option.words = engine_words;
+        option.takes_several_words = std::string_view(entry.name).starts_with("channel");
         if (std::string_view(entry.name) == "edges") option.letter = 'e';
         if (std::string_view(entry.name) == "background") option.also = "background-color";
         if (std::string_view(entry.name) == "scalars") option.also = "coloring-array";

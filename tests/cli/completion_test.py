@@ -133,6 +133,14 @@ class Completion(program.Case):
 
         self.in_all_shells(check)
 
+    def test_words_behind_commas(self):
+        def check(offers):
+            for words, found in ((("bake", "--maps", "normal,hei"), "height"), (("render", "--channels", "depth,uv,over"), "overdraw"),
+                                 (("compare", "--engines", "soft,so"), "soft")):
+                self.assertIn(found, ",".join(offers(*words)).split(","))
+
+        self.in_all_shells(check)
+
     def test_words_of_two(self):
         def check(offers):
             found = offers("render", "--normal-map-green", "d")
