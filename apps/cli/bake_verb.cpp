@@ -61,12 +61,24 @@ std::vector<Option> number_options(std::string_view group) {
     return options;
 }
 
+std::vector<Word<BakeMap>> map_words() {
+    std::vector<Word<BakeMap>> words;
+    for (const BakeMap map : all_bake_maps()) words.push_back({name_of(map), map});
+    return words;
+}
+
+std::vector<std::string> map_names() {
+    std::vector<std::string> names;
+    for (const Word<BakeMap>& word : map_words()) names.emplace_back(word.name);
+    return names;
+}
+
 std::vector<Option> own_options() {
     using enum apps::Form;
     return apps::joined(
         {{{.name = "output",
            .group = "Output",
-           .type = "NAME",
+           .type = "FILE",
            .help = "Pictures to write, .png or .exr; {map} stands for the name of each map",
            .is_required = true,
            .letter = 'o'},
@@ -75,22 +87,41 @@ std::vector<Option> own_options() {
            "baked for, and with the normal and occlusion maps"},
           {"bits", "Output", "N", "PNG: bits per component, 8 or 16 (default 16 for heights, else 8)"},
           {"size", "Output", "N", "Size of the maps in pixels: one number for a square, or W,H (default 1024)"}},
-         {{"maps", "Maps", "LIST", "Maps to bake: normal, height, curvature, occlusion, light (default normal)"},
-          {"space", "Maps", "WHICH", "Space of normal maps: tangent (default) or object"},
-          {"green", "Maps", "WAY",
-           "Direction of green in tangent-space normal maps: up (default, as glTF and OpenGL) or down (DirectX)"},
+         {{.name = "maps",
+           .group = "Maps",
+           .type = "LIST",
+           .help = "Maps to bake: normal, height, curvature, occlusion, light (default normal)",
+           .words = map_names,
+           .takes_several_words = true},
+          {.name = "space",
+           .group = "Maps",
+           .type = "WHICH",
+           .help = "Space of normal maps: tangent (default) or object",
+           .words = apps::names_of<spaces>},
+          {.name = "green",
+           .group = "Maps",
+           .type = "WAY",
+           .help =
+               "Direction of green in tangent-space normal maps: up (default, as glTF and OpenGL) or down (DirectX)",
+           .words = apps::names_of<greens>},
           {"normalize-frames", "Maps", "",
            "Make normal and tangent of LOW unit and perpendicular in each texel before a normal is encoded. Rakelight "
            "reads maps that way by default (default off: as MikkTSpace)",
            on_off}},
          number_options("Maps"),
          number_options("Rays"),
-         {{"high-normals", "Normals", "WHICH",
-           "Normals of HIGH: auto (default: as rendered; glTF without normals is flat) or model (computed, smooth "
-           "across all objects)"},
-          {"normals", "Normals", "WHICH",
-           "Normals of LOW: auto (default: the file's where it has them, else model) or model (computed, smooth across "
-           "all objects)"},
+         {{.name = "high-normals",
+           .group = "Normals",
+           .type = "WHICH",
+           .help = "Normals of HIGH: auto (default: as rendered; glTF without normals is flat) or model (computed, "
+                   "smooth across all objects)",
+           .words = apps::names_of<normals>},
+          {.name = "normals",
+           .group = "Normals",
+           .type = "WHICH",
+           .help = "Normals of LOW: auto (default: the file's where it has them, else model) or model (computed, "
+                   "smooth across all objects)",
+           .words = apps::names_of<normals>},
           {"crease-angle", "Normals", "DEG",
            "Edges of LOW with a larger angle between their faces stay sharp where normals are computed (default 180: "
            "none). Rays ignore creases"}},
@@ -108,8 +139,7 @@ void read_size(const Given& given, BakeOptions& options) {
 
 void read_maps(const Given& given, BakeOptions& options) {
     if (!given.has("maps")) return;
-    std::vector<Word<BakeMap>> words;
-    for (const BakeMap map : all_bake_maps()) words.push_back({name_of(map), map});
+    const std::vector<Word<BakeMap>> words = map_words();
     const std::string list = given.word("maps");
     options.maps.clear();
     for (const std::string_view word : values::split(list, ','))

@@ -21,6 +21,9 @@ constexpr const char* of_smooth = "Measurement: bench smooth";
 constexpr const char* of_render = "Measurement: bench render";
 constexpr const char* of_pose = "Measurement: bench pose";
 
+constexpr Word<bool> orders[] = {{"coherent", false}, {"shuffled", true}};
+constexpr Word<int> rows[] = {{"crease", 1}, {"tolerance", 2}, {"order", 4}, {"plan", 8}, {"borders", 16}, {"all", 31}};
+
 std::vector<Option> options_of_pictures() {
     std::vector<Option> options = apps::without(apps::picture_options(), {"engine"});
     apps::find(options, "resolution").help = "Size of the picture in pixels, also WxH (default 1920,1080)";
@@ -45,16 +48,29 @@ std::vector<Option> options_of_measurement() {
         {"objects", "Measurement", "N",
          "Objects of the generated model (default: 16 for smooth and pose, 100 for render; fewer if it has few "
          "triangles)"},
-        {"order", of_smooth, "ORDER", "Order of triangles and vertices: coherent (default) or shuffled"},
+        {.name = "order",
+         .group = of_smooth,
+         .type = "ORDER",
+         .help = "Order of triangles and vertices: coherent (default) or shuffled",
+         .words = apps::names_of<orders>},
         {"repetitions", of_smooth, "N", "Timed runs per row, for smooth and pose (default 10)"},
-        {"with", of_smooth, "ROWS",
-         "Also measure: crease (60 degrees), tolerance (0.1), order (the other one), plan (group, accumulate, "
-         "regroup), borders (matched where neighbors share no vertices), or all"},
+        {.name = "with",
+         .group = of_smooth,
+         .type = "ROWS",
+         .help = "Also measure: crease (60 degrees), tolerance (0.1), order (the other one), plan (group, accumulate, "
+                 "regroup), borders (matched where neighbors share no vertices), or all",
+         .words = apps::names_of<rows>,
+         .takes_several_words = true},
         {"brute-force", of_smooth, "", "Also measure every vertex against every face, up to 50k triangles", flag},
         {"joints", of_pose, "N", "Joints of the generated character (default 64)"},
         {"lights", of_render, "N",
          "Point lights of the generated scene, 0 to 8 (default 2), or up to 10000 small ones; 8,1000 measures both"},
-        {"engine", of_render, "NAMES", "Engines, separated by commas; their pictures are interleaved (default soft)"},
+        {.name = "engine",
+         .group = of_render,
+         .type = "NAMES",
+         .help = "Engines, separated by commas; their pictures are interleaved (default soft)",
+         .words = apps::engine_words,
+         .takes_several_words = true},
         {"frames", of_render, "N", "Timed pictures per engine, after one to warm up (default 15)"},
         {.name = "output",
          .group = of_render,
@@ -96,8 +112,6 @@ void read_count(const Given& given, const char* option, T& to, int low, int high
 
 // Words separated by commas.
 void add_rows(const std::string& words, SmoothBenchOptions& o) {
-    constexpr Word<int> rows[] = {{"crease", 1}, {"tolerance", 2}, {"order", 4},
-                                  {"plan", 8},   {"borders", 16},  {"all", 31}};
     for (const std::string_view name : values::split(words, ',')) {
         const int row = values::word("with", name, rows);
         o.crease |= (row & 1) != 0;
@@ -127,7 +141,6 @@ SmoothBenchOptions smooth_options(const Run& run) {
     for (const WorldValue& value : given.settings())
         if (value.key != "weight" && value.key != "crease-angle" && value.key != "weld-distance")
             throw Error(ErrorCode::usage, "--" + value.key + " does not apply to bench smooth");
-    constexpr Word<bool> orders[] = {{"coherent", false}, {"shuffled", true}};
     SmoothBenchOptions o;
     o.triangles = 1'000'000;
     read_count(given, "triangles", o.triangles, 100, 1'000'000'000);

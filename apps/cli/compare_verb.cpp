@@ -30,6 +30,8 @@ constexpr Limit limits[] = {
     {"max-differing", "V", "Largest allowed fraction of differing pixels, 0 to 1", &CompareLimits::max_differing_share},
 };
 
+constexpr Word<DifferenceKind> kinds[] = {{"flip", DifferenceKind::flip}, {"absolute", DifferenceKind::absolute}};
+
 std::vector<Option> own_options() {
     std::vector<Option> options = {
         {.name = "output",
@@ -37,12 +39,20 @@ std::vector<Option> own_options() {
          .type = "FILE",
          .help = "Picture of the difference, or .html: a page with wipe sliders. {model} stands for the name of B",
          .letter = 'o'},
-        {"difference", "Output", "WHAT",
-         "What the difference picture shows: flip (default; from 0, dark blue, through green and yellow to 1, white) "
-         "or absolute (|A - B| times the gain). EXR and HDR files hold the values themselves"},
+        {.name = "difference",
+         .group = "Output",
+         .type = "WHAT",
+         .help = "What the difference picture shows: flip (default; from 0, dark blue, through green and yellow to 1, "
+                 "white) or absolute (|A - B| times the gain). EXR and HDR files hold the values themselves",
+         .words = apps::names_of<kinds>},
         {"gain", "Output", "G", "Factor on absolute differences (default 10; EXR and HDR: 1)"},
-        {"engines", "Compare", "LIST",
-         "Draw each scene with these engines, such as soft,gl, and compare the first engine with each of the others"},
+        {.name = "engines",
+         .group = "Compare",
+         .type = "LIST",
+         .help = "Draw each scene with these engines, such as soft,gl, and compare the first engine with each of the "
+                 "others",
+         .words = apps::engine_words,
+         .takes_several_words = true},
         {"tolerance", "Compare", "T",
          "A pixel counts as differing if a component differs by more than this (default 0)"},
         {"pixels-per-degree", "Compare", "P",
@@ -74,7 +84,6 @@ struct Settings {
 };
 
 Settings settings_of(const Run& run) {
-    constexpr Word<DifferenceKind> kinds[] = {{"flip", DifferenceKind::flip}, {"absolute", DifferenceKind::absolute}};
     const Given& given = run.given;
     Settings s;
     if (given.has("tolerance")) s.options.tolerance = fraction("tolerance", given.word("tolerance"));

@@ -23,13 +23,14 @@ bool is_scheme_letter(char c) {
            c == '.';
 }
 
-/// "file" of "file:///a"; empty: it is no address.
+/// "file" of "file:///a" and of "file:/a"; empty: it is no address.
 std::string scheme_of(const std::string& word) {
-    const std::size_t end = word.find("://");
+    const std::size_t end = word.find(":/");
     if (end == word.npos || !std::all_of(word.begin(), word.begin() + std::ptrdiff_t(end), is_scheme_letter)) return {};
     std::string scheme = word.substr(0, end);
     for (char& c : scheme) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-    return scheme;
+    const bool has_host = word.compare(end, 3, "://") == 0;
+    return has_host || scheme == "file" ? scheme : std::string();  // "a:/b" is a path like any other
 }
 
 bool is_this_machine(std::string_view host) {
@@ -64,7 +65,9 @@ std::string path_of_uri(const std::string& word) {
     const std::string scheme = scheme_of(word);
     if (scheme.empty()) return word;
     if (scheme != "file") throw wrong(word, "is no file of this machine");
-    const std::string_view rest = std::string_view(word).substr(scheme.size() + 3);
+    std::string_view rest = std::string_view(word).substr(scheme.size() + 1);
+    if (!rest.starts_with("//")) return decoded(rest, word);
+    rest.remove_prefix(2);
     const std::size_t path = rest.find('/');
     if (path == rest.npos) throw wrong(word, "has no path");
     if (!is_this_machine(rest.substr(0, path))) throw wrong(word, "is no file of this machine");

@@ -179,8 +179,9 @@ broken or too large.)";
 
 inline constexpr const char* thumbnail_footer =
     R"(If a model needs more, the program ends with exit code 1. So no file can keep a file
-manager waiting. Textures are read from the folder of the model, if the file manager
-gives the program access to it.
+manager waiting. Textures are decoded at a reduced size. The less important ones are left
+out if decoding would take more than about half of that time. Textures are read from the
+folder of the model, if the file manager gives the program access to it.
 
 Examples:
   rakelight thumbnail helmet.glb helmet.png 256

@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <new>
 #include <vector>
 
 #include <rakelight/tools/unfinished_outputs.h>
@@ -53,6 +54,10 @@ std::uint64_t bytes_of(pid_t process) {
     return resident * std::uint64_t(sysconf(_SC_PAGESIZE));
 }
 
+std::string memory_reason(const Limits& limits) {
+    return "it takes more than the " + std::to_string(limits.bytes >> 20) + "M of memory that it may";
+}
+
 /// Which limit is passed; empty: none.
 std::string passed(const Limits& limits, double seconds) {
     double cpu = cpu_seconds_of(getpid()) + ended_cpu_seconds();
@@ -63,13 +68,23 @@ std::string passed(const Limits& limits, double seconds) {
         2 * std::chrono::duration<double>(between_looks).count();  // the next look, and ending itself
     if (cpu + until_end > limits.cpu_seconds) return "it takes more than the " + time + " that it may";
     if (seconds > limits.seconds) return "it takes longer than " + std::to_string(int(limits.seconds)) + " s";
-    if (bytes <= limits.bytes) return {};
-    return "it takes more than the " + std::to_string(limits.bytes >> 20) + "M of memory that it may";
+    return bytes > limits.bytes ? memory_reason(limits) : std::string();
+}
+
+[[noreturn]] void end_process(const std::string& line) {
+    remove_unfinished_outputs();
+    static_cast<void>(!write(STDERR_FILENO, line.data(), line.size()));
+    _exit(1);
+}
+
+std::string line_of(const std::string& reason, const std::string& file) {
+    return error_line(Error(ErrorCode::failed, reason).with_file(file));
 }
 
 }  // namespace
 
-ProcessLimits::ProcessLimits(const Limits& limits, const std::string& file) : limits_(limits), file_(file) {
+ProcessLimits::ProcessLimits(const Limits& limits, const std::string& file)
+    : limits_(limits), file_(file), memory_line_(line_of(memory_reason(limits), file)) {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose own memory is more
     const rlimit most{limits.bytes, limits.bytes};
     setrlimit(RLIMIT_DATA, &most);  // fails where a lower one is there, which is as good
@@ -90,13 +105,13 @@ void ProcessLimits::watch() {
     using namespace std::chrono;
     const auto begun = steady_clock::now();
     std::unique_lock lock(mutex_);
-    while (!changed_.wait_for(lock, between_looks, [this] { return is_over_; })) {
-        const std::string reason = passed(limits_, duration<double>(steady_clock::now() - begun).count());
-        if (reason.empty()) continue;
-        remove_unfinished_outputs();
-        const std::string line = error_line(Error(ErrorCode::failed, reason).with_file(file_));
-        static_cast<void>(!write(STDERR_FILENO, line.data(), line.size()));
-        _exit(1);
+    try {
+        while (!changed_.wait_for(lock, between_looks, [this] { return is_over_; })) {
+            const std::string reason = passed(limits_, duration<double>(steady_clock::now() - begun).count());
+            if (!reason.empty()) end_process(line_of(reason, file_));
+        }
+    } catch (const std::bad_alloc&) {  // the hard limit holds for this thread too
+        end_process(memory_line_);
     }
 }
 

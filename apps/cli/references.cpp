@@ -83,8 +83,11 @@ std::vector<Option> reference_options() {
          "Compare what was drawn with this picture. For several models a name with {model}, a folder that holds a "
          "picture of each output's name, or --ref once for each",
          list},
-        {"ref-measure", group, "M",
-         "Measure to compare by: flip (default), rmse (0 if equal), psnr, ssim (larger is more similar)"},
+        {.name = "ref-measure",
+         .group = group,
+         .type = "M",
+         .help = "Measure to compare by: flip (default), rmse (0 if equal), psnr, ssim (larger is more similar)",
+         .words = apps::names_of<reference_measure_words>},
         {"ref-threshold", group, "X",
          "Largest allowed flip or rmse (default 0.01), smallest allowed psnr (default 40 dB) or ssim (default 0.99)"},
         {"ref-diff", group, "FILE",

@@ -16,8 +16,9 @@ namespace {
 /// Whether a setting of a world's means something to this command.
 bool takes(const Run& run, std::string_view key) {
     if (!apps::takes_setting(run.command, key)) return false;
-    return std::string_view(apps::find_or_null(run.command.options, key)->group) != "Heat map" ||
-           run.given.has("heatmap") || run.given.has("report");
+    const Option* const option = apps::find_or_null(run.command.options, key);
+    return !option || std::string_view(option->group) != "Heat map" || run.given.has("heatmap") ||
+           run.given.has("report");
 }
 
 /// Then what several settings can only get wrong together depends on what the worlds say.

@@ -14,6 +14,22 @@
 #include "verbs.h"
 
 namespace rakelight::cli {
+namespace {
+
+/// What --normals does with the normals of a file.
+struct Way {
+    AuthoredNormals authored;
+    Scope scope;
+};
+constexpr Word<Way> ways[] = {{"seams", {AuthoredNormals::seams, Scope::model}},
+                              {"model", {AuthoredNormals::replaced, Scope::model}},
+                              {"object", {AuthoredNormals::replaced, Scope::object}},
+                              {"face", {AuthoredNormals::replaced, Scope::face}},
+                              {"flat", {AuthoredNormals::replaced, Scope::face}}};
+constexpr Word<TangentChoice> choices[] = {
+    {"auto", TangentChoice::automatic}, {"always", TangentChoice::always}, {"never", TangentChoice::never}};
+
+}  // namespace
 
 Command smooth_command() {
     using enum apps::Form;
@@ -37,18 +53,30 @@ Command smooth_command() {
                "Write a page with heat maps of the seams before and after instead of a model: an .html file, or a "
                "folder for NAME.html and its pictures"},
               {"keep-unused", "Output", "", "glTF: keep the bytes of buffer views that are no longer used", flag},
-              {"normals", "Normals", "WHICH",
-               "seams (default if the file has normals: they are kept, and joined only where parts meet), or "
-               "recomputed: model (default if it has none; smooth across all objects, no seams), object, face (flat)"},
-              {"scope", "Normals", "WHICH", "Old name of --normals"},
+              {.name = "normals",
+               .group = "Normals",
+               .type = "WHICH",
+               .help = "seams (default if the file has normals: they are kept, and joined only where parts meet), or "
+                       "recomputed: model (default if it has none; smooth across all objects, no seams), object, face "
+                       "(flat)",
+               .words = apps::names_of<ways>},
+              {.name = "scope",
+               .group = "Normals",
+               .type = "WHICH",
+               .help = "Old name of --normals",
+               .words = apps::names_of<ways>},
               apps::find(shared, "crease-angle"),
               apps::find(shared, "weight"),
               {"weld-distance", "Normals", "M",
                "Positions of different objects at most this far apart [m] are welded (default: equal up to rounding)"},
               apps::find(shared, "border-distance"),
-              {"tangents", "Normals", "WHICH",
-               "auto (default: tangents of the file are rotated with their normals; with recomputed normals, where "
-               "there is a normal map or there were tangents), always (where there are texture coordinates), never"},
+              {.name = "tangents",
+               .group = "Normals",
+               .type = "WHICH",
+               .help = "auto (default: tangents of the file are rotated with their normals; with recomputed normals, "
+                       "where there is a normal map or there were tangents), always (where there are texture "
+                       "coordinates), never",
+               .words = apps::names_of<choices>},
               {"bitangents", "Normals", "",
                "glTF: write tangents and bitangents averaged as by --tangents published-no-handedness of render, the "
                "bitangents as the attribute _BITANGENT",
@@ -62,15 +90,6 @@ namespace {
 
 /// --normals, or its old name.
 void read_normals(const Given& given, SmoothFileOptions& options) {
-    struct Way {
-        AuthoredNormals authored;
-        Scope scope;
-    };
-    constexpr Word<Way> ways[] = {{"seams", {AuthoredNormals::seams, Scope::model}},
-                                  {"model", {AuthoredNormals::replaced, Scope::model}},
-                                  {"object", {AuthoredNormals::replaced, Scope::object}},
-                                  {"face", {AuthoredNormals::replaced, Scope::face}},
-                                  {"flat", {AuthoredNormals::replaced, Scope::face}}};
     if (given.has("normals") && given.has("scope"))
         throw Error(ErrorCode::usage, "--normals and --scope, its old name, exclude each other");
     const char* const name = given.has("scope") ? "scope" : "normals";
@@ -82,8 +101,6 @@ void read_normals(const Given& given, SmoothFileOptions& options) {
 
 /// @param picture  of one model: a world file may set the crease angle and the weight
 SmoothFileOptions smooth_options(const Run& run, const PictureRequest& picture) {
-    constexpr Word<TangentChoice> choices[] = {
-        {"auto", TangentChoice::automatic}, {"always", TangentChoice::always}, {"never", TangentChoice::never}};
     SmoothFileOptions options;
     AttributeOptions& a = options.attributes;
     a.crease_angle_rad = picture.prepare.crease_angle_rad;

@@ -20,10 +20,10 @@ bool is_plain(std::string_view word) {
     });
 }
 
-/// The parts of a list, if all of them are words.
-std::vector<std::string> plain_parts(std::string_view list, char separator) {
+/// The parts between commas, if all of them are words.
+std::vector<std::string> plain_parts(std::string_view list) {
     std::vector<std::string> words;
-    for (std::string_view part : values::split(list, separator)) {
+    for (std::string_view part : values::split(list, ',')) {
         while (part.starts_with(' ')) part.remove_prefix(1);
         if (!is_plain(part)) return {};
         words.emplace_back(part);
@@ -41,7 +41,7 @@ std::vector<std::string> words_of_key(const RenderKey& key) {
     } catch (const Error& error) {
         const std::string_view text = error.what();
         const std::size_t at = text.find(list_begins);
-        if (at != text.npos) return plain_parts(text.substr(at + list_begins.size()), ',');
+        if (at != text.npos) return plain_parts(text.substr(at + list_begins.size()));
     }
     return {};
 }
@@ -50,14 +50,18 @@ std::vector<std::string> words_of_key(const RenderKey& key) {
 
 Answers answers_for(const Option& option) {
     if (option.form == Form::flag) return {};
-    if (option.form == Form::on_off) return {.takes_value = false, .is_file = false, .words = {"on", "off"}};
-    Answers answers{.takes_value = true, .is_file = false, .words = {}};
+    if (option.form == Form::on_off)
+        return {.takes_value = false, .is_file = false, .words = {"on", "off"}, .is_list = false};
+    Answers answers{.takes_value = true, .is_file = false, .words = {}, .is_list = false};
     const std::string_view type = option.type;
     const RenderKey* const key = option.is_setting ? find_render_key(option.name) : nullptr;
-    for (const std::string_view word : {"FILE", "DIR", "PICTURE", "MODEL", "FOLDER"}) answers.is_file |= type == word;
+    for (const std::string_view word : {"FILE", "DIR", "PICTURE", "PLACE"}) answers.is_file |= type == word;
     answers.is_file |= key && key->kind == RenderKey::Kind::file;
-    if (type.find('|') != type.npos) answers.words = plain_parts(type, '|');
-    if (answers.words.empty() && key) answers.words = words_of_key(*key);
+    if (option.words)
+        answers.words = option.words();
+    else if (key)
+        answers.words = words_of_key(*key);
+    answers.is_list = option.takes_several_words;
     return answers;
 }
 

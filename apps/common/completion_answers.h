@@ -12,10 +12,11 @@ struct Answers {
     bool takes_value = false;        ///< something has to follow
     bool is_file = false;            ///< a file or a folder
     std::vector<std::string> words;  ///< one of these; empty: numbers, names, anything
+    bool is_list = false;            ///< or several of them, with commas between
     bool operator==(const Answers&) const = default;
 };
 
-/// By the option's form and type ("up|down", "FILE"), and of a setting the words that its key lists where it refuses one.
+/// By the option's form, its type ("FILE") and its words; of a setting the words that its key lists where it refuses one.
 Answers answers_for(const Option& option);
 
 /// "-o", "--output"; both names where it has two.

@@ -14,7 +14,8 @@ using Cases = std::map<std::string, std::vector<std::string>>;
 
 std::string action(const Answers& answers) {
     if (!answers.words.empty() && !answers.takes_value) return "switch=\"" + joined_words(answers.words, " ") + "\"";
-    if (!answers.words.empty()) return "values=\"" + joined_words(answers.words, " ") + "\"";
+    if (!answers.words.empty())
+        return "values=\"" + joined_words(answers.words, " ") + "\"" + (answers.is_list ? " list=1" : "");
     return answers.is_file ? "kind=file" : "kind=other";
 }
 
@@ -52,7 +53,7 @@ std::string bash_completion(const Program& program) {
                       R"(() {
     local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}
     local verbs=")" + verbs +
-                      R"(" verb options values= switch= kind=model
+                      R"(" verb options values= list= listed= switch= kind=model
     # "--engine=gl" comes as three words
     if [ "$word" = = ]; then word=; elif [ "$before" = = ]; then before=${COMP_WORDS[COMP_CWORD-2]}; fi
     case " $verbs " in *" ${COMP_WORDS[1]} "*) verb=${COMP_WORDS[1]} ;; *) verb=)" +
@@ -67,7 +68,8 @@ std::string bash_completion(const Program& program) {
     return out + R"(    esac
     COMPREPLY=()
     if [ -n "$values" ]; then
-        mapfile -t COMPREPLY < <(compgen -W "$values" -- "$word")
+        if [ -n "$list" ]; then listed=${word%"${word##*,}"}; fi
+        mapfile -t COMPREPLY < <(compgen -P "$listed" -W "$values" -- "${word#"$listed"}")
     elif [ "$kind" = other ]; then
         return
     elif [ "${word:0:1}" = - ]; then

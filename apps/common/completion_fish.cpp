@@ -23,7 +23,10 @@ std::string arguments_of(const Option& option) {
         out += " -r -F";
     else if (answers.takes_value)
         out += " -x";
-    if (!answers.words.empty() && answers.takes_value) out += " -a " + quoted(joined_words(answers.words, " "));
+    if (answers.is_list)
+        out += " -a " + quoted("(__fish_complete_list , \"string split , " + joined_words(answers.words, ",") + "\")");
+    else if (!answers.words.empty() && answers.takes_value)
+        out += " -a " + quoted(joined_words(answers.words, " "));
     return out + " -d " + quoted(brief(option.help));
 }
 

@@ -20,10 +20,11 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
-/// ":TYPE:(words)"
+/// ":TYPE:(words)", ":TYPE:_values -s , TYPE words"
 std::string value_of(const Option& option, const Answers& answers) {
     if (answers == Answers{}) return {};
     const std::string type = answers.takes_value ? ":" + escaped(option.type) : "::on or off";
+    if (answers.is_list) return type + ":_values -s , " + escaped(option.type) + " " + joined_words(answers.words, " ");
     if (!answers.words.empty()) return type + ":(" + joined_words(answers.words, " ") + ")";
     return type + (answers.is_file ? ":_files" : ":");
 }

@@ -31,7 +31,18 @@ struct Option {
     bool is_hidden = false;      ///< known, but not in the help
     char letter = 0;             ///< "-o"; 0: none
     const char* also = nullptr;  ///< another name of it, in the help too; null: none
+    /// The words that its value can be: those that it is read by. Null: other values, or a setting, whose key has them.
+    std::vector<std::string> (*words)() = nullptr;
+    bool takes_several_words = false;  ///< with commas between
 };
+
+/// Option::words of the table that the value is read by.
+template <const auto& table>
+std::vector<std::string> names_of() {
+    std::vector<std::string> names;
+    for (const auto& word : table) names.emplace_back(word.name);
+    return names;
+}
 
 /// Words without dashes.
 struct Positional {
@@ -46,6 +57,7 @@ struct Command {
     const char* footer;  ///< below its options in the help; may be null
     std::vector<Positional> positionals;
     std::vector<Option> options;
+    std::vector<Option> of_worlds{};  ///< settings that it takes of a world file, but not of the command line
 };
 
 /// The option of that name. @throws nothing: it has to be there

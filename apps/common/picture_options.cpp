@@ -3,6 +3,8 @@
 
 #include <cassert>
 
+#include <rakelight/version.h>
+
 namespace rakelight::apps {
 namespace {
 
@@ -259,6 +261,8 @@ Form form_of(RenderKey::Kind kind) {
 
 }  // namespace
 
+std::vector<std::string> engine_words() { return build_info().engines; }
+
 std::vector<Option> picture_options() {
     std::vector<Option> options;
     for (const Entry& entry : entries) {
@@ -267,6 +271,8 @@ std::vector<Option> picture_options() {
         Option& option =
             options.emplace_back(Option{entry.name, entry.group, entry.type, entry.help, form_of(key->kind)});
         option.is_setting = true;
+        if (std::string_view(entry.name) == "engine") option.words = engine_words;
+        option.takes_several_words = std::string_view(entry.name).starts_with("channel");
         if (std::string_view(entry.name) == "edges") option.letter = 'e';
         if (std::string_view(entry.name) == "background") option.also = "background-color";
         if (std::string_view(entry.name) == "scalars") option.also = "coloring-array";

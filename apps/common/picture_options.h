@@ -7,6 +7,9 @@
 
 namespace rakelight::apps {
 
+/// Those that --engine takes in this build.
+std::vector<std::string> engine_words();
+
 /// All, in the order of the help.
 std::vector<Option> picture_options();
 

@@ -29,7 +29,8 @@ void refuse_options_of_the_run(std::string_view key) {
 
 bool takes_setting(const Command& command, std::string_view key) {
     refuse_options_of_the_run(key);
-    const Option* const option = find_or_null(command.options, key);
+    const Option* option = find_or_null(command.options, key);
+    if (!option) option = find_or_null(command.of_worlds, key);
     return option && option->is_setting;
 }
 

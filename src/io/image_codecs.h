@@ -2,6 +2,7 @@
 // Internal to io: one reader and one writer per picture format, and what they share.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -32,6 +33,23 @@ Pixels read_exr(std::span<const std::byte> bytes, Want want, Context& context);
 Pixels read_hdr(std::span<const std::byte> bytes, Want want, Context& context);
 Pixels read_bmp(std::span<const std::byte> bytes, Want want, Context& context);
 Pixels read_tga(std::span<const std::byte> bytes, Want want, Context& context);
+/// One of the readers. @throws Error bad_file: no known format
+using PictureReader = Pixels (*)(std::span<const std::byte> bytes, Want want, Context& context);
+PictureReader reader_of(std::span<const std::byte> bytes);
+
+/// A picture at 1/factor of its size: each pixel is the mean code value of factor * factor pixels, fewer at the right
+/// and lower border. @param row_at  row y of the whole picture; called once a row, from top to bottom
+Pixels block_means(const Pixels& header, int factor, const std::function<const std::byte*(int y)>& row_at,
+                   Context& context);
+/// Readers that need no memory for the whole picture. JPEG: by a smaller inverse transform. @param factor  a power of 2
+Pixels read_reduced_png(std::span<const std::byte> bytes, int factor, Context& context);
+Pixels read_reduced_jpeg(std::span<const std::byte> bytes, int factor, Context& context);
+/// Any format. @param most_side  [px] the picture is halved until no side is longer
+Pixels read_reduced(std::span<const std::byte> bytes, int most_side, Want want, Context& context);
+/// [pixels] What read_reduced() costs: as many as a PNG file has that takes as long.
+std::uint64_t reduced_work(std::span<const std::byte> bytes, Context& context);
+/// Whether all coefficients of a JPEG file are decoded before the first pixel is.
+bool has_several_scans(std::span<const std::byte> bytes, Context& context);
 /// Refuses an EXR file whose headers would make the library ask for more memory than the file explains.
 /// @param bytes  the file, or its beginning with all of its headers
 void check_exr(std::span<const std::byte> bytes, Context& context, std::uint64_t most_a_side = max_side);

@@ -8,6 +8,7 @@
 #include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_codecs.h"
+#include "io/reduced_image.h"
 
 namespace rakelight::io {
 namespace codec {
@@ -29,12 +30,7 @@ Pixels make_pixels(std::uint64_t width, std::uint64_t height, int channels, Comp
     return pixels;
 }
 
-}  // namespace codec
-
 namespace {
-
-using codec::Want;
-using Reader = Pixels (*)(std::span<const std::byte>, Want, Context&);
 
 bool begins_with(std::span<const std::byte> bytes, std::string_view magic) {
     return bytes.size() >= magic.size() && std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
@@ -54,50 +50,87 @@ void refuse_known_formats(std::span<const std::byte> bytes) {
          {"\0\0\0\x0cJXL "sv, "JPEG XL"sv}}};
     for (const auto& [magic, name] : known)
         if (begins_with(bytes, magic))
-            codec::bad_picture("pictures in " + std::string(name) + " format are not supported",
-                               "convert it to PNG or JPEG");
-}
-
-Reader reader_for(std::span<const std::byte> bytes) {
-    if (begins_with(bytes, "\x89PNG\r\n\x1a\n")) return codec::read_png;
-    if (begins_with(bytes, "\xff\xd8\xff")) return codec::read_jpeg;
-    if (begins_with(bytes, "RIFF") && bytes.size() >= 12 && begins_with(bytes.subspan(8), "WEBP"))
-        return codec::read_webp;
-    if (begins_with(bytes, "\x76\x2f\x31\x01")) return codec::read_exr;
-    if (begins_with(bytes, "#?")) return codec::read_hdr;
-    if (begins_with(bytes, "BM")) return codec::read_bmp;
-    refuse_known_formats(bytes);
-    if (codec::may_be_tga(bytes)) return codec::read_tga;
-    codec::bad_picture("is not a picture of a known format");
-}
-
-Pixels read(std::span<const std::byte> bytes, Want want, Context& context) {
-    if (bytes.empty()) codec::bad_picture("is not a picture: it is empty");
-    context.throw_if_cancelled();
-    return reader_for(bytes)(bytes, want, context);
-}
-
-template <Want want>
-Pixels read_own_file(const EncodedImage& image, Context& context) {
-    try {
-        return read(*read_file(image.path, context, want == Want::pixels), want, context);
-    } catch (const Error& error) {
-        throw error.with_file(image.path);
-    }
-}
-
-template <Want want>
-Pixels read_embedded(const EncodedImage& image, Context& context) {
-    try {
-        return read(*image.bytes, want, context);
-    } catch (const Error& error) {
-        throw error.at(image.name).with_file(image.file);
-    }
+            bad_picture("pictures in " + std::string(name) + " format are not supported", "convert it to PNG or JPEG");
 }
 
 }  // namespace
 
-Pixels decode_image(std::span<const std::byte> bytes, Context& context) { return read(bytes, Want::pixels, context); }
+PictureReader reader_of(std::span<const std::byte> bytes) {
+    if (bytes.empty()) bad_picture("is not a picture: it is empty");
+    if (begins_with(bytes, "\x89PNG\r\n\x1a\n")) return read_png;
+    if (begins_with(bytes, "\xff\xd8\xff")) return read_jpeg;
+    if (begins_with(bytes, "RIFF") && bytes.size() >= 12 && begins_with(bytes.subspan(8), "WEBP")) return read_webp;
+    if (begins_with(bytes, "\x76\x2f\x31\x01")) return read_exr;
+    if (begins_with(bytes, "#?")) return read_hdr;
+    if (begins_with(bytes, "BM")) return read_bmp;
+    refuse_known_formats(bytes);
+    if (may_be_tga(bytes)) return read_tga;
+    bad_picture("is not a picture of a known format");
+}
+
+}  // namespace codec
+
+namespace {
+
+using codec::Want;
+
+constexpr int any_side = 0;
+
+/// @param most_side  [px] of codec::read_reduced(); any_side: the picture as it is
+Pixels read(std::span<const std::byte> bytes, Want want, int most_side, Context& context) {
+    context.throw_if_cancelled();
+    if (most_side != any_side) return codec::read_reduced(bytes, most_side, want, context);
+    return codec::reader_of(bytes)(bytes, want, context);
+}
+
+/// The picture of a file of its own, or of a part of the model's file.
+Pixels read_image(const EncodedImage& image, Want want, int most_side, Context& context) {
+    try {
+        if (image.bytes) return read(*image.bytes, want, most_side, context);
+        return read(*read_file(image.path, context, want == Want::pixels), want, most_side, context);
+    } catch (const Error& error) {
+        throw image.bytes ? error.at(image.name).with_file(image.file) : error.with_file(image.path);
+    }
+}
+
+template <Want want>
+Pixels read_whole(const EncodedImage& image, Context& context) {
+    return read_image(image, want, any_side, context);
+}
+
+bool is_of_file(const EncodedImage& image) {
+    const auto* const decoder = image.decode.target<Pixels (*)(const EncodedImage&, Context&)>();
+    return decoder && *decoder == read_whole<Want::pixels>;
+}
+
+}  // namespace
+
+std::uint64_t decoding_work(const EncodedImage& image, Context& context) {
+    if (!is_of_file(image)) return 0;
+    try {
+        if (image.bytes) return codec::reduced_work(*image.bytes, context);
+        return codec::reduced_work(*read_file(image.path, context, true), context);
+    } catch (const Error&) {  // told when it is decoded
+        context.throw_if_cancelled();
+        return 0;
+    }
+}
+
+ImageHandle reduced_image(const ImageHandle& image, int most_side) {
+    if (!is_of_file(*image)) return image;
+    EncodedImage reduced = *image;
+    reduced.decode = [most_side](const EncodedImage& i, Context& c) {
+        return read_image(i, Want::pixels, most_side, c);
+    };
+    reduced.measure = [most_side](const EncodedImage& i, Context& c) {
+        return read_image(i, Want::header, most_side, c);
+    };
+    return std::make_shared<const EncodedImage>(std::move(reduced));
+}
+
+Pixels decode_image(std::span<const std::byte> bytes, Context& context) {
+    return read(bytes, Want::pixels, any_side, context);
+}
 
 ImageHandle image_from_file(std::string name, std::string model_file, std::string path, std::string place) {
     return std::make_shared<const EncodedImage>(EncodedImage{std::move(name),
@@ -105,9 +138,9 @@ ImageHandle image_from_file(std::string name, std::string model_file, std::strin
                                                              std::move(path),
                                                              nullptr,
                                                              {},
-                                                             read_own_file<Want::pixels>,
+                                                             read_whole<Want::pixels>,
                                                              std::move(place),
-                                                             read_own_file<Want::header>});
+                                                             read_whole<Want::header>});
 }
 
 ImageHandle image_from_bytes(std::string name, std::string model_file,
@@ -118,9 +151,9 @@ ImageHandle image_from_bytes(std::string name, std::string model_file,
                                                              {},
                                                              std::move(bytes),
                                                              std::move(mime_type),
-                                                             read_embedded<Want::pixels>,
+                                                             read_whole<Want::pixels>,
                                                              {},
-                                                             read_embedded<Want::header>});
+                                                             read_whole<Want::header>});
 }
 
 }  // namespace rakelight::io

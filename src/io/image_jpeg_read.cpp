@@ -119,9 +119,8 @@ std::uint64_t coefficient_bytes(jpeg_decompress_struct& info) {
     bad_picture(std::string("broken JPEG: ") + reader.message);
 }
 
-}  // namespace
-
-Pixels read_jpeg(std::span<const std::byte> bytes, Want want, Context& context) {
+/// @param scale  1, 2, 4 or 8: blocks of 8 x 8 pixels become blocks of 8 / scale
+Pixels read(std::span<const std::byte> bytes, Want want, unsigned scale, Context& context) {
     JpegReader reader;
     reader.context = &context;
     const long max_memory = long(std::min<std::uint64_t>(context.memory().limit(), std::numeric_limits<long>::max()));
@@ -130,13 +129,36 @@ Pixels read_jpeg(std::span<const std::byte> bytes, Want want, Context& context) 
     const bool cmyk = is_cmyk(reader.info), gray = reader.info.jpeg_color_space == JCS_GRAYSCALE;
     reader.info.out_color_space = cmyk ? JCS_CMYK : gray ? JCS_GRAYSCALE : JCS_RGB;
     context.memory().check(coefficient_bytes(reader.info), "the picture while it is decoded");
-    Pixels pixels =
-        make_pixels(reader.info.image_width, reader.info.image_height, gray ? 1 : 3, Component::u8, want, context);
+    reader.info.scale_num = 1, reader.info.scale_denom = scale;
+    const auto side = [scale](std::uint64_t size) { return (size + scale - 1) / scale; };  // as the library's
+    Pixels pixels = make_pixels(side(reader.info.image_width), side(reader.info.image_height), gray ? 1 : 3,
+                                Component::u8, want, context);
     if (want == Want::header) return pixels;
     std::vector<unsigned char> inks(cmyk ? std::size_t(pixels.width) * 4 : 0);
     auto* out = reinterpret_cast<unsigned char*>(pixels.bytes.data());
     if (!read_rows(reader, out, pixels.row_bytes(), cmyk ? inks.data() : nullptr)) broken(reader);
     return pixels;
+}
+
+}  // namespace
+
+Pixels read_jpeg(std::span<const std::byte> bytes, Want want, Context& context) {
+    return read(bytes, want, 1, context);
+}
+
+bool has_several_scans(std::span<const std::byte> bytes, Context& context) {
+    JpegReader reader;
+    reader.context = &context;
+    if (!read_header(reader, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), 0)) broken(reader);
+    return jpeg_has_multiple_scans(&reader.info) != FALSE;
+}
+
+Pixels read_reduced_jpeg(std::span<const std::byte> bytes, int factor, Context& context) {
+    const int scale = std::min(factor, 8);
+    Pixels pixels = read(bytes, Want::pixels, unsigned(scale), context);
+    if (factor == scale) return pixels;
+    return block_means(
+        pixels, factor / scale, [&pixels](int y) { return pixels.row(y); }, context);
 }
 
 }  // namespace rakelight::io::codec

@@ -65,10 +65,16 @@ Target target_of(const spng_ihdr& header, bool has_transparency) {
     }
 }
 
-}  // namespace
+/// A file whose header was read.
+struct PngFile {
+    PngContext png;
+    int format;  // spng_format
+    bool is_interlaced;
+    Pixels size;  ///< without bytes
+};
 
-Pixels read_png(std::span<const std::byte> bytes, Want want, Context& context) {
-    const PngContext png = open(bytes);
+PngFile read_header(std::span<const std::byte> bytes, Context& context) {
+    PngContext png = open(bytes);
     spng_ihdr header{};
     require(spng_get_ihdr(png.get(), &header));
     spng_trns transparency{};
@@ -81,16 +87,56 @@ Pixels read_png(std::span<const std::byte> bytes, Want want, Context& context) {
     require(spng_decoded_image_size(png.get(), SPNG_FMT_RAW, &raw_bytes));
     if (raw_bytes / max_deflate_ratio > bytes.size()) bad_picture("broken PNG: it is too short for its size in pixels");
 
-    Pixels pixels = make_pixels(header.width, header.height, target.channels, target.component, want, context);
-    if (want == Want::header) return pixels;
+    Pixels size = make_pixels(header.width, header.height, target.channels, target.component, Want::header, context);
+    return {std::move(png), target.format, header.interlace_method != SPNG_INTERLACE_NONE, std::move(size)};
+}
+
+void check_size(const PngFile& file) {
     std::size_t needed = 0;
-    require(spng_decoded_image_size(png.get(), target.format, &needed));
-    if (needed != pixels.bytes.size()) bad_picture("broken PNG: its size is inconsistent");
-    decode_rows(png.get(), target.format, pixels, context);
+    require(spng_decoded_image_size(file.png.get(), file.format, &needed));
+    if (needed != file.size.row_bytes() * std::size_t(file.size.height))
+        bad_picture("broken PNG: its size is inconsistent");
+}
+
+/// After the pixels, as chunks may stand behind them.
+bool is_tagged_srgb(spng_ctx* png) {
     std::uint8_t intent = 0;
     std::uint32_t gamma = 0;  // times 100000; 45455 is 1 / 2.2, what the PNG specification writes beside an sRGB chunk
-    const bool is_gamma_srgb = spng_get_gama_int(png.get(), &gamma) == 0 && gamma == 45455;
-    pixels.is_tagged_srgb = spng_get_srgb(png.get(), &intent) == 0 || is_gamma_srgb;
+    const bool is_gamma_srgb = spng_get_gama_int(png, &gamma) == 0 && gamma == 45455;
+    return spng_get_srgb(png, &intent) == 0 || is_gamma_srgb;
+}
+
+}  // namespace
+
+Pixels read_png(std::span<const std::byte> bytes, Want want, Context& context) {
+    PngFile file = read_header(bytes, context);
+    if (want == Want::header) return std::move(file.size);
+    const Pixels& size = file.size;
+    Pixels pixels = make_pixels(std::uint64_t(size.width), std::uint64_t(size.height), size.channels, size.component,
+                                want, context);
+    check_size(file);
+    decode_rows(file.png.get(), file.format, pixels, context);
+    pixels.is_tagged_srgb = is_tagged_srgb(file.png.get());
+    return pixels;
+}
+
+Pixels read_reduced_png(std::span<const std::byte> bytes, int factor, Context& context) {
+    const PngFile file = read_header(bytes, context);
+    if (file.is_interlaced) {  // its rows come several times
+        const Pixels whole = read_png(bytes, Want::pixels, context);
+        return block_means(
+            whole, factor, [&whole](int y) { return whole.row(y); }, context);
+    }
+    check_size(file);
+    require(spng_decode_image(file.png.get(), nullptr, 0, file.format, SPNG_DECODE_TRNS | SPNG_DECODE_PROGRESSIVE));
+    std::vector<std::byte> row(file.size.row_bytes());
+    const auto next_row = [&](int y) {
+        const int result = spng_decode_row(file.png.get(), row.data(), row.size());
+        if (result != SPNG_EOI || y + 1 < file.size.height) require(result);
+        return row.data();
+    };
+    Pixels pixels = block_means(file.size, factor, next_row, context);
+    pixels.is_tagged_srgb = is_tagged_srgb(file.png.get());
     return pixels;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that appear whole or not at all: a temporary name, on the disk, renamed, and the folder on the disk too.
+// Files that appear whole or not at all: a temporary name, on the disk, renamed, and the folder on the disk too. Beside
+// them the file that is overwritten where it is.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -16,6 +17,7 @@
 #include "base/format_text.h"
 #include "io/descriptor.h"
 #include "io/file.h"
+#include "io/overwrite_file.h"
 
 namespace rakelight::io {
 namespace {
@@ -64,6 +66,21 @@ int sync_to_disk(int fd) {
 }
 
 }  // namespace
+
+void overwrite_file(const std::string& path, std::span<const std::byte> bytes) {
+    const Descriptor file{::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_TRUNC)};
+    if (file.fd < 0) refuse_output(path, errno);
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(file.fd, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) {
+            const int code = count < 0 ? errno : EIO;
+            static_cast<void>(!::ftruncate(file.fd, 0));
+            refuse_output(path, code);
+        }
+        bytes = bytes.subspan(std::size_t(count));
+    }
+}
 
 std::string behind_links(const std::string& path) {
     constexpr int most_links = 40;  // as Linux follows

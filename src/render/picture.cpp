@@ -18,6 +18,7 @@
 #include "render/picture_files.h"
 #include "render/picture_steps.h"
 #include "render/prepared_scene.h"
+#include "render/render_changed.h"
 #include "render/stopwatch.h"
 #include "render/too_dark_or_bright.h"
 #include "scene/light_cutoff.h"
@@ -276,7 +277,8 @@ PictureResult render_picture(const Scene& scene, const PictureRequest& request, 
     });
 }
 
-PictureResult render_picture(const PictureRequest& asked, std::vector<std::byte>& file, Context& context) {
+PictureResult render_changed(const PictureRequest& asked, const std::function<Scene(Scene)>& change,
+                             std::vector<std::byte>& file, Context& context) {
     check_request(asked);
     const bool is_in_layers = asked.channel_files == channel_files_layers && is_exr(asked.output);
     if (asked.settings.channels != 0 && !is_in_layers)
@@ -285,13 +287,18 @@ PictureResult render_picture(const PictureRequest& asked, std::vector<std::byte>
             .about("channels", {"channel-files"});
     PictureRequest request = asked;
     return picture_by(request, context, [&](Session& session) {
-        Scene loaded = loaded_as_asked(request, context);
+        Scene loaded = change(loaded_as_asked(request, context));
         return draw_loaded(
             std::move(loaded), request, session, context,
             [&](Session& engine, const Camera& camera, const PictureRequest& looked, PictureResult& result) {
                 draw_to_outputs(engine, camera, looked, result, &file, context);
             });
     });
+}
+
+PictureResult render_picture(const PictureRequest& request, std::vector<std::byte>& file, Context& context) {
+    return render_changed(
+        request, [](Scene scene) { return scene; }, file, context);
 }
 
 PictureResult render_picture(const PictureRequest& asked, Pixels& color, Context& context) {

@@ -20,6 +20,22 @@ _rakelight
 printf '%s\n' "${COMPREPLY[@]}"
 """
 
+# The same for many options at once: a line "VERB OPTION WORD..." each, of those that take one of some words.
+BASH_WORDS = r"""
+source "$1"
+while read -r verb option; do
+    COMP_WORDS=(rakelight "$verb" "$option" "") COMP_CWORD=3
+    _rakelight 2>/dev/null
+    printf '%s %s %s\n' "$verb" "$option" "${COMPREPLY[*]}"
+done
+"""
+
+# Types of values that are no words of a list: numbers, files, names in the model, ...
+OPEN_TYPES = {"N", "S", "F", "R", "A", "D", "B", "E", "G", "P", "T", "V", "X", "M", "PX", "DB", "EV", "DEG", "SIZE", "SHARE", "VALUE", "MIN,MAX", "W,H", "X,Y", "X,Y,Z", "X,Y,W,H", "A-B",
+              "FILE", "DIR", "PICTURE", "PLACE", "COLOR", "SPEC", "KEY=VALUE", "AXIS"}
+OPEN_OPTIONS = {"--scalars", "--animation-name", "--format"}  # names in the model, and endings of files
+REFUSALS = r"unknown word|unknown channel|is not one of|is not built in"
+
 # A terminal in which a shell runs, as completion is a matter of its line editor.
 ZSH = r"""
 zmodload zsh/zpty
@@ -107,7 +123,25 @@ class Completion(program.Case):
 
         self.in_all_shells(check)
 
-    def test_words_of_a_type(self):
+    def test_words_of_options_that_are_no_settings(self):
+        def check(offers):
+            for words, first, other in ((("smooth", "--normals", "fl"), "flat", "seams"), (("smooth", "--scope", "ob"), "object", "model"),
+                                        (("smooth", "--tangents", "al"), "always", "never"), (("render", "--engine", "so"), "soft", "auto")):
+                found = offers(*words)
+                self.assertIn(first, found)
+                self.assertNotIn(other, found)
+
+        self.in_all_shells(check)
+
+    def test_words_behind_commas(self):
+        def check(offers):
+            for words, found in ((("bake", "--maps", "normal,hei"), "height"), (("render", "--channels", "depth,uv,over"), "overdraw"),
+                                 (("compare", "--engines", "soft,so"), "soft")):
+                self.assertIn(found, ",".join(offers(*words)).split(","))
+
+        self.in_all_shells(check)
+
+    def test_words_of_two(self):
         def check(offers):
             found = offers("render", "--normal-map-green", "d")
             self.assertIn("down", found)
@@ -118,7 +152,8 @@ class Completion(program.Case):
         self.write("model.obj", program.SQUARE.format(name="a"))
         def check(offers):
             self.assertIn("model.obj", offers("smooth", "mod"))
-            self.assertIn("model.obj", offers("smooth", "-o", "mod"))
+            for words in (("smooth", "-o"), ("smooth", "--preview"), ("bake", "-o"), ("render", "--output")):
+                self.assertIn("model.obj", offers(*words, "mod"))
 
         self.in_all_shells(check)
 
@@ -139,6 +174,59 @@ class Completion(program.Case):
         self.assertGreater(len(listed), 10)
         for name, options in listed.items():
             self.assertLessEqual(options, set(self.offers_bash(name, "--")), name)
+
+    def options_with_types(self):
+        """(verb, "--option", type) of each option that takes a value, as --markdown says."""
+        verb = ""
+        for line in self.fine("--markdown").out.splitlines():
+            verb = line[3:] if line.startswith("## ") else verb
+            row = re.match(r"\| `(?:-\w, )?(--[-a-z0-9]+)(?:, --[-a-z0-9]+)? ([^ `\[]+)` \|", line)
+            if row:
+                yield verb, row[1], row[2].replace("\\|", "|")
+
+    def words_of_options(self):
+        """{(verb, option): words that bash offers}"""
+        options = [(verb, option) for verb, option, _ in self.options_with_types()]
+        lines = "".join(f"{verb} {option}\n" for verb, option in options)
+        done = subprocess.run(["bash", "-c", BASH_WORDS, "bash", self.script("bash")], cwd=self.folder, input=lines, capture_output=True, text=True, timeout=120,
+                              check=True)
+        offered = [line.split() for line in done.stdout.splitlines()]
+        files = set(os.listdir(self.folder))
+        return {(verb, option): [word for word in words if word not in files] for verb, option, *words in offered}
+
+    def test_every_option_of_words_has_its_words(self):
+        words = self.words_of_options()
+        self.assertGreater(len(words), 300)
+        for verb, option, kind in self.options_with_types():
+            if kind not in OPEN_TYPES and option not in OPEN_OPTIONS:
+                self.assertGreater(len(words[verb, option]), 1, f"{verb} {option} {kind} offers no words")
+        for verb, option in (("smooth", "--normals"), ("smooth", "--scope"), ("smooth", "--tangents"), ("bake", "--maps"), ("render", "--engine"),
+                             ("compare", "--engines"), ("bench", "--order"), ("render", "--ref-measure")):
+            self.assertGreater(len(words[verb, option]), 1, (verb, option))
+
+    def test_every_word_is_one_that_the_program_takes(self):
+        """A word is refused before the missing model is; a word that nobody has is refused where the others are not."""
+        arguments = {"render": ("a.obj", "-o", "b.png"), "bench": {"--engine": ("render",), "--order": ("smooth",), "--with": ("smooth",)}, "bake": ("a.obj", "b.obj", "-o", "{map}.png"),
+                     "smooth": ("a.obj", "-o", "a.glb"), "compare": ("a.png", "b.png", "-o", "c.png"), "stages": ("a.obj", "-o", "pages"),
+                     "radiosity": ("a.obj", "-o", "a.glb"), "explain": ("a.obj", "--pixel", "1,1")}
+        seen = set()
+        for (verb, option), words in self.words_of_options().items():
+            if not words or verb == "view" or (option, *words) in seen:
+                continue
+            seen.add((option, *words))
+            own = arguments.get(verb, ("a.obj",))
+            own = own.get(option, ("render", "a.obj")) if isinstance(own, dict) else own
+            own += ("--ref", "b.png") if option == "--ref-measure" else ()
+            before = ""
+            if option == "--engines":  # it takes two or more
+                own, before = ("a.obj",), "soft,"
+            for word in words:
+                result = self.run_program(verb, *own, option, before + word)
+                self.assertNotRegex(result.err, REFUSALS, (verb, option, word))
+            refused = self.run_program(verb, *own, option, before + "nobody-has-this")
+            self.assertEqual(refused.code, 2, (verb, option, refused.err))
+            self.assertRegex(refused.err, REFUSALS, (verb, option))
+        self.assertGreater(len(seen), 40)
 
     def test_a_shell_that_is_not_known(self):
         for words in (["tcsh"], [], ["bash", "zsh"]):

@@ -5,8 +5,10 @@
   thumbnail_test.py PROGRAM [unittest arguments]"""
 import os
 import pathlib
+import struct
 import subprocess
 import unittest
+import zlib
 
 import program
 
@@ -34,8 +36,8 @@ class Thumbnail(program.Case):
 
     def test_addresses_of_files(self):
         self.write("a b%ü.obj", program.SQUARE.format(name="a"))
-        for host in ("", "localhost"):
-            address = f"file://{host}{self.folder}/a%20b%25%c3%BC.obj"
+        for start in ("file://", "file://localhost", "file:", "FILE:"):
+            address = f"{start}{self.folder}/a%20b%25%c3%BC.obj"
             self.fine("thumbnail", address, "small.png", "32")
             self.assertEqual(program.png(self.folder / "small.png")[0], 32)
             (self.folder / "small.png").unlink()
@@ -43,10 +45,44 @@ class Thumbnail(program.Case):
     def test_addresses_that_are_none(self):
         for address, reason in (("smb://host/a.obj", "is no file of this machine"), ("file://elsewhere/a.obj", "is no file of this machine"),
                                 ("file:///a%2", "two hexadecimal digits"), ("file:///a%", "two hexadecimal digits"),
-                                ("file:///a%zz.obj", "two hexadecimal digits"), ("file:///a%00.obj", "zero byte"), ("file://a", "has no path")):
+                                ("file:///a%zz.obj", "two hexadecimal digits"), ("file:/a%zz.obj", "two hexadecimal digits"),
+                                ("file:///a%00.obj", "zero byte"), ("file://a", "has no path"), ("file://host/", "is no file of this machine")):
             result = self.run_program("thumbnail", address, "small.png", "32")
             self.assertEqual((result.code, len(result.lines)), (2, 1), address)
             self.assertIn(reason, result.err)
+
+    def test_a_path_with_a_colon_is_no_address(self):
+        (self.folder / "a:").mkdir()
+        self.write("a:/square.obj", program.SQUARE.format(name="a"))
+        self.fine("thumbnail", "a:/square.obj", "small.png", "32")
+
+    def test_a_world_is_seen_as_it_says(self):
+        """Its camera and materials count; its size, background, engine and channels do not."""
+        self.write("two.obj", program.TWO_PARTS)
+        model, render = '[[model]]\nfile = "two.obj"\n', "[render]\nview = \"isometric\"\nlook = \"default\"\n"
+        self.write("own.scene.toml", model + render + 'resolution = [64, 32]\nbackground = "red"\nengine = "trace"\nchannels = "depth"\n')
+        self.write("plain.scene.toml", model)
+        self.fine("thumbnail", "own.scene.toml", "a.png", "48")
+        self.fine("render", "two.obj", "-o", "b.png", "--resolution", "48,48", "--background", "transparent", "--look", "default", "--view", "isometric")
+        self.fine("thumbnail", "plain.scene.toml", "c.png", "48")
+        self.assertEqual(program.png(self.folder / "a.png"), program.png(self.folder / "b.png"))
+        self.assertNotEqual(program.png(self.folder / "a.png"), program.png(self.folder / "c.png"))
+
+    def test_textures_are_reduced_to_what_is_seen(self):
+        """A texture of stripes, one texel wide, is gray in the mean. 16 bytes a texel are more than the memory that is given."""
+        side, row = 4096, b"\0" + bytes((255, 255, 255, 0, 0, 0)) * 2048
+        chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        (self.folder / "stripes.png").write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", side, side, 8, 2, 0, 0, 0)) +
+                                                  chunk(b"IDAT", zlib.compress(row * side, 1)) + chunk(b"IEND", b""))
+        self.write("a.mtl", "newmtl m\nKd 1 1 1\nmap_Kd stripes.png\n")
+        self.write("a.obj", "mtllib a.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n")
+        result = self.run_program("thumbnail", "a.obj", "a.png", "64", "--max-memory", "100M", "--cpu-seconds", "60", "--verbose")
+        self.assertEqual(result.code, 0, result.err)
+        self.assertNotIn("texture left out", result.err)
+        _, _, _, rows = program.png(self.folder / "a.png")
+        inner = [rows[y][x * 4] for y in range(24, 40) for x in range(24, 40)]
+        self.assertLess(max(inner) - min(inner), 24)
+        self.assertTrue(60 < inner[0] < 220, inner[0])
 
     def test_sizes(self):
         self.write("square.obj", program.SQUARE.format(name="a"))
@@ -105,10 +141,17 @@ class Thumbnail(program.Case):
         self.assertIn("100 ms of processor time", result.err)
         self.assertEqual(os.listdir(self.folder), ["many.obj"])
 
+    def test_a_limit_below_what_the_program_takes(self):
+        self.write("square.obj", program.SQUARE.format(name="a"))
+        for limit in ("1", "1M", "31M"):
+            result = self.run_program("thumbnail", "square.obj", "small.png", "32", "--max-memory", limit)
+            self.assertEqual((result.code, len(result.lines)), (2, 1), result.err)
+            self.assertIn("must be 32M or more", result.err)
+
     @unittest.skipIf(program.SANITIZED, "sanitizers have memory of their own")
     def test_gives_up_past_its_memory(self):
         self.many_objects()
-        result = self.run_program("thumbnail", "many.obj", "small.png", "64", "--max-memory", "30M", "--cpu-seconds", "60")
+        result = self.run_program("thumbnail", "many.obj", "small.png", "64", "--max-memory", "32M", "--cpu-seconds", "60")
         self.assertNotEqual(result.code, 0)
         self.assertEqual(len(result.lines), 1, result.err)
         self.assertEqual(os.listdir(self.folder), ["many.obj"])

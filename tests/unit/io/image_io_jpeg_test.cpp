@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "image_io_support.h"
+#include "io/image_codecs.h"
 #include "io/image_io.h"
 
 namespace rakelight::io {
@@ -81,6 +82,14 @@ TEST(JpegReading, SeveralScansAreReadButNotAnyNumberOfThem) {
     const std::vector<std::byte> first(bytes.begin() + std::ptrdiff_t(scan), bytes.begin() + std::ptrdiff_t(next));
     for (int i = 0; i < 200; ++i) bytes.insert(bytes.end() - 2, first.begin(), first.end());
     EXPECT_NE(error_of([&] { decode_image(bytes, context); }).reason().find("more than 100 scans"), std::string::npos);
+}
+
+TEST(JpegReading, AProgressiveFileHasSeveralScans) {
+    Context context;
+    EXPECT_TRUE(codec::has_several_scans(bytes_of_hex(progressive), context));
+    EXPECT_FALSE(codec::has_several_scans(bytes_of_hex(adobe_cmyk), context));
+    EXPECT_EQ(error_of([&] { codec::has_several_scans(std::vector<std::byte>(4), context); }).code(),
+              ErrorCode::bad_file);
 }
 
 }  // namespace

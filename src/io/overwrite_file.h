@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The way around OutputFile (file.h), for an output that cannot be renamed into its place.
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace rakelight::io {
+
+/// Replaces the content of a file that is there; one that cannot be written completely is left empty.
+/// @throws Error failed
+void overwrite_file(const std::string& path, std::span<const std::byte> bytes);
+
+}  // namespace rakelight::io

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The textures of a thumbnail: reduced, and the less important ones left out where all of them take too long.
+#pragma once
+#include <cstdint>
+
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+/// @param most_side  [px] of io::reduced_image()
+/// @param most_work  [pixels] that may be decoded, as io::decoding_work() counts
+Scene with_thumbnail_textures(Scene scene, int most_side, std::uint64_t most_work, Context& context);
+
+}  // namespace rakelight

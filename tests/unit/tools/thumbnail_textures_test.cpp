@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/thumbnail_textures.h"
+
+#include <gtest/gtest.h>
+#include <rakelight/image_sources.h>
+#include <rakelight/tools/thumbnail.h>
+
+#include <limits>
+
+#include "image/decode.h"
+#include "io/image_io.h"
+#include "support/thrown_error.h"
+
+namespace rakelight {
+namespace {
+
+constexpr int side = 64, pixels = side * side;
+constexpr std::uint64_t any_work = ~std::uint64_t(0);
+
+/// @param ending  "png" or "jpg"
+Texture texture(const std::string& ending) {
+    const Pixels plain{side, side, 3, Component::u8, false, std::vector<std::byte>(pixels * 3, std::byte(128))};
+    std::vector<std::byte> bytes;
+    io::write_image({"a." + ending, bytes}, plain);
+    return {.name = ending, .image = image_from_bytes(std::move(bytes), "a." + ending)};
+}
+
+/// A material with color, normal map, metalness and emission, each of a picture of its own.
+Scene scene_of(const std::string& ending) {
+    Scene scene;
+    for (int i = 0; i < 4; ++i) scene.textures.push_back(texture(ending));
+    Material& m = scene.materials.emplace_back();
+    m.base_color_texture.texture = 0, m.normal_texture.texture = 1, m.emission_texture.texture = 2;
+    m.metallic_roughness.texture.texture = 3;
+    m.emission = {1, 1, 1};
+    return scene;
+}
+
+TEST(ThumbnailTextures, AreReduced) {
+    Context context;
+    const Scene scene = with_thumbnail_textures(scene_of("png"), 16, any_work, context);
+    for (const Texture& t : scene.textures) EXPECT_EQ(decode(*t.image, context).width, 16);
+    EXPECT_EQ(scene.materials, scene_of("png").materials);
+    EXPECT_TRUE(context.report().entries().empty());
+}
+
+TEST(ThumbnailTextures, ThatShareAPictureStillDo) {
+    Context context;
+    Scene scene = scene_of("png");
+    scene.textures[1] = scene.textures[0];
+    const Scene reduced = with_thumbnail_textures(scene, 16, 3 * pixels, context);
+    EXPECT_EQ(reduced.textures[0].image, reduced.textures[1].image);
+    EXPECT_NE(reduced.textures[0].image, reduced.textures[2].image);
+    EXPECT_TRUE(context.report().entries().empty()) << "a picture is decoded once";
+}
+
+TEST(ThumbnailTextures, NormalMapsAreLeftOutFirst) {
+    Context context;
+    const Material m = with_thumbnail_textures(scene_of("png"), 16, 4 * pixels - 1, context).materials[0];
+    EXPECT_TRUE(m.base_color_texture && m.emission_texture && m.metallic_roughness.texture);
+    EXPECT_FALSE(m.normal_texture);
+    ASSERT_EQ(context.report().entries().size(), 1u);
+    EXPECT_NE(context.report().entries()[0].message.find("normal, height and occlusion"), std::string::npos);
+}
+
+TEST(ThumbnailTextures, ThenAllThatDoNotColorWithTheFactorsThatTheyMultiply) {
+    Context context;
+    const Material m = with_thumbnail_textures(scene_of("png"), 16, 2 * pixels, context).materials[0];
+    EXPECT_TRUE(m.base_color_texture && m.emission_texture);
+    EXPECT_FALSE(m.metallic_roughness.texture || m.normal_texture);
+    EXPECT_EQ(m.emission, (vec3{1, 1, 1}));
+    EXPECT_EQ(m.metallic_roughness.metallic, 0);
+}
+
+TEST(ThumbnailTextures, ThenEmissionWhichWouldShineEverywhere) {
+    Context context;
+    const Material m = with_thumbnail_textures(scene_of("png"), 16, pixels, context).materials[0];
+    EXPECT_TRUE(m.base_color_texture);
+    EXPECT_FALSE(m.emission_texture);
+    EXPECT_EQ(m.emission, (vec3{0, 0, 0}));
+}
+
+TEST(ThumbnailTextures, ThenAll) {
+    Context context;
+    const Material m = with_thumbnail_textures(scene_of("png"), 16, pixels - 1, context).materials[0];
+    EXPECT_FALSE(m.base_color_texture);
+    EXPECT_EQ(m.base_color, Material().base_color);
+    EXPECT_EQ(context.report().entries().size(), 4u);
+}
+
+TEST(ThumbnailTextures, ThatAreNotThereAreNotReported) {
+    Context context;
+    Scene scene = scene_of("png");
+    scene.materials[0].normal_texture = scene.materials[0].emission_texture =
+        scene.materials[0].metallic_roughness.texture = {};
+    const Material m = with_thumbnail_textures(scene, 16, pixels - 1, context).materials[0];
+    EXPECT_FALSE(m.base_color_texture);
+    EXPECT_EQ(m.metallic_roughness.metallic, Material().metallic_roughness.metallic);
+    EXPECT_EQ(context.report().entries().size(), 1u);
+}
+
+TEST(ThumbnailTextures, AJpegCountsAsAQuarter) {
+    Context context;
+    const Material m = with_thumbnail_textures(scene_of("jpg"), 16, pixels, context).materials[0];
+    EXPECT_TRUE(m.normal_texture);
+    EXPECT_FALSE(with_thumbnail_textures(scene_of("jpg"), 16, pixels - 1, context).materials[0].normal_texture);
+}
+
+TEST(ThumbnailTextures, APictureThatIsBrokenCountsAsNothing) {
+    Context context;
+    Scene scene = scene_of("png");
+    scene.textures[1].image = image_from_bytes(std::vector<std::byte>(5), "broken.png");
+    EXPECT_EQ(with_thumbnail_textures(scene, 16, 3 * pixels, context).materials, scene.materials);
+}
+
+TEST(Thumbnail, NeedsATime) {
+    Context context;
+    PictureRequest request;
+    request.input = "builtin:teapot", request.output = "a.png";
+    request.settings.width = request.settings.height = 32;
+    for (const double seconds : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+        EXPECT_EQ(test::error_of([&] { thumbnail(request, seconds, context); }).code(), ErrorCode::usage);
+    EXPECT_GT(thumbnail(request, 1, context).size(), 100u);
+}
+
+}  // namespace
+}  // namespace rakelight
