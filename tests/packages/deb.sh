@@ -29,7 +29,7 @@ fi
 if command -v update-mime-database >/dev/null; then
     mkdir -p "$place/mime/packages"
     cp packages/desktop/rakelight.xml "$place/mime/packages"
-    update-mime-database "$place/mime"
+    XDG_DATA_DIRS=$place update-mime-database "$place/mime"
     for line in 50:model/x-geomview-off:*.off 40:model/x-ase:*.ase 50:model/x-ply:*.ply 80:application/x-rakelight-scene:*.scene.toml; do
         grep -q -x -F "$line" "$place/mime/globs2" || { echo "MIME types: $line is missing"; exit 1; }
     done
