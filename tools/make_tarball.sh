@@ -24,10 +24,10 @@ root=$stage/$name
 for component in programs documentation; do
     cmake --install "$build" --prefix "$root" --strip --component "$component" >/dev/null
 done
-# rakelight-doc has the pages, and the repository; without them, their links in the list of changes are words.
+# rakelight-doc has the pages, and the repository; without them, links in the list of changes are words.
 doc=$root/share/doc/rakelight
 rm -rf "$doc/docs" "$doc/examples" "$doc/README.md"
-sed -i 's|\[\([^]]*\)\](docs/[^)]*)|\1|g' "$doc/CHANGELOG.md"
+sed -i -E 's/\[([^]]*)\]\([^):]*\)/\1/g' "$doc/CHANGELOG.md"
 cp packages/archive/README.md "$root/README.md"
 
 # Of the system: the compilers' libraries, and those that belong to its display and drivers.
