@@ -28,7 +28,7 @@ done
 doc=$root/share/doc/rakelight
 rm -rf "$doc/docs" "$doc/examples" "$doc/README.md"
 sed -i -E 's/\[([^]]*)\]\([^):]*\)/\1/g' "$doc/CHANGELOG.md"
-cp packages/archive/README.md "$root/README.md"
+cp packages/archive/README.in "$root/README.md"
 
 # Of the system: the compilers' libraries, and those that belong to its display and drivers.
 system='^(ld-linux.*|lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s|X11|xcb|Xau|Xdmcp|GL|EGL|GLX|OpenGL|GLdispatch)\.so.*)$'
