@@ -15,10 +15,9 @@ from wheel.bdist_wheel import bdist_wheel
 
 ROOT = pathlib.Path(__file__).resolve().parent
 BUILD = ROOT / "build" / "wheel"
-PLATFORM = "manylinux_2_36_x86_64"  # Debian 12: glibc 2.36; tools/repair_wheel.py holds the files against it
 
 sys.path.insert(0, str(ROOT / "tools"))
-from repair_wheel import repair  # noqa: E402
+from repair_wheel import platform_tag, repair  # noqa: E402
 
 
 def version():
@@ -52,7 +51,7 @@ class LinuxWheel(bdist_wheel):
 
     def get_tag(self):
         python, abi, _ = super().get_tag()
-        return python, abi, PLATFORM
+        return python, abi, platform_tag(self.get_finalized_command("build").build_lib)
 
 
 setup(

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the files of a wheel run on any Linux with glibc 2.36: shared libraries that such a system need not have are copied beside them,
-under names of their own, and found from where they are. setup.py calls it. As a program: repair_wheel.py --check WHEEL says what a wheel
-needs and fails where that is more than its tag promises. The policy is that of auditwheel, manylinux_2_36. Needs patchelf, readelf, ldd."""
+"""Makes the files of a wheel run on any Linux of the same machine with the glibc of its tag: shared libraries that such a system need not
+have are copied beside them, under names of their own, and found from where they are. setup.py calls it. As a program: repair_wheel.py
+--check WHEEL says what a wheel needs and fails where that is more than its tag promises. The policy is that of auditwheel's
+manylinux_2_36, the oldest that there is, with a later glibc where the files ask for one. Needs patchelf, readelf, ldd."""
 import argparse
 import hashlib
 import pathlib
+import platform
 import re
 import shutil
 import subprocess
@@ -15,9 +17,10 @@ import zipfile
 
 # What every system of the policy has.
 ALLOWED = {"libc.so.6", "libm.so.6", "libdl.so.2", "librt.so.1", "libpthread.so.0", "libgcc_s.so.1", "libstdc++.so.6", "libresolv.so.2",
-           "libutil.so.1", "libnsl.so.1", "ld-linux-x86-64.so.2"}
-# The highest versions of their symbols.
-HIGHEST = {"GLIBC": (2, 36), "GLIBCXX": (3, 4, 30), "CXXABI": (1, 3, 13), "GCC": (12, 0, 0)}
+           "libutil.so.1", "libnsl.so.1", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1", "ld-linux-riscv64-lp64d.so.1"}
+OLDEST = (2, 36)  # glibc of Debian 12
+# The highest versions of symbols of the other libraries.
+HIGHEST = {"GLIBCXX": (3, 4, 30), "CXXABI": (1, 3, 13), "GCC": (12, 0, 0)}
 
 
 def output(*command):
@@ -90,16 +93,38 @@ def rename(path, names, place):
     patch(path, "--force-rpath", "--set-rpath", place)
 
 
-def too_new(path):
+def asked(path):
+    """{(library's word, version)} of the symbols that a file wants: ("GLIBC", (2, 34))."""
+    found = re.findall(r"Name: ([A-Z]+)_([0-9.]+)", output("readelf", "-VW", str(path)))
+    return {(kind, tuple(map(int, number.split(".")))) for kind, number in found}
+
+
+def platform_tag(folder):
+    """The tag of a wheel with the files below a folder: "manylinux_2_36_x86_64"."""
+    files = [path for path in pathlib.Path(folder).rglob("*") if path.is_file() and is_elf(path)]
+    glibc = max([OLDEST, *(version[:2] for path in files for kind, version in asked(path) if kind == "GLIBC")])
+    return f"manylinux_{glibc[0]}_{glibc[1]}_{platform.machine()}"
+
+
+def glibc_of(wheel):
+    """What a wheel's name promises; None: nothing."""
+    tag = re.search(r"-manylinux_(\d+)_(\d+)_\w+\.whl$", pathlib.Path(wheel).name)
+    return tag and (int(tag.group(1)), int(tag.group(2)))
+
+
+def too_new(path, glibc):
     """Versions of symbols beyond the policy."""
-    asked = set(re.findall(r"Name: ([A-Z]+)_([0-9.]+)", output("readelf", "-VW", str(path))))
-    return [f"{kind}_{number}" for kind, number in sorted(asked)
-            if kind in HIGHEST and tuple(map(int, number.split("."))) > HIGHEST[kind]]
+    highest = {"GLIBC": glibc, **HIGHEST}
+    return [f"{kind}_{'.'.join(map(str, version))}" for kind, version in sorted(asked(path))
+            if kind in highest and version > highest[kind]]
 
 
 def check(wheel):
     """What is wrong with a wheel, one line each."""
     faults = []
+    glibc = glibc_of(wheel)
+    if glibc is None:
+        return ["its name has no tag manylinux_..."]
     with tempfile.TemporaryDirectory() as folder, zipfile.ZipFile(wheel) as archive:
         archive.extractall(folder)
         files = [path for path in sorted(pathlib.Path(folder).rglob("*")) if path.is_file() and is_elf(path)]
@@ -108,7 +133,7 @@ def check(wheel):
             faults.append("there is no extension")
         for path in files:
             name = path.relative_to(folder)
-            faults += [f"{name}: {version} is too new" for version in too_new(path)]
+            faults += [f"{name}: {version} is too new" for version in too_new(path, glibc)]
             faults += [f"{name}: {library} is neither in the wheel nor on every system" for library in needed(path)
                        if library not in ALLOWED and library not in held]
             place = re.findall(r"\((?:RPATH|RUNPATH)\).*\[(.*)\]", output("readelf", "-dW", str(path)))

@@ -6,6 +6,7 @@
 #include <rakelight/attributes.h>
 #include <rakelight/bake.h>
 #include <rakelight/block.h>
+#include <rakelight/camera_chooser.h>
 #include <rakelight/compare.h>
 #include <rakelight/context.h>
 #include <rakelight/engine.h>

@@ -7,6 +7,13 @@
     rakelight.render(scene, "front", resolution=(640, 480)).save("helmet.png")
     scene.smooth(scope="model").save("smooth.glb")
 
+Models      load, load_bytes, Scene: objects, meshes, materials; smooth, repair_seams, with_meshes, save
+Pictures    render, Session (many views), render_file, Camera, Picture (arrays: image, depth, normal, object, ...), NONE
+Attributes  attributes, Mesh, Attributes, smooth_file
+Reports     inspect, explain, explain_pixels, Explanation, build_info
+Errors      Error: UsageError, NotFoundError, BadFileError; RakelightWarning, Remark
+Settings    the options of ``rakelight render`` with ``_`` for ``-``: ``shadows=True``; set_threads
+
 Lengths are in meters, angles in degrees, axes right-handed with +Y up, colors linear unless they are said to be sRGB, texture
 coordinates v-down. Results have the same bits whatever the threads and the processor.
 """

@@ -16,9 +16,16 @@ Vector = Union[Sequence[float], "NDArray[np.floating[Any]]"]
 SIDES = ("front", "back", "left", "right", "top", "bottom", "isometric", "default", "file")
 
 
+def _numbers(name: str, values: Any) -> tuple[float, ...]:
+    try:
+        return tuple(float(value) for value in values)
+    except (TypeError, ValueError):
+        raise UsageError(f"{name}: numbers are expected, not {values!r:.60}") from None
+
+
 @dataclass(frozen=True)
 class Camera:
-    """A camera that stands at ``position`` and looks at ``target``; right-handed world, +Y up.
+    """A camera that stands at ``position`` and looks at ``target``; right-handed world, +Y up. Cameras with the same numbers are equal.
 
     Args:
         position: [m] world
@@ -38,6 +45,16 @@ class Camera:
     near: float | None = None
     far: float | None = None
     orthographic: bool = False
+
+    def __post_init__(self) -> None:
+        put = object.__setattr__  # as the class is frozen
+        for name in ("position", "target", "up"):
+            if name != "up" or self.up is not None:
+                put(self, name, _numbers(name, getattr(self, name)))
+        for name in ("vertical_fov", "horizontal_fov", "near", "far"):
+            value = getattr(self, name)
+            if value is not None:
+                put(self, name, _numbers(name, [value])[0])
 
     @classmethod
     def from_matrix(cls, to_world: ArrayLike, *, distance: float = 1.0, **others: Any) -> Camera:

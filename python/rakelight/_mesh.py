@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
+from types import MappingProxyType
 from typing import Any, Union
 
 import numpy as np
@@ -11,19 +12,23 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._errors import UsageError
+from ._positions import split
 from ._run import Progress, remarks_of, threads, told
 
 Floats = NDArray[np.float32]
 Indices = NDArray[np.uint32]
 
 
-@dataclass(eq=False)
+@dataclass(frozen=True, eq=False)
 class Mesh:
-    """Triangles of one material. Arrays are taken as they are: float32 and 32-bit integers, row by row, are never copied for
-    :func:`attributes`, and once for a :class:`Scene`. Those of a loaded scene are its own memory and cannot be written to.
+    """Triangles of one material. It does not change: ``dataclasses.replace(mesh, normals=...)`` makes another.
+
+    Arrays are taken as they are: float32 and 32-bit integers, row by row, are never copied for :func:`attributes`, and once for a
+    :class:`Scene`, which does not see what is done to them later. Those of a scene are its own memory and cannot be written to.
 
     Args:
-        vertices: [V, 3] positions [m], object space
+        vertices: [V, 3] positions [m], object space. float32 in a scene; of float64 that are so far away that float32 would not hold them,
+            ``origin`` is taken off first
         faces: [T, 3] integers < V; counter-clockwise seen from outside
         normals: [V, 3] unit, object space
         tangents: [V, 4] xyz unit, w = +1 or -1: bitangent = cross(normal, xyz) * w
@@ -35,7 +40,7 @@ class Mesh:
         arrays: {name: [V] or [V, n]} other numbers of the vertices, of loaded meshes
         material: number of its material in the scene that it comes from
         topology: "triangles", or "lines" or "points" of loaded meshes: faces are [L, 2] or [P, 1] then
-        origin: [m] of loaded meshes whose numbers are large: positions count from here
+        origin: [m] vertices count from here; not 0 where they are far away: :meth:`positions` has the sum
     """
 
     vertices: ArrayLike
@@ -47,22 +52,44 @@ class Mesh:
     name: str = ""
     color: ArrayLike | None = None
     to_world: ArrayLike | None = None
-    arrays: dict[str, Floats] = field(default_factory=dict)
+    arrays: Mapping[str, Floats] = field(default_factory=dict)
     material: int | None = None
     topology: str = "triangles"
     origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        try:
+            x, y, z = (float(value) for value in self.origin)
+        except (TypeError, ValueError):
+            x, y, z = np.nan, 0.0, 0.0
+        if not np.isfinite([x, y, z]).all():
+            raise UsageError(f"origin: three finite numbers are expected, not {self.origin!r:.60}")
+        object.__setattr__(self, "origin", (x, y, z))
 
     @property
     def vertex_normals(self) -> ArrayLike | None:
         """The name that trimesh has for ``normals``."""
         return self.normals
 
+    def positions(self, *, world: bool = False) -> NDArray[np.float64]:
+        """[V, 3] float64 [m] positions with ``origin``, in object space, or placed by ``to_world`` in the world."""
+        out = np.asarray(self.vertices, dtype=np.float64) + np.asarray(self.origin, dtype=np.float64)
+        if world and self.to_world is not None:
+            place = np.asarray(self.to_world, dtype=np.float64)
+            out = out @ place[:3, :3].T + place[:3, 3]
+        return out
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        values = (getattr(self, part.name) for part in fields(self))
+        return Mesh, tuple(dict(value) if isinstance(value, MappingProxyType) else value for value in values)
+
     def trimesh_arguments(self) -> dict[str, Any]:
         """``trimesh.Trimesh(**mesh.trimesh_arguments())``: vertices and faces as they are, nothing merged."""
-        return {"vertices": self.vertices, "faces": self.faces, "vertex_normals": self.normals, "process": False}
+        vertices = self.positions() if any(self.origin) else self.vertices
+        return {"vertices": vertices, "faces": self.faces, "vertex_normals": self.normals, "process": False}
 
 
-MeshLike = Any
+MeshLike = Union[Mesh, Any]
 """A :class:`Mesh`, or anything with ``.vertices`` and ``.faces`` (trimesh) or ``.triangles`` (Open3D): normals, texture coordinates and a
 name are taken where they have the usual names; or a tuple (vertices, faces). ``.visual.uv`` (trimesh) is v up, ``.uv`` is v down."""
 
@@ -129,17 +156,14 @@ def meshes_of(things: MeshLike | Iterable[MeshLike] | Mapping[str, MeshLike]) ->
     return [mesh_of(thing) for thing in things]
 
 
-def dict_of(mesh: Mesh) -> dict[str, Any]:
-    """As the extension takes it."""
-    if mesh.topology != "triangles":
-        raise UsageError(f"a mesh of triangles is expected, not one of {mesh.topology}")
-    keys = ("vertices", "faces", "normals", "tangents", "uv", "colors", "name", "color", "to_world")
-    out: dict[str, Any] = {key: getattr(mesh, key) for key in keys}
-    if any(mesh.origin):
-        place = np.eye(4) if mesh.to_world is None else np.array(mesh.to_world, dtype=np.float64)
-        shift = np.eye(4)
-        shift[:3, 3] = mesh.origin
-        out["to_world"] = place @ shift
+def dicts_of(meshes: Sequence[Mesh]) -> list[dict[str, Any]]:
+    """As the extension takes them."""
+    keys = ("faces", "normals", "tangents", "uv", "colors", "name", "color", "to_world")
+    out = []
+    for mesh, (vertices, origin) in zip(meshes, split(meshes)):
+        if mesh.topology != "triangles":
+            raise UsageError(f"a mesh of triangles is expected, not one of {mesh.topology}")
+        out.append({"vertices": vertices, "origin": origin, **{key: getattr(mesh, key) for key in keys}})
     return out
 
 
@@ -217,7 +241,7 @@ def attributes(
     if len(numbers) != len(given):
         raise UsageError(f"objects: there are {len(numbers)} numbers for {len(given)} meshes")
     with told(progress) as tell:
-        made, remarks = _core.attributes([dict_of(mesh) for mesh in given], numbers, options, threads(), tell)
+        made, remarks = _core.attributes(dicts_of(given), numbers, options, threads(), tell)
     remarks_of(remarks)
     out = []
     for mesh, new in zip(given, made):

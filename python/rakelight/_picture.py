@@ -2,10 +2,11 @@
 """Pictures as dictionaries of arrays."""
 from __future__ import annotations
 
+import copy
 import os
 import struct
 import zlib
-from typing import Any, Dict
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,7 +31,7 @@ def _png(image: NDArray[np.uint8]) -> bytes:
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows.tobytes(), 6)) + chunk(b"IEND", b"")
 
 
-class Picture(Dict[str, "NDArray[Any]"]):
+class Picture(dict[str, "NDArray[Any]"]):
     """What was drawn: {channel: array}, row 0 on top. It shows itself in Jupyter.
 
     Attributes:
@@ -49,6 +50,10 @@ class Picture(Dict[str, "NDArray[Any]"]):
         super().__init__(drawn)
         self.to_world, self.intrinsics = camera["to_world"], camera["intrinsics"]
         self.near, self.far = camera["near"], camera["far"]
+
+    def copy(self) -> Picture:
+        """The same channels and camera; as of any dictionary, the arrays are shared. ``copy.deepcopy`` copies them, too."""
+        return copy.copy(self)
 
     def png(self) -> bytes:
         """The channel ``image`` as the bytes of a PNG file."""

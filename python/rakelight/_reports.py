@@ -12,7 +12,7 @@ from ._camera import CameraLike, camera_settings
 from ._errors import UsageError
 from ._run import Path, Progress, name_of, remarks_of, settings_of, threads, told
 from ._scene import scene_of
-from ._session import Resolution, SceneLike
+from ._session import Resolution, SceneLike, names_of_channels
 
 
 @dataclass(frozen=True)
@@ -139,11 +139,16 @@ def render_file(
     """Draws a picture into a file, the same bytes as ``rakelight render`` writes: .png .jpg .webp .ppm .exr .hdr, with overlays
     (``grid=True``) and channel files.
 
+    Args:
+        channels: data to be written beside the picture, by the names of :func:`rakelight.render`, each into a file or as
+            ``channel_files`` says. "image" and "color" are the picture itself, which is written in any case; None: what the world says
     Returns:
         a row of ``rakelight render --json``
     """
-    names = [channels] if isinstance(channels, str) else channels
-    listed = None if names is None else ",".join(name.replace("_", "-") for name in names)
+    listed = None
+    if channels is not None:
+        names = names_of_channels(channels)
+        listed = ",".join(name.replace("_", "-") for name in names if name not in ("image", "color")) or "none"
     words = settings_of({**settings, **camera_settings(camera), "resolution": resolution, "channels": listed})
     with told(progress) as tell:
         text, remarks = _core.render_file(scene_of(scene)._core, name_of(path), words, threads(), tell)

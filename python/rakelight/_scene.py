@@ -2,17 +2,19 @@
 """Scenes."""
 from __future__ import annotations
 
+import operator
 import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
 from ._errors import UsageError
-from ._mesh import Mesh, MeshLike, dict_of, meshes_of, options_of
+from ._mesh import Mesh, MeshLike, dicts_of, mesh_of, meshes_of, options_of
 from ._run import Path, Progress, Remark, name_of, remarks_of, threads, told
 
 if TYPE_CHECKING:
@@ -40,18 +42,21 @@ class Scene:
 
     def __init__(self, core: _core.Scene, remarks: list[Remark] | None = None) -> None:
         self._core = core
-        self._meshes: list[Mesh] | None = None
+        self._meshes: tuple[Mesh, ...] | None = None
         self.remarks: list[Remark] = remarks or []
         """What was changed, guessed or dropped on the way here, notes too."""
 
     @classmethod
     def from_meshes(cls, meshes: MeshLike | Iterable[MeshLike] | Mapping[str, MeshLike]) -> Scene:
-        """A scene of one mesh, of several, or of {name: mesh}: :class:`Mesh`, or anything with ``.vertices`` and ``.faces``.
+        """A scene of one mesh, of several, or of {name: mesh}: :class:`Mesh`, or anything with ``.vertices`` and ``.faces``. Arrays are copied.
+
+        float64 positions that float32 would not hold (far from zero for the model's size) count from an origin, as those of files do.
+        Meshes without ``to_world``, or with the same, have the same origin.
 
         Raises:
             UsageError: shapes, types or indices that do not fit
         """
-        return cls(_core.scene_of_meshes([dict_of(mesh) for mesh in meshes_of(meshes)]))
+        return cls(_core.scene_of_meshes(dicts_of(meshes_of(meshes))))
 
     @property
     def source(self) -> str:
@@ -59,11 +64,30 @@ class Scene:
         return self._core.source
 
     @property
-    def meshes(self) -> list[Mesh]:
-        """All meshes, each once, in object space. The arrays are the scene's own memory: reading costs nothing, writing is refused."""
+    def meshes(self) -> tuple[Mesh, ...]:
+        """All meshes, each once, in object space. They and their arrays are the scene's own and cannot be written to: reading costs
+        nothing, and :meth:`with_meshes` makes a scene with others."""
         if self._meshes is None:
-            self._meshes = [_mesh(self._core, index) for index in range(self._core.mesh_count)]
-        return list(self._meshes)
+            self._meshes = tuple(_mesh(self._core, index) for index in range(self._core.mesh_count))
+        return self._meshes
+
+    def with_meshes(self, meshes: Mapping[int, MeshLike]) -> Scene:
+        """The scene with the arrays of other meshes in the place of some of its own: {number in :attr:`meshes`: mesh}. Names, materials,
+        places and animations stay, where the new mesh has no ``name`` or ``color``.
+
+            mesh = scene.meshes[0]
+            taller = scene.with_meshes({0: dataclasses.replace(mesh, vertices=mesh.vertices * (1, 2, 1))})
+
+        Raises:
+            UsageError: shapes, types or indices that do not fit; another number of vertices for an animated mesh; a ``to_world``
+        """
+        if not isinstance(meshes, Mapping) or not all(hasattr(number, "__index__") for number in meshes):
+            raise UsageError("with_meshes: {number: mesh} is expected")
+        given = {operator.index(number): mesh_of(mesh) for number, mesh in meshes.items()}
+        for number in given:
+            if not 0 <= number < self._core.mesh_count:
+                raise UsageError(f"mesh {number} is not one of the {self._core.mesh_count}")
+        return Scene(_core.with_meshes(self._core, dict(zip(given, dicts_of(list(given.values()))))), self.remarks)
 
     @property
     def objects(self) -> list[Object]:
@@ -161,6 +185,15 @@ class Scene:
 
         return explain(self, x, y, **options)
 
+    def __copy__(self) -> Scene:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Scene:
+        return self
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("a Scene cannot be pickled: send the name of its file, or its placed_meshes()")
+
     def _repr_png_(self) -> bytes:
         return self.render(resolution=(640, 480)).png()
 
@@ -176,6 +209,7 @@ def _mesh(core: _core.Scene, index: int) -> Mesh:
         np.zeros((0, 3), np.float32) if vertices is None else vertices,
         np.zeros((0, 3), np.uint32) if faces is None else faces,
         uv=sets[0] if sets else None,
+        arrays=MappingProxyType(arrays.pop("arrays")),
         **arrays,
     )
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Union
+from typing import Any, NoReturn, Union
 
 from . import _core
 from ._camera import CameraLike, camera_settings
@@ -20,10 +20,15 @@ Resolution = Sequence[int]
 Window = Sequence[int]
 
 
-def _channels(channels: Sequence[str] | str) -> tuple[int, bool, bool]:
+def names_of_channels(channels: Sequence[str] | str) -> list[str]:
     names = [channels] if isinstance(channels, str) else list(channels)
     if not names:
         raise UsageError("channels: at least one is expected, such as 'image'")
+    return names
+
+
+def _channels(channels: Sequence[str] | str) -> tuple[int, bool, bool]:
+    names = names_of_channels(channels)
     bits = 0
     for name in names:
         if name not in ("image", "color"):
@@ -57,6 +62,9 @@ class Session:
         _refuse(settings)
         words = settings_of({"resolution": resolution, **settings})
         self._core = _core.Session(self.scene._core, words, threads(), max_memory)
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("a Session cannot be pickled: make one in each process")
 
     def render(
         self,
@@ -109,7 +117,10 @@ def render(
             - position: [H, W, 3] float32 [m] world
             - object, mesh, material, triangle: [H, W] uint32; :data:`NONE` where nothing is; overdraw: [H, W] uint32
             - uv, uv1: [H, W, 2] float32; barycentric: [H, W, 3] float32
-            - base_color, ambient, diffuse, specular, emission: [H, W, 3] float32, linear; "lighting": the last four; "all": all of these
+            - base_color, ambient, diffuse, specular, emission: [H, W, 3] float32, linear; "lighting": the last four; "all": all so far but image
+              and color
+            - ambient_occlusion: [H, W] float32, with ``ambient_occlusion=True``; of ``engine="trace", method="path"``: albedo, direct,
+              indirect: [H, W, 3] float32, variance: [H, W]; "paths": these four
         settings: as :class:`Session`
     Raises:
         UsageError, NotFoundError, BadFileError

@@ -9,6 +9,10 @@
 namespace rakelight::python {
 namespace {
 
+/// A copy where an element lies across the boundaries of its type (a field of records, a buffer at an odd offset).
+constexpr int aligned = py::detail::npy_api::NPY_ARRAY_ALIGNED_;
+constexpr int converted = py::array::c_style | py::array::forcecast | aligned;  ///< of another type, too
+
 [[noreturn]] void refuse(const std::string& name, const std::string& reason) {
     throw Error(ErrorCode::usage, name + ": " + reason);
 }
@@ -33,6 +37,12 @@ void check_shape(const py::array& array, const std::string& name, py::ssize_t co
     refuse(name, "the shape must be " + wanted + ", not " + shape_of(array));
 }
 
+void check_numbers(const py::array& array, const std::string& name) {
+    const char kind = array.dtype().kind();
+    if (kind != 'f' && kind != 'i' && kind != 'u')
+        refuse(name, "numbers are expected, not " + std::string(py::str(array.dtype())));
+}
+
 /// The first index that no vertex has. @param first  of the array
 template <class T>
 void check_indices(const T* indices, std::size_t count, std::size_t vertices, const std::string& name) {
@@ -47,7 +57,7 @@ void check_indices(const T* indices, std::size_t count, std::size_t vertices, co
 /// @tparam T  that the array is of
 template <class T>
 py::array_t<std::uint32_t> as_indices(const py::array& array, const std::string& name, std::size_t vertices) {
-    const auto typed = py::array_t<T, py::array::c_style>::ensure(array);
+    const auto typed = py::array_t<T, py::array::c_style | aligned>::ensure(array);
     if (!typed) refuse(name, "an array of integers is expected");
     check_indices(typed.data(), std::size_t(typed.size()), vertices, name);
     if constexpr (sizeof(T) == sizeof(std::uint32_t)) return py::array_t<std::uint32_t>(typed.attr("view")("uint32"));
@@ -64,10 +74,8 @@ py::array_t<float> floats(py::handle from, const std::string& name, py::ssize_t 
     if (array.size() == 0 && array.ndim() == 1 && columns > 0)
         return py::array_t<float>(std::vector<py::ssize_t>{0, columns});
     check_shape(array, name, columns);
-    const char kind = array.dtype().kind();
-    if (kind != 'f' && kind != 'i' && kind != 'u')
-        refuse(name, "numbers are expected, not " + std::string(py::str(array.dtype())));
-    const auto out = py::array_t<float, py::array::c_style | py::array::forcecast>::ensure(array);
+    check_numbers(array, name);
+    const auto out = py::array_t<float, converted>::ensure(array);
     if (!out) refuse(name, "numbers are expected");
     return out;
 }
@@ -93,7 +101,9 @@ py::array_t<std::uint32_t> triangles(py::handle from, const std::string& name, s
 }
 
 dmat4 matrix(py::handle from, const std::string& name) {
-    const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array_like(from, name));
+    const py::array given = array_like(from, name);
+    check_numbers(given, name);
+    const auto array = py::array_t<double, converted>::ensure(given);
     if (!array) refuse(name, "numbers are expected");
     if (array.ndim() != 2 || array.shape(0) != 4 || array.shape(1) != 4)
         refuse(name, "the shape must be (4, 4), not " + shape_of(array));

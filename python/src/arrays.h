@@ -75,7 +75,7 @@ py::object view(const Block<T>& block, std::vector<py::ssize_t> shape = {}) {
     return array;
 }
 
-/// An array of the caller's, [n, columns] floats, copied only where its type or layout is another.
+/// An array of the caller's, [n, columns] floats, copied only where its type, layout or alignment is another.
 /// @param columns  0: one dimension
 /// @throws Error usage: another shape, or what is no number
 py::array_t<float> floats(py::handle from, const std::string& name, py::ssize_t columns);

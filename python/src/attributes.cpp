@@ -4,6 +4,8 @@
 
 #include <pybind11/stl.h>
 
+#include <rakelight/linear.h>
+
 #include "errors.h"
 #include "meshes.h"
 #include "options.h"
@@ -21,6 +23,7 @@ AttributeMesh attribute_mesh(const MeshArrays& arrays, std::uint32_t object) {
     if (arrays.uv) mesh.texcoords = span_of<vec2>(*arrays.uv);
     if (arrays.normals) mesh.normals = span_of<vec3>(*arrays.normals);
     if (arrays.to_world) mesh.to_world = *arrays.to_world;
+    mesh.to_world = mesh.to_world * translation(arrays.origin);
     return mesh;
 }
 

@@ -4,6 +4,8 @@
 
 #include <pybind11/stl.h>
 
+#include <array>
+
 #include <rakelight/error.h>
 #include <rakelight/validate.h>
 
@@ -52,6 +54,7 @@ Material material_of(const py::handle& color, const std::string& place) {
 Mesh mesh_of(const MeshArrays& arrays) {
     Mesh mesh;
     mesh.name = arrays.name;
+    mesh.origin = arrays.origin;
     mesh.positions = block_of<vec3>(arrays.vertices);
     const std::span<const std::uint32_t> indices = span_of(arrays.triangles);
     mesh.indices = std::vector<std::uint32_t>(indices.begin(), indices.end());
@@ -62,6 +65,17 @@ Mesh mesh_of(const MeshArrays& arrays) {
     return mesh;
 }
 
+const char* topology_of(const Mesh& mesh) {
+    return mesh.topology == Topology::triangles ? "triangles" : mesh.topology == Topology::lines ? "lines" : "points";
+}
+
+/// A mesh with a color has a material of its own.
+void take_color(const py::dict& given, const std::string& place, Mesh& mesh, Scene& scene) {
+    if (!given.contains("color") || given["color"].is_none()) return;
+    mesh.material = std::uint32_t(scene.materials.size());
+    scene.materials.push_back(material_of(given["color"], place));
+}
+
 SceneHandle scene_of(const py::list& meshes) {
     Scene scene;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -69,10 +83,7 @@ SceneHandle scene_of(const py::list& meshes) {
         const std::string place = "mesh " + std::to_string(i);
         const MeshArrays arrays = mesh_arrays(given, place);
         Mesh mesh = mesh_of(arrays);
-        if (given.contains("color") && !given["color"].is_none()) {
-            mesh.material = std::uint32_t(scene.materials.size());
-            scene.materials.push_back(material_of(given["color"], place));
-        }
+        take_color(given, place, mesh, scene);
         scene.meshes.push_back(std::move(mesh));
         Node& node = scene.nodes.emplace_back();
         node.name = arrays.name;
@@ -83,6 +94,45 @@ SceneHandle scene_of(const py::list& meshes) {
     return {std::move(scene)};
 }
 
+/// Puts other arrays into a mesh. What else it has stays, where it has as many vertices and triangles as before.
+void replace_arrays(Mesh& mesh, Mesh arrays, const std::string& place) {
+    const bool has_vertices = arrays.positions.size() == mesh.positions.size();
+    const bool has_triangles = arrays.indices.size() == mesh.indices.size();
+    if (!has_vertices && !(mesh.influences.empty() && mesh.targets.empty()))
+        throw Error(ErrorCode::usage, place + ": there are " + std::to_string(arrays.positions.size()) +
+                                          " vertices for joints and morph targets of " +
+                                          std::to_string(mesh.positions.size()));
+    if (!arrays.name.empty()) mesh.name = std::move(arrays.name);
+    mesh.origin = arrays.origin;
+    mesh.positions = std::move(arrays.positions), mesh.indices = std::move(arrays.indices);
+    mesh.normals = std::move(arrays.normals), mesh.tangents = std::move(arrays.tangents);
+    mesh.colors = std::move(arrays.colors), mesh.texcoords = std::move(arrays.texcoords);
+    mesh.bitangents = {}, mesh.smoothing_hint = {}, mesh.position_step = 0, mesh.shape.reset();
+    if (!has_vertices) mesh.arrays = {};
+    if (!has_triangles) mesh.smoothing = {}, mesh.polygons = {};
+}
+
+/// @param meshes  {number: mesh}
+SceneHandle with_meshes(const SceneHandle& handle, const py::dict& meshes) {
+    SceneHandle out = handle;
+    for (const auto& [key, value] : meshes) {
+        const auto number = py::cast<std::size_t>(key);
+        const std::string place = "mesh " + std::to_string(number);
+        if (number >= out.scene.meshes.size())
+            throw Error(ErrorCode::usage, place + " is not one of the " + std::to_string(out.scene.meshes.size()));
+        const py::dict given = py::reinterpret_borrow<py::dict>(value);
+        const MeshArrays arrays = mesh_arrays(given, place);
+        if (arrays.to_world) throw Error(ErrorCode::usage, place + ": to_world: objects place it, not the mesh");
+        Mesh& mesh = out.scene.meshes[number];
+        if (mesh.topology != Topology::triangles)
+            throw Error(ErrorCode::usage, place + " has " + topology_of(mesh) + ", not triangles");
+        replace_arrays(mesh, mesh_of(arrays), place);
+        take_color(given, place, mesh, out.scene);
+    }
+    validate(out.scene);
+    return out;
+}
+
 py::dict arrays_of(const Mesh& mesh) {
     py::dict out;
     for (const VertexArray& array : mesh.arrays) {
@@ -91,10 +141,6 @@ py::dict arrays_of(const Mesh& mesh) {
             view(array.values, columns == 1 ? std::vector<py::ssize_t>{rows} : std::vector<py::ssize_t>{rows, columns});
     }
     return out;
-}
-
-const char* topology_of(const Mesh& mesh) {
-    return mesh.topology == Topology::triangles ? "triangles" : mesh.topology == Topology::lines ? "lines" : "points";
 }
 
 /// What a mesh has, without copies.
@@ -138,6 +184,8 @@ MeshArrays mesh_arrays(const py::dict& mesh, const std::string& place) {
     out.tangents = vertex_floats(mesh, "tangents", place, 4, vertices);
     out.uv = vertex_floats(mesh, "uv", place, 2, vertices);
     out.colors = vertex_floats(mesh, "colors", place, 4, vertices);
+    const auto [x, y, z] = py::cast<std::array<double, 3>>(mesh["origin"]);  // finite: the package looks at it
+    out.origin = {x, y, z};
     if (mesh.contains("to_world") && !mesh["to_world"].is_none())
         out.to_world = placement(mesh["to_world"], place + ": to_world");
     return out;
@@ -146,6 +194,7 @@ MeshArrays mesh_arrays(const py::dict& mesh, const std::string& place) {
 void define_meshes(py::module_& module) {
     module.def("mesh", &dict_of);
     module.def("scene_of_meshes", &scene_of);
+    module.def("with_meshes", &with_meshes);
 }
 
 }  // namespace rakelight::python

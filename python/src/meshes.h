@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes as dictionaries of arrays: {"vertices", "faces", "normals", "tangents", "uv", "colors", "to_world", ...}.
+// Meshes as dictionaries of arrays: {"vertices", "faces", "normals", "tangents", "uv", "colors", "origin", "to_world", ...}.
 #pragma once
 #include <pybind11/pybind11.h>
 
@@ -19,6 +19,7 @@ struct MeshArrays {
     py::array_t<float> vertices{};                                            ///< [V, 3]
     py::array_t<std::uint32_t> triangles{};                                   ///< [3T] each < V
     std::optional<py::array_t<float>> normals{}, tangents{}, uv{}, colors{};  ///< [V, 3], [V, 4], [V, 2], [V, 4]
+    dvec3 origin{};                                                           ///< [m] vertices count from here
     std::optional<dmat4> to_world{};
 };
 

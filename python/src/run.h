@@ -17,6 +17,10 @@ namespace rakelight::python {
 
 namespace py = pybind11;
 
+/// Cancels the calls that daemon threads are in, and waits for their work to end. For Py_AtExit(): when the interpreter is
+/// gone and before the memory that they use is.
+void cancel_all();
+
 /// A context, and the work that is done with it.
 class Runner {
 public:

@@ -5,6 +5,8 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <unordered_map>
 
 #include <rakelight/linear.h>
 #include <rakelight/load.h>
@@ -24,13 +26,37 @@ py::tuple with_remarks(Scene scene, Runner& runner) {
     return py::make_tuple(SceneHandle{std::move(scene)}, remarks_of(runner.context().report()));
 }
 
+std::string absolute(const std::string& path) {
+    std::error_code error;
+    const std::filesystem::path result = std::filesystem::absolute(path, error);
+    return error ? path : result.string();
+}
+
+/// Pictures are opened when they are needed: the working directory may be another then.
+void make_paths_absolute(Scene& scene) {
+    std::unordered_map<const EncodedImage*, ImageHandle> known;  // what textures share stays shared
+    const auto replace = [&known](ImageHandle& image) {
+        if (!image || image->path.empty()) return;
+        ImageHandle& made = known[image.get()];
+        if (!made) {
+            EncodedImage copy = *image;
+            copy.path = absolute(image->path);
+            made = std::make_shared<const EncodedImage>(std::move(copy));
+        }
+        image = made;
+    };
+    for (Texture& texture : scene.textures) replace(texture.image);
+    if (scene.environment) replace(scene.environment->image);
+}
+
 py::tuple load_file(const std::string& path, bool allow_outside, int threads, std::uint64_t max_memory,
                     const py::object& progress) {
     Runner runner(threads, max_memory);
     LoadOptions options;
     options.allow_outside = allow_outside;
     Scene scene = runner.run(progress, [&] { return load(path, options, runner.context()); });
-    return py::make_tuple(SceneHandle{std::move(scene), is_world_file(path) ? path : std::string(), options},
+    make_paths_absolute(scene);
+    return py::make_tuple(SceneHandle{std::move(scene), is_world_file(path) ? absolute(path) : std::string(), options},
                           remarks_of(runner.context().report()));
 }
 

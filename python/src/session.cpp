@@ -8,6 +8,7 @@
 #include <atomic>
 #include <optional>
 
+#include <rakelight/camera_chooser.h>
 #include <rakelight/picture_parts.h>
 
 #include "errors.h"
@@ -90,7 +91,8 @@ private:
             is_looked_ = true;
         }
         const double aspect = double(request.settings.width) / double(request.settings.height);
-        const Camera camera = choose_camera(scene_, request.view, aspect, context);
+        if (!cameras_) cameras_.emplace(scene_, context);
+        const Camera camera = cameras_->choose(request.view, aspect, context);
         light(request, camera);
         if (!is_adjusted_ && (has_image || has_color)) {
             apply_look_exposure(*session_, camera, request, context);
@@ -155,6 +157,7 @@ private:
 
     Runner runner_;
     Scene scene_;
+    std::optional<CameraChooser> cameras_;  ///< of scene_ with its look
     PictureRequest request_;
     std::optional<Session> session_;
     std::vector<Light> lights_;  ///< that the session has

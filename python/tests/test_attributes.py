@@ -3,6 +3,7 @@
 import gc
 import json
 import struct
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -117,16 +118,61 @@ def test_faces_of_any_integers(quad, kind):
     np.testing.assert_array_equal(made.normals, [[0, 0, 1]] * 4)
 
 
-@pytest.mark.parametrize("layout", ["F", "strided", "float64", "big", "list"])
-def test_vertices_of_any_layout(quad, layout):
-    vertices = {
-        "F": np.asfortranarray(quad.vertices),
-        "strided": np.repeat(quad.vertices, 2, axis=0)[::2],
-        "float64": quad.vertices.astype(np.float64),
-        "big": quad.vertices.astype(">f4"),
-        "list": quad.vertices.tolist(),
-    }[layout]
-    np.testing.assert_array_equal(rakelight.attributes((vertices, quad.faces))[0].normals, [[0, 0, 1]] * 4)
+def shifted(array):
+    """The same numbers at an odd address."""
+    return np.frombuffer(b"\0" + array.tobytes(), array.dtype, offset=1).reshape(array.shape)
+
+
+def field(array):
+    """The same numbers in records of an odd size."""
+    records = np.zeros(len(array), [("flag", "u1"), ("values", array.dtype, array.shape[1:])])
+    records["values"] = array
+    return records["values"]
+
+
+LAYOUTS = {
+    "F": np.asfortranarray,
+    "strided": lambda array: np.repeat(array, 2, axis=0)[::2],
+    "backwards": lambda array: array[::-1].copy()[::-1],
+    "mirrored": lambda array: array[:, ::-1].copy()[:, ::-1],
+    "big endian": lambda array: array.astype(array.dtype.newbyteorder(">")),
+    "unaligned": shifted,
+    "unaligned big endian": lambda array: shifted(array.astype(array.dtype.newbyteorder(">"))),
+    "field": field,
+    "list": lambda array: array.tolist(),
+    "read-only": lambda array: np.frombuffer(array.tobytes(), array.dtype).reshape(array.shape),
+}
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+@pytest.mark.parametrize("types", [(np.float32, np.uint32), (np.float64, np.int64), (np.float16, np.uint16)])
+def test_arrays_of_any_layout(layout, types):
+    corner = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    faces = np.array([[0, 1, 2], [0, 2, 3]])
+    put, (real, whole) = LAYOUTS[layout], types
+    expected = rakelight.attributes(rakelight.Mesh(np.float32(corner), np.uint32(faces), uv=np.float32(corner[:, :2])))[0]
+    mesh = rakelight.Mesh(put(corner.astype(real)), put(faces.astype(whole)), uv=put(corner[:, :2].astype(real)), to_world=put(np.eye(4)))
+    made = rakelight.attributes(mesh)[0]
+    for name in ("normals", "tangents", "source"):
+        assert getattr(made, name).tobytes() == getattr(expected, name).tobytes(), name
+    inside = rakelight.Scene.from_meshes(mesh).meshes[0]
+    np.testing.assert_array_equal(inside.vertices, corner)
+    np.testing.assert_array_equal(inside.faces, faces)
+    np.testing.assert_array_equal(inside.uv, corner[:, :2])
+
+
+@pytest.mark.parametrize("shape", [(0,), (0, 3), (0, 2)])
+def test_arrays_without_rows(shape):
+    nothing = np.zeros(shape)
+    columns = {"vertices": 3, "normals": 3, "tangents": 4, "uv": 2, "colors": 4}
+    for name, width in columns.items():
+        arrays = {key: np.zeros((0, columns[key])) for key in columns}
+        mesh = rakelight.Mesh(faces=np.zeros((0, 3), int), **{**arrays, name: nothing})
+        if shape in ((0,), (0, width)):
+            assert rakelight.attributes(mesh)[0].normals.shape == (0, 3)
+        else:
+            with pytest.raises(rakelight.UsageError, match=f"{name}: the shape must be"):
+                rakelight.attributes(mesh)
 
 
 def test_vertices_split_where_corners_differ():
@@ -139,5 +185,4 @@ def test_vertices_split_where_corners_differ():
 
 def test_a_mirrored_placement_keeps_the_outside(quad):
     mirror = np.diag([-1.0, 1, 1, 1])
-    quad.to_world = mirror
-    np.testing.assert_array_equal(rakelight.attributes(quad)[0].normals, [[0, 0, 1]] * 4)
+    np.testing.assert_array_equal(rakelight.attributes(replace(quad, to_world=mirror))[0].normals, [[0, 0, 1]] * 4)

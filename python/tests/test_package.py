@@ -2,12 +2,14 @@
 """Types, docstrings, examples."""
 import ast
 import inspect
+import os
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
 import warnings
+from dataclasses import replace
 
 import pytest
 from conftest import DATA, ROOT
@@ -60,9 +62,10 @@ def test_the_page_runs(tmp_path, monkeypatch):
 
 
 def run(name, *words, code=0):
+    """What it prints; where it fails, what it says."""
     done = subprocess.run([sys.executable, str(EXAMPLES / name), *map(str, words)], capture_output=True, text=True)
     assert done.returncode == code, done.stderr
-    return done.stdout
+    return done.stdout or done.stderr
 
 
 def test_example_dataset(tmp_path):
@@ -88,3 +91,68 @@ def test_example_training_arrays(tmp_path):
         assert np.abs(arrays["position"]).max() == pytest.approx(1)
         assert np.linalg.norm(arrays["normal"], axis=1) == pytest.approx(1, abs=1e-5)
         assert arrays["face"].max() < len(arrays["position"])
+
+
+def test_training_arrays_of_a_mirrored_object_face_outward(tmp_path):
+    import numpy as np
+
+    scene = rakelight.load("builtin:sphere")
+    placed = [
+        replace(mesh, name=name, to_world=np.diag([side, 1.0, 1.0, 1.0]) + 3 * side * np.eye(4)[[0]].T @ np.eye(4)[[3]])
+        for mesh in scene.placed_meshes()
+        for name, side in (("left", -1.0), ("right", 1.0))
+    ]
+    rakelight.Scene.from_meshes(placed).save(tmp_path / "spheres.glb")
+    run("training_arrays.py", tmp_path / "spheres.glb", "--folder", tmp_path)
+    with np.load(tmp_path / "spheres.npz") as arrays:
+        corners = arrays["position"][arrays["face"]]
+        outward = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        centers = np.sign(corners[:, 0, :1]) * [0.75, 0, 0]
+        assert set(np.sign(corners[:, 0, 0])) == {-1, 1}
+        assert (np.sum(outward * (corners.mean(axis=1) - centers), axis=1) > 0).all()
+        assert (np.sum(outward * arrays["normal"][arrays["face"][:, 0]], axis=1) > 0).all()
+
+
+@pytest.mark.parametrize("text", ['{"asset": {"version": "2.0"}}', '{"asset": {"version": "2.0"}, "nodes": [{"name": "a"}]}'])
+def test_training_arrays_of_nothing(tmp_path, text):
+    (tmp_path / "empty.gltf").write_text(text)
+    said = run("training_arrays.py", tmp_path / "empty.gltf", "--folder", tmp_path, code=1)
+    assert said.startswith(str(tmp_path / "empty.gltf")) and said.count("\n") == 1, said
+    points = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n"
+    (tmp_path / "points.ply").write_text(points)
+    assert run("training_arrays.py", tmp_path / "points.ply", code=1).endswith("points.ply: there are no triangles\n")
+    assert "nowhere.glb" in run("training_arrays.py", "nowhere.glb", "--folder", tmp_path, code=1)
+
+
+def test_the_tag_of_a_wheel_is_what_its_files_ask_for(tmp_path, monkeypatch):
+    import repair_wheel
+
+    file = tmp_path / "_core.so"
+    file.write_bytes(b"\x7fELF")
+    versions = ["GLIBC_2.2.5", "GLIBC_2.34"]
+    monkeypatch.setattr(repair_wheel, "output", lambda *command: "".join(f"  0x0010:   Name: {v}  Flags: none\n" for v in versions))
+    monkeypatch.setattr(repair_wheel.platform, "machine", lambda: "aarch64")
+    assert repair_wheel.platform_tag(tmp_path) == "manylinux_2_36_aarch64"
+    assert repair_wheel.too_new(file, (2, 36)) == []
+    versions += ["GLIBC_2.38", "GLIBCXX_3.4.31"]
+    assert repair_wheel.platform_tag(tmp_path) == "manylinux_2_38_aarch64"
+    assert repair_wheel.too_new(file, (2, 36)) == ["GLIBC_2.38", "GLIBCXX_3.4.31"]
+    assert repair_wheel.too_new(file, repair_wheel.glibc_of("rakelight-1-cp3-cp3-manylinux_2_38_aarch64.whl")) == ["GLIBCXX_3.4.31"]
+
+
+def test_what_is_installed(tmp_path):
+    build = pathlib.Path(rakelight.__file__).parents[2]
+    if not (build / "CMakeCache.txt").exists() or not shutil.which("cmake"):
+        pytest.skip("the module is in no build folder")
+    command = ["cmake", "--install", str(build), "--component", "python", "--prefix", str(tmp_path)]
+    subprocess.run(command, check=True, capture_output=True)
+    files = {str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*") if path.is_file()}
+    names = {pathlib.PurePath(file).name for file in files}
+    assert {"METADATA", "py.typed", "_core.pyi", "__init__.py"} < names and "rakelight-import" not in names
+    assert not any("__pycache__" in file for file in files)
+    package = next(tmp_path.rglob("py.typed")).parent
+    assert {path.name for path in (ROOT / "python" / "rakelight").iterdir() if path.suffix in (".py", ".pyi")} < names
+    script = "import importlib.metadata, rakelight; print(importlib.metadata.version('rakelight'), rakelight.__version__, rakelight.__file__)"
+    paths = {"PYTHONPATH": str(package.parent), "LD_LIBRARY_PATH": str(build / "lib"), "PYTHONDONTWRITEBYTECODE": "1"}
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, env={**os.environ, **paths}, cwd=tmp_path)
+    assert done.stdout.split() == [rakelight.__version__] * 2 + [str(package / "__init__.py")], done.stderr

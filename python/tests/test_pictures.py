@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Pictures have the program's bits."""
+import copy
+import os
+import shutil
 import struct
 
 import numpy as np
@@ -173,3 +176,55 @@ def test_a_named_view_keeps_the_camera_settings_of_the_session(setting):
     assert (session.render("front")["image"] == asked).all()
     assert (session.render("front")["image"] == asked).all()
     assert (asked != rakelight.render(scene, "front", resolution=(64, 48))["image"]).any()
+
+
+def test_the_picture_itself_is_a_channel_of_a_file(program, tmp_path, teapot):
+    listed = rakelight.render_file(teapot, tmp_path / "a.exr", resolution=SIZE, channels=["image", "depth", "face_normal"])
+    program.run("render", "builtin:teapot", "-o", tmp_path / "b.exr", *RESOLUTION, "--channels", "depth,face-normal")
+    assert (tmp_path / "a.exr").read_bytes() == (tmp_path / "b.exr").read_bytes() and listed["width"] == 96
+    rakelight.render_file(teapot, tmp_path / "c.png", resolution=SIZE, channels="image")
+    rakelight.render_file(teapot, tmp_path / "d.png", resolution=SIZE)
+    assert (tmp_path / "c.png").read_bytes() == (tmp_path / "d.png").read_bytes()
+    assert {file.name for file in tmp_path.iterdir()} == {"a.exr", "b.exr", "c.png", "d.png"} | {f"{n}.{c}.exr" for n in "ab" for c in ("depth", "face-normal")}
+    for channels in ([], ["image", "depht"]):
+        with pytest.raises(rakelight.UsageError):
+            rakelight.render_file(teapot, tmp_path / "e.png", channels=channels)
+
+
+@pytest.mark.filterwarnings("ignore:.*normal map")
+def test_files_are_found_after_the_working_directory_changes(tmp_path, monkeypatch):
+    models = ["world/room.scene.toml", "head/head.obj"]
+    for folder in ("world", "head"):
+        shutil.copytree(DATA / folder, tmp_path / folder)
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path)
+    for model in models:
+        monkeypatch.chdir(tmp_path)
+        expected = rakelight.render(model, resolution=SIZE)["image"]
+        scene = rakelight.load(model)
+        os.chdir(tmp_path / "elsewhere")
+        np.testing.assert_array_equal(rakelight.render(scene, resolution=SIZE)["image"], expected)
+        assert rakelight.render(scene.smooth(), resolution=(8, 6), channels="object")["object"].shape == (6, 8)
+        assert scene.source == model
+
+
+def test_a_copy_is_a_picture(teapot):
+    picture = teapot.render("front", resolution=(16, 12), channels=["image", "depth"])
+    for other in (picture.copy(), copy.copy(picture), copy.deepcopy(picture)):
+        assert type(other) is rakelight.Picture and other.png() == picture.png() and other.near == picture.near
+        del other["depth"]
+        assert "depth" in picture
+    assert picture.copy()["image"] is picture["image"] and copy.deepcopy(picture)["image"] is not picture["image"]
+
+
+def test_cameras_with_the_same_numbers_are_equal():
+    Camera = rakelight.Camera
+    camera = Camera(np.array([1, 2, 3.5], np.float32), [0, 0, 0], up=np.array([0, 1, 0]), vertical_fov=np.float64(40))
+    same = Camera((1, 2, 3.5), up=(0, 1, 0), vertical_fov=40)
+    assert camera == same and hash(camera) == hash(same) and eval(repr(camera)) == camera
+    assert camera != Camera((1, 2, 3.5), vertical_fov=40) and len({camera, same}) == 1
+    matrix = np.eye(4)
+    assert Camera.from_matrix(matrix) == Camera.from_matrix(matrix.tolist())
+    for wrong in (None, "front", ["a", "b", "c"], 5):
+        with pytest.raises(rakelight.UsageError, match="position: numbers"):
+            Camera(wrong)

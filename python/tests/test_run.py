@@ -154,3 +154,73 @@ def test_warnings_point_to_the_caller(teapot, tmp_path):
     with pytest.warns(rakelight.RakelightWarning) as caught:
         teapot.save(tmp_path / "a.glb")
     assert caught[0].filename == __file__
+
+
+DAEMON = """
+import sys, threading, time
+import numpy as np
+import rakelight
+inside = threading.Event()
+def tell(stage, fraction):
+    inside.set()
+    while {stays}:
+        pass
+class Late:  # keeps the interpreter busy at its end, so that the thread comes back while it finishes
+    def __del__(self, sleep=time.sleep):
+        sleep(0.3)
+late = Late()
+scene = rakelight.load("builtin:sphere:tolerance=0.00001")
+def work():
+    while True:
+        {call}
+threading.Thread(target=work, daemon=True).start()
+assert inside.wait(60)
+sys.exit(3)
+"""
+
+
+@pytest.mark.parametrize("call, stays", [
+    ("rakelight.render(scene, resolution=(3000, 2000), samples=8, progress=tell)", False),
+    ("rakelight.render(scene, resolution=(3000, 2000), samples=8, progress=tell)", True),  # Python code of the thread, called by ours
+    ("inside.set(); scene.smooth(progress=tell)", False),
+    ("inside.set(); rakelight.attributes(scene.placed_meshes())", False),
+    (f"inside.set(); rakelight.load('{LONG}', progress=tell)", False),
+])  # fmt: skip
+def test_a_daemon_thread_inside_a_call_does_not_keep_the_process_from_its_end(call, stays):
+    done = subprocess.run([sys.executable, "-c", DAEMON.format(call=call, stays=stays)], capture_output=True, text=True, timeout=120)
+    assert (done.returncode, done.stderr) == (3, "")
+
+
+AT_EXIT = """
+import atexit
+def last():
+    print(rakelight.render("builtin:teapot", "front", resolution=(8, 8))["image"].shape)
+atexit.register(last)
+import rakelight
+"""
+
+
+def test_calls_at_exit_are_calls():
+    done = subprocess.run([sys.executable, "-c", AT_EXIT], capture_output=True, text=True, timeout=120)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "(8, 8, 3)\n", "")
+
+
+FORK = """
+import os, sys, threading
+import rakelight
+inside = threading.Event()
+def work():
+    rakelight.render("builtin:teapot", resolution=(3000, 2000), samples=8, progress=lambda stage, fraction: inside.set())
+thread = threading.Thread(target=work)
+thread.start()
+assert inside.wait(60)
+child = os.fork()
+if child == 0:
+    sys.exit(5)
+print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+"""
+
+
+def test_a_fork_does_not_wait_for_work_of_its_parent():
+    done = subprocess.run([sys.executable, "-c", FORK], capture_output=True, text=True, timeout=120)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "5\n", "")

@@ -6,12 +6,14 @@
 #include <charconv>
 #include <cstdio>
 
+#include <rakelight/camera_chooser.h>
 #include <rakelight/tools/words.h>
 
 #include "base/format_text.h"
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/pose_scene.h"
+#include "scene/drawn_vertices.h"
 #include "world/scene_of_request.h"
 
 namespace rakelight {
@@ -20,12 +22,13 @@ namespace {
 /// A camera of the file, or the fitted one with a remark where the file's cannot show the model, neither as it is nor
 /// by the depths that were requested. One that shows it except for those is kept.
 Camera checked_camera_of_file(const Scene& scene, std::size_t index, const ViewRequest& view, double aspect,
-                              const Bounds& bounds, Context& context) {
+                              const DrawnVertices& drawn, Context& context) {
+    const Bounds& bounds = drawn.bounds();
     Camera camera = camera_of_file(scene, index, aspect);
     const std::string place = format_text("camera {}{}", index, camera.name.empty() ? "" : " '" + camera.name + "'");
     const auto use_default = [&](const std::string& why) {
         context.report().add(Remark::warning, scene.source, place, why + "; the default view is used instead");
-        Camera fitted = default_camera(scene, bounds, aspect, {.world_up = view.world_up});
+        Camera fitted = default_camera(drawn, aspect, {.world_up = view.world_up});
         set_asked_depths(fitted, view);
         if (view.z_near || view.z_far) warn_if_blind(fitted, aspect, bounds, scene.source, context.report());
         return fitted;
@@ -93,21 +96,9 @@ Camera camera_of_file(const Scene& scene, std::size_t index, double aspect) {
     return adapt_to_aspect(camera, aspect);
 }
 
-Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context) {
-    validate(scene);
-    if (!(aspect > 0 && std::isfinite(aspect)))
-        throw Error(ErrorCode::usage, "the picture's aspect must be a number > 0");
-    return valid::choose_camera(scene, view, aspect, context);
-}
+namespace {
 
-Camera valid::choose_camera(const Scene& scene, const ViewRequest& asked, double picture_aspect, Context& context) {
-    check_placement(asked);
-    if (const std::optional<Scene> posed = posed_outline(scene, context))
-        return valid::choose_camera(*posed, asked, picture_aspect, context);
-    double aspect = picture_aspect;
-    const ViewRequest view = resolve_angles(asked, aspect);
-    const Bounds bounds = world_bounds(scene);
-    if (bounds.empty()) throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
+void check_combination(const Scene& scene, const ViewRequest& view) {
     if (!view.side.empty() && !view.camera.empty())
         throw Error(ErrorCode::usage, "a named view and a camera of the file cannot both be used");
     if (view.direction && (!view.side.empty() || !view.camera.empty() || view.position))
@@ -117,15 +108,23 @@ Camera valid::choose_camera(const Scene& scene, const ViewRequest& asked, double
         throw Error(ErrorCode::usage, "a zoom factor is for fitted views, not for a camera of the file or a position");
     if (view.side == "file" && scene.cameras.empty())
         throw Error(ErrorCode::usage, "the file has no camera").about("view", {"view"});
+}
+
+/// @param scene  static; `drawn` are its vertices
+Camera chosen(const Scene& scene, const DrawnVertices& drawn, const ViewRequest& asked, double aspect,
+              Context& context) {
+    const ViewRequest view = resolve_angles(asked, aspect);
+    const Bounds& bounds = drawn.bounds();
+    if (bounds.empty()) throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
+    check_combination(scene, view);
     if (takes_camera_of_file(scene, view)) {
         const std::size_t index = view.camera.empty() ? 0 : find_camera(scene, view.camera);
         if (!view.is_placed() && !view.is_orbited())
-            return checked_camera_of_file(scene, index, view, aspect, bounds, context);
+            return checked_camera_of_file(scene, index, view, aspect, drawn, context);
         return place_camera(camera_of_file(scene, index, aspect), false, view, aspect, bounds, scene.source, context);
     }
     const bool is_moved = view.position || view.focal_point;
-    Camera fitted =
-        view_camera(scene, bounds, aspect, view.side.empty() ? "default" : view.side, fit_wishes(view, is_moved));
+    Camera fitted = view_camera(drawn, aspect, view.side.empty() ? "default" : view.side, fit_wishes(view, is_moved));
     if (!view.position) check_fitted(fitted);
     if (is_moved) return place_camera(fitted, true, view, aspect, bounds, scene.source, context);
     if (view.up && (view.world_up || view.direction))
@@ -133,6 +132,50 @@ Camera valid::choose_camera(const Scene& scene, const ViewRequest& asked, double
     set_asked_depths(fitted, view);
     if (view.z_near || view.z_far) warn_if_blind(fitted, aspect, bounds, scene.source, context.report());
     return fitted;
+}
+
+void check_aspect(double aspect) {
+    if (!(aspect > 0 && std::isfinite(aspect)))
+        throw Error(ErrorCode::usage, "the picture's aspect must be a number > 0");
+}
+
+}  // namespace
+
+Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context) {
+    validate(scene);
+    check_aspect(aspect);
+    return valid::choose_camera(scene, view, aspect, context);
+}
+
+Camera valid::choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context) {
+    check_placement(view);
+    const std::optional<Scene> posed = posed_outline(scene, context);
+    const Scene& still = posed ? *posed : scene;
+    return chosen(still, DrawnVertices(still), view, aspect, context);
+}
+
+struct CameraChooser::State {
+    State(Scene scene, Context& context) : still(std::move(scene)), drawn(with_pose(still, context)) {}
+    static const Scene& with_pose(Scene& scene, Context& context) {
+        validate(scene);
+        if (std::optional<Scene> posed = posed_outline(scene, context)) scene = std::move(*posed);
+        return scene;
+    }
+
+    Scene still;
+    DrawnVertices drawn;
+};
+
+CameraChooser::CameraChooser(Scene scene, Context& context)
+    : state_(std::make_unique<State>(std::move(scene), context)) {}
+CameraChooser::~CameraChooser() = default;
+CameraChooser::CameraChooser(CameraChooser&&) noexcept = default;
+CameraChooser& CameraChooser::operator=(CameraChooser&&) noexcept = default;
+
+Camera CameraChooser::choose(const ViewRequest& view, double aspect, Context& context) const {
+    check_aspect(aspect);
+    check_placement(view);
+    return chosen(state_->still, state_->drawn, view, aspect, context);
 }
 
 Camera adapt_to_aspect(Camera camera, double aspect) {

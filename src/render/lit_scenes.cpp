@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "scene/drawn_vertices.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -35,7 +36,7 @@ std::shared_ptr<const PreparedScene> LitScenes::of(const std::shared_ptr<const P
     auto out = std::make_shared<PreparedScene>();
     Scene scene = prepared->posed(context);
     if (!prepared->has_chosen_lights)
-        scene.lights = lights_of(scene, default_camera(scene, world_bounds(scene), 1), RayMethod::radiosity);
+        scene.lights = lights_of(scene, default_camera(DrawnVertices(scene), 1), RayMethod::radiosity);
     out->scene = lit_by_radiosity(std::move(scene), settings, context);
     out->options = prepared->options;
     out->has_chosen_lights = true;

@@ -9,6 +9,7 @@
 #include "math/default_up.h"
 #include "math/functions.h"
 #include "math/linear.h"
+#include "scene/drawn_vertices.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -38,8 +39,8 @@ struct Wedge {
 /// Extents of the model along `axes`, relative to the center of its box.
 class Extent {
 public:
-    Extent(const Scene& scene, const Bounds& bounds, const dmat4& axes)
-        : scene_(scene), center_(bounds.center()), x_(axes[0].xyz()), y_(axes[1].xyz()), z_(axes[2].xyz()) {}
+    Extent(const DrawnVertices& drawn, const dmat4& axes)
+        : drawn_(drawn), center_(drawn.bounds().center()), x_(axes[0].xyz()), y_(axes[1].xyz()), z_(axes[2].xyz()) {}
 
     struct Seen {
         Wedge across, up;
@@ -49,7 +50,7 @@ public:
         const dvec3 x = x_ * (1 / slope_x), y = y_ * (1 / slope_y);
         const std::array<dvec3, 6> ways{z_ + x, z_ - x, z_ + y, z_ - y, z_, -z_};
         std::array<double, 6> s{};
-        farthest_along(scene_, center_, ways, s);
+        drawn_.farthest_along(center_, ways, s);
         return {{slope_x, s[0], s[1]}, {slope_y, s[2], s[3]}, s[4], s[5]};
     }
     struct Rectangle {
@@ -57,12 +58,12 @@ public:
     };
     Rectangle rectangle() const {
         std::array<double, 4> s{};
-        farthest_along(scene_, center_, std::array<dvec3, 4>{-x_, x_, -y_, y_}, s);
+        drawn_.farthest_along(center_, std::array<dvec3, 4>{-x_, x_, -y_, y_}, s);
         return {s[0], s[1], s[2], s[3]};
     }
 
 private:
-    const Scene& scene_;
+    const DrawnVertices& drawn_;
     dvec3 center_, x_, y_, z_;
 };
 
@@ -102,15 +103,16 @@ void make_parallel(Camera& camera, const Extent& extent, double aspect, double s
 }
 
 /// The nearest camera along `axes` that sees the whole model.
-Camera fit(const Scene& scene, const Bounds& bounds, double aspect, const dmat4& axes, const FitOptions& options) {
+Camera fit(const DrawnVertices& drawn, double aspect, const dmat4& axes, const FitOptions& options) {
     Camera camera;
+    const Bounds& bounds = drawn.bounds();
     camera.vertical_fov_rad = options.vertical_fov_rad.value_or(camera.vertical_fov_rad);
     camera.horizontal_fov_rad = options.horizontal_fov_rad;
     const double a = aspect > 0 && std::isfinite(aspect) ? std::clamp(aspect, 1e-4, 1e4) : 1.0;
     const double radius = sphere_radius(bounds), tangent = math::tan(0.5 * camera.vertical_fov_rad);
     camera.to_world = axes;
     const dvec3 center = bounds.center();
-    const Extent extent(scene, bounds, camera.to_world);
+    const Extent extent(drawn, camera.to_world);
     dvec3 eye{0, 0, radius / std::min(tangent * a, tangent)};
     Extent::Seen seen{};
     if (bounds.diagonal() > 1e-100)
@@ -172,11 +174,10 @@ dmat4 orbited(const dmat4& to_world, dvec3 focal, dvec3 axis, double azimuth_rad
     return out;
 }
 
-Camera view_camera(const Scene& scene, const Bounds& bounds, double aspect, const std::string& side,
-                   const FitOptions& options) {
+Camera view_camera(const DrawnVertices& drawn, double aspect, const std::string& side, const FitOptions& options) {
     for (const Side& s : sides) {
         if (side != s.name) continue;
-        Camera camera = fit(scene, bounds, aspect, axes_of(s, options), options);
+        Camera camera = fit(drawn, aspect, axes_of(s, options), options);
         camera.name = side;
         return camera;
     }
@@ -184,8 +185,8 @@ Camera view_camera(const Scene& scene, const Bounds& bounds, double aspect, cons
                 "use front, back, left, right, top, bottom, isometric or default");
 }
 
-Camera default_camera(const Scene& scene, const Bounds& bounds, double aspect, const FitOptions& options) {
-    return view_camera(scene, bounds, aspect, "default", options);
+Camera default_camera(const DrawnVertices& drawn, double aspect, const FitOptions& options) {
+    return view_camera(drawn, aspect, "default", options);
 }
 
 }  // namespace rakelight

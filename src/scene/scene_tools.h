@@ -14,6 +14,8 @@
 
 namespace rakelight {
 
+class DrawnVertices;
+
 /// validate() without index blocks that the validated scene `known` has in the mesh of the same index.
 void validate_changes(const Scene& scene, const Scene& known);
 
@@ -35,10 +37,6 @@ std::vector<dmat4> world_matrices(const Scene& scene);
 /// Axis-aligned box in world space of all drawn vertices of all objects, without non-finite ones. Empty if nothing is
 /// drawn.
 Bounds world_bounds(const Scene& scene);
-
-/// Support distances: for each direction (any length) the maximum of dot(direction, vertex - about) over all drawn
-/// vertices in world space, without non-finite ones. 0 if nothing is drawn.
-void farthest_along(const Scene& scene, dvec3 about, std::span<const dvec3> directions, std::span<double> reach);
 
 /// Triangles of all objects; each instance counts.
 std::uint64_t triangle_count(const Scene& scene);
@@ -67,12 +65,10 @@ dmat4 orbited(const dmat4& to_world, dvec3 focal, dvec3 axis, double azimuth_rad
 /// A camera from a named side, fitted to all drawn vertices: the model fills `fill` of the picture's smaller side and
 /// is centered. Perspective with a vertical field of view of 40 degrees by default. Sides: "front" (+Z), "back", "left"
 /// (-X), "right", "top" (+Y), "bottom", "isometric", and "default", oblique: from the direction (0.45, 0.35, 1).
-/// @param bounds  world_bounds() of the scene
 /// @throws Error usage for another name.
-Camera view_camera(const Scene& scene, const Bounds& bounds, double aspect, const std::string& side,
-                   const FitOptions& options = {});
+Camera view_camera(const DrawnVertices& drawn, double aspect, const std::string& side, const FitOptions& options = {});
 /// The default camera of models without cameras.
-Camera default_camera(const Scene& scene, const Bounds& bounds, double aspect, const FitOptions& options = {});
+Camera default_camera(const DrawnVertices& drawn, double aspect, const FitOptions& options = {});
 
 /// camera -> world of a camera of this scene, placed by a node or by its matrix, without scale.
 dmat4 camera_to_world(const Scene& scene, const Camera& camera, const std::vector<dmat4>& world);

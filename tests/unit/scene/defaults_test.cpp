@@ -7,6 +7,7 @@
 #include <rakelight/error.h>
 
 #include "math/linear.h"
+#include "scene/drawn_vertices.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -46,7 +47,7 @@ Scene corners(const Bounds& b) {
 
 Camera camera_of(const Scene& scene, double aspect, const std::string& side = "default",
                  const FitOptions& wishes = {}) {
-    return view_camera(scene, world_bounds(scene), aspect, side, wishes);
+    return view_camera(DrawnVertices(scene), aspect, side, wishes);
 }
 Camera camera_of(const Bounds& b, double aspect, const std::string& side = "default", const FitOptions& wishes = {}) {
     return camera_of(corners(b), aspect, side, wishes);
