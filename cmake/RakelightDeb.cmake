@@ -1,6 +1,5 @@
 # Debian packages by CPack, one a component: `cmake --preset deb`, build, `cpack -G DEB --config build/deb/CPackConfig.cmake`.
 # What Debian wants in every package (copyright, changelogs, compressed manuals, one time for all files) packages/debian/finish.cmake adds.
-# Python's package, python3-rakelight, takes a line in rl_deb() and its component in the list below.
 set(RAKELIGHT_MAINTAINER "Rakelight developers <rakelight@users.noreply.github.com>" CACHE STRING "Who answers for the Debian packages")
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME rakelight)
@@ -60,6 +59,19 @@ ${what}
 .
 This package has the documentation and examples of programs that use the
 library.")
+if(RAKELIGHT_PYTHON)
+  rl_deb(python python3-rakelight python "renderer for 3D models of many parts - Python module
+${what}
+.
+This package has the module for Python, which gives and takes arrays of numpy." library)
+  # The extension is for one version of Python.
+  find_package(Python3 QUIET COMPONENTS Interpreter)
+  math(EXPR next "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS rakelight)  # the import helper
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "libembree3-3, python3-tqdm, rakelight-doc")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packages/debian/python/postinst ${PROJECT_SOURCE_DIR}/packages/debian/python/prerm)
+endif()
 
 # Embree is loaded when it is asked for, OpenGL through libepoxy.
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "libembree3-3, libegl1, libgl1, libgl1-mesa-dri")

@@ -1,4 +1,4 @@
-# What a desktop and shells want beside the programs, made by the program itself where it can: completions and icons.
+# What a desktop and shells want beside the programs, and the add-on for Blender. The program itself prints the completions.
 set(RAKELIGHT_ZSH_DIR ${CMAKE_INSTALL_DATADIR}/zsh/site-functions CACHE STRING "Where zsh's completion goes")
 set(made "")
 # rl_printed_by_program(FILE FOLDER ARGUMENTS...): a file that `rakelight ARGUMENTS` prints, installed to FOLDER.
@@ -13,15 +13,22 @@ file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/desktop/bash ${PROJECT_BINARY_DIR}/des
 rl_printed_by_program(bash/rakelight ${CMAKE_INSTALL_DATADIR}/bash-completion/completions --completion bash)
 rl_printed_by_program(zsh/_rakelight ${RAKELIGHT_ZSH_DIR} --completion zsh)
 rl_printed_by_program(fish/rakelight.fish ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d --completion fish)
-foreach(size 48 64 128 256)
-  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/desktop/${size})
-  rl_printed_by_program(${size}/rakelight.png ${CMAKE_INSTALL_DATADIR}/icons/hicolor/${size}x${size}/apps
-    render builtin:teapot -o png:- --resolution ${size},${size} --background transparent --color "#d9772b" --samples 8)
-endforeach()
+find_package(Python3 QUIET COMPONENTS Interpreter)
+if(Python3_Interpreter_FOUND)
+  set(add_on ${PROJECT_SOURCE_DIR}/blender)
+  file(GLOB sources CONFIGURE_DEPENDS ${add_on}/rakelight_seams/*.py)
+  set(path ${PROJECT_BINARY_DIR}/desktop/rakelight_seams.zip)
+  add_custom_command(OUTPUT ${path} COMMAND Python3::Interpreter ${add_on}/make_zip.py ${path}
+    DEPENDS ${sources} ${add_on}/make_zip.py ${add_on}/README.md ${PROJECT_SOURCE_DIR}/LICENSE VERBATIM)
+  install(FILES ${path} DESTINATION ${CMAKE_INSTALL_DATADIR}/rakelight COMPONENT programs OPTIONAL)
+  list(APPEND made ${path})
+endif()
 add_custom_target(rakelight_desktop ALL DEPENDS ${made})
 
 set(desktop ${PROJECT_SOURCE_DIR}/packages/desktop)
 install(FILES ${desktop}/rakelight.thumbnailer DESTINATION ${CMAKE_INSTALL_DATADIR}/thumbnailers COMPONENT programs)
+install(FILES ${desktop}/rakelight.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT programs)
+install(FILES ${desktop}/48x48/rakelight.png DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/48x48/apps COMPONENT programs)
 install(FILES ${desktop}/rakelight.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT programs)
 if(TARGET rakelight-view)
   install(FILES ${desktop}/rakelight-view.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT programs)

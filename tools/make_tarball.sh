@@ -24,14 +24,18 @@ root=$stage/$name
 for component in programs documentation; do
     cmake --install "$build" --prefix "$root" --strip --component "$component" >/dev/null
 done
-rm -rf "$root/share/doc/rakelight/docs" "$root/share/doc/rakelight/examples"  # rakelight-doc has them, and the repository
+# rakelight-doc has the pages, and the repository; without them, links in the list of changes are words.
+doc=$root/share/doc/rakelight
+rm -rf "$doc/docs" "$doc/examples" "$doc/README.md"
+sed -i -E 's/\[([^]]*)\]\([^):]*\)/\1/g' "$doc/CHANGELOG.md"
+cp packages/archive/README.in "$root/README.md"
 
 # Of the system: the compilers' libraries, and those that belong to its display and drivers.
 system='^(ld-linux.*|lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s|X11|xcb|Xau|Xdmcp|GL|EGL|GLX|OpenGL|GLdispatch)\.so.*)$'
 # needed FILE: paths of the libraries that it loads, with what they load.
 needed() { ldd "$1" | awk '$2 == "=>" && $3 ~ "^/" {print $3}'; }
 
-mkdir -p "$root/lib" "$root/share/doc/rakelight/licenses"
+mkdir -p "$root/lib" "$doc/licenses"
 programs=("$root"/bin/* "$root"/libexec/rakelight/*)
 embree=$(ldconfig -p | awk '/libembree3\.so\.3 / {print $NF; exit}')
 {
@@ -43,9 +47,9 @@ embree=$(ldconfig -p | awk '/libembree3\.so\.3 / {print $NF; exit}')
     install -m 644 "$(readlink -f "$library")" "$root/lib/$file"
     package=$(dpkg -S "$(readlink -f "$library")" 2>/dev/null | head -n 1 | cut -d: -f1 || true)
     [ -n "$package" ] || package=$(dpkg -S "${library#/usr}" 2>/dev/null | head -n 1 | cut -d: -f1)
-    cp -L "/usr/share/doc/$package/copyright" "$root/share/doc/rakelight/licenses/$package"
+    cp -L "/usr/share/doc/$package/copyright" "$doc/licenses/$package"
 done
-cp packages/debian/copyright "$root/share/doc/rakelight/licenses/rakelight"
+cp packages/debian/copyright "$doc/licenses/rakelight"
 
 # Each finds the others from where it is.
 for program in "$root"/bin/*; do patchelf --set-rpath "\$ORIGIN/../lib" "$program"; done

@@ -45,7 +45,14 @@ class ExportWithoutSeams(RunsProgram, SeamOptions, ExportHelper, bpy.types.Opera
         for name in ("tangents", "apply_modifiers", "animations"):
             self.layout.prop(self, name)
 
+    def path(self):
+        path = bpy.path.abspath(self.filepath)
+        if os.path.basename(path).lower() in ("", ".glb"):
+            raise Failure("No file name")
+        return bpy.path.ensure_ext(path, self.filename_ext)  # the file browser has added it, a script may not have
+
     def begin(self, context, source):
+        self.path()
         if not hasattr(bpy.types, "EXPORT_SCENE_OT_gltf"):
             raise Failure("Blender's own glTF exporter is off: Preferences > Add-ons > Import-Export: glTF 2.0 format")
         # Without its armature an object would be written without its skin.
@@ -68,7 +75,7 @@ class ExportWithoutSeams(RunsProgram, SeamOptions, ExportHelper, bpy.types.Opera
         return self.arguments() + ["--tangents", self.tangents.lower()]
 
     def finish(self, context, target, remarks):
-        path = bpy.path.abspath(self.filepath)
+        path = self.path()
         try:
             shutil.copyfile(target, path + ".part")  # so that an old file stays whole until the new one is
             os.replace(path + ".part", path)

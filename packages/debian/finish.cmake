@@ -34,7 +34,7 @@ function(finish component)
   endforeach()
   # What no program reads; archives keep their names' tables.
   file(GLOB binaries ${tree}/usr/bin/* ${tree}/usr/libexec/rakelight/*
-    ${tree}/usr/lib/*/*.so.*.* ${tree}/usr/lib/*/*.a)
+    ${tree}/usr/lib/*/*.so.*.* ${tree}/usr/lib/*/*.a ${tree}/usr/lib/python3/dist-packages/rakelight/*.so)
   foreach(binary IN LISTS binaries)
     run(${CPACK_RAKELIGHT_STRIP} --enable-deterministic-archives --strip-debug --remove-section=.comment --remove-section=.note ${binary})
   endforeach()

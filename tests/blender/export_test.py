@@ -109,6 +109,19 @@ class Export(unittest.TestCase):
             self.assertEqual([m.type for m in item.modifiers], ["ARMATURE"])
             self.assertEqual(sorted(group.name for group in item.vertex_groups), ["bone", "still"])
 
+    def test_a_name_without_the_ending_gets_it(self):
+        scenes.select(halves())
+        bpy.ops.rakelight.export_glb(filepath=self.path[: -len(".glb")])
+        self.assertEqual(os.listdir(self.folder.name), ["out.glb"])
+        self.assertTrue(is_seamless(self.path))
+
+    def test_no_file_name_is_said_before_anything_is_written(self):
+        scenes.select(halves())
+        for path in ("", self.folder.name + os.sep, os.path.join(self.folder.name, ".glb")):
+            with self.assertRaisesRegex(RuntimeError, "No file name"):
+                bpy.ops.rakelight.export_glb(filepath=path)
+        self.assertEqual(os.listdir(self.folder.name), [])
+
     def test_a_failure_leaves_the_old_file(self):
         with open(self.path, "w") as file:
             file.write("old")

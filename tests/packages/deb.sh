@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The Debian packages in a bare Debian: they install, draw, make thumbnails as file managers do, serve a C++ program, and leave nothing when
-# they are removed. Outside, lintian and the checkers of desktop files look at them.
+# The Debian packages in a bare Debian: they install, draw, make thumbnails as file managers do, serve C++ programs and Python, and leave
+# nothing when they are removed. Outside, lintian and the checkers of desktop files look at them.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/../.."
 
@@ -15,7 +15,29 @@ if command -v desktop-file-validate >/dev/null; then desktop-file-validate packa
 if command -v appstreamcli >/dev/null; then appstreamcli validate --no-net packages/desktop/*.metainfo.xml; fi
 
 inside=$(mktemp)
-trap 'rm -f "$inside"' EXIT
+place=$(mktemp -d)
+trap 'rm -rf "$inside" "$place"' EXIT
+icon=packages/desktop/rakelight.svg
+[ "$(stat -c %s $icon)" -lt 4096 ]
+python3 -c 'import sys, xml.etree.ElementTree as tree; assert tree.parse(sys.argv[1]).getroot().get("viewBox") == "0 0 256 256"' $icon
+if command -v rsvg-convert >/dev/null; then
+    for size in 16 48 256; do rsvg-convert -w $size -h $size -o "$place/$size.png" $icon; done
+    cmp "$place/48.png" packages/desktop/48x48/rakelight.png
+else
+    echo 'rsvg-convert is not installed: the icon is not drawn'
+fi
+if command -v update-mime-database >/dev/null; then
+    mkdir -p "$place/mime/packages"
+    cp packages/desktop/rakelight.xml "$place/mime/packages"
+    XDG_DATA_DIRS=$place update-mime-database "$place/mime"
+    for line in 50:model/x-geomview-off:*.off 40:model/x-ase:*.ase 50:model/x-ply:*.ply 80:application/x-rakelight-scene:*.scene.toml; do
+        grep -q -x -F "$line" "$place/mime/globs2" || { echo "MIME types: $line is missing"; exit 1; }
+    done
+fi
+dpkg-deb -x build/packages/rakelight_*.deb "$place/tree"
+python3 blender/make_zip.py "$place/again.zip" >/dev/null
+cmp "$place/again.zip" "$place/tree/usr/share/rakelight/rakelight_seams.zip"
+
 cat >"$inside" <<'INSIDE'
 quietly() { "$@" >/root/log 2>&1 || { tail -n 30 /root/log; exit 1; }; }
 # All files but those that apt, dpkg and caches write.
@@ -47,16 +69,37 @@ is_png thumbnail
 cp thumbnail spot.png "$OUT"
 
 for file in /usr/share/man/man1/rakelight.1.gz /usr/share/man/man1/rakelight-view.1.gz /usr/share/applications/rakelight-view.desktop \
-    /usr/share/mime/packages/rakelight.xml /usr/share/icons/hicolor/48x48/apps/rakelight.png /usr/share/bash-completion/completions/rakelight; do
+    /usr/share/mime/packages/rakelight.xml /usr/share/icons/hicolor/48x48/apps/rakelight.png \
+    /usr/share/icons/hicolor/scalable/apps/rakelight.svg /usr/share/bash-completion/completions/rakelight; do
     [ -s "$file" ] || { echo "$file is missing"; exit 1; }
 done
 
-# A program that uses the attributes alone, by pkg-config.
+# Python: draws, and reads STL by the helper of the package rakelight.
+quietly apt-get install "$GIVEN"/packages/python3-rakelight_*.deb
+module=/usr/lib/python3/dist-packages/rakelight
+[ -s $module/__pycache__/__init__.cpython-311.pyc ]
+python3 - "$(dpkg-query -W -f '${Version}' python3-rakelight)" <<'TEXT'
+import importlib.metadata
+import sys
+import rakelight
+assert importlib.metadata.version("rakelight") + "-1" == sys.argv[1]
+rakelight.render_file("spot_slab5.glb", "python.png", resolution=(200, 200))
+print("Python:", rakelight.load("a.stl"))
+TEXT
+is_png python.png
+cmp spot.png python.png
+
+# Programs that use the attributes alone, and everything, by pkg-config.
 quietly apt-get install "$GIVEN"/packages/{librakelight-dev,librakelight-attributes0}*.deb g++ pkg-config
 # shellcheck disable=SC2046
 g++ -std=c++20 "$GIVEN/attributes.cpp" -o attributes $(pkg-config --cflags --libs rakelight-attributes)
 ./attributes
-quietly apt-get purge rakelight librakelight0 librakelight-attributes0 librakelight-dev g++ pkg-config
+# shellcheck disable=SC2046
+g++ -std=c++20 "$GIVEN/minimal.cpp" -o minimal $(pkg-config --cflags --libs rakelight)
+./minimal spot_slab5.glb minimal.png
+is_png minimal.png
+quietly apt-get purge rakelight python3-rakelight librakelight0 librakelight-attributes0 librakelight-dev g++ pkg-config
+[ ! -e $module ]
 quietly apt-get autoremove --purge
 files >/root/after
 diff <(grep -i rakelight /root/before || true) <(grep -i rakelight /root/after || true)
@@ -64,4 +107,4 @@ left=$(comm -13 /root/before /root/after)
 [ -z "$left" ] || { echo "left behind: $left"; }
 echo 'installed, drawn, linked and removed'
 INSIDE
-tests/packages/bare_debian.sh --give build/packages --give data/spot/spot_slab5.glb --give examples/attributes.cpp --out build/packages-tried "$inside"
+tests/packages/bare_debian.sh --give build/packages --give data/spot/spot_slab5.glb --give examples/attributes.cpp --give examples/minimal.cpp --out build/packages-tried "$inside"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The archive in a bare Debian: it runs from where it is unpacked and from where it is moved, with the helper and Embree, as any user, without
-# a package; it loads nothing of the system but the C and C++ libraries.
+# a package; it loads nothing of the system but the C and C++ libraries. Links in its pages lead to files that it has.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/../.."
 
@@ -9,7 +9,20 @@ compgen -G 'build/packages/*.tar.xz' >/dev/null || { echo 'there is no archive: 
 tar -tf build/packages/rakelight-*.tar.xz >build/tarball.list
 grep -q /licenses/libtbb12 build/tarball.list
 inside=$(mktemp)
-trap 'rm -f "$inside"' EXIT
+pages=$(mktemp -d)
+trap 'rm -rf "$inside" "$pages"' EXIT
+tar -C "$pages" --strip-components=1 -xf build/packages/rakelight-*.tar.xz
+count=0
+while IFS=: read -r page link; do
+    target=${link#](}
+    target=${target%)}
+    case $target in http*) continue ;; esac
+    count=$((count + 1))
+    [ -e "$(dirname "$page")/${target%#*}" ] || { echo "${page#"$pages"/} leads to ${target}, which is not there"; exit 1; }
+done < <(find "$pages" -name '*.md' -exec grep -o -H ']([^)]*)' {} +)
+[ "$count" -gt 10 ]
+python3 blender/make_zip.py "$pages/again.zip" >/dev/null
+cmp "$pages/again.zip" "$pages/share/rakelight/rakelight_seams.zip"
 # A bare Debian has no xz.
 archive=build/$(basename build/packages/rakelight-*.tar.xz .xz)
 xz -dc build/packages/rakelight-*.tar.xz >"$archive"
