@@ -138,7 +138,8 @@ TEST(Behind, TheBitsAreThoseOfAnyWindowThreadsAndInstructionSet) {
         RenderSettings s = of_side();
         s.width = 150, s.height = 90, s.samples = samples;
         const Frame whole = drawn_by(scene, s, 4);
-        for (const Isa isa : {Isa::scalar, Isa::sse2}) {
+        for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512}) {
+            if (!is_available(isa)) continue;
             setenv("RAKELIGHT_ISA", name(isa), 1);
             EXPECT_EQ(drawn_by(scene, s, 1).color, whole.color) << name(isa);
             unsetenv("RAKELIGHT_ISA");
