@@ -6,7 +6,6 @@
 #include <optional>
 
 #include <rakelight/linear.h>
-#include <rakelight/prepare.h>
 
 #include "moment.h"
 
@@ -68,14 +67,12 @@ std::vector<Animation> motion_of(const Scene& scene, std::span<const std::uint32
     return motion;
 }
 
-/// Of what can be seen of a scene at its pose. Normals and tangents of its meshes would be turned for nothing.
-Bounds posed_bounds(const Scene& scene) {
-    if (!is_posable(scene)) return rakelight::bounds(scene);
-    Scene outline = scene;
-    outline.animations.clear();  // they are neither looked at nor checked again for each moment
-    for (Mesh& mesh : outline.meshes) mesh.normals = {}, mesh.tangents = {};
+/// Of a scene at its pose. Normals and tangents of its meshes would be turned for nothing, and its clips checked.
+CameraChooser chooser_of(Scene scene) {
+    scene.animations.clear();
+    for (Mesh& mesh : scene.meshes) mesh.normals = {}, mesh.tangents = {};
     Context quiet({.threads = 1});
-    return rakelight::bounds(posed_scene(outline, quiet));
+    return CameraChooser(std::move(scene), quiet);
 }
 
 std::vector<Light> placed(const Scene& scene) {
@@ -110,16 +107,15 @@ std::vector<dmat4> node_matrices(const Scene& scene) {
 
 struct ViewBox::Known {
     std::mutex mutex;
-    ViewRequest view;
-    double aspect = 0;  ///< 0: nothing is known
-    std::vector<ClipTime> clips;
-    Camera camera;
     std::optional<Scene> still;  ///< the scene without its clips: copying them takes as long as posing
-    std::vector<ClipTime> box_clips;
-    std::optional<ViewBox> box;  ///< of the scene at box_clips
+    std::vector<ClipTime> clips;
+    std::optional<CameraChooser> chooser;  ///< of the scene at these clips
 };
 
-ViewBox::ViewBox(const Scene& scene) : bounds_(posed_bounds(scene)), known_(std::make_shared<Known>()) {
+ViewBox::ViewBox(const Scene& scene)
+    : chooser_(std::make_shared<const CameraChooser>(chooser_of(scene))),
+      bounds_(chooser_->bounds()),
+      known_(std::make_shared<Known>()) {
     if (bounds_.empty()) throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
     stand_in_.source = scene.source;
     stand_in_.cameras = scene.cameras;
@@ -144,25 +140,20 @@ std::vector<Light> ViewBox::lights(std::span<const ClipTime> clips) const { retu
 Camera ViewBox::camera(const Scene& scene, const ViewRequest& view, double aspect,
                        std::span<const ClipTime> clips) const {
     Context quiet({.threads = 1});
-    const bool is_placed = view.position && view.focal_point;
-    if (is_placed && clips.empty()) return choose_camera(stand_in_, view, aspect, quiet);
+    if (clips.empty()) {  // of a camera that is placed all vertices say nothing but the box
+        const bool is_placed = view.position && view.focal_point;
+        return is_placed ? choose_camera(stand_in_, view, aspect, quiet) : chooser_->choose(view, aspect, quiet);
+    }
     const std::lock_guard lock(known_->mutex);  // painters ask, too
     Known& known = *known_;
-    if (is_placed) {
-        if (!known.box || !std::ranges::equal(known.box_clips, clips)) {
-            known.box.reset();
-            if (!known.still) known.still = scene, known.still->animations.clear();
-            known.box.emplace(scene_at_moment(*known.still, scene.animations, {clips.begin(), clips.end()}));
-            known.box_clips.assign(clips.begin(), clips.end());
-        }
-        return choose_camera(known.box->stand_in_, view, aspect, quiet);
+    if (!known.chooser || !std::ranges::equal(known.clips, clips)) {
+        known.chooser.reset();
+        if (!known.still) known.still = scene, known.still->animations.clear();
+        known.chooser.emplace(
+            chooser_of(scene_at_moment(*known.still, scene.animations, {clips.begin(), clips.end()})));
+        known.clips.assign(clips.begin(), clips.end());
     }
-    if (known.aspect != aspect || known.view != view || !std::ranges::equal(known.clips, clips)) {
-        known.aspect = 0;
-        known.camera = choose_camera(clips.empty() ? scene : scene_at(scene, clips), view, aspect, quiet);
-        known.view = view, known.aspect = aspect, known.clips.assign(clips.begin(), clips.end());
-    }
-    return known.camera;
+    return known.chooser->choose(view, aspect, quiet);
 }
 
 Camera ViewBox::quick_camera(const Scene& scene, const ViewRequest& view, double aspect,

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cameras and lights of a scene, at rest and at a moment, kept at hand: choose_camera() goes over all vertices, which takes
-// too long for every picture of a large model.
+// The cameras and lights of a scene, at rest and at a moment, kept at hand: posing a scene and reading its vertices takes too
+// long for every picture of a large model.
 #pragma once
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include <rakelight/camera_chooser.h>
 #include <rakelight/motion.h>
 #include <rakelight/picture.h>
 #include <rakelight/scene_queries.h>
@@ -25,8 +26,8 @@ public:
     const Bounds& bounds() const { return bounds_; }
     const std::vector<std::string>& cameras() const { return cameras_; }  ///< a title each
     std::size_t node_count() const { return stand_in_.nodes.size(); }     ///< that are looked at for a camera
-    /// What choose_camera() gives for scene_at(scene, clips), to the bit; a second time at once, and at once where the view names
-    /// the camera's place and the moment is known. @param scene  that the box was made of. @throws Error as choose_camera()
+    /// What choose_camera() gives for scene_at(scene, clips), to the bit; at once for the scene at rest and for the last moment.
+    /// @param scene  that the box was made of. @throws Error as choose_camera()
     Camera camera(const Scene& scene, const ViewRequest& view, double aspect,
                   std::span<const ClipTime> clips = {}) const;
     /// Likewise, where the view names the camera's place or one of the scene: at once for every moment, but with the depths of
@@ -39,12 +40,13 @@ public:
 private:
     Scene stand_in_at(std::span<const ClipTime> clips) const;
 
+    std::shared_ptr<const CameraChooser> chooser_;  ///< of the scene at rest
     Bounds bounds_;
     Scene stand_in_;  ///< its cameras and lights, what carries them, and two vertices at the corners of its box
     std::vector<Animation> motion_;  ///< [animations of the scene] what of them moves the stand-in
     std::vector<std::string> cameras_;
     struct Known;
-    std::shared_ptr<Known> known_;  ///< the last that took all vertices
+    std::shared_ptr<Known> known_;  ///< the last moment
 };
 
 }  // namespace rakelight::viewer

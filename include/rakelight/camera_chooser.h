@@ -7,12 +7,14 @@
 #include <rakelight/export.h>
 #include <rakelight/request.h>
 #include <rakelight/scene.h>
+#include <rakelight/scene_queries.h>
 
 namespace rakelight {
 
-/// Chooses the cameras of many pictures. It reads all vertices of a scene once; then a choice takes far less time than
-/// choose_camera() of picture.h, and the camera is the same, to the bit. Any number of threads may choose at the same
-/// time, each with a context of its own. A moved-from chooser can only be assigned to or destroyed.
+/// Chooses the cameras of many pictures. It checks a scene and reads all its vertices once. If near vertices follow one
+/// another, as in most files, a choice then looks at few of them. The camera is that of choose_camera() of picture.h, to
+/// the bit. Any number of threads may choose at the same time, each with a context of its own. A moved-from chooser can
+/// only be assigned to or destroyed.
 ///
 ///     const CameraChooser chooser(scene, context);
 ///     for (double angle = 0; angle < 6.28; angle += 0.1)
@@ -30,6 +32,8 @@ public:
     /// @param aspect  width / height of the picture, > 0
     /// @throws Error as choose_camera()
     Camera choose(const ViewRequest& view, double aspect, Context& context) const;
+    /// Axis-aligned box in world space of all that is drawn; empty if there is nothing.
+    const Bounds& bounds() const;
 
 private:
     struct State;

@@ -178,6 +178,8 @@ Camera CameraChooser::choose(const ViewRequest& view, double aspect, Context& co
     return chosen(state_->still, state_->drawn, view, aspect, context);
 }
 
+const Bounds& CameraChooser::bounds() const { return state_->drawn.bounds(); }
+
 Camera adapt_to_aspect(Camera camera, double aspect) {
     if (camera.projection == Projection::perspective && camera.horizontal_fov_rad && camera.vertical_fov_rad == 0) {
         camera.vertical_fov_rad = 2 * math::atan2(math::tan(0.5 * *camera.horizontal_fov_rad) / aspect, 1);

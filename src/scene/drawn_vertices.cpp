@@ -103,14 +103,18 @@ public:
             shift_[k] = dot(m[3].xyz() - about_, d);
         }
         look_at_best(mesh, runs);
-        for (std::size_t r = 0; r < runs.size(); ++r) {
-            if (runs[r].used == 0) continue;
-            for (std::size_t k = 0; k < own_.size(); ++k)
-                if (!(at_most(runs[r], own_[k], shift_[k]) <= reach_[k])) look_at_run(mesh, runs[r], r, k);
-        }
+        for (std::size_t r = 0; r < runs.size(); ++r)
+            if (runs[r].used != 0 && promises(runs[r])) look_at_run(mesh, runs[r], r);
     }
 
 private:
+    /// Whether the run may have a vertex that lies farther along some direction than those so far.
+    bool promises(const Run& run) const {
+        for (std::size_t k = 0; k < own_.size(); ++k)
+            if (!(at_most(run, own_[k], shift_[k]) <= reach_[k])) return true;
+        return false;
+    }
+
     /// The run that promises most in each direction comes first: few others promise more than it holds.
     void look_at_best(const Mesh& mesh, std::span<const Run> runs) {
         for (std::size_t k = 0; k < own_.size(); ++k) {
@@ -121,14 +125,17 @@ private:
                 const double bound = at_most(runs[r], own_[k], shift_[k]);
                 if (bound > most) most = bound, best = r;
             }
-            if (best < runs.size()) look_at_run(mesh, runs[best], best, k);
+            if (best < runs.size()) look_at_run(mesh, runs[best], best);
         }
     }
 
-    void look_at_run(const Mesh& mesh, const Run& run, std::size_t r, std::size_t k) {
-        for_each_used(mesh, run, r, [&](vec3 p) {
-            const double along = dot(cast<double>(p), own_[k]) + shift_[k];
-            if (along > reach_[k] && std::isfinite(along)) reach_[k] = along;
+    void look_at_run(const Mesh& mesh, const Run& run, std::size_t r) {
+        for_each_used(mesh, run, r, [&](vec3 position) {
+            const dvec3 p = cast<double>(position);
+            for (std::size_t k = 0; k < own_.size(); ++k) {
+                const double along = dot(p, own_[k]) + shift_[k];
+                if (along > reach_[k] && std::isfinite(along)) reach_[k] = along;
+            }
         });
     }
 

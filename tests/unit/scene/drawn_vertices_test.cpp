@@ -88,7 +88,7 @@ std::array<dvec3, ways> random_directions(std::mt19937& random, double length) {
 
 TEST(DrawnVertices, AreThoseOfAWalkOverAllToTheBit) {
     std::mt19937 random(7);
-    for (const std::size_t vertices : {1, 3, 63, 64, 65, 1000})
+    for (const std::size_t vertices : {1, 3, 63, 64, 65, 1000, 9000})
         for (const float size : {1e-30f, 1.0f, 3e38f})
             for (const double length : {1e-3, 1.0, 1e290}) {
                 SCOPED_TRACE(testing::Message() << vertices << " vertices in " << size << ", directions of " << length);
