@@ -53,6 +53,35 @@ TEST(ViewBox, GivesTheCamerasOfTheWholeSceneToTheBit) {
                 << view.side << view.camera;
 }
 
+/// What a moment moves: one of the two squares, by a clip of its node.
+Scene scene_in_motion() {
+    Scene scene = scene_with_cameras();
+    AnimationChannel channel;
+    channel.element = 0, channel.path = AnimationPath::translation;
+    channel.times = std::vector<float>{0, 1};
+    channel.values = std::vector<float>{0, 0, 0, 8, -3, 5};
+    Animation clip;
+    clip.channels = {channel};
+    scene.animations = {clip};
+    return scene;
+}
+
+TEST(ViewBox, GivesTheCamerasOfEveryMomentToTheBit) {
+    Context context;
+    const Scene scene = scene_in_motion();
+    const ViewBox box(scene);
+    const ViewRequest views[] = {
+        {}, {.side = "top"}, {.camera = "mounted"}, {.position = dvec3{4, 5, 9}, .focal_point = dvec3{1, 1, 1}}};
+    for (const double time : {0.25, 1.0, 0.25}) {
+        const std::vector<ClipTime> clips{{0, time}};
+        for (const ViewRequest& view : views)
+            EXPECT_EQ(box.camera(scene, view, 1.5, clips), choose_camera(scene_at(scene, clips), view, 1.5, context))
+                << view.side << view.camera << time;
+    }
+    const ViewRequest front{.side = "front"};
+    EXPECT_NE(box.camera(scene, front, 1.5, std::vector<ClipTime>{{0, 1}}), box.camera(scene, front, 1.5));
+}
+
 TEST(ViewBox, NamesCamerasByNumberWhereTheyHaveNoName) {
     const ViewBox box(scene_with_cameras());
     ASSERT_EQ(box.cameras().size(), 2u);
