@@ -39,8 +39,15 @@ tracing. It reads glTF, OBJ, PLY and, by a helper, FBX, DAE and others.")
 rl_deb(programs rakelight graphics "renderer and attribute tool for 3D models of many parts
 ${what}
 .
-This package has the programs rakelight and rakelight-view, the helper for
-rare formats, completions for shells, and thumbnails for file managers." library)
+This package has the program rakelight, the helper for rare formats,
+completions for shells, and thumbnails for file managers." library)
+if(RAKELIGHT_VIEWER)
+  rl_deb(viewer rakelight-view graphics "renderer for 3D models of many parts - viewer
+${what}
+.
+This package has the viewer, rakelight-view." programs library)
+  set(CPACK_DEBIAN_VIEWER_PACKAGE_RECOMMENDS "libegl1, libgl1, libgl1-mesa-dri")
+endif()
 rl_deb(library librakelight${RL_SOVERSION} libs "renderer for 3D models of many parts - shared library
 ${what}
 .
@@ -63,18 +70,17 @@ if(RAKELIGHT_PYTHON)
   rl_deb(python python3-rakelight python "renderer for 3D models of many parts - Python module
 ${what}
 .
-This package has the module for Python, which gives and takes arrays of numpy." library)
+This package has the module for Python, which gives and takes arrays of numpy." library programs)
   # The extension is for one version of Python.
   find_package(Python3 QUIET COMPONENTS Interpreter)
   math(EXPR next "${Python3_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next}), python3-numpy")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS rakelight)  # the import helper
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "libembree3-3, python3-tqdm, rakelight-doc")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packages/debian/python/postinst ${PROJECT_SOURCE_DIR}/packages/debian/python/prerm)
 endif()
 
 # Embree is loaded when it is asked for, OpenGL through libepoxy.
-set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "libembree3-3, libegl1, libgl1, libgl1-mesa-dri")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "rakelight-view, libembree3-3, libegl1, libgl1, libgl1-mesa-dri")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS rakelight-doc)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "libembree3-3, rakelight")
 # For packages whose programs use the libraries: any later version with the same number in the soname.

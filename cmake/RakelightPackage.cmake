@@ -173,10 +173,11 @@ endfunction()
 rl_pkg_config(rakelight "Renderer and attribute tool for 3D models of many parts" "${pc_modules}" "${pc_flags};-ldl;-lpthread;-lstdc++;-lm")
 rl_pkg_config(rakelight-attributes "Seam-free normals and tangents for 3D models of many parts" "" "-ltbb;-lpthread;-lstdc++;-lm")
 
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
-  DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation
   FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.cpp" PATTERN site EXCLUDE PATTERN measurements EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/examples DESTINATION ${CMAKE_INSTALL_DOCDIR}/python COMPONENT documentation
+  FILES_MATCHING PATTERN "*.py")
 
 if(RAKELIGHT_TESTS)
   add_test(NAME consumer

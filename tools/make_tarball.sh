@@ -21,7 +21,7 @@ name=rakelight-$version-linux-$(uname -m)
 stage=$(mktemp -d)
 trap 'rm -rf "$stage"' EXIT
 root=$stage/$name
-for component in programs documentation; do
+for component in programs viewer documentation; do
     cmake --install "$build" --prefix "$root" --strip --component "$component" >/dev/null
 done
 # rakelight-doc has the pages, and the repository; without them, links in the list of changes are words.

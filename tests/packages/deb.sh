@@ -47,6 +47,8 @@ is_png() { [ "$(head -c 4 "$1" | tail -c 3)" = PNG ]; }
 files >/root/before
 quietly apt-get install "$GIVEN"/packages/{rakelight_,librakelight0_}*.deb
 rakelight --version
+if dpkg-query -W libgl1-mesa-dri >/dev/null 2>&1; then echo "the program without its viewer needs drivers of OpenGL"; exit 1; fi
+quietly apt-get install "$GIVEN"/packages/rakelight-view_*.deb
 
 cp "$GIVEN/spot_slab5.glb" .
 rakelight spot_slab5.glb -o spot.png --resolution 200,200
@@ -98,7 +100,9 @@ g++ -std=c++20 "$GIVEN/attributes.cpp" -o attributes $(pkg-config --cflags --lib
 g++ -std=c++20 "$GIVEN/minimal.cpp" -o minimal $(pkg-config --cflags --libs rakelight)
 ./minimal spot_slab5.glb minimal.png
 is_png minimal.png
-quietly apt-get purge rakelight python3-rakelight librakelight0 librakelight-attributes0 librakelight-dev g++ pkg-config
+quietly apt-get install "$GIVEN"/packages/rakelight-doc_*.deb
+[ -s /usr/share/doc/rakelight/python/examples/dataset.py ]
+quietly apt-get purge '~nrakelight' g++ pkg-config
 [ ! -e $module ]
 quietly apt-get autoremove --purge
 files >/root/after
