@@ -100,7 +100,8 @@ const char* topology_of(const Mesh& mesh) {
 void take_material(const py::dict& given, const std::string& place, std::size_t materials, Mesh& mesh) {
     const py::object material = given["material"];
     if (material.is_none() || !given["color"].is_none()) return;
-    if (!PyIndex_Check(material.ptr()) || material < py::int_(0) || material >= py::int_(materials))
+    if (!PyIndex_Check(material.ptr())) throw Error(ErrorCode::usage, place + ": material: a number is expected");
+    if (material < py::int_(0) || material >= py::int_(materials))
         throw Error(ErrorCode::usage, place + ": material " + std::string(py::str(material)) + " is not one of the " +
                                           std::to_string(materials));
     mesh.material = py::cast<std::uint32_t>(material);

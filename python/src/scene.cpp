@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <unordered_map>
+#include <map>
 
 #include <rakelight/linear.h>
 #include <rakelight/load.h>
@@ -34,7 +34,7 @@ std::string absolute(const std::string& path) {
 
 /// Pictures are opened when they are needed: the working directory may be another then.
 void make_paths_absolute(SceneHandle& handle) {
-    std::unordered_map<ImageHandle, ImageHandle> known;  // what textures share stays shared
+    std::map<ImageHandle, ImageHandle> known;  // what textures share stays shared
     const auto add = [&](const ImageHandle& image) {
         if (!image || image->path.empty() || known.contains(image)) return;
         EncodedImage copy = *image;
@@ -148,7 +148,7 @@ py::object bounds_of(const SceneHandle& handle) {
 
 }  // namespace
 
-void replace_images(Scene& scene, const std::unordered_map<ImageHandle, ImageHandle>& by) {
+void replace_images(Scene& scene, const std::map<ImageHandle, ImageHandle>& by) {
     const auto replace = [&by](ImageHandle& image) {
         if (const auto found = by.find(image); found != by.end()) image = found->second;
     };

@@ -144,7 +144,7 @@ def test_materials_and_other_numbers_are_those_of_the_new_mesh(two_sets):
 
 @pytest.mark.parametrize("change, words", [
     ({"material": 2}, "mesh 0: material 2 is not one of the 2"), ({"material": -1}, "material -1"), ({"material": 2**70}, "material 1180"),
-    ({"material": 0.0}, "material 0.0"), ({"material": "red"}, "material red"),
+    ({"material": 0.0}, "mesh 0: material: a number"), ({"material": "red"}, "material: a number"),
     ({"arrays": {"heat": [1, 2, 3]}}, "mesh 0: arrays: heat: there are 3 rows for 4 vertices"),
     ({"arrays": {"heat": np.zeros((4, 2, 2))}}, "arrays: heat: the shape"), ({"arrays": {"heat": np.zeros((4, 17))}}, "17 columns"),
     ({"arrays": {"heat": np.zeros((4, 0))}}, "arrays: heat: the shape"), ({"arrays": {"heat": ["a"] * 4}}, "arrays: heat: numbers"),
