@@ -10,17 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._errors import UsageError
+from ._numbers import numbers
 
 Vector = Union[Sequence[float], "NDArray[np.floating[Any]]"]
 
 SIDES = ("front", "back", "left", "right", "top", "bottom", "isometric", "default", "file")
-
-
-def _numbers(name: str, values: Any) -> tuple[float, ...]:
-    try:
-        return tuple(float(value) for value in values)
-    except (TypeError, ValueError):
-        raise UsageError(f"{name}: numbers are expected, not {values!r:.60}") from None
 
 
 @dataclass(frozen=True)
@@ -50,11 +44,11 @@ class Camera:
         put = object.__setattr__  # as the class is frozen
         for name in ("position", "target", "up"):
             if name != "up" or self.up is not None:
-                put(self, name, _numbers(name, getattr(self, name)))
+                put(self, name, numbers(name, getattr(self, name)))
         for name in ("vertical_fov", "horizontal_fov", "near", "far"):
             value = getattr(self, name)
             if value is not None:
-                put(self, name, _numbers(name, [value])[0])
+                put(self, name, numbers(name, [value])[0])
 
     @classmethod
     def from_matrix(cls, to_world: ArrayLike, *, distance: float = 1.0, **others: Any) -> Camera:

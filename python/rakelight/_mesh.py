@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._errors import UsageError
+from ._numbers import numbers
 from ._positions import split
 from ._run import Progress, remarks_of, threads, told
 
@@ -37,8 +38,9 @@ class Mesh:
         name: of its object
         color: linear RGB or RGBA of its surface, 0 to 1; None: the default material
         to_world: [4, 4] object space to world; None: the same
-        arrays: {name: [V] or [V, n]} other numbers of the vertices, of loaded meshes
-        material: number of its material in the scene that it comes from
+        arrays: {name: [V] or [V, n]} other numbers of the vertices, n <= 16
+        material: number of its material in the scene that it comes from; :meth:`Scene.with_meshes` takes it, :meth:`Scene.from_meshes`
+            makes materials of ``color`` alone
         topology: "triangles", or "lines" or "points" of loaded meshes: faces are [L, 2] or [P, 1] then
         origin: [m] vertices count from here; not 0 where they are far away: :meth:`positions` has the sum
     """
@@ -58,13 +60,10 @@ class Mesh:
     origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
-        try:
-            x, y, z = (float(value) for value in self.origin)
-        except (TypeError, ValueError):
-            x, y, z = np.nan, 0.0, 0.0
-        if not np.isfinite([x, y, z]).all():
+        origin = numbers("origin", self.origin)
+        if len(origin) != 3 or not np.isfinite(origin).all():
             raise UsageError(f"origin: three finite numbers are expected, not {self.origin!r:.60}")
-        object.__setattr__(self, "origin", (x, y, z))
+        object.__setattr__(self, "origin", origin)
 
     @property
     def vertex_normals(self) -> ArrayLike | None:
@@ -158,12 +157,14 @@ def meshes_of(things: MeshLike | Iterable[MeshLike] | Mapping[str, MeshLike]) ->
 
 def dicts_of(meshes: Sequence[Mesh]) -> list[dict[str, Any]]:
     """As the extension takes them."""
-    keys = ("faces", "normals", "tangents", "uv", "colors", "name", "color", "to_world")
+    keys = ("faces", "normals", "tangents", "uv", "colors", "name", "color", "to_world", "material")
     out = []
     for mesh, (vertices, origin) in zip(meshes, split(meshes)):
         if mesh.topology != "triangles":
             raise UsageError(f"a mesh of triangles is expected, not one of {mesh.topology}")
-        out.append({"vertices": vertices, "origin": origin, **{key: getattr(mesh, key) for key in keys}})
+        if not isinstance(mesh.arrays, Mapping):
+            raise UsageError(f"arrays: {{name: array}} is expected, not {type(mesh.arrays).__name__}")
+        out.append({"vertices": vertices, "origin": origin, "arrays": dict(mesh.arrays), **{key: getattr(mesh, key) for key in keys}})
     return out
 
 

@@ -47,10 +47,19 @@ def _origin(arrays: Iterable[Doubles]) -> Doubles:
     return np.where(low <= high, np.floor((low + high) / 2 / unit + 0.5) * unit, 0.0)
 
 
+def _place(mesh: Mesh) -> bytes:
+    """Equal for meshes that stand in one place, whatever the type of their matrices; None is the identity."""
+    try:
+        matrix = np.eye(4) if mesh.to_world is None else np.asarray(mesh.to_world, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError):  # the extension refuses it
+        return b""
+    return (matrix + 0.0).tobytes()  # -0 becomes 0
+
+
 def split(meshes: Sequence[Mesh]) -> list[tuple[ArrayLike, tuple[float, float, float]]]:
     """[(vertices, origin)] of each mesh. One origin for all that stand in one place, so that equal positions stay equal."""
     exact = [_exact(mesh) for mesh in meshes]
-    places = [b"" if mesh.to_world is None else _array(mesh.to_world).tobytes() for mesh in meshes]
+    places = [_place(mesh) for mesh in meshes]
     together: dict[bytes, list[Doubles]] = {place: [] for place in places}
     for array, place in zip(exact, places):
         if array is not None:

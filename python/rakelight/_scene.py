@@ -72,14 +72,19 @@ class Scene:
         return self._meshes
 
     def with_meshes(self, meshes: Mapping[int, MeshLike]) -> Scene:
-        """The scene with the arrays of other meshes in the place of some of its own: {number in :attr:`meshes`: mesh}. Names, materials,
-        places and animations stay, where the new mesh has no ``name`` or ``color``.
+        """The scene with the arrays of other meshes in the place of some of its own: {number in :attr:`meshes`: mesh}.
+
+        All arrays are the new mesh's: where it has no ``normals``, ``uv``, ``colors`` or ``arrays``, the scene's mesh has none either.
+        Its ``name`` and ``material`` (a number in :attr:`materials`) stay where the new mesh has none; a ``color`` makes a material of
+        its own. Places, animations and further sets of texture coordinates stay; smoothing groups and polygons do where the faces are
+        the very same.
 
             mesh = scene.meshes[0]
             taller = scene.with_meshes({0: dataclasses.replace(mesh, vertices=mesh.vertices * (1, 2, 1))})
 
         Raises:
-            UsageError: shapes, types or indices that do not fit; another number of vertices for an animated mesh; a ``to_world``
+            UsageError: shapes, types or indices that do not fit; another number of vertices for a mesh that is animated or has further
+                sets of texture coordinates; a ``material`` that the scene does not have; a ``to_world``
         """
         if not isinstance(meshes, Mapping) or not all(hasattr(number, "__index__") for number in meshes):
             raise UsageError("with_meshes: {number: mesh} is expected")

@@ -4,7 +4,9 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
+#include <cstring>
 
 #include <rakelight/error.h>
 #include <rakelight/validate.h>
@@ -15,14 +17,18 @@
 namespace rakelight::python {
 namespace {
 
+void check_rows(const py::array& values, const std::string& name, py::ssize_t vertices) {
+    if (values.shape(0) != vertices)
+        throw Error(ErrorCode::usage, name + ": there are " + std::to_string(values.shape(0)) + " rows for " +
+                                          std::to_string(vertices) + " vertices");
+}
+
 std::optional<py::array_t<float>> vertex_floats(const py::dict& mesh, const char* key, const std::string& place,
                                                 py::ssize_t columns, py::ssize_t vertices) {
     if (!mesh.contains(key) || mesh[key].is_none()) return {};
     const std::string name = place + ": " + key;
     py::array_t<float> values = floats(mesh[key], name, columns);
-    if (values.shape(0) != vertices)
-        throw Error(ErrorCode::usage, name + ": there are " + std::to_string(values.shape(0)) + " rows for " +
-                                          std::to_string(vertices) + " vertices");
+    check_rows(values, name, vertices);
     return values;
 }
 
@@ -51,7 +57,27 @@ Material material_of(const py::handle& color, const std::string& place) {
     return material;
 }
 
-Mesh mesh_of(const MeshArrays& arrays) {
+/// Other numbers of the vertices: {name: [V] or [V, n]}.
+RareList<VertexArray> other_arrays(const py::dict& mesh, const std::string& place, py::ssize_t vertices) {
+    RareList<VertexArray> out;
+    for (const auto& [key, value] : py::cast<py::dict>(mesh["arrays"])) {
+        if (value.is_none()) continue;  // of no vertices
+        VertexArray array;
+        array.name = py::cast<std::string>(key);
+        const std::string name = place + ": arrays: " + array.name;
+        const py::array given = py::array::ensure(value);
+        const py::ssize_t columns = given && given.ndim() == 2 ? given.shape(1) : 0;
+        if (columns > 16) throw Error(ErrorCode::usage, name + ": there are " + std::to_string(columns) + " columns");
+        const py::array_t<float> values = floats(value, name, columns);
+        check_rows(values, name, vertices);
+        array.components = std::uint32_t(std::max<py::ssize_t>(columns, 1));
+        array.values = block_of<float>(values);
+        out.push_back(std::move(array));
+    }
+    return out;
+}
+
+Mesh mesh_of(const py::dict& given, const MeshArrays& arrays, const std::string& place) {
     Mesh mesh;
     mesh.name = arrays.name;
     mesh.origin = arrays.origin;
@@ -62,11 +88,23 @@ Mesh mesh_of(const MeshArrays& arrays) {
     mesh.tangents = block_of<vec4>(arrays.tangents);
     mesh.colors = block_of<vec4>(arrays.colors);
     if (arrays.uv) mesh.texcoords = {block_of<vec2>(arrays.uv)};
+    mesh.arrays = other_arrays(given, place, arrays.vertices.shape(0));
     return mesh;
 }
 
 const char* topology_of(const Mesh& mesh) {
     return mesh.topology == Topology::triangles ? "triangles" : mesh.topology == Topology::lines ? "lines" : "points";
+}
+
+/// A mesh with the number of a material has that one, else the one that it had.
+void take_material(const py::dict& given, const std::string& place, std::size_t materials, Mesh& mesh) {
+    const py::object material = given["material"];
+    if (material.is_none() || !given["color"].is_none()) return;
+    if (!PyIndex_Check(material.ptr())) throw Error(ErrorCode::usage, place + ": material: a number is expected");
+    if (material < py::int_(0) || material >= py::int_(materials))
+        throw Error(ErrorCode::usage, place + ": material " + std::string(py::str(material)) + " is not one of the " +
+                                          std::to_string(materials));
+    mesh.material = py::cast<std::uint32_t>(material);
 }
 
 /// A mesh with a color has a material of its own.
@@ -82,7 +120,7 @@ SceneHandle scene_of(const py::list& meshes) {
         const py::dict given = meshes[i];
         const std::string place = "mesh " + std::to_string(i);
         const MeshArrays arrays = mesh_arrays(given, place);
-        Mesh mesh = mesh_of(arrays);
+        Mesh mesh = mesh_of(given, arrays, place);
         take_color(given, place, mesh, scene);
         scene.meshes.push_back(std::move(mesh));
         Node& node = scene.nodes.emplace_back();
@@ -94,22 +132,51 @@ SceneHandle scene_of(const py::list& meshes) {
     return {std::move(scene)};
 }
 
-/// Puts other arrays into a mesh. What else it has stays, where it has as many vertices and triangles as before.
+/// The same numbers, bit for bit.
+template <class T>
+bool are_same(const Block<T>& a, const Block<T>& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+bool has_further_texcoords(const Mesh& mesh) {
+    return mesh.texcoords.size() > 1 && std::any_of(mesh.texcoords.begin() + 1, mesh.texcoords.end(),
+                                                    [](const Block<vec2>& set) { return !set.empty(); });
+}
+
+/// What stays of the vertices needs as many as before.
+void check_vertex_count(const Mesh& mesh, std::size_t vertices, const std::string& place) {
+    if (vertices == mesh.positions.size()) return;
+    const bool moves = !mesh.influences.empty() || !mesh.targets.empty();
+    if (!moves && !has_further_texcoords(mesh)) return;
+    throw Error(ErrorCode::usage, place + ": there are " + std::to_string(vertices) + " vertices for " +
+                                      (moves ? "joints and morph targets" : "further sets of texture coordinates") +
+                                      " of " + std::to_string(mesh.positions.size()));
+}
+
+/// Puts other arrays into a mesh. What was of the faces stays with the same faces, what was of the surface with the
+/// same surface.
 void replace_arrays(Mesh& mesh, Mesh arrays, const std::string& place) {
-    const bool has_vertices = arrays.positions.size() == mesh.positions.size();
-    const bool has_triangles = arrays.indices.size() == mesh.indices.size();
-    if (!has_vertices && !(mesh.influences.empty() && mesh.targets.empty()))
-        throw Error(ErrorCode::usage, place + ": there are " + std::to_string(arrays.positions.size()) +
-                                          " vertices for joints and morph targets of " +
-                                          std::to_string(mesh.positions.size()));
+    check_vertex_count(mesh, arrays.positions.size(), place);
+    if (has_further_texcoords(mesh)) {
+        arrays.texcoords.resize(mesh.texcoords.size());
+        std::copy(mesh.texcoords.begin() + 1, mesh.texcoords.end(), arrays.texcoords.begin() + 1);
+    }
+    const bool has_faces = are_same(arrays.indices, mesh.indices);
+    const bool has_places = are_same(arrays.positions, mesh.positions) && arrays.origin == mesh.origin;
+    const bool has_surface = has_faces && has_places && are_same(arrays.normals, mesh.normals) &&
+                             are_same(arrays.tangents, mesh.tangents) && are_same(arrays.colors, mesh.colors) &&
+                             std::ranges::equal(arrays.texcoords, mesh.texcoords, are_same<vec2>);
     if (!arrays.name.empty()) mesh.name = std::move(arrays.name);
     mesh.origin = arrays.origin;
     mesh.positions = std::move(arrays.positions), mesh.indices = std::move(arrays.indices);
     mesh.normals = std::move(arrays.normals), mesh.tangents = std::move(arrays.tangents);
     mesh.colors = std::move(arrays.colors), mesh.texcoords = std::move(arrays.texcoords);
-    mesh.bitangents = {}, mesh.smoothing_hint = {}, mesh.position_step = 0, mesh.shape.reset();
-    if (!has_vertices) mesh.arrays = {};
-    if (!has_triangles) mesh.smoothing = {}, mesh.polygons = {};
+    mesh.arrays = std::move(arrays.arrays);
+    mesh.bitangents = {};
+    if (!has_faces)
+        mesh.smoothing = {}, mesh.smoothing_kind = SmoothingKind::none, mesh.smoothing_hint = {}, mesh.polygons = {};
+    if (!has_places) mesh.position_step = 0;
+    if (!has_surface) mesh.shape.reset();
 }
 
 /// @param meshes  {number: mesh}
@@ -126,7 +193,8 @@ SceneHandle with_meshes(const SceneHandle& handle, const py::dict& meshes) {
         Mesh& mesh = out.scene.meshes[number];
         if (mesh.topology != Topology::triangles)
             throw Error(ErrorCode::usage, place + " has " + topology_of(mesh) + ", not triangles");
-        replace_arrays(mesh, mesh_of(arrays), place);
+        replace_arrays(mesh, mesh_of(given, arrays, place), place);
+        take_material(given, place, handle.scene.materials.size(), mesh);
         take_color(given, place, mesh, out.scene);
     }
     validate(out.scene);

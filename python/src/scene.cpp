@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <unordered_map>
+#include <map>
 
 #include <rakelight/linear.h>
 #include <rakelight/load.h>
@@ -33,20 +33,25 @@ std::string absolute(const std::string& path) {
 }
 
 /// Pictures are opened when they are needed: the working directory may be another then.
-void make_paths_absolute(Scene& scene) {
-    std::unordered_map<const EncodedImage*, ImageHandle> known;  // what textures share stays shared
-    const auto replace = [&known](ImageHandle& image) {
-        if (!image || image->path.empty()) return;
-        ImageHandle& made = known[image.get()];
-        if (!made) {
-            EncodedImage copy = *image;
-            copy.path = absolute(image->path);
-            made = std::make_shared<const EncodedImage>(std::move(copy));
-        }
-        image = made;
+void make_paths_absolute(SceneHandle& handle) {
+    std::map<ImageHandle, ImageHandle> known;  // what textures share stays shared
+    const auto add = [&](const ImageHandle& image) {
+        if (!image || image->path.empty() || known.contains(image)) return;
+        EncodedImage copy = *image;
+        copy.path = absolute(image->path);
+        if (copy.path == image->path) return;
+        const ImageHandle made = std::make_shared<const EncodedImage>(std::move(copy));
+        known[image] = made, handle.as_named[made] = image;
     };
-    for (Texture& texture : scene.textures) replace(texture.image);
-    if (scene.environment) replace(scene.environment->image);
+    for (const Texture& texture : handle.scene.textures) add(texture.image);
+    if (handle.scene.environment) add(handle.scene.environment->image);
+    replace_images(handle.scene, known);
+}
+
+/// What was made of a scene, with what is known of where it comes from.
+py::tuple derived(const SceneHandle& from, Scene scene, Runner& runner) {
+    return py::make_tuple(SceneHandle{std::move(scene), from.world, from.load, from.as_named},
+                          remarks_of(runner.context().report()));
 }
 
 py::tuple load_file(const std::string& path, bool allow_outside, int threads, std::uint64_t max_memory,
@@ -54,10 +59,10 @@ py::tuple load_file(const std::string& path, bool allow_outside, int threads, st
     Runner runner(threads, max_memory);
     LoadOptions options;
     options.allow_outside = allow_outside;
-    Scene scene = runner.run(progress, [&] { return load(path, options, runner.context()); });
-    make_paths_absolute(scene);
-    return py::make_tuple(SceneHandle{std::move(scene), is_world_file(path) ? absolute(path) : std::string(), options},
-                          remarks_of(runner.context().report()));
+    SceneHandle handle{runner.run(progress, [&] { return load(path, options, runner.context()); }),
+                       is_world_file(path) ? absolute(path) : std::string(), options};
+    make_paths_absolute(handle);
+    return py::make_tuple(std::move(handle), remarks_of(runner.context().report()));
 }
 
 py::tuple load_bytes(const py::bytes& bytes, const std::string& name, int threads, std::uint64_t max_memory,
@@ -74,8 +79,7 @@ py::tuple smoothed(const SceneHandle& handle, const py::dict& options, int threa
     const AttributeOptions attributes = attribute_options(options);
     Runner runner(threads, 0);
     Scene scene = runner.run(progress, [&] { return smooth(handle.scene, attributes, runner.context()); });
-    return py::make_tuple(SceneHandle{std::move(scene), handle.world, handle.load},
-                          remarks_of(runner.context().report()));
+    return derived(handle, std::move(scene), runner);
 }
 
 /// Some mesh has normals that can be joined.
@@ -96,8 +100,7 @@ py::tuple repaired(const SceneHandle& handle, double crease_angle_rad, double bo
         match.distance = border_distance, match.crease_angle_rad = crease_angle_rad, match.keep_flat = true;
         return repair_borders(joined, match, context);
     });
-    return py::make_tuple(SceneHandle{std::move(scene), handle.world, handle.load},
-                          remarks_of(runner.context().report()));
+    return derived(handle, std::move(scene), runner);
 }
 
 py::list saved(const SceneHandle& handle, const std::string& path, int threads, const py::object& progress) {
@@ -144,6 +147,14 @@ py::object bounds_of(const SceneHandle& handle) {
 }
 
 }  // namespace
+
+void replace_images(Scene& scene, const std::map<ImageHandle, ImageHandle>& by) {
+    const auto replace = [&by](ImageHandle& image) {
+        if (const auto found = by.find(image); found != by.end()) image = found->second;
+    };
+    for (Texture& texture : scene.textures) replace(texture.image);
+    if (scene.environment) replace(scene.environment->image);
+}
 
 void define_scene(py::module_& module) {
     py::class_<SceneHandle>(module, "Scene")

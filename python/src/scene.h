@@ -3,6 +3,7 @@
 #pragma once
 #include <pybind11/pybind11.h>
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,11 +20,17 @@ struct SceneHandle {
     Scene scene;
     std::string world{};  ///< the world file that it was loaded from; empty: none
     LoadOptions load{};   ///< as it was loaded
+    /// Its pictures of files have absolute paths: the working directory may be another when they are opened. Here they
+    /// are as the file and the caller name them, for reports.
+    std::map<ImageHandle, ImageHandle> as_named{};
 };
 
 /// Settings by the keys of [render]: [(key, [word, ...])].
 using Settings = std::vector<std::pair<std::string, std::vector<std::string>>>;
 std::vector<WorldValue> values_of(const Settings& settings);
+
+/// Gives the pictures of a scene other handles, where the map has them.
+void replace_images(Scene& scene, const std::map<ImageHandle, ImageHandle>& by);
 
 /// The picture that the program would draw of a scene with these settings as options. @throws Error usage
 PictureRequest request_of(const SceneHandle& handle, const Settings& settings, Context& context);

@@ -140,12 +140,24 @@ def test_the_tag_of_a_wheel_is_what_its_files_ask_for(tmp_path, monkeypatch):
     assert repair_wheel.too_new(file, repair_wheel.glibc_of("rakelight-1-cp3-cp3-manylinux_2_38_aarch64.whl")) == ["GLIBCXX_3.4.31"]
 
 
+def cached(build):
+    """{name: value} of what a build folder was configured with."""
+    lines = re.findall(r"^(\w+):\w+=(.*)$", (build / "CMakeCache.txt").read_text(), re.M)
+    return dict(lines)
+
+
 def test_what_is_installed(tmp_path):
     build = pathlib.Path(rakelight.__file__).parents[2]
     if not (build / "CMakeCache.txt").exists() or not shutil.which("cmake"):
         pytest.skip("the module is in no build folder")
-    command = ["cmake", "--install", str(build), "--component", "python", "--prefix", str(tmp_path)]
-    subprocess.run(command, check=True, capture_output=True)
+    cache = cached(build)
+    if any(os.path.isabs(cache[name]) for name in ("RAKELIGHT_PYTHON_DIR", "CMAKE_INSTALL_LIBDIR")):
+        pytest.skip("the module or the library would be installed outside of the test's folder")
+    if cache.get("CMAKE_SKIP_INSTALL_RPATH") in ("ON", "1", "TRUE", "YES"):
+        pytest.skip("the package of a distribution finds the library in the system's folder alone")
+    for component in ("python", "library"):
+        command = ["cmake", "--install", str(build), "--component", component, "--prefix", str(tmp_path)]
+        subprocess.run(command, check=True, capture_output=True)
     files = {str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*") if path.is_file()}
     names = {pathlib.PurePath(file).name for file in files}
     assert {"METADATA", "py.typed", "_core.pyi", "__init__.py"} < names and "rakelight-import" not in names
@@ -153,6 +165,25 @@ def test_what_is_installed(tmp_path):
     package = next(tmp_path.rglob("py.typed")).parent
     assert {path.name for path in (ROOT / "python" / "rakelight").iterdir() if path.suffix in (".py", ".pyi")} < names
     script = "import importlib.metadata, rakelight; print(importlib.metadata.version('rakelight'), rakelight.__version__, rakelight.__file__)"
-    paths = {"PYTHONPATH": str(package.parent), "LD_LIBRARY_PATH": str(build / "lib"), "PYTHONDONTWRITEBYTECODE": "1"}
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, env={**os.environ, **paths}, cwd=tmp_path)
+    environment = {name: value for name, value in os.environ.items() if name != "LD_LIBRARY_PATH"}
+    environment.update({"PYTHONPATH": str(package.parent), "PYTHONDONTWRITEBYTECODE": "1"})
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, env=environment, cwd=tmp_path)
     assert done.stdout.split() == [rakelight.__version__] * 2 + [str(package / "__init__.py")], done.stderr
+
+
+@pytest.mark.parametrize("folder, way", [
+    ("lib/python3/dist-packages", "$ORIGIN/../../.."), ("/opt/venv/lib/python3.11/site-packages", "$ORIGIN/../../../../../../usr/local/lib"),
+    ("/usr/local/lib/python3/dist-packages", "$ORIGIN/../../.."), ("../share/python/", "$ORIGIN/../../../local/lib"),
+])  # fmt: skip
+def test_where_the_module_looks_for_the_library(tmp_path, folder, way):
+    if not shutil.which("cmake"):
+        pytest.skip("there is no cmake")
+    script = tmp_path / "way.cmake"
+    script.write_text(f"""set(CMAKE_INSTALL_PREFIX /usr/local)
+set(CMAKE_INSTALL_FULL_LIBDIR /usr/local/lib)
+include({ROOT}/python/InstallRpath.cmake)
+rl_python_rpath(way "{folder}")
+file(WRITE {tmp_path}/way "${{way}}")
+""")
+    subprocess.run(["cmake", "-P", str(script)], check=True)
+    assert (tmp_path / "way").read_text().rstrip("/") == way

@@ -225,6 +225,11 @@ def test_cameras_with_the_same_numbers_are_equal():
     assert camera != Camera((1, 2, 3.5), vertical_fov=40) and len({camera, same}) == 1
     matrix = np.eye(4)
     assert Camera.from_matrix(matrix) == Camera.from_matrix(matrix.tolist())
-    for wrong in (None, "front", ["a", "b", "c"], 5):
+    for wrong in (None, "front", ["a", "b", "c"], 5, "123", b"123", np.str_("123"), ("1", "2", "3"), (1, 2, b"3"), np.array(["1", "2", "3"])):
         with pytest.raises(rakelight.UsageError, match="position: numbers"):
             Camera(wrong)
+    for name in ("target", "up"):
+        with pytest.raises(rakelight.UsageError, match=f"{name}: numbers"):
+            Camera((0, 0, 1), **{name: "123"})
+    with pytest.raises(rakelight.UsageError, match="vertical_fov: numbers"):
+        Camera((0, 0, 1), vertical_fov="40")

@@ -48,6 +48,19 @@ def test_meshes_of_one_model_have_one_origin():
     assert any(apart.meshes[0].origin) and not any(apart.meshes[1].origin)
 
 
+def test_equal_places_are_one_whatever_their_type():
+    left, right = FAR + CORNERS, FAR + CORNERS + (1 / 3, 0, 0)
+    signed = np.eye(4)
+    signed[0, 1] = -0.0
+    for place in (np.eye(4), np.eye(4, dtype=int), np.eye(4, dtype=np.float32), np.eye(4).tolist(), np.asfortranarray(np.eye(4)), signed):
+        scene = rakelight.Scene.from_meshes([rakelight.Mesh(left, FACES), rakelight.Mesh(right, FACES, to_world=place)])
+        assert scene.meshes[0].origin == scene.meshes[1].origin
+    shift = np.eye(4) + 3.0 * np.eye(4)[[0]].T @ np.eye(4)[[3]]
+    places = [shift, shift.astype(np.int32)]
+    scene = rakelight.Scene.from_meshes([rakelight.Mesh(v, FACES, to_world=place) for v, place in zip((left, right), places)])
+    assert scene.meshes[0].origin == scene.meshes[1].origin
+
+
 def test_a_far_mesh_goes_back_into_a_scene():
     scene = rakelight.Scene.from_meshes(rakelight.Mesh(FAR + CORNERS, FACES, to_world=np.diag([1.0, 2, 1, 1])))
     again = rakelight.Scene.from_meshes(scene.placed_meshes())
@@ -78,7 +91,7 @@ def test_far_positions_that_are_not_finite_stay_so():
     assert not np.isfinite(mesh.vertices[4:, 0]).any()
 
 
-@pytest.mark.parametrize("origin", [(np.nan, 0, 0), (1, 2), "abc"])
+@pytest.mark.parametrize("origin", [(np.nan, 0, 0), (1, 2), "abc", "123", ("1", "2", "3")])
 def test_origins_that_cannot_be(quad, origin):
     with pytest.raises(rakelight.UsageError):
         replace(quad, origin=origin)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Explanations and inspections."""
 import json
+import os
+import shutil
 
 import pytest
 from conftest import DATA
@@ -32,6 +34,18 @@ def test_an_inspection_is_the_program_s(program):
     found = rakelight.inspect(model)
     for key in ("triangles", "bounds", "objects", "seams", "borders"):
         assert found[key] == row[key], key
+
+
+def test_pictures_are_in_reports_as_they_are_named(program, monkeypatch):
+    shutil.copytree(DATA / "head", program.folder / "models" / "head")
+    monkeypatch.chdir(program.folder)
+    expected = json.loads(program.run("inspect", "models/head/head.obj", "--json"))["rows"][0]["textures"]
+    assert [texture["path"] for texture in expected] and not any(os.path.isabs(texture["path"]) for texture in expected)
+    scene = rakelight.load("models/head/head.obj")
+    assert rakelight.inspect(scene)["textures"] == expected
+    monkeypatch.chdir("/")
+    for other in (scene, scene.smooth(), scene.repair_seams(), scene.with_meshes({0: scene.meshes[0]})):
+        assert rakelight.inspect(other)["textures"] == expected
 
 
 def test_limits(teapot):
