@@ -123,11 +123,18 @@ TEST(ReducedImage, ACutFileIsAnError) {
     EXPECT_EQ(error_of([&] { codec::read_reduced({}, 8, Want::header, context); }).code(), ErrorCode::bad_file);
 }
 
-TEST(ReducedImage, TheWorkIsThatOfAPngAndLessOfAJpegWithOneScan) {
+TEST(ReducedImage, TheWorkIsThatOfAPngAndOthersAreWeighedByFormatAndDepth) {
     Context context;
+    const std::uint64_t pixels = 64 * 32;
     const Pixels picture = noise_picture(64, 32, 3, Component::u8);
-    EXPECT_EQ(codec::reduced_work(encoded(picture, "a.png"), context), 64u * 32u);
-    EXPECT_EQ(codec::reduced_work(encoded(picture, "a.jpg"), context), 64u * 32u / 4u);
+    EXPECT_EQ(codec::reduced_work(encoded(picture, "a.png"), context), pixels);
+    EXPECT_EQ(codec::reduced_work(encoded(picture, "a.jpg"), context), pixels / 4);
+    EXPECT_EQ(codec::reduced_work(encoded(picture, "a.webp"), context), pixels * 3 / 2);
+    const Pixels one = noise_picture(64, 32, 1, Component::u8), deep = noise_picture(64, 32, 4, Component::u16);
+    EXPECT_EQ(codec::reduced_work(encoded(one, "a.png"), context), pixels / 3);
+    EXPECT_EQ(codec::reduced_work(encoded(deep, "a.png"), context), pixels * 4);
+    const Pixels light = noise_picture(64, 32, 3, Component::f32);
+    EXPECT_EQ(codec::reduced_work(encoded(light, "a.hdr"), context), pixels * 3 / 2);
     EXPECT_EQ(error_of([&] { codec::reduced_work({}, context); }).code(), ErrorCode::bad_file);
     const ImageHandle missing = image_from_file("a", "model.gltf", "/nowhere/a.png");
     EXPECT_EQ(decoding_work(*missing, context), 0u);

@@ -18,8 +18,9 @@ constexpr int side = 64, pixels = side * side;
 constexpr std::uint64_t any_work = ~std::uint64_t(0);
 
 /// @param ending  "png" or "jpg"
-Texture texture(const std::string& ending) {
-    const Pixels plain{side, side, 3, Component::u8, false, std::vector<std::byte>(pixels * 3, std::byte(128))};
+Texture texture(const std::string& ending, int size = side) {
+    const std::size_t count = std::size_t(size) * std::size_t(size) * 3;
+    const Pixels plain{size, size, 3, Component::u8, false, std::vector<std::byte>(count, std::byte(128))};
     std::vector<std::byte> bytes;
     io::write_image({"a." + ending, bytes}, plain);
     return {.name = ending, .image = image_from_bytes(std::move(bytes), "a." + ending)};
@@ -60,7 +61,7 @@ TEST(ThumbnailTextures, NormalMapsAreLeftOutFirst) {
     EXPECT_TRUE(m.base_color_texture && m.emission_texture && m.metallic_roughness.texture);
     EXPECT_FALSE(m.normal_texture);
     ASSERT_EQ(context.report().entries().size(), 1u);
-    EXPECT_NE(context.report().entries()[0].message.find("normal, height and occlusion"), std::string::npos);
+    EXPECT_NE(context.report().entries()[0].message.find("1 of 1 normal, height and occlusion"), std::string::npos);
 }
 
 TEST(ThumbnailTextures, ThenAllThatDoNotColorWithTheFactorsThatTheyMultiply) {
@@ -86,6 +87,81 @@ TEST(ThumbnailTextures, ThenAll) {
     EXPECT_FALSE(m.base_color_texture);
     EXPECT_EQ(m.base_color, Material().base_color);
     EXPECT_EQ(context.report().entries().size(), 4u);
+}
+
+/// A material for each side of a square picture, which is its color and a normal map of the same size.
+Scene scene_of_sides(const std::vector<int>& sides) {
+    Scene scene;
+    for (const int side : sides) {
+        Material& m = scene.materials.emplace_back();
+        for (TextureUse* const use : {&m.base_color_texture, &m.normal_texture}) {
+            use->texture = std::uint32_t(scene.textures.size());
+            scene.textures.push_back(texture("png", side));
+        }
+    }
+    return scene;
+}
+
+/// Which materials of a scene still have their color.
+std::vector<bool> with_color(const Scene& scene) {
+    std::vector<bool> have;
+    for (const Material& m : scene.materials) have.push_back(bool(m.base_color_texture));
+    return have;
+}
+
+TEST(ThumbnailTextures, AreLeftOutOneByOneTheLastFirst) {
+    Context context;
+    const Scene scene = with_thumbnail_textures(scene_of_sides({side, side, side}), 16, 2 * pixels, context);
+    EXPECT_EQ(with_color(scene), (std::vector{true, true, false}));
+    ASSERT_EQ(context.report().entries().size(), 2u);
+    EXPECT_NE(context.report().entries()[0].message.find("3 of 3 normal"), std::string::npos);
+    EXPECT_NE(context.report().entries()[1].message.find("1 of 3 maps of color and opacity"), std::string::npos);
+}
+
+TEST(ThumbnailTextures, OfOneKindTheLargestIsLeftOutFirst) {
+    Context context;
+    const Scene scene = with_thumbnail_textures(scene_of_sides({side, 2 * side, side}), 16, 5 * pixels, context);
+    EXPECT_EQ(with_color(scene), (std::vector{true, false, true}));
+}
+
+TEST(ThumbnailTextures, ANormalMapGoesBeforeAnyColor) {
+    Context context;
+    const Scene scene = with_thumbnail_textures(scene_of_sides({2 * side, side}), 16, 6 * pixels, context);
+    EXPECT_EQ(with_color(scene), (std::vector{true, true}));
+    EXPECT_FALSE(scene.materials[0].normal_texture);
+    EXPECT_TRUE(scene.materials[1].normal_texture) << "the larger one was enough";
+}
+
+TEST(ThumbnailTextures, ThatAreAColorTooStayInAllTheirRoles) {
+    Context context;
+    Scene scene = scene_of("png");
+    scene.materials[0].occlusion_texture.texture = 0;
+    const Material m = with_thumbnail_textures(scene, 16, pixels, context).materials[0];
+    EXPECT_TRUE(m.base_color_texture && m.occlusion_texture) << "leaving out one of them would save nothing";
+    EXPECT_FALSE(m.normal_texture);
+}
+
+TEST(ThumbnailTextures, OfAnEnvironmentCountAndStay) {
+    Context context;
+    Scene scene = scene_of("png");
+    scene.environment = Environment{.image = texture("png").image};
+    const Scene reduced = with_thumbnail_textures(scene, 16, 4 * pixels, context);
+    EXPECT_FALSE(reduced.materials[0].normal_texture);
+    EXPECT_TRUE(reduced.materials[0].metallic_roughness.texture);
+    EXPECT_EQ(reduced.environment, scene.environment);
+}
+
+TEST(ThumbnailTextures, OfManyBytesAPixelCountAsMore) {
+    Context context;
+    Scene scene = scene_of("png");
+    const Pixels deep{side, side, 3, Component::u16, false, std::vector<std::byte>(pixels * 6)};
+    std::vector<std::byte> bytes;
+    io::write_image({"a.png", bytes}, deep);
+    scene.textures[0].image = image_from_bytes(std::move(bytes), "a.png");
+    scene.materials[0].normal_texture = scene.materials[0].emission_texture =
+        scene.materials[0].metallic_roughness.texture = {};
+    EXPECT_EQ(with_color(with_thumbnail_textures(scene, 16, 2 * pixels, context)), std::vector{false});
+    EXPECT_EQ(with_color(with_thumbnail_textures(scene, 16, 3 * pixels, context)), std::vector{true});
 }
 
 TEST(ThumbnailTextures, ThatAreNotThereAreNotReported) {
