@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <tuple>
 #include <vector>
 
 #include "base/format_text.h"
@@ -20,7 +21,7 @@ struct Kind {
     bool (*has)(TextureRoleNumber);
 };
 
-constexpr std::array<Kind, 4> kinds{
+constexpr std::array<Kind, 5> kinds{
     {{"normal, height and occlusion maps",
       [](TextureRoleNumber role) {
           return role == role_normal || role == role_height || role == role_occlusion || role == role_clearcoat_normal;
@@ -28,7 +29,13 @@ constexpr std::array<Kind, 4> kinds{
      {"maps of reflection and transmission",
       [](TextureRoleNumber role) { return role != role_base_color && role != role_opacity && role != role_emission; }},
      {"maps of emission", [](TextureRoleNumber role) { return role == role_emission; }},
+     {"environment maps; the built-in studio replaces it", [](TextureRoleNumber) { return false; }},
      {"maps of color and opacity", [](TextureRoleNumber) { return true; }}}};
+
+constexpr std::size_t environment_kind = 3;
+/// [pixels] What the light of an environment takes beside decoding its picture: 110 ms, where a pixel takes 16 ns.
+constexpr std::uint64_t environment_work = 7'000'000;
+constexpr int environment_sides = 2;  ///< times the side of textures: a thumbnail sees about an eighth of its width
 
 std::size_t kind_of(TextureRoleNumber role) {
     std::size_t kind = 0;
@@ -36,7 +43,7 @@ std::size_t kind_of(TextureRoleNumber role) {
     return kind;
 }
 
-/// A picture that materials show.
+/// A picture that materials or the environment show.
 struct Picture {
     ImageHandle image;
     std::size_t kind;  ///< the last of its roles
@@ -56,10 +63,16 @@ void disable_factor(Material& m, TextureRoleNumber role) {
     if (role == role_iridescence) p.iridescence = 0;
 }
 
-/// In the order of the materials.
+ImageHandle environment_image(const Scene& scene) { return scene.environment ? scene.environment->image : nullptr; }
+
+/// That of the environment, then those of the materials in their order.
 std::vector<Picture> pictures_of(const Scene& scene, Context& context) {
     std::vector<Picture> pictures;
     std::map<ImageHandle, std::size_t> places;
+    if (const ImageHandle image = environment_image(scene)) {
+        places[image] = 0;
+        pictures.push_back({image, environment_kind, environment_work + io::decoding_work(*image, context)});
+    }
     for (const Material& material : scene.materials)
         for (const TextureRole& role : texture_roles()) {
             if (!role.in(material) || !role.is_shown_by(material)) continue;
@@ -73,6 +86,7 @@ std::vector<Picture> pictures_of(const Scene& scene, Context& context) {
 }
 
 void leave_out(Scene& scene, const std::set<ImageHandle>& images) {
+    if (images.contains(environment_image(scene))) scene.environment->image = nullptr;
     for (Material& material : scene.materials)
         for (const TextureRole& role : texture_roles()) {
             if (!role.in(material) || !images.contains(scene.textures[role.in(material).texture].image)) continue;
@@ -81,13 +95,16 @@ void leave_out(Scene& scene, const std::set<ImageHandle>& images) {
         }
 }
 
-/// Pictures of the kinds that are missed less come first, then larger ones, then those that are used last.
-std::set<ImageHandle> too_many(std::vector<Picture> pictures, std::uint64_t work, std::uint64_t most_work,
-                               const Scene& scene, Context& context) {
+/// Pictures that alone take too long come first, then those of the kinds that are missed less, then larger ones, then
+/// those that are used last.
+std::set<ImageHandle> too_many(std::vector<Picture> pictures, std::uint64_t most_work, const Scene& scene,
+                               Context& context) {
+    std::uint64_t work = 0;
     for (const Picture& picture : pictures) work += picture.work;
     std::ranges::reverse(pictures);
-    std::ranges::stable_sort(pictures, [](const Picture& a, const Picture& b) {
-        return a.kind != b.kind ? a.kind < b.kind : a.work > b.work;
+    std::ranges::stable_sort(pictures, [most_work](const Picture& a, const Picture& b) {
+        const auto key = [most_work](const Picture& p) { return std::tuple(p.work <= most_work, p.kind, ~p.work); };
+        return key(a) < key(b);
     });
     std::set<ImageHandle> images;
     std::array<int, kinds.size()> counts{}, left_out{};
@@ -106,23 +123,18 @@ std::set<ImageHandle> too_many(std::vector<Picture> pictures, std::uint64_t work
     return images;
 }
 
-/// Its picture is decoded as it is, as reflections show it enlarged.
-std::uint64_t work_of_environment(const Scene& scene, Context& context) {
-    const bool has_picture = scene.environment && scene.environment->image;
-    return has_picture ? io::decoding_work(*scene.environment->image, context) : 0;
-}
-
 }  // namespace
 
 Scene with_thumbnail_textures(Scene scene, int most_side, std::uint64_t most_work, Context& context) {
-    const std::uint64_t environment = work_of_environment(scene, context);
-    leave_out(scene, too_many(pictures_of(scene, context), environment, most_work, scene, context));
+    leave_out(scene, too_many(pictures_of(scene, context), most_work, scene, context));
     std::map<ImageHandle, ImageHandle> reduced;  // textures that share a picture still do
     for (Texture& texture : scene.textures) {
         ImageHandle& image = reduced[texture.image];
         if (!image) image = io::reduced_image(texture.image, most_side);
         texture.image = image;
     }
+    if (const ImageHandle image = environment_image(scene))
+        scene.environment->image = io::reduced_image(image, environment_sides * most_side);
     return scene;
 }
 

@@ -141,14 +141,31 @@ TEST(ThumbnailTextures, ThatAreAColorTooStayInAllTheirRoles) {
     EXPECT_FALSE(m.normal_texture);
 }
 
-TEST(ThumbnailTextures, OfAnEnvironmentCountAndStay) {
+TEST(ThumbnailTextures, AnEnvironmentCountsIsReducedAndGoesBeforeColors) {
     Context context;
     Scene scene = scene_of("png");
     scene.environment = Environment{.image = texture("png").image};
-    const Scene reduced = with_thumbnail_textures(scene, 16, 4 * pixels, context);
-    EXPECT_FALSE(reduced.materials[0].normal_texture);
-    EXPECT_TRUE(reduced.materials[0].metallic_roughness.texture);
-    EXPECT_EQ(reduced.environment, scene.environment);
+    const Scene all = with_thumbnail_textures(scene, 16, any_work, context);
+    EXPECT_EQ(decode(*all.environment->image, context).width, 32);
+    EXPECT_TRUE(context.report().entries().empty());
+    constexpr std::uint64_t light = 7'000'000;  // what it takes beside decoding
+    const Scene just = with_thumbnail_textures(scene, 16, light + 2 * pixels, context);
+    EXPECT_TRUE(just.environment->image && just.materials[0].base_color_texture);
+    EXPECT_FALSE(just.materials[0].emission_texture);
+    const Scene few = with_thumbnail_textures(scene, 16, light + 2 * pixels - 1, context);
+    ASSERT_TRUE(few.environment);
+    EXPECT_FALSE(few.environment->image) << "the studio replaces it";
+    EXPECT_TRUE(few.materials[0].base_color_texture);
+}
+
+TEST(ThumbnailTextures, APictureThatAloneTakesTooLongCostsNoOther) {
+    Context context;
+    Scene scene = scene_of_sides({3 * side, side});
+    scene.environment = Environment{.image = texture("png").image};
+    const Scene reduced = with_thumbnail_textures(scene, 16, 8 * pixels, context);
+    EXPECT_EQ(with_color(reduced), (std::vector{false, true}));
+    EXPECT_FALSE(reduced.materials[0].normal_texture || reduced.environment->image);
+    EXPECT_TRUE(reduced.materials[1].normal_texture);
 }
 
 TEST(ThumbnailTextures, OfManyBytesAPixelCountAsMore) {
