@@ -46,8 +46,9 @@ Pixels read_reduced_png(std::span<const std::byte> bytes, int factor, Context& c
 Pixels read_reduced_jpeg(std::span<const std::byte> bytes, int factor, Context& context);
 /// Any format. @param most_side  [px] > 0: the picture is halved until no side is longer
 Pixels read_reduced(std::span<const std::byte> bytes, int most_side, Want want, Context& context);
-/// [pixels] What read_reduced() costs: as many as a PNG file with 3 x 8 bits a pixel has that takes about as long.
-std::uint64_t reduced_work(std::span<const std::byte> bytes, Context& context);
+/// [pixels] What read_reduced() and the mip levels cost: as many as a PNG file with 3 x 8 bits a pixel has that takes
+/// about as long to decode.
+std::uint64_t reduced_work(std::span<const std::byte> bytes, int most_side, Context& context);
 /// Whether all coefficients of a JPEG file are decoded before the first pixel is.
 bool has_several_scans(std::span<const std::byte> bytes, Context& context);
 /// @param bytes  a WebP file whose header was read

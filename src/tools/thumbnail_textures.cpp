@@ -66,19 +66,20 @@ void disable_factor(Material& m, TextureRoleNumber role) {
 ImageHandle environment_image(const Scene& scene) { return scene.environment ? scene.environment->image : nullptr; }
 
 /// That of the environment, then those of the materials in their order.
-std::vector<Picture> pictures_of(const Scene& scene, Context& context) {
+std::vector<Picture> pictures_of(const Scene& scene, int most_side, Context& context) {
     std::vector<Picture> pictures;
     std::map<ImageHandle, std::size_t> places;
     if (const ImageHandle image = environment_image(scene)) {
         places[image] = 0;
-        pictures.push_back({image, environment_kind, environment_work + io::decoding_work(*image, context)});
+        pictures.push_back({image, environment_kind,
+                            environment_work + io::decoding_work(*image, environment_sides * most_side, context)});
     }
     for (const Material& material : scene.materials)
         for (const TextureRole& role : texture_roles()) {
             if (!role.in(material) || !role.is_shown_by(material)) continue;
             const ImageHandle& image = scene.textures[role.in(material).texture].image;
             const auto [place, is_new] = places.try_emplace(image, pictures.size());
-            if (is_new) pictures.push_back({image, 0, io::decoding_work(*image, context)});
+            if (is_new) pictures.push_back({image, 0, io::decoding_work(*image, most_side, context)});
             std::size_t& kind = pictures[place->second].kind;
             kind = std::max(kind, kind_of(role.number));
         }
@@ -126,7 +127,7 @@ std::set<ImageHandle> too_many(std::vector<Picture> pictures, std::uint64_t most
 }  // namespace
 
 Scene with_thumbnail_textures(Scene scene, int most_side, std::uint64_t most_work, Context& context) {
-    leave_out(scene, too_many(pictures_of(scene, context), most_work, scene, context));
+    leave_out(scene, too_many(pictures_of(scene, most_side, context), most_work, scene, context));
     std::map<ImageHandle, ImageHandle> reduced;  // textures that share a picture still do
     for (Texture& texture : scene.textures) {
         ImageHandle& image = reduced[texture.image];
