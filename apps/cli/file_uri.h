@@ -6,7 +6,8 @@
 namespace rakelight::cli {
 
 /// The path that a file's address means (RFC 8089: file:/PATH or file://HOST/PATH, where the host is empty, localhost or
-/// this machine's name; %XX decoded). Words that are no address stay as they are. @throws Error usage: an address of another kind or machine, a broken %XX, %00
+/// this machine's name; %XX decoded). Words that are no address stay as they are.
+/// @throws Error usage: an address of another kind or machine, a broken %XX, %00
 std::string path_of_uri(const std::string& word);
 
 }  // namespace rakelight::cli

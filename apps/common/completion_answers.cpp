@@ -74,11 +74,19 @@ std::vector<std::string> spellings(const Option& option) {
 
 std::string brief(const char* help) {
     constexpr std::size_t longest = 72;
-    std::string text = help;
-    text.erase(std::min({text.find(": "), text.find("; "), text.find(". "), text.size()}));
-    if (text.size() <= longest) return text;
-    text.erase(std::min(text.rfind(' ', longest), longest));
-    return text + " ...";
+    const std::string_view text = help;
+    std::size_t blank = 0;  // the last one outside of parentheses
+    int depth = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (i > longest) return std::string(text.substr(0, blank)) + " ...";
+        if (text[i] == '(') ++depth;
+        if (text[i] == ')') --depth;
+        if (depth > 0) continue;
+        const std::string_view end = text.substr(i, 2);
+        if (end == ": " || end == "; " || end == ". ") return std::string(text.substr(0, i));
+        if (text[i] == ' ') blank = i;
+    }
+    return std::string(text);
 }
 
 std::string joined_words(const std::vector<std::string>& words, const char* separator) {

@@ -22,7 +22,7 @@ Answers answers_for(const Option& option);
 /// "-o", "--output"; both names where it has two.
 std::vector<std::string> spellings(const Option& option);
 
-/// The help in a line: its first clause, cut at a word where it is longer than 72 characters.
+/// The help in a line: its first clause, cut at a word where it is longer than 72 characters; never in parentheses.
 std::string brief(const char* help);
 
 /// With `separator` between.

@@ -44,12 +44,15 @@ Pixels block_means(const Pixels& header, int factor, const std::function<const s
 /// Readers that need no memory for the whole picture. JPEG: by a smaller inverse transform. @param factor  a power of 2
 Pixels read_reduced_png(std::span<const std::byte> bytes, int factor, Context& context);
 Pixels read_reduced_jpeg(std::span<const std::byte> bytes, int factor, Context& context);
-/// Any format. @param most_side  [px] the picture is halved until no side is longer
+/// Any format. @param most_side  [px] > 0: the picture is halved until no side is longer
 Pixels read_reduced(std::span<const std::byte> bytes, int most_side, Want want, Context& context);
-/// [pixels] What read_reduced() costs: as many as a PNG file has that takes as long.
-std::uint64_t reduced_work(std::span<const std::byte> bytes, Context& context);
+/// [pixels] What read_reduced() and the mip levels cost: as many as a PNG file with 3 x 8 bits a pixel has that takes
+/// about as long to decode.
+std::uint64_t reduced_work(std::span<const std::byte> bytes, int most_side, Context& context);
 /// Whether all coefficients of a JPEG file are decoded before the first pixel is.
 bool has_several_scans(std::span<const std::byte> bytes, Context& context);
+/// @param bytes  a WebP file whose header was read
+bool is_lossless_webp(std::span<const std::byte> bytes);
 /// Refuses an EXR file whose headers would make the library ask for more memory than the file explains.
 /// @param bytes  the file, or its beginning with all of its headers
 void check_exr(std::span<const std::byte> bytes, Context& context, std::uint64_t most_a_side = max_side);

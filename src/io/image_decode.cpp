@@ -105,11 +105,11 @@ bool is_of_file(const EncodedImage& image) {
 
 }  // namespace
 
-std::uint64_t decoding_work(const EncodedImage& image, Context& context) {
+std::uint64_t decoding_work(const EncodedImage& image, int most_side, Context& context) {
     if (!is_of_file(image)) return 0;
     try {
-        if (image.bytes) return codec::reduced_work(*image.bytes, context);
-        return codec::reduced_work(*read_file(image.path, context, true), context);
+        if (image.bytes) return codec::reduced_work(*image.bytes, most_side, context);
+        return codec::reduced_work(*read_file(image.path, context, true), most_side, context);
     } catch (const Error&) {  // told when it is decoded
         context.throw_if_cancelled();
         return 0;

@@ -113,6 +113,12 @@ Pixels read_webp(std::span<const std::byte> bytes, Want want, Context& context) 
     return pixels;
 }
 
+bool is_lossless_webp(std::span<const std::byte> bytes) {
+    constexpr int lossless = 2;  // WebPBitstreamFeatures::format
+    WebPBitstreamFeatures features{};
+    return WebPGetFeatures(data_of(bytes), bytes.size(), &features) == VP8_STATUS_OK && features.format == lossless;
+}
+
 std::unique_ptr<ImageWriter> write_webp(const OutputTarget& target, int width, int height, int channels, Component) {
     return std::make_unique<WebpWriter>(target, width, height, channels);
 }

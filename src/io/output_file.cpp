@@ -22,7 +22,9 @@
 namespace rakelight::io {
 namespace {
 
-[[noreturn]] void refuse_output(const std::string& path, int code, const std::string& what = "cannot be written") {
+constexpr const char* cannot_be_written = "cannot be written";
+
+[[noreturn]] void refuse_output(const std::string& path, int code, const std::string& what = cannot_be_written) {
     throw Error(ErrorCode::failed, what + ": " + system_message(code)).with_file(path);
 }
 
@@ -65,21 +67,33 @@ int sync_to_disk(int fd) {
     return errno;
 }
 
+/// @return 0 or an errno
+int write_all(int fd, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(fd, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return count < 0 ? errno : EIO;
+        bytes = bytes.subspan(std::size_t(count));
+    }
+    return 0;
+}
+
 }  // namespace
 
 void overwrite_file(const std::string& path, std::span<const std::byte> bytes) {
-    const Descriptor file{::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_TRUNC)};
-    if (file.fd < 0) refuse_output(path, errno);
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(file.fd, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) {
-            const int code = count < 0 ? errno : EIO;
-            static_cast<void>(!::ftruncate(file.fd, 0));
-            refuse_output(path, code);
-        }
-        bytes = bytes.subspan(std::size_t(count));
+    // Else a FIFO that nobody reads would be waited for. Where somebody does, writes wait as usual.
+    Descriptor file{::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_TRUNC | O_NOCTTY | O_NONBLOCK)};
+    if (file.fd < 0) refuse_output(path, errno, errno == ENXIO ? "nobody reads from it" : cannot_be_written);
+    ::fcntl(file.fd, F_SETFL, ::fcntl(file.fd, F_GETFL) & ~O_NONBLOCK);
+    int code = write_all(file.fd, bytes);
+    if (code != 0) static_cast<void>(!::ftruncate(file.fd, 0));
+    const bool is_closed =
+        ::close(std::exchange(file.fd, -1)) == 0;  // NFS and quotas may say only here that it is full
+    if (code == 0 && !is_closed) {
+        code = errno;
+        static_cast<void>(!::truncate(path.c_str(), 0));
     }
+    if (code != 0) refuse_output(path, code);
 }
 
 std::string behind_links(const std::string& path) {

@@ -7,13 +7,14 @@
 
 namespace rakelight::io {
 
-/// The same picture, halved until no side is longer than `most_side` [px]: image_reduced.cpp. A picture that did not
+/// The same picture, halved until no side is longer than `most_side` [px], > 0: image_reduced.cpp. A picture that did not
 /// come from a file is returned as it is.
 ImageHandle reduced_image(const ImageHandle& image, int most_side);
 
-/// [pixels] What reduced_image() costs to decode, in pixels of a PNG file: all of the whole picture, but a quarter of
-/// them of a JPEG file with one scan, whose blocks are decoded at the reduced size. 0: it cannot be read, or did not come
-/// from a file.
-std::uint64_t decoding_work(const EncodedImage& image, Context& context);
+/// [pixels] What reduced_image() costs, in pixels of a PNG file with 3 x 8 bits a pixel that take about as long to decode:
+/// those of the whole picture by its format, and those of the reduced one once more for its mip levels. A JPEG file with
+/// one scan counts as a quarter, as its blocks are decoded at the reduced size; 16 bits, lossless WebP, HDR and EXR count
+/// as more. 0: it cannot be read, or did not come from a file.
+std::uint64_t decoding_work(const EncodedImage& image, int most_side, Context& context);
 
 }  // namespace rakelight::io

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <rakelight/tools/text_file.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include "io/file.h"
 #include "io/overwrite_file.h"
 #include "render/picture_steps.h"
 
 namespace rakelight {
+namespace {
+
+bool is_there(const std::string& path) {
+    std::error_code ignored;
+    return path.find('\0') == std::string::npos && std::filesystem::exists(path, ignored);
+}
+
+}  // namespace
 
 void check_text_output(const std::string& path) {
     try {
@@ -17,7 +28,7 @@ void check_text_output(const std::string& path) {
 
 void save_bytes(const std::string& path, std::span<const std::byte> bytes, Saving saving) {
     try {
-        if (saving == Saving::in_place && io::is_regular_file(path)) return io::overwrite_file(path, bytes);
+        if (saving == Saving::in_place && is_there(path)) return io::overwrite_file(path, bytes);
         io::OutputFile file(path);
         file.write(bytes);
         file.commit();

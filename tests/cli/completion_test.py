@@ -228,6 +228,13 @@ class Completion(program.Case):
             self.assertRegex(refused.err, REFUSALS, (verb, option))
         self.assertGreater(len(seen), 40)
 
+    def test_no_description_is_cut_in_parentheses(self):
+        for shell, start in (("zsh", "        '"), ("fish", "complete ")):
+            lines = [line for line in self.fine("--completion", shell).out.splitlines() if line.startswith(start)]
+            self.assertGreater(len(lines), 200, shell)
+            for line in lines:
+                self.assertEqual(line.count("("), line.count(")"), line)
+
     def test_a_shell_that_is_not_known(self):
         for words in (["tcsh"], [], ["bash", "zsh"]):
             result = self.run_program("--completion", *words)

@@ -112,11 +112,40 @@ class Thumbnail(program.Case):
         self.assertEqual((self.folder / "square.obj").read_bytes(), before)
 
     def test_a_thumbnail_that_does_not_fit_leaves_no_part(self):
+        """Where there is no file none appears; one that a file manager made stays where it is, empty."""
         self.write("square.obj", program.SQUARE.format(name="a"))
-        shell = f"ulimit -f 1; exec '{program.PROGRAM}' thumbnail square.obj small.png 1024"
-        done = subprocess.run(["bash", "-c", shell], cwd=self.folder, capture_output=True, text=True)
-        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
-        self.assertFalse((self.folder / "small.png").exists())
+        place = self.folder / "small.png"
+        for is_there in (False, True):
+            with self.subTest(is_there=is_there):
+                if is_there:
+                    place.write_bytes(b"x" * 100)
+                    before = os.stat(place).st_ino
+                shell = f"ulimit -f 1; exec '{program.PROGRAM}' thumbnail square.obj small.png 1024"
+                done = subprocess.run(["bash", "-c", shell], cwd=self.folder, capture_output=True, text=True)
+                self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+                self.assertEqual(place.exists(), is_there)
+                if is_there:
+                    self.assertEqual((os.stat(place).st_ino, place.read_bytes()), (before, b""))
+
+    def test_a_fifo_that_nobody_reads_is_not_waited_for(self):
+        self.write("square.obj", program.SQUARE.format(name="a"))
+        os.mkfifo(self.folder / "lone")
+        result = self.run_program("thumbnail", "square.obj", "lone", "64")
+        self.assertEqual((result.code, len(result.lines)), (1, 1), result.err)
+        self.assertIn("lone: nobody reads from it", result.err)
+
+    def test_a_pipe_gets_all(self):
+        """More than a pipe holds, so that the write has to wait."""
+        points = "".join(f"{i * 37 % 199} {i * 53 % 211} {i * 71 % 223} {i * 7 % 256} {i * 11 % 256} {i * 13 % 256}\n" for i in range(20000))
+        self.write("noise.xyz", points)
+        words = "thumbnail noise.xyz {} 1024 --cpu-seconds 60"
+        self.fine(*words.format("small.png").split())
+        expected = (self.folder / "small.png").read_bytes()
+        self.assertGreater(len(expected), 1 << 16)
+        shell = f"set -o pipefail; '{program.PROGRAM}' {words.format('/dev/stdout')} | (sleep 0.3; cat)"
+        done = subprocess.run(["bash", "-c", shell], cwd=self.folder, capture_output=True)
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+        self.assertEqual(done.stdout, expected)
 
     def test_a_file_that_is_no_model_leaves_no_thumbnail(self):
         self.write("broken.glb", "glTF")

@@ -18,7 +18,8 @@ enum class Saving {
     atomic,  ///< a new file replaces an older one when it is complete: the file appears complete or not at all
     /// An older file keeps its place and permissions, and what cannot be written completely is left empty. For file
     /// managers: they make the file themselves, and may run programs in a sandbox that can write this file, but can
-    /// neither make another one beside it nor rename one over it. Without an older file as `atomic`.
+    /// neither make another one beside it nor rename one over it. Without an older file as `atomic`. A FIFO that nobody
+    /// reads from is an error.
     in_place,
 };
 

@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "image_io_support.h"
+#include "io/image_codecs.h"
 #include "io/image_io.h"
 
 namespace rakelight::io {
@@ -183,6 +184,17 @@ Error error_after_change(const std::string& name, std::size_t offset, const std:
     for (std::size_t i = 0; i < bytes.size(); ++i) file[at + i] = std::byte(bytes[i]);
     Context context;
     return error_of([&] { decode_image(file, context); });
+}
+
+TEST(ExrReading, ItsWorkIsSeveralTimesThatOfAPng) {
+    Context context;
+    const std::uint64_t pixels = 64 * 32;
+    std::vector<std::byte> bytes;
+    write_image({"a.exr", bytes}, test::noise_picture(64, 32, 3, Component::f32));
+    const std::uint64_t work = codec::reduced_work(bytes, 16, context);
+    EXPECT_GT(work, 3 * pixels);
+    bytes.resize(bytes.size() + 2 * pixels);  // as further channels do
+    EXPECT_EQ(codec::reduced_work(bytes, 16, context), work + pixels);
 }
 
 TEST(ExrReading, HeadersThatLieAreRefusedBeforeTheLibrarySeesThem) {

@@ -123,14 +123,23 @@ TEST(ReducedImage, ACutFileIsAnError) {
     EXPECT_EQ(error_of([&] { codec::read_reduced({}, 8, Want::header, context); }).code(), ErrorCode::bad_file);
 }
 
-TEST(ReducedImage, TheWorkIsThatOfAPngAndLessOfAJpegWithOneScan) {
+TEST(ReducedImage, TheWorkIsThatOfAPngAndOthersAreWeighedByFormatAndDepth) {
     Context context;
-    const Pixels picture = noise_picture(64, 32, 3, Component::u8);
-    EXPECT_EQ(codec::reduced_work(encoded(picture, "a.png"), context), 64u * 32u);
-    EXPECT_EQ(codec::reduced_work(encoded(picture, "a.jpg"), context), 64u * 32u / 4u);
-    EXPECT_EQ(error_of([&] { codec::reduced_work({}, context); }).code(), ErrorCode::bad_file);
+    const std::uint64_t pixels = 64 * 32, reduced = 16 * 8;
+    const auto work = [&](const Pixels& picture, const std::string& name) {
+        return codec::reduced_work(encoded(picture, name), 16, context) - reduced;
+    };
+    const Pixels picture = noise_picture(64, 32, 3, Component::u8), light = noise_picture(64, 32, 3, Component::f32);
+    EXPECT_EQ(work(picture, "a.png"), pixels);
+    EXPECT_EQ(work(noise_picture(64, 32, 1, Component::u8), "a.png"), pixels / 3);
+    EXPECT_EQ(work(noise_picture(64, 32, 4, Component::u16), "a.png"), pixels * 4);
+    EXPECT_EQ(work(picture, "a.jpg"), pixels / 4);
+    EXPECT_EQ(work(picture, "a.webp"), pixels * 3 / 2);
+    EXPECT_EQ(work(light, "a.hdr"), pixels * 3 / 2);
+    EXPECT_EQ(codec::reduced_work(encoded(picture, "a.jpg"), 64, context), pixels / 2 + pixels) << "not reduced";
+    EXPECT_EQ(error_of([&] { codec::reduced_work({}, 16, context); }).code(), ErrorCode::bad_file);
     const ImageHandle missing = image_from_file("a", "model.gltf", "/nowhere/a.png");
-    EXPECT_EQ(decoding_work(*missing, context), 0u);
+    EXPECT_EQ(decoding_work(*missing, 16, context), 0u);
 }
 
 TEST(ReducedImage, AHandleDecodesAndMeasuresTheReducedPicture) {
