@@ -9,4 +9,7 @@ namespace rakelight::cli {
 /// this machine's name; %XX decoded). Words that are no address stay as they are. @throws Error usage: an address of another kind or machine, a broken %XX, %00
 std::string path_of_uri(const std::string& word);
 
+/// Whether it begins as the address of a file: "file:/".
+bool is_file_uri(const std::string& word);
+
 }  // namespace rakelight::cli
