@@ -21,6 +21,12 @@ constexpr const char* of_smooth = "Measurement: bench smooth";
 constexpr const char* of_render = "Measurement: bench render";
 constexpr const char* of_pose = "Measurement: bench pose";
 
+using Measure = void (*)(const Run&);
+void measure_smooth(const Run&);
+void measure_render(const Run&);
+void measure_pose(const Run&);
+constexpr Word<Measure> measurements[] = {
+    {"smooth", measure_smooth}, {"render", measure_render}, {"pose", measure_pose}};
 constexpr Word<bool> orders[] = {{"coherent", false}, {"shuffled", true}};
 constexpr Word<int> rows[] = {{"crease", 1}, {"tolerance", 2}, {"order", 4}, {"plan", 8}, {"borders", 16}, {"all", 31}};
 
@@ -87,7 +93,8 @@ Command bench_command() {
     return {"bench",
             "Measure the speed of the program next to baselines",
             bench_footer,
-            {{"WHAT", "What to measure: smooth (normals and tangents), render (pictures) or pose (clips)", true, false},
+            {{"WHAT", "What to measure: smooth (normals and tangents), render (pictures) or pose (clips)", true, false,
+              apps::names_of<measurements>},
              {"SCENE",
               "For render: a model or world file, or builtin:teapot; for pose: a model with clips (default: generated)",
               false, false}},
@@ -177,7 +184,7 @@ RenderBenchOptions render_options(const Run& run) {
         !o.scene.empty() && !option.empty())
         throw Error(ErrorCode::usage, "--" + std::string(option) + " applies to the generated scene, not to a file");
     o.load = run.picture.load;
-    o.output = given.word("output");
+    o.output = run.picture.output;
     o.export_file = given.word("export");
     read_count(given, "triangles", o.triangles, 100, 100'000'000);
     o.objects = std::uint32_t(std::min<std::uint64_t>(o.objects, o.triangles / 20));
@@ -242,18 +249,14 @@ void measure(const Run& run, const Options& options, const Bench& bench, Loudnes
     run.is_json ? print_data(to_json(report)) : print_text(to_text(report));
 }
 
+void measure_smooth(const Run& run) { measure(run, smooth_options(run), bench_smooth, Loudness::quiet); }
+void measure_render(const Run& run) { measure(run, render_options(run), bench_render, run.loudness); }
+void measure_pose(const Run& run) { measure(run, pose_options(run), bench_pose, run.loudness); }
+
 }  // namespace
 
 int run_bench(const Run& run) {
-    const std::string& what = run.inputs.at(0);
-    if (what == "render")
-        measure(run, render_options(run), bench_render, run.loudness);
-    else if (what == "smooth")
-        measure(run, smooth_options(run), bench_smooth, Loudness::quiet);
-    else if (what == "pose")
-        measure(run, pose_options(run), bench_pose, run.loudness);
-    else
-        throw Error(ErrorCode::usage, "bench measures smooth, render or pose, not '" + one_line(what, 80) + "'");
+    values::word("WHAT", run.inputs.at(0), measurements)(run);
     return 0;
 }
 

@@ -49,6 +49,9 @@ std::string with_options(std::string text, const std::vector<std::string>& setti
     return text;
 }
 
+/// "SIZE": options have small letters.
+bool is_positional(const std::string& name) { return name[0] >= 'A' && name[0] <= 'Z'; }
+
 std::string text_of(const ReportEntry& r) {
     std::string text;
     if (!r.file.empty()) text += one_line(r.file) + ": ";
@@ -74,7 +77,8 @@ void most_important_first(std::vector<ReportEntry>& remarks) {
 std::string text_of(const Error& error) {
     if (error.code() == ErrorCode::bad_file && error.file().ends_with(".toml"))
         return error.what();  // its keys, of a world or a configuration
-    const std::string setting = error.setting().empty() ? "" : "--" + error.setting();
+    const std::string setting =
+        error.setting().empty() || is_positional(error.setting()) ? error.setting() : "--" + error.setting();
     const auto named = [&](const std::string& text) { return with_options(text, error.related()); };
     return Error(error.code(), named(error.reason()), error.place(), named(error.advice()))
         .about(setting)

@@ -61,6 +61,8 @@ std::string decoded(std::string_view text, const std::string& word) {
 
 }  // namespace
 
+bool is_file_uri(const std::string& word) { return scheme_of(word) == "file"; }
+
 std::string path_of_uri(const std::string& word) {
     const std::string scheme = scheme_of(word);
     if (scheme.empty()) return word;

@@ -10,4 +10,7 @@ namespace rakelight::cli {
 /// @throws Error usage: an address of another kind or machine, a broken %XX, %00
 std::string path_of_uri(const std::string& word);
 
+/// Whether it begins as the address of a file: "file:/".
+bool is_file_uri(const std::string& word);
+
 }  // namespace rakelight::cli

@@ -5,8 +5,8 @@
 namespace rakelight::cli {
 
 inline constexpr const char* models_help =
-    "Model files, world files (*.scene.toml), folders of them, builtin:teapot, builtin:sphere:tolerance=0.01, ..., or "
-    "- for standard input";
+    "Model files, world files (*.scene.toml), folders of them, as paths or addresses (file:///home/me/a%20model.glb), "
+    "builtin:teapot, builtin:sphere:tolerance=0.01, ..., or - for standard input";
 
 inline constexpr const char* main_footer =
     R"(Without a subcommand, models are rendered if -o names a picture, and opened in a window otherwise.

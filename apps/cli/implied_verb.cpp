@@ -7,6 +7,7 @@
 #include <rakelight/compare.h>
 #include <rakelight/error.h>
 
+#include "file_uri.h"
 #include "view_verb.h"
 
 namespace rakelight::cli {
@@ -36,7 +37,7 @@ const std::string* first_model(std::span<const apps::Command> commands, const st
 
 /// A name for the picture of a model, as an example.
 std::string picture_name(const std::string& model) {
-    const std::string stem = std::filesystem::path(one_line(model, 80)).filename().stem().string();
+    const std::string stem = std::filesystem::path(one_line(path_of_uri(model), 80)).filename().stem().string();
     return model == "-" || stem.empty() || has_picture_ending(model) ? "picture.png" : stem + ".png";
 }
 
@@ -44,7 +45,8 @@ std::string picture_name(const std::string& model) {
 
 bool is_model_word(const std::string& word) {
     std::error_code ignored;
-    return word == "-" || is_scene(word) || (!word.empty() && std::filesystem::exists(word, ignored));
+    return word == "-" || is_scene(word) || is_file_uri(word) ||
+           (!word.empty() && std::filesystem::exists(word, ignored));
 }
 
 std::vector<std::string> with_implied_verb(const apps::Program& program, std::vector<std::string> words) {

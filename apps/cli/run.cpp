@@ -7,6 +7,7 @@
 #include <rakelight/tools/values.h>
 
 #include "../common/view_command.h"
+#include "file_uri.h"
 #include "inputs.h"
 #include "output_names.h"
 
@@ -70,6 +71,7 @@ Run run_of(const Command& command, apps::CommandLine line) {
             .folders = {},
             .config = {},
             .picture = {}};
+    for (std::string& input : run.inputs) input = path_of_uri(input);
     const Given& given = run.given;
     if (given.has("quiet") && given.has("verbose"))
         throw Error(ErrorCode::usage, "--quiet and --verbose exclude each other");
@@ -78,7 +80,7 @@ Run run_of(const Command& command, apps::CommandLine line) {
     if (given.has("threads")) run.threads = values::integer("threads", given.word("threads"), 1, 1024);
     if (given.has("max-memory")) run.max_memory = values::byte_size("max-memory", given.word("max-memory"));
     run.picture.load.allow_outside = given.has("allow-outside");
-    run.picture.output = given.word("output");
+    run.picture.output = path_of_uri(given.word("output"));
     run.picture.look = Look::standard;
     if (given.has("config")) take_config(run);
     if (apps::find_or_null(command.options, "recursive")) take_inputs(run);

@@ -9,6 +9,7 @@
 
 #include <rakelight/error.h>
 
+#include "file_uri.h"
 #include "inputs.h"
 
 namespace rakelight::cli {
@@ -53,11 +54,12 @@ void become_viewer(const std::vector<std::string>& words, const std::vector<std:
     for (const std::string& word : words) {
         if (word == "--recursive") continue;
         const bool is_model = std::ranges::find(models, word) != models.end();
-        if (!is_model || !is_folder(word)) {
-            all.push_back(word);
+        const std::string path = is_model ? path_of_uri(word) : word;
+        if (!is_model || !is_folder(path)) {
+            all.push_back(path);
             continue;
         }
-        for (const Input& input : expanded({&word, 1}, is_recursive)) all.push_back(input.path);
+        for (const Input& input : expanded({&path, 1}, is_recursive)) all.push_back(input.path);
     }
     std::vector<char*> given;
     for (std::string& word : all) given.push_back(word.data());

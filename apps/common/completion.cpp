@@ -11,6 +11,8 @@ constexpr Word<Script> shells[] = {{"bash", bash_completion}, {"zsh", zsh_comple
 
 }  // namespace
 
+std::vector<std::string> completion_shells() { return names_of<shells>(); }
+
 std::string completion_for(const Program& program, const std::vector<std::string>& words) {
     if (words.empty() || words[0] != "--completion") return {};
     if (words.size() != 2) throw Error(ErrorCode::usage, "--completion takes a shell: bash, zsh or fish");

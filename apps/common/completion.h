@@ -10,6 +10,9 @@ namespace rakelight::apps {
 
 // A word in the first place is a verb or a model. Behind no verb it is the options of the program's first command that are offered, as that
 // is what models alone stand for.
+/// The words behind "--completion".
+std::vector<std::string> completion_shells();
+
 std::string bash_completion(const Program& program);
 std::string zsh_completion(const Program& program);
 std::string fish_completion(const Program& program);

@@ -35,11 +35,15 @@ Cases cases_of(const Program& program) {
     return cases;
 }
 
-std::string options_of(const Command& command) {
-    std::string text = "--help";
+/// What stands in `case $verb in` for a command: its options, and the words of its first positional.
+std::string offers_of(const Command& command) {
+    std::string text = "options=\"--help";
     for (const Option& option : command.options)
         if (!option.is_hidden)
             for (const std::string& name : spellings(option)) text += " " + name;
+    text += '"';
+    if (!command.positionals.empty() && command.positionals[0].words)
+        text += " first=\"" + joined_words(command.positionals[0].words(), " ") + "\"";
     return text;
 }
 
@@ -53,7 +57,7 @@ std::string bash_completion(const Program& program) {
                       R"(() {
     local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}
     local verbs=")" + verbs +
-                      R"(" verb options values= list= listed= switch= kind=model
+                      R"(" verb options first= given values= list= listed= switch= kind=model
     # "--engine=gl" comes as three words
     if [ "$word" = = ]; then word=; elif [ "$before" = = ]; then before=${COMP_WORDS[COMP_CWORD-2]}; fi
     case " $verbs " in *" ${COMP_WORDS[1]} "*) verb=${COMP_WORDS[1]} ;; *) verb=)" +
@@ -61,11 +65,16 @@ std::string bash_completion(const Program& program) {
     case $verb in
 )";
     for (const Command& command : program.commands)
-        out += "    " + std::string(command.name) + ") options=\"" + options_of(command) + "\" ;;\n";
-    out += "    esac\n    case $verb:$before in\n";
+        out += "    " + std::string(command.name) + ") " + offers_of(command) + " ;;\n";
+    out += "    esac\n    case $verb:$before in\n    *:--completion) values=\"" +
+           joined_words(completion_shells(), " ") + "\" ;;\n";
     for (const auto& [words, patterns] : cases_of(program))
         out += "    " + joined_words(patterns, " | ") + ") " + words + " ;;\n";
     return out + R"(    esac
+    # Behind the first of these words come files
+    for given in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
+        case " $first " in *" $given "*) first= ;; esac
+    done
     COMPREPLY=()
     if [ -n "$values" ]; then
         if [ -n "$list" ]; then listed=${word%"${word##*,}"}; fi
@@ -73,8 +82,10 @@ std::string bash_completion(const Program& program) {
     elif [ "$kind" = other ]; then
         return
     elif [ "${word:0:1}" = - ]; then
-        [ "$COMP_CWORD" != 1 ] || options+=" --version"
+        [ "$COMP_CWORD" != 1 ] || options+=" --version --completion"
         mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
+    elif [ -n "$first" ] && [ "$kind" = model ] && [ "$COMP_CWORD" != 1 ]; then
+        mapfile -t COMPREPLY < <(compgen -W "$switch $first" -- "$word")
     else
         [ "$COMP_CWORD" != 1 ] || switch="$verbs help"
         compopt -o filenames 2>/dev/null

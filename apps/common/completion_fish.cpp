@@ -30,6 +30,13 @@ std::string arguments_of(const Option& option) {
     return out + " -d " + quoted(brief(option.help));
 }
 
+/// Where none of them is there.
+std::string positional_words(const std::string& program, const Command& command, const Positional& positional) {
+    const std::string words = joined_words(positional.words(), " ");
+    return " -n '__" + program + "_is " + command.name + "; and not __fish_seen_subcommand_from " + words + "' -f -a " +
+           quoted(words);
+}
+
 }  // namespace
 
 std::string fish_completion(const Program& program) {
@@ -40,6 +47,8 @@ std::string fish_completion(const Program& program) {
     for (const Command& command : program.commands) {
         verbs += " " + std::string(command.name);
         out += complete + " -n " + is_first + " -a " + command.name + " -d " + quoted(command.help) + "\n";
+        for (const Positional& p : command.positionals)
+            if (p.words) out += complete + positional_words(name, command, p) + "\n";
         for (const Option& option : command.options) {
             if (option.is_hidden) continue;
             const std::string line = arguments_of(option);
@@ -66,7 +75,9 @@ function )" +
 end
 )" + complete +
            " -n " + is_first + " -l version -s V -d 'Say version, formats, engines and instruction sets'\n" + complete +
-           " -l help -s h -d 'Show the help'\n" + out;
+           " -n '" + is_first + "; or contains -- --completion (commandline -opc)' -l completion -x -a " +
+           quoted(joined_words(completion_shells(), " ")) + " -d 'Print the script by which a shell completes'\n" +
+           complete + " -l help -s h -d 'Show the help'\n" + out;
 }
 
 }  // namespace rakelight::apps

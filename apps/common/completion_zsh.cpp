@@ -49,8 +49,8 @@ std::string function_of(const std::string& program, const Command& command) {
         if (!option.is_hidden) out += specifications(option);
     out += "        '(-h --help)'{-h,--help}'[Show the help]'";
     for (const Positional& p : command.positionals)
-        out += std::string(" \\\n        ") +
-               quoted(std::string(p.is_list ? "*" : "") + ":" + escaped(p.name) + ":_files");
+        out += std::string(" \\\n        ") + quoted(std::string(p.is_list ? "*" : "") + ":" + escaped(p.name) + ":" +
+                                                     (p.words ? "(" + joined_words(p.words(), " ") + ")" : "_files"));
     return out + "\n}\n";
 }
 
@@ -83,6 +83,8 @@ std::string zsh_completion(const Program& program) {
         _)" +
            name + R"(_$verb
         ;;
+    --completion) compadd )" +
+           joined_words(completion_shells(), " ") + R"( ;;
     *) _)" +
            name + "_" + program.commands[0].name + R"( ;;
     esac

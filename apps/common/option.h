@@ -49,6 +49,7 @@ struct Positional {
     const char *name, *help;
     bool is_required = true;
     bool is_list = true;
+    std::vector<std::string> (*words)() = nullptr;  ///< as Option::words
 };
 
 /// A command of a program: `rakelight render`.

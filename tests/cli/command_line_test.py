@@ -89,7 +89,8 @@ class CommandLine(program.Case):
         shutil.copyfile(program.PROGRAM, copy)
         copy.chmod(0o755)
         for words, expected in ((["a.obj", "--samples", "4"], ["a.obj", "--samples", "4"]), (["view", "models", "-q"], ["models/b.obj", "-q"]),
-                                (["models"], ["models/b.obj"])):
+                                (["models"], ["models/b.obj"]), ([self.folder.as_uri() + "/a%2Eobj"], [str(self.folder / "a.obj")]),
+                                (["view", self.folder.as_uri() + "/models"], [str(self.folder / "models/b.obj")])):
             done = subprocess.run([copy, *words], cwd=self.folder, capture_output=True, text=True, timeout=60, env={**os.environ, "DISPLAY": ":9"})
             self.assertEqual((done.returncode, done.stdout.split("\n")[:-1]), (0, expected), done.stderr)
 
@@ -386,6 +387,38 @@ class CommandLine(program.Case):
             self.assertRegex(result.err, r"C:.models.a\.glb: is a path on another machine; give the path of 'a\.glb' on this one\n")
 
     # --- the manual ---
+
+    def test_every_verb_takes_addresses_of_files(self):
+        (self.folder / "a b").mkdir()
+        self.write("a b/s%.obj", square(0))
+        self.write("a b/s.scene.toml", '[[model]]\nfile = "s%.obj"\n')
+        folder = (self.folder / "a b").as_uri()
+        model, world = folder + "/s%25.obj", folder + "/s.scene.toml"
+        self.assertIn("%20", folder)
+        self.fine("render", model, "-o", "address.png", *SIZE)
+        self.fine("render", "a b/s%.obj", "-o", "path.png", *SIZE)
+        self.assertEqual((self.folder / "address.png").read_bytes(), (self.folder / "path.png").read_bytes())
+        self.fine(model, "-o", "verbless.png", *SIZE)
+        self.fine("render", model, "-o", "{model}.png", *SIZE)
+        self.assertIn("s%.png", self.pictures())
+        self.fine("render", folder, "-o", "pictures/", *SIZE)
+        self.fine(folder, "-o", "more/", *SIZE)
+        self.assertIn("more/s%.png", self.pictures())
+        self.fine("render", model, "-o", self.folder.as_uri() + "/c%20d.png", *SIZE)
+        self.assertIn("c d.png", self.pictures())
+        self.assertEqual(json.loads(self.fine("inspect", model, "--json").out)["rows"][0]["file"], str(self.folder / "a b/s%.obj"))
+        for words in (("smooth", model, "-o", "smooth.obj"), ("explain", model, "--pixel", "3,3"), ("check", model, world), ("stages", model, "-o", "pages"),
+                      ("compare", self.folder.as_uri() + "/address.png", "path.png"), ("bench", "render", model, "--frames", "1", "--resolution", "8,8")):
+            self.fine(*words)
+        for words in (("render", "http://host/a.obj", "-o", "b.png"), ("inspect", "file://elsewhere/a.obj"), ("smooth", "smb://host/a.obj", "-o", "a.obj"),
+                      ("render", model, "-o", "https://host/b.png")):
+            self.check_refused(self.run_program(*words), 2, "is no file of this machine; give a path, or file:///PATH")
+        self.assertFalse(any(name.startswith(("file:", "http")) for name in self.files()))
+
+    def test_a_wrong_positional_is_named_without_dashes(self):
+        self.write("a.obj")
+        self.check_refused(self.run_program("thumbnail", "a.obj", "a.png", "0"), 2, "error: SIZE: '0' is not")
+        self.check_refused(self.run_program("bench", "everything"), 2, "error: WHAT: unknown word 'everything'", "smooth, render, pose")
 
     def test_help_shows_ten_tasks(self):
         text = self.fine("--help").out

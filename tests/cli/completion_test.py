@@ -141,6 +141,27 @@ class Completion(program.Case):
 
         self.in_all_shells(check)
 
+    def test_words_of_a_positional(self):
+        self.write("scene.obj", program.SQUARE.format(name="a"))
+        def check(offers):
+            self.assertEqual({"smooth", "render", "pose"} - set(offers("bench", "")), set())
+            found = offers("bench", "s")
+            self.assertIn("smooth", found)
+            self.assertNotIn("scene.obj", found)
+            self.assertIn("scene.obj", offers("bench", "render", "sc"))
+
+        self.in_all_shells(check)
+        self.assertIn("render", self.offers_bash("bench", "--threads", "2", "re"))
+
+    def test_shells(self):
+        def check(offers):
+            self.assertIn("fish", offers("--completion", "f"))
+
+        self.in_all_shells(check)
+        self.assertEqual(self.offers_bash("--completion", ""), ["bash", "zsh", "fish"])
+        for offers in (self.offers_bash, self.offers_fish):
+            self.assertIn("--completion", offers("--comp"))
+
     def test_words_of_two(self):
         def check(offers):
             found = offers("render", "--normal-map-green", "d")

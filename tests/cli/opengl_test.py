@@ -77,6 +77,20 @@ class OpenGl(program.Case):
             folder = self.with_library(text)
             self.check_refused(self.draw(LD_LIBRARY_PATH=folder), 1, "libEGL")
             self.assertFalse((self.folder / "a.png").exists())
+        self.check_refused(self.draw(LD_LIBRARY_PATH=self.with_library(None)), 1, "libegl1", "libgl1", "libgl1-mesa-dri", "--engine soft")
+
+    def test_without_the_libraries_of_a_context_one_line_says_so(self):
+        """libEGL alone is not enough: libepoxy would end the process."""
+        self.require_opengl()
+        folder = self.folder / "lib"
+        folder.mkdir()
+        for name in ("libGL.so.1", "libOpenGL.so.0", "libGLESv2.so.2"):
+            (folder / name).write_bytes(b"no library")
+        self.check_refused(self.draw(LD_LIBRARY_PATH=str(folder)), 1, "libGL is missing", "libgl1")
+        self.check_refused(self.draw(LD_LIBRARY_PATH=str(folder), RAKELIGHT_GL="es"), 1, "libGLESv2 is missing", "libgles2")
+        result = self.draw("--verbose", engine="auto", LD_LIBRARY_PATH=str(folder))
+        self.assertEqual(result.code, 0, result.err)
+        self.assertIn("engine auto: it uses engine soft: libGL is missing", result.err)
 
     def test_auto_draws_without_opengl_and_everything_else_works(self):
         self.write("a.obj")

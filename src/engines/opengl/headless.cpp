@@ -13,14 +13,27 @@
 namespace rakelight::opengl {
 namespace {
 
-[[noreturn]] void fail(const std::string& reason) {
-    throw Error(ErrorCode::failed, reason, {}, "render with engine soft");
+[[noreturn]] void fail(const std::string& reason, const std::string& missing = {}) {
+    throw Error(ErrorCode::failed, reason, {},
+                missing.empty() ? "render with engine soft" : "install " + missing + ", or use --engine soft");
+}
+
+constexpr const char* packages =
+    "it (on Debian the packages libegl1 and libgl1, and libgl1-mesa-dri to draw without a GPU)";
+
+/// For good: epoxy opens it again.
+void* opened(const char* name) { return dlopen(name, RTLD_LAZY | RTLD_LOCAL); }
+
+/// Without the library of a context's functions libepoxy ends the process.
+bool has_functions(bool is_es) {
+    if (is_es) return opened("libGLESv2.so.2") != nullptr;
+    return opened("libGL.so.1") || opened("libOpenGL.so.0");
 }
 
 /// libepoxy ends the process if libEGL lacks a function that is called, so this is checked first.
 void require_egl() {
-    void* const library = dlopen("libEGL.so.1", RTLD_LAZY | RTLD_LOCAL);  // stays open: epoxy opens it again
-    if (!library || !epoxy_has_egl()) fail("libEGL is missing: OpenGL cannot be used without a window");
+    void* const library = opened("libEGL.so.1");
+    if (!library || !epoxy_has_egl()) fail("libEGL is missing: OpenGL cannot be used without a window", packages);
     for (const char* const name :
          {"eglGetDisplay", "eglInitialize", "eglBindAPI", "eglChooseConfig", "eglCreateContext", "eglMakeCurrent",
           "eglQueryString", "eglGetProcAddress", "eglTerminate"})
@@ -30,6 +43,12 @@ void require_egl() {
 bool wants_es() {
     const char* const wish = std::getenv("RAKELIGHT_GL");
     return wish && std::string(wish) == "es";
+}
+
+void require_functions() {
+    if (has_functions(true) || (!wants_es() && has_functions(false))) return;
+    if (wants_es()) fail("libGLESv2 is missing", "it (on Debian the package libgles2)");
+    fail("libGL is missing", packages);
 }
 
 bool initialize(EGLDisplay display) {
@@ -79,7 +98,7 @@ struct HeadlessContext::State {
     bool open(EGLDisplay on) {
         if (!initialize(on)) return false;
         for (const bool is_es : {false, true}) {
-            if (wants_es() && !is_es) continue;
+            if ((wants_es() && !is_es) || !has_functions(is_es)) continue;
             const EGLContext made = make_context(on, is_es);
             if (made == EGL_NO_CONTEXT) continue;
             if (eglMakeCurrent(on, EGL_NO_SURFACE, EGL_NO_SURFACE, made) != EGL_FALSE) {
@@ -94,6 +113,7 @@ struct HeadlessContext::State {
 
 HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
     require_egl();
+    require_functions();
     const bool is_surfaceless = epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless");
     const bool has_devices = epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device") &&
                              epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration");
@@ -111,7 +131,8 @@ HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
         state_->open(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)))
         return;
     if (state_->open(eglGetDisplay(EGL_DEFAULT_DISPLAY))) return;
-    fail("EGL makes no context of OpenGL 3.3 or OpenGL ES 3.0");
+    fail("EGL makes no context of OpenGL 3.3 or OpenGL ES 3.0",
+         "a driver (on Debian the package libgl1-mesa-dri draws without a GPU)");
 }
 
 HeadlessContext::~HeadlessContext() = default;
