@@ -12,11 +12,11 @@ namespace rakelight {
 /// render_picture() into memory, with textures that are decoded at a reduced size: halved until no side is longer than
 /// 512 pixels, or than four times the longer side of the picture (past 1024 pixels: twice). So a texel is still smaller
 /// than a pixel where the model fills the picture, and nothing pays for the texels that no pixel shows.
-/// Where all of them together take too long to decode, some are left out, one by one until the rest fits: first those
-/// that alone take too long, then normal, height and occlusion maps, then all but color, opacity and emission, then
-/// emission, then the picture of an environment (the built-in studio replaces it), then the rest; of these the larger
-/// first, then those of later materials. What takes too long follows from formats and sizes of the picture files, so the
-/// picture is the same on every machine.
+/// Where all of them together take too long to decode, some are left out, one by one until the rest fits. Those that
+/// alone take too long go first. Then go normal, height and occlusion maps, and then all but color, opacity and emission.
+/// Emission follows, then the picture of an environment, which the built-in studio replaces, and at last the rest. Among
+/// these the larger go first, then those of later materials. What takes too long follows from formats and sizes of the
+/// picture files, so the picture is the same on every machine.
 /// @param cpu_seconds  [s] > 0: processor time that the thumbnail should take; textures get about half of it
 /// @return the bytes of the picture file. Its format follows from the ending of `request.output`
 /// @throws Error usage, not_found, bad_file, failed
