@@ -25,7 +25,7 @@ using apps::Option;
 struct Run {
     const Command& command;
     Given given;
-    std::vector<std::string> inputs;             ///< models by path; folders are gone through, standard input has a name
+    std::vector<std::string> inputs;  ///< models by path; folders are gone through, standard input has a name
     std::map<std::string, InputFolder> folders;  ///< of the inputs
     int threads = 0;
     std::uint64_t max_memory = 0;

@@ -8,7 +8,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
-from .program import Failure
+from .program import Failure, kept_flat, remarks
 from .run import RunsProgram
 from .settings import SeamOptions
 
@@ -37,7 +37,11 @@ class ExportWithoutSeams(RunsProgram, SeamOptions, ExportHelper, bpy.types.Opera
 
     @classmethod
     def poll(cls, context):
-        return context.mode == "OBJECT" and bool(context.selected_objects)
+        if context.mode != "OBJECT":
+            cls.poll_message_set("Switch to Object Mode")
+            return False
+        cls.poll_message_set("Select objects")
+        return bool(context.selected_objects)
 
     def draw(self, context):
         self.draw_options(self.layout)
@@ -74,7 +78,7 @@ class ExportWithoutSeams(RunsProgram, SeamOptions, ExportHelper, bpy.types.Opera
             raise Failure("Blender's glTF exporter wrote no file")
         return self.arguments() + ["--tangents", self.tangents.lower()]
 
-    def finish(self, context, target, remarks):
+    def finish(self, context, target, row):
         path = self.path()
         try:
             shutil.copyfile(target, path + ".part")  # so that an old file stays whole until the new one is
@@ -83,9 +87,10 @@ class ExportWithoutSeams(RunsProgram, SeamOptions, ExportHelper, bpy.types.Opera
             with contextlib.suppress(OSError):
                 os.remove(path + ".part")
             raise Failure(f"{path}: {error.strerror or error}") from None
-        for remark in remarks:
+        for remark in remarks(row):
             self.report({"INFO"}, f"rakelight: {remark}")
-        self.report({"INFO"}, f"{path}: written")
+        flat = kept_flat(row)
+        self.report({"INFO"}, f"{path}: written" + (f"; {flat}" if flat else ""))
 
     def forget(self):
         pass

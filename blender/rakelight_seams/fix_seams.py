@@ -2,7 +2,7 @@
 """The operator Fix Seams."""
 import bpy
 
-from . import glb, meshes
+from . import glb, meshes, program
 from .program import Failure
 from .run import RunsProgram
 from .settings import FixOptions
@@ -17,7 +17,11 @@ class FixSeams(RunsProgram, FixOptions, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return context.mode == "OBJECT" and any(item.type == "MESH" for item in context.selected_objects)
+        if context.mode != "OBJECT":
+            cls.poll_message_set("Switch to Object Mode")
+            return False
+        cls.poll_message_set("Select mesh objects")
+        return any(item.type == "MESH" for item in context.selected_objects)
 
     def draw(self, context):
         self.draw_options(self.layout)
@@ -31,14 +35,14 @@ class FixSeams(RunsProgram, FixOptions, bpy.types.Operator):
         glb.write(source, [surface.part for surface in self.surfaces])
         return self.arguments(meshes.rounding_distance(self.surfaces)) + (["--keep-instances"] if self.keep_instances else [])
 
-    def finish(self, context, target, remarks):
+    def finish(self, context, target, row):
         results = glb.read_normals(target, [surface.part for surface in self.surfaces])
         outcome = meshes.assign(self.surfaces, results)
         if outcome.copied:
             self.notes.append(f"Meshes of their own now: {', '.join(outcome.copied)}")
-        for note in [f"rakelight: {remark}" for remark in remarks] + self.notes:
+        for note in [f"rakelight: {remark}" for remark in program.remarks(row)] + self.notes:
             self.report({"INFO"}, note)  # the Info editor keeps all, the status bar shows the last
-        text = describe(outcome)
+        text = describe(outcome, program.kept_flat(row))
         if self.notes:
             text += f"; {self.notes[0]}" + (f" ({len(self.notes) - 1} more notes in the Info editor)" if self.notes[1:] else "")
         self.report({"WARNING" if self.notes else "INFO"}, text)
@@ -48,11 +52,14 @@ class FixSeams(RunsProgram, FixOptions, bpy.types.Operator):
         self.surfaces = []
 
 
-def describe(outcome):
-    if not outcome.turned:
-        return f"No seams: all {outcome.corners} normals stay"
-    return (f"{outcome.turned} of {outcome.corners} normals turned by at most {outcome.max_deg:.3g} degrees, "
-            f"in {len(outcome.changed)} objects; Blender's code of them is off by at most {outcome.code_deg:.2g} degrees")
+def describe(outcome, kept_flat):
+    if outcome.turned:
+        text = (f"{outcome.turned} of {outcome.corners} normals turned by at most {outcome.max_deg:.3g} degrees, "
+                f"in {len(outcome.changed)} objects; Blender's code of them is off by at most {outcome.code_deg:.2g} degrees")
+    else:
+        text = f"{'All' if kept_flat else 'No seams: all'} {outcome.corners} normals stay"
+    return f"{kept_flat}; {text}" if kept_flat else text
+
 
 
 def draw_menu(menu, context):

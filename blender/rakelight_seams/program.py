@@ -57,8 +57,8 @@ class Smooth:
         self.output.close()
         self.errors.close()
 
-    def remarks(self):
-        """Waits for the end. What the program has to say, if all went well; throws Failure if not."""
+    def result(self):
+        """Waits for the end. What the program says of the file (`rows[0]` of its JSON), if all went well; throws Failure if not."""
         code = self.process.wait()
         self.output.seek(0)
         self.errors.seek(0)
@@ -69,7 +69,7 @@ class Smooth:
             raise Failure(describe(row.get("error"), errors, code))
         if not os.path.isfile(self.target):
             raise Failure("rakelight wrote no file")
-        return [remark.get("message", "") if isinstance(remark, dict) else str(remark) for remark in row.get("remarks", [])]
+        return row
 
 
 def first_row(text):
@@ -78,6 +78,21 @@ def first_row(text):
         return row if isinstance(row, dict) else {}
     except (ValueError, KeyError, IndexError, TypeError):
         return {}
+
+
+def remarks(row):
+    """The messages of the program's notes and warnings."""
+    return [remark.get("message", "") if isinstance(remark, dict) else str(remark) for remark in row.get("remarks", [])]
+
+
+def kept_flat(row):
+    """What is said of borders that were left as they are because the faces at both sides are flat; empty: there are none."""
+    seams = row.get("seams")
+    count = seams.get("flat_pairs") if isinstance(seams, dict) else 0
+    if not count:
+        return ""
+    edges = "1 edge between flat faces of two objects keeps its" if count == 1 else f"{count} edges between flat faces of two objects keep their"
+    return f"{edges} seam; to smooth across it, choose Normals: Whole model"
 
 
 def describe(error, errors, code):

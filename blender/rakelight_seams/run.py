@@ -8,7 +8,7 @@ from . import program
 
 
 class RunsProgram:
-    """For operators that define begin(context, source) -> arguments, finish(context, target, remarks) and forget()."""
+    """For operators that define begin(context, source) -> arguments, finish(context, target, row) and forget()."""
 
     def execute(self, context):
         try:
@@ -64,7 +64,7 @@ class RunsProgram:
         self.job = program.Smooth(path, self.folder.name, source, self.target, arguments)
 
     def end(self, context):
-        self.finish(context, self.target, self.job.remarks())
+        self.finish(context, self.target, self.job.result())
         return {"FINISHED"}
 
     def fail(self, failure):

@@ -91,3 +91,21 @@ class Failures(unittest.TestCase):
         scenes.set_program(program.PATH)
         with self.assertRaisesRegex(RuntimeError, "empty has no faces"):
             bpy.ops.rakelight.fix_seams()
+
+    def test_without_a_selection_it_says_what_to_select(self):
+        scenes.set_program(program.PATH)
+        scenes.select([])
+        with self.assertRaisesRegex(RuntimeError, "Select mesh objects"):
+            bpy.ops.rakelight.fix_seams()
+        with self.assertRaisesRegex(RuntimeError, "Select objects"):
+            bpy.ops.rakelight.export_glb(filepath=os.path.join(self.folder.name, "a.glb"))
+        scenes.select(self.objects)
+        bpy.ops.object.mode_set(mode="EDIT")
+        with self.assertRaisesRegex(RuntimeError, "Switch to Object Mode"):
+            bpy.ops.rakelight.fix_seams()
+
+    def test_an_answer_without_counts_of_seams(self):
+        for seams in ("null", "3", '{"flat_pairs": null}', "{}"):
+            row = '{"rows": [{"seams": %s}]}' % seams
+            scenes.set_program(self.script(f"{SMOOTH}echo '{row}'"))
+            self.assertEqual(bpy.ops.rakelight.fix_seams(), {"FINISHED"})

@@ -3,6 +3,7 @@
 import os
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -20,6 +21,23 @@ CODE_DEG = 0.05  # what Blender's code of 16 bits may be off by; measured: 0.045
 def fix(objects, **options):
     scenes.select(objects)
     return bpy.ops.rakelight.fix_seams(**options)
+
+
+def reported(objects, **options):
+    """What Fix Seams says of its outcome."""
+    module = sys.modules["rakelight_seams.fix_seams"]
+    describe, said = module.describe, []
+
+    def describe_and_keep(*arguments):
+        said.append(describe(*arguments))
+        return said[-1]
+
+    module.describe = describe_and_keep
+    try:
+        fix(objects, **options)
+    finally:
+        module.describe = describe
+    return said[-1]
 
 
 class Case(unittest.TestCase):
@@ -241,6 +259,19 @@ class Meshes(Case):
         self.assert_closed(objects)
         for item, normals in zip(objects, before):
             self.assert_same_off_border(item, normals, at_equator)
+
+    def test_edges_between_flat_faces_are_counted_and_whole_model_smooths_them(self):
+        objects = halves()
+        for item in objects:
+            item.data.polygons.foreach_set("use_smooth", [False] * len(item.data.polygons))
+        before = scenes.seams(objects).max()
+        self.assertGreater(before, 10)
+        said = reported(objects)
+        self.assertEqual(said, "24 edges between flat faces of two objects keep their seam; to smooth across it, choose Normals: Whole model; "
+                               "All 1104 normals stay")
+        self.assertAlmostEqual(scenes.seams(objects).max(), before, places=3)
+        self.assertNotIn("flat", reported(objects, normals="MODEL"))
+        self.assertLess(scenes.seams(objects).max(), SEAM_DEG)
 
     def test_normals_that_hardly_differ_stay_apart(self):
         """Blender averages normals within 0.8 degrees unless an edge between them is sharp."""
