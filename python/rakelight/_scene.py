@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._errors import UsageError
-from ._mesh import Mesh, MeshLike, dicts_of, mesh_of, meshes_of, options_of
+from ._mesh import Mesh, MeshLike, dicts_of, mesh_of, meshes_of, options_of, scope_of
 from ._run import Path, Progress, Remark, name_of, remarks_of, threads, told
 
 if TYPE_CHECKING:
@@ -136,8 +136,9 @@ class Scene:
 
     def smooth(
         self,
-        scope: str = "model",
+        normals: str = "model",
         *,
+        scope: str | None = None,
         weight: str = "angle",
         crease_angle: float = 60.0,
         weld_distance: float | None = None,
@@ -145,8 +146,9 @@ class Scene:
         tangent_mode: str = "averaged",
         progress: Progress = None,
     ) -> Scene:
-        """The scene with new seam-free normals, and tangents where there are texture coordinates. Arguments: :func:`rakelight.attributes`."""
-        options = options_of(scope, weight, crease_angle, weld_distance, tangents, tangent_mode)
+        """The scene with new seam-free normals, and tangents where there are texture coordinates. Arguments: :func:`rakelight.attributes`.
+        To join the file's normals instead: :meth:`repair_seams`."""
+        options = options_of(scope_of(normals, scope), weight, crease_angle, weld_distance, tangents, tangent_mode)
         with told(progress) as tell:
             core, rows = _core.smooth(self._core, options, threads(), tell)
         return Scene(core, self.remarks + remarks_of(rows))
@@ -230,6 +232,8 @@ def load(path: Path, *, allow_outside: bool = False, max_memory: int = 0, progre
     """
     if max_memory < 0:
         raise UsageError("max_memory: must be 0 or more bytes")
+    if isinstance(path, (bytes, bytearray, memoryview)):
+        raise UsageError("a file's name is expected, not bytes; load_bytes(data, 'model.glb') loads what lies in memory")
     with told(progress) as tell:
         core, rows = _core.load(name_of(path), allow_outside, threads(), max_memory, tell)
     return Scene(core, remarks_of(rows))
@@ -246,6 +250,6 @@ def scene_of(thing: Any) -> Scene:
     """A scene as it is; a path is loaded; all else is taken as meshes."""
     if isinstance(thing, Scene):
         return thing
-    if isinstance(thing, (str, os.PathLike)):
-        return load(thing)
+    if isinstance(thing, (str, os.PathLike, bytes, bytearray, memoryview)):
+        return load(thing)  # type: ignore[arg-type]  # bytes are refused there
     return Scene.from_meshes(thing)

@@ -7,7 +7,7 @@ from typing import Any, NoReturn, Union
 
 from . import _core
 from ._camera import CameraLike, camera_settings
-from ._errors import UsageError
+from ._errors import UsageError, usage_error
 from ._mesh import Mesh
 from ._picture import Picture
 from ._run import Path, Progress, remarks_of, settings_of, threads, told
@@ -74,10 +74,13 @@ class Session:
         window: Window | None = None,
         channels: Sequence[str] | str = ("image",),
         progress: Progress = None,
+        **others: NoReturn,
     ) -> Picture:
-        """Draws one view. Arguments: :func:`rakelight.render`."""
+        """Draws one view. Arguments: :func:`rakelight.render`, but no settings: they are the session's."""
+        for name in others:
+            raise usage_error(name, "is no argument of a session's render()", "settings are arguments of Session(scene, ...)")
         bits, has_image, has_color = _channels(channels)
-        view = settings_of({**camera_settings(camera), "resolution": resolution, "window": window})
+        view = settings_of({**camera_settings(camera, self.scene.cameras), "resolution": resolution, "window": window})
         with told(progress) as tell:
             drawn = self._core.render(view, bits, has_image, has_color, tell)
         remarks_of(self._core.take_remarks())
