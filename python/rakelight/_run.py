@@ -106,6 +106,9 @@ def _word(key: str, value: Any) -> str:
 
 _lists: dict[str, bool] = _core.setting_keys()
 
+_other_names = {"background-color": "background", "coloring-array": "scalars"}
+"""That the program's options have."""
+
 _elsewhere = {
     "threads": "use set_threads()",
     "output": "use render_file() or Picture.save()",
@@ -149,6 +152,7 @@ def settings_of(settings: Mapping[str, Any]) -> list[tuple[str, list[str]]]:
     out = []
     for name, value in settings.items():
         key = name.replace("_", "-")
+        key = _other_names.get(key, key)
         _check_key(name, key)
         if value is None:
             continue

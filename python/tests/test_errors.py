@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is wrong is an exception that says so; nothing crashes."""
+import re
+
 import numpy as np
 import pytest
+from conftest import ROOT
 
 import rakelight
+from rakelight._run import settings_of
 
 NAN, INF = float("nan"), float("inf")
 
@@ -49,6 +53,19 @@ def test_a_setting_of_the_program_alone_is_said_to_be_one(teapot, options, words
         with pytest.raises(rakelight.UsageError, match=words) as caught:
             draw(teapot, **options)
         assert "[render]" not in str(caught.value)
+
+
+def test_every_option_of_the_program_is_a_setting_or_is_said_to_be_none(teapot):
+    options = (ROOT / "docs" / "command-line.md").read_text().split("\n## render\n")[1].split("\n## ")[0]
+    names = {name for row in re.findall(r"^\| `(-[^`]*)`", options, re.M) for name in re.findall(r"--([a-z][a-z-]*)", row)}
+    assert len(names) > 100
+    page = (ROOT / "docs" / "python.md").read_text()
+    for name in names:
+        try:
+            settings_of({name.replace("-", "_"): "1"})
+        except rakelight.UsageError as error:
+            assert "is an option of the program" in str(error), name
+            assert f"`--{name}`" in page or name.startswith("ref-"), name
 
 
 def test_a_camera_that_is_not_there_names_the_sides(teapot, tmp_path):
