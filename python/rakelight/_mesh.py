@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._errors import UsageError, usage_error
-from ._numbers import numbers
+from ._numbers import number, numbers, whole
 from ._positions import split
 from ._run import Progress, remarks_of, threads, told
 
@@ -230,14 +230,10 @@ def scope_of(normals: str, scope: str | None) -> str:
     return normals_word(normals, scope, "model", ("model", "object", "face"), "; repair_seams() of a scene joins the normals that it has")
 
 
-def _number(name: str, value: Any) -> float:
-    return numbers(name, [value])[0]
-
-
 def options_of(
     scope: str, weight: str, crease_angle: float, weld_distance: float | None, tangents: bool, tangent_mode: str
 ) -> dict[str, Any]:
-    distance = -1.0 if weld_distance is None else _number("weld_distance", weld_distance)
+    distance = -1.0 if weld_distance is None else number("weld_distance", weld_distance)
     if weld_distance is not None and not distance >= 0:
         raise UsageError("weld_distance: must be 0 or more")
     for name, word in (("weight", weight), ("tangent_mode", tangent_mode)):
@@ -246,7 +242,7 @@ def options_of(
     return {
         "scope": scope,
         "weight": weight.replace("_", "-"),
-        "crease_angle_rad": _number("crease_angle", crease_angle) * (np.pi / 180.0),
+        "crease_angle_rad": number("crease_angle", crease_angle) * (np.pi / 180.0),
         "weld_distance": distance,
         "tangents": bool(tangents),
         "tangent_mode": tangent_mode.replace("_", "-"),
@@ -285,7 +281,7 @@ def attributes(
     """
     given = meshes_of(meshes)
     options = options_of(scope_of(normals, scope), weight, crease_angle, weld_distance, tangents, tangent_mode)
-    numbers = list(range(len(given))) if objects is None else [int(number) for number in objects]
+    numbers = list(range(len(given))) if objects is None else [whole("objects", thing, 0, 2**32 - 1) for thing in objects]
     if len(numbers) != len(given):
         raise UsageError(f"objects: there are {len(numbers)} numbers for {len(given)} meshes")
     with told(progress) as tell:

@@ -8,10 +8,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
+
 from . import _core
 from ._camera import CameraLike, camera_settings
 from ._errors import UsageError, usage_error
 from ._mesh import normals_word, options_of
+from ._numbers import number, whole
 from ._run import Path, Progress, name_of, quoted, remarks_of, settings_of, suggestion, threads, told
 from ._scene import scene_of
 from ._session import Resolution, SceneLike, names_of_channels
@@ -58,6 +61,13 @@ def _explanation(x: int, y: int, row: dict[str, Any], text: str) -> Explanation:
     )  # fmt: skip
 
 
+def _place(pixel: Any) -> tuple[int, int]:
+    if not isinstance(pixel, (tuple, list, np.ndarray)) or len(pixel) != 2:
+        raise UsageError(f"pixels: (x, y) is expected, not {pixel!r:.60}")
+    x, y = (whole(name, value, -(2**31), 2**31 - 1) for name, value in zip("xy", pixel))
+    return x, y
+
+
 def explain_pixels(
     scene: SceneLike,
     pixels: Iterable[tuple[int, int]],
@@ -68,7 +78,7 @@ def explain_pixels(
     **settings: Any,
 ) -> list[Explanation]:
     """:func:`explain` for several pixels [(x, y), ...] of one picture."""
-    places = [(int(x), int(y)) for x, y in pixels]
+    places = [_place(pixel) for pixel in pixels]
     scene = scene_of(scene)
     words = settings_of({**settings, **camera_settings(camera, scene.cameras), "resolution": resolution})
     with told(progress) as tell:
@@ -137,7 +147,7 @@ def inspect(
     if not borders and limits is not None and limits.get("max-seam", 1.0) is not None:
         raise UsageError("max_seam is looked at with borders=True alone")
     with told(progress) as tell:
-        text, remarks = _core.inspect(scene_of(scene)._core, settings_of(settings), borders, surfaces, limits, threads(), tell)
+        text, remarks = _core.inspect(scene_of(scene)._core, settings_of(settings), bool(borders), bool(surfaces), limits, threads(), tell)
     remarks_of(remarks)
     row: dict[str, Any] = json.loads(text)["rows"][0]
     return row
@@ -202,11 +212,14 @@ def smooth_file(
     Returns:
         a row of ``rakelight smooth --json``
     """
+    if not isinstance(tangents, str):
+        raise UsageError(f"tangents: 'auto', 'always' or 'never' is expected, not {tangents!r:.40}")
+    border_distance = number("border_distance", border_distance)
     normals = normals_word(normals, scope, "seams", ("seams", "model", "object", "face"))
     options = options_of("model" if normals == "seams" else normals, weight, crease_angle, weld_distance, True, "averaged")
     with told(progress) as tell:
         text, remarks = _core.smooth_file(
-            name_of(input), name_of(output), normals, tangents, border_distance, allow_outside, options, threads(), tell
+            name_of(input), name_of(output), normals, tangents, border_distance, bool(allow_outside), options, threads(), tell
         )
     remarks_of(remarks)
     row: dict[str, Any] = json.loads(text)["rows"][0]

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple, Union
 
 from . import _core
 from ._errors import RakelightWarning, UsageError, usage_error
+from ._numbers import whole
 
 Progress = Union[bool, None, Callable[[str, float], None]]
 """None: nothing is shown. True: a bar by tqdm, where it is installed. A function: called with a stage and how far it is, 0 to 1."""
@@ -35,10 +36,8 @@ class Remark(NamedTuple):
 
 def set_threads(count: int) -> None:
     """Sets how many threads each later call uses; 0 (the default): all processors. Results do not depend on it."""
-    if not 0 <= count <= 1024:
-        raise UsageError("threads must be 1 to 1024, or 0 for all processors")
     global _threads
-    _threads = int(count)
+    _threads = whole("threads", count, 0, 1024)
 
 
 def threads() -> int:
@@ -51,6 +50,8 @@ def told(progress: Progress) -> Iterator[Callable[[str, float], None] | None]:
     if progress is None or progress is False:
         yield None
     elif progress is not True:
+        if not callable(progress):
+            raise UsageError(f"progress: True or a function is expected, not {type(progress).__name__}")
         yield progress
     else:
         try:

@@ -91,6 +91,25 @@ def test_a_session_draws_in_its_own_settings(teapot):
         rakelight.Session(teapot, resolution=(8, 8)).render("front", shadows=True)
 
 
+@pytest.mark.parametrize("call, words", [
+    (lambda s: rakelight.load_bytes("abc", "a.glb"), "data: bytes are expected, not str"), (lambda s: rakelight.load_bytes(b"x", None), "a file's name"),
+    (lambda s: rakelight.load("a.glb", max_memory="1G"), "max_memory: a whole number"), (lambda s: rakelight.load("a.glb", max_memory=-1), "max_memory: must be 0"),
+    (lambda s: rakelight.load("a.glb", max_memory=2**64), "max_memory: must be 0"), (lambda s: rakelight.Session(s, max_memory=-1), "max_memory"),
+    (lambda s: rakelight.set_threads("4"), "threads: a whole number"), (lambda s: rakelight.set_threads(1025), "threads: must be 0 to 1024"),
+    (lambda s: rakelight.explain(s, "a", 1), "x: a whole number"), (lambda s: rakelight.explain(s, 1, 2**40), "y: must be"),
+    (lambda s: rakelight.explain_pixels(s, [1]), r"pixels: \(x, y\) is expected, not 1"), (lambda s: s.repair_seams(crease_angle="a"), "crease_angle"),
+    (lambda s: s.repair_seams(border_distance=None), "border_distance"), (lambda s: s.render(channels=None), "channels: a name"),
+    (lambda s: s.render(channels=[1]), "channels: a name"), (lambda s: s.render(progress=3), "progress: True or a function"),
+    (lambda s: rakelight.smooth_file("a.glb", "b.glb", border_distance="x"), "border_distance"),
+    (lambda s: rakelight.smooth_file("a.glb", "b.glb", tangents=None), "tangents: 'auto'"), (lambda s: rakelight.attributes([], objects=["a"]), "objects: a whole"),
+    (lambda s: rakelight.Session(s).render(threads=2), r"set_threads\(\)"), (lambda s: rakelight.Session(s).render(chanels="depth"), "did you mean 'channels'"),
+])  # fmt: skip
+def test_an_argument_of_the_wrong_type_is_named(teapot, call, words):
+    with pytest.raises(rakelight.UsageError, match=words) as caught:
+        call(teapot)
+    assert "\n" not in str(caught.value)
+
+
 def test_limits_that_are_not_there(teapot):
     with pytest.raises(rakelight.UsageError, match="there is no limit 'maxseam'; did you mean 'max_seam'"):
         rakelight.inspect(teapot, check={"maxseam": 1})
