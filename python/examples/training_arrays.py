@@ -26,7 +26,7 @@ def arrays_of(scene):
     center, scale = (low + high) / 2, 2 / max(*(high - low), 1e-30)
     parts = {"position": [], "normal": [], "tangent": [], "uv": [], "object": [], "face": []}
     first = 0
-    for number, (mesh, made) in enumerate(zip(placed, rakelight.attributes(placed, scope="model"))):
+    for number, (mesh, made) in enumerate(zip(placed, rakelight.attributes(placed, normals="model"))):
         matrix = mesh.to_world
         linear = matrix[:3, :3]
         count = len(made.normals)

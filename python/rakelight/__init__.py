@@ -5,7 +5,7 @@
 
     scene = rakelight.load("helmet.glb")
     rakelight.render(scene, "front", resolution=(640, 480)).save("helmet.png")
-    scene.smooth(scope="model").save("smooth.glb")
+    scene.smooth(normals="model").save("smooth.glb")
 
 Models      load, load_bytes, Scene: objects, meshes, materials; smooth, repair_seams, with_meshes, save
 Pictures    render, Session (many views), render_file, Camera, Picture (arrays: image, depth, normal, object, ...), NONE

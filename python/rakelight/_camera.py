@@ -9,12 +9,20 @@ from typing import Any, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._errors import UsageError
+from ._errors import UsageError, usage_error
 from ._numbers import numbers
+from ._run import quoted, suggestion
 
 Vector = Union[Sequence[float], "NDArray[np.floating[Any]]"]
 
 SIDES = ("front", "back", "left", "right", "top", "bottom", "isometric", "default", "file")
+
+
+def _vector(name: str, values: Any) -> tuple[float, ...]:
+    vector = numbers(name, values)
+    if len(vector) != 3 or not np.isfinite(vector).all():
+        raise UsageError(f"{name}: three finite numbers are expected, not {values!r:.60}")
+    return vector
 
 
 @dataclass(frozen=True)
@@ -44,11 +52,28 @@ class Camera:
         put = object.__setattr__  # as the class is frozen
         for name in ("position", "target", "up"):
             if name != "up" or self.up is not None:
-                put(self, name, numbers(name, getattr(self, name)))
+                put(self, name, _vector(name, getattr(self, name)))
         for name in ("vertical_fov", "horizontal_fov", "near", "far"):
             value = getattr(self, name)
             if value is not None:
                 put(self, name, numbers(name, [value])[0])
+        self._check()
+
+    def _check(self) -> None:
+        if self.up is not None and not any(self.up):
+            raise UsageError("up: must not be 0, 0, 0")
+        if self.position == self.target:
+            raise UsageError("position and target are the same point")
+        for name in ("vertical_fov", "horizontal_fov"):
+            angle = getattr(self, name)
+            if angle is not None and not 0 < angle < 180:
+                raise UsageError(f"{name}: must be more than 0 and less than 180 degrees, not {angle:g}")
+        for name in ("near", "far"):
+            distance = getattr(self, name)
+            if distance is not None and not 0 < distance < float("inf"):
+                raise UsageError(f"{name}: must be more than 0, not {distance:g}")
+        if self.near is not None and self.far is not None and self.near >= self.far:
+            raise UsageError(f"near must be less than far, not {self.near:g} and {self.far:g}")
 
     @classmethod
     def from_matrix(cls, to_world: ArrayLike, *, distance: float = 1.0, **others: Any) -> Camera:
@@ -59,13 +84,18 @@ class Camera:
         m = np.asarray(to_world, dtype=np.float64)
         if m.shape != (4, 4) or not np.isfinite(m).all():
             raise UsageError(f"to_world: a finite matrix of shape (4, 4) is expected, not {m.shape}")
+        if not np.allclose(m[3], (0, 0, 0, 1), rtol=0, atol=1e-6):
+            raise UsageError("to_world: the last row must be 0 0 0 1; the position is the last column")
+        if np.linalg.matrix_rank(m[:3, :3]) < 3:
+            raise UsageError("to_world: the axes of the camera, its first three columns, must not lie in a plane")
         position = m[:3, 3]
         return cls(tuple(position), tuple(position - distance * m[:3, 2]), tuple(m[:3, 1]), **others)
 
     @classmethod
     def orbit(cls, azimuth: float, elevation: float, distance: float, target: Vector = (0.0, 0.0, 0.0), **others: Any) -> Camera:
         """A camera on a sphere about ``target``: azimuth [degrees] from +Z towards +X, elevation [degrees] from the ground, distance [m]."""
-        a, e = np.radians(azimuth), np.radians(elevation)
+        a, e = np.radians(numbers("azimuth, elevation", [azimuth, elevation]))
+        (distance,), target = numbers("distance", [distance]), _vector("target", target)
         direction = np.array([np.sin(a) * np.cos(e), np.sin(e), np.cos(a) * np.cos(e)])
         return cls(tuple(np.asarray(target, dtype=np.float64) + distance * direction), target, **others)
 
@@ -88,7 +118,21 @@ CameraLike = Union[Camera, str, int, None]
 shows all of the model."""
 
 
-def camera_settings(camera: CameraLike) -> dict[str, Any]:
+def _check_name(camera: str, cameras: Sequence[str]) -> None:
+    """A camera of the file by name or by number in digits."""
+    if camera in cameras or (camera.isascii() and camera.isdigit() and int(camera) < len(cameras)):
+        return
+    listed = ", ".join(quoted(name, 24) for name in cameras[:5]) + (f" and {len(cameras) - 5} more" if len(cameras) > 5 else "")
+    choice = f"sides are {', '.join(SIDES)}; " + (f"the model's cameras are {listed}" if cameras else "the model has no cameras")
+    raise usage_error("camera", f"there is no side or camera {quoted(camera)}", suggestion(camera, [*SIDES, *cameras], choice))
+
+
+def camera_settings(camera: CameraLike, cameras: Sequence[str]) -> dict[str, Any]:
+    """The program's settings that choose a camera.
+
+    Args:
+        cameras: names of the scene's own
+    """
     if camera is None:
         return {}
     if isinstance(camera, Camera):
@@ -96,5 +140,6 @@ def camera_settings(camera: CameraLike) -> dict[str, Any]:
     if isinstance(camera, str) and camera in SIDES:
         return {"view": camera}
     if isinstance(camera, (str, int, np.integer)) and not isinstance(camera, bool):
+        _check_name(str(camera), cameras)
         return {"camera_index": str(camera)}
     raise UsageError(f"camera: a Camera, a side, or a camera of the file is expected, not {type(camera).__name__}")

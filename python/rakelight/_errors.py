@@ -24,6 +24,20 @@ class UsageError(Error, ValueError):
     """An argument that cannot be: a wrong word, shape, type or number."""
 
 
+def usage_error(setting: str, reason: str, advice: str = "") -> UsageError:
+    """As the library's own: "setting: reason; advice"."""
+    error = UsageError(f"{setting}: {reason}" + (f"; {advice}" if advice else ""))
+    error.setting, error.reason, error.advice = setting, reason, advice
+    return error
+
+
+def file_error(file: str, reason: str) -> Error:
+    """As the library's own: "file: reason"."""
+    error = Error(f"{file}: {reason}")
+    error.file, error.reason = file, reason
+    return error
+
+
 class NotFoundError(Error, FileNotFoundError):
     """A file that is not there or cannot be read."""
 

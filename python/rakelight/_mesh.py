@@ -11,13 +11,25 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._errors import UsageError
-from ._numbers import numbers
+from ._errors import UsageError, usage_error
+from ._numbers import number, numbers, whole
 from ._positions import split
 from ._run import Progress, remarks_of, threads, told
 
 Floats = NDArray[np.float32]
 Indices = NDArray[np.uint32]
+
+
+def _check_shape(name: str, values: Any, columns: int) -> None:
+    """Looks at the shape alone: whether numbers and indices can be, is known when the mesh is used. Nothing at all has any shape."""
+    if values is None:
+        raise UsageError(f"{name}: an array is expected, not None")
+    try:
+        shape = np.shape(values)
+    except (TypeError, ValueError):
+        raise UsageError(f"{name}: an array of the shape (n, {columns}) is expected, not rows of several lengths") from None
+    if shape != (0,) and (len(shape) != 2 or shape[1] != columns):
+        raise UsageError(f"{name}: the shape must be (n, {columns}), not {shape}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,6 +76,14 @@ class Mesh:
         if len(origin) != 3 or not np.isfinite(origin).all():
             raise UsageError(f"origin: three finite numbers are expected, not {self.origin!r:.60}")
         object.__setattr__(self, "origin", origin)
+        columns = {"lines": 2, "points": 1}.get(self.topology, 3)
+        _check_shape("vertices", self.vertices, 3)
+        _check_shape("faces", self.faces, columns)
+        for name, count in (("normals", 3), ("tangents", 4), ("uv", 2), ("colors", 4)):
+            if getattr(self, name) is not None:
+                _check_shape(name, getattr(self, name), count)
+        if self.to_world is not None and np.shape(self.to_world) != (4, 4):
+            raise UsageError(f"to_world: the shape must be (4, 4), not {np.shape(self.to_world)}")
 
     @property
     def vertex_normals(self) -> ArrayLike | None:
@@ -193,16 +213,37 @@ class Attributes:
         return np.asarray(values)[self.source]
 
 
+def normals_word(normals: str, scope: str | None, default: str, words: tuple[str, ...], advice: str = "") -> str:
+    """The word of ``normals``, or of ``scope``, its old name."""
+    if scope is not None and normals not in (default, scope):
+        raise usage_error("scope", "is the old name of normals", "give one of them")
+    word: object = normals if scope is None else scope
+    if word == "flat":
+        return "face"
+    if isinstance(word, str) and word in words:
+        return word
+    raise usage_error("normals", f"unknown word {word!r:.40}", f"use one of {', '.join(words)}" + advice)
+
+
+def scope_of(normals: str, scope: str | None) -> str:
+    """Where all normals are made anew."""
+    return normals_word(normals, scope, "model", ("model", "object", "face"), "; repair_seams() of a scene joins the normals that it has")
+
+
 def options_of(
     scope: str, weight: str, crease_angle: float, weld_distance: float | None, tangents: bool, tangent_mode: str
 ) -> dict[str, Any]:
-    if weld_distance is not None and not weld_distance >= 0:
+    distance = -1.0 if weld_distance is None else number("weld_distance", weld_distance)
+    if weld_distance is not None and not distance >= 0:
         raise UsageError("weld_distance: must be 0 or more")
+    for name, word in (("weight", weight), ("tangent_mode", tangent_mode)):
+        if not isinstance(word, str):
+            raise UsageError(f"{name}: a word is expected, not {type(word).__name__}")
     return {
         "scope": scope,
         "weight": weight.replace("_", "-"),
-        "crease_angle_rad": float(crease_angle) * (np.pi / 180.0),
-        "weld_distance": -1.0 if weld_distance is None else float(weld_distance),
+        "crease_angle_rad": number("crease_angle", crease_angle) * (np.pi / 180.0),
+        "weld_distance": distance,
         "tangents": bool(tangents),
         "tangent_mode": tangent_mode.replace("_", "-"),
     }
@@ -211,7 +252,8 @@ def options_of(
 def attributes(
     meshes: MeshLike | Iterable[MeshLike] | Mapping[str, MeshLike],
     *,
-    scope: str = "model",
+    normals: str = "model",
+    scope: str | None = None,
     weight: str = "angle",
     crease_angle: float = 60.0,
     weld_distance: float | None = None,
@@ -224,7 +266,8 @@ def attributes(
 
     Args:
         meshes: one mesh, several that are one model, or {name: mesh}
-        scope: over which faces normals are smoothed: "model" (no seams between meshes), "object", "face" (flat)
+        normals: over which faces they are smoothed: "model" (no seams between meshes), "object", "face" (flat)
+        scope: the old name of ``normals``
         weight: how strongly a triangle pulls on its corners: "angle", "area", "angle_area", "uniform"
         crease_angle: [degrees] 0 to 180; edges bent more stay sharp
         weld_distance: [m] positions at most this far apart are one; None: equal, but for rounding; 0: equal
@@ -237,8 +280,8 @@ def attributes(
         UsageError: shapes, types or indices that do not fit
     """
     given = meshes_of(meshes)
-    options = options_of(scope, weight, crease_angle, weld_distance, tangents, tangent_mode)
-    numbers = list(range(len(given))) if objects is None else [int(number) for number in objects]
+    options = options_of(scope_of(normals, scope), weight, crease_angle, weld_distance, tangents, tangent_mode)
+    numbers = list(range(len(given))) if objects is None else [whole("objects", thing, 0, 2**32 - 1) for thing in objects]
     if len(numbers) != len(given):
         raise UsageError(f"objects: there are {len(numbers)} numbers for {len(given)} meshes")
     with told(progress) as tell:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import io
 import os
 import struct
 import zlib
@@ -11,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._errors import UsageError
-from ._run import Path
+from ._errors import UsageError, file_error
+from ._run import Path, name_of
 
 NONE = 0xFFFFFFFF
 """In the channels ``object``, ``material``, ``mesh`` and ``triangle``: there is nothing at the pixel."""
@@ -64,16 +65,29 @@ class Picture(dict[str, "NDArray[Any]"]):
     def _repr_png_(self) -> bytes | None:
         return self.png() if "image" in self else None
 
+    def _npz(self) -> bytes:
+        camera = {"to_world": self.to_world}
+        if self.intrinsics is not None:
+            camera["intrinsics"] = self.intrinsics
+        file = io.BytesIO()
+        np.savez_compressed(file, **self, **camera)
+        return file.getvalue()
+
     def save(self, path: Path) -> None:
-        """Writes ``image`` as .png, or all channels with the camera as .npz. Other formats: :func:`rakelight.render_file`."""
-        ending = os.path.splitext(os.fspath(path))[1].lower()
-        if ending == ".png":
-            with open(path, "wb") as file:
-                file.write(self.png())
-        elif ending == ".npz":
-            camera = {"to_world": self.to_world}
-            if self.intrinsics is not None:
-                camera["intrinsics"] = self.intrinsics
-            np.savez_compressed(path, **self, **camera)
-        else:
+        """Writes ``image`` as .png, or all channels with the camera as .npz, and makes the folder. Other formats:
+        :func:`rakelight.render_file`."""
+        name = os.fsdecode(name_of(path))
+        ending = os.path.splitext(name)[1].lower()
+        if ending not in (".png", ".npz"):
             raise UsageError(f"a picture is saved as .png or .npz, not as '{ending}'")
+        data = self.png() if ending == ".png" else self._npz()
+        try:
+            os.makedirs(os.path.dirname(name) or ".", exist_ok=True)
+            with open(name, "wb") as file:
+                file.write(data)
+        except OSError as error:
+            raise file_error(name, f"cannot be written: {error.strerror}") from None
+
+    def __repr__(self) -> str:
+        channels = (f"{name} {list(array.shape)} {array.dtype}" for name, array in self.items())
+        return f"<rakelight.Picture {', '.join(channels)}>"

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
+
 from . import _core
 from ._camera import CameraLike, camera_settings
-from ._errors import UsageError
-from ._run import Path, Progress, name_of, remarks_of, settings_of, threads, told
+from ._errors import UsageError, usage_error
+from ._mesh import normals_word, options_of
+from ._numbers import number, whole
+from ._run import Path, Progress, name_of, quoted, remarks_of, settings_of, suggestion, threads, told
 from ._scene import scene_of
 from ._session import Resolution, SceneLike, names_of_channels
 
@@ -56,6 +61,13 @@ def _explanation(x: int, y: int, row: dict[str, Any], text: str) -> Explanation:
     )  # fmt: skip
 
 
+def _place(pixel: Any) -> tuple[int, int]:
+    if not isinstance(pixel, (tuple, list, np.ndarray)) or len(pixel) != 2:
+        raise UsageError(f"pixels: (x, y) is expected, not {pixel!r:.60}")
+    x, y = (whole(name, value, -(2**31), 2**31 - 1) for name, value in zip("xy", pixel))
+    return x, y
+
+
 def explain_pixels(
     scene: SceneLike,
     pixels: Iterable[tuple[int, int]],
@@ -66,10 +78,11 @@ def explain_pixels(
     **settings: Any,
 ) -> list[Explanation]:
     """:func:`explain` for several pixels [(x, y), ...] of one picture."""
-    places = [(int(x), int(y)) for x, y in pixels]
-    words = settings_of({**settings, **camera_settings(camera), "resolution": resolution})
+    places = [_place(pixel) for pixel in pixels]
+    scene = scene_of(scene)
+    words = settings_of({**settings, **camera_settings(camera, scene.cameras), "resolution": resolution})
     with told(progress) as tell:
-        rows, remarks = _core.explain(scene_of(scene)._core, words, places, threads(), tell)
+        rows, remarks = _core.explain(scene._core, words, places, threads(), tell)
     remarks_of(remarks)
     return [_explanation(x, y, json.loads(row)["rows"][0], text) for (x, y), (row, text) in zip(places, rows)]
 
@@ -94,12 +107,27 @@ def explain(
     return explain_pixels(scene, [(x, y)], camera, resolution=resolution, progress=progress, **settings)[0]
 
 
+def _limits(check: Mapping[str, Any] | bool | None) -> dict[str, Any] | None:
+    """As the extension takes them; without "max-seam" it is 1 degree."""
+    if check is None or check is False:
+        return None
+    if check is True:
+        return {}
+    if not isinstance(check, Mapping) or not all(isinstance(name, str) for name in check):
+        raise UsageError("check: True or limits are expected, such as {'max_seam': 1.0, 'closed': True}")
+    words = [word.replace("-", "_") for word in _core.limit_words()]
+    for name in check:
+        if name.replace("-", "_") not in words:
+            raise usage_error("check", f"there is no limit {quoted(name)}", suggestion(name, words, f"use {', '.join(words)}"))
+    return {"max-seam": None, **{name.replace("_", "-"): value for name, value in check.items()}}
+
+
 def inspect(
     scene: SceneLike,
     *,
     borders: bool = True,
     surfaces: bool = True,
-    check: Mapping[str, Any] | None = None,
+    check: Mapping[str, Any] | bool | None = None,
     progress: Progress = None,
     **settings: Any,
 ) -> dict[str, Any]:
@@ -109,18 +137,17 @@ def inspect(
         borders: look for positions that objects share, and their seams
         surfaces: look at edges, faces and normals of each object
         check: limits by the names of the program's options with ``_`` for ``-``: ``{"max_seam": 1.0, "closed": True}``; the result's
-            ``"check"`` has {"passed", "failures"} then. Without "max_seam" no seam is looked at
+            ``"check"`` has {"passed", "failures"} then. Without "max_seam" no seam is looked at. True: seams of at most 1 degree, as
+            ``rakelight inspect --check``
         settings: ``normals``, ``crease_angle``, ``weight``, ``weld_distance``, ``border_distance``, ``animation_time``, ...
     Returns:
         {"triangles", "bounds", "objects", "seams", "borders", "materials", ...}: docs/inspect.md
     """
-    limits = None
-    if check is not None:
-        limits = {"max-seam": None, **{name.replace("_", "-"): value for name, value in check.items()}}
-        if not borders and limits["max-seam"] is not None:
-            raise UsageError("max_seam is looked at with borders=True alone")
+    limits = _limits(check)
+    if not borders and limits is not None and limits.get("max-seam", 1.0) is not None:
+        raise UsageError("max_seam is looked at with borders=True alone")
     with told(progress) as tell:
-        text, remarks = _core.inspect(scene_of(scene)._core, settings_of(settings), borders, surfaces, limits, threads(), tell)
+        text, remarks = _core.inspect(scene_of(scene)._core, settings_of(settings), bool(borders), bool(surfaces), limits, threads(), tell)
     remarks_of(remarks)
     row: dict[str, Any] = json.loads(text)["rows"][0]
     return row
@@ -145,13 +172,16 @@ def render_file(
     Returns:
         a row of ``rakelight render --json``
     """
+    if os.path.splitext(os.fsdecode(name_of(path)))[1].lower() in (".mp4", ".webm", ".gif", ".apng"):
+        raise UsageError("Python makes no movies; the program does: rakelight render MODEL -o FILE --turntable N")
     listed = None
     if channels is not None:
         names = names_of_channels(channels)
         listed = ",".join(name.replace("_", "-") for name in names if name not in ("image", "color")) or "none"
-    words = settings_of({**settings, **camera_settings(camera), "resolution": resolution, "channels": listed})
+    scene = scene_of(scene)
+    words = settings_of({**settings, **camera_settings(camera, scene.cameras), "resolution": resolution, "channels": listed})
     with told(progress) as tell:
-        text, remarks = _core.render_file(scene_of(scene)._core, name_of(path), words, threads(), tell)
+        text, remarks = _core.render_file(scene._core, name_of(path), words, threads(), tell)
     remarks_of(remarks)
     row: dict[str, Any] = json.loads(text)["rows"][0]
     return row
@@ -162,6 +192,7 @@ def smooth_file(
     output: Path,
     *,
     normals: str = "seams",
+    scope: str | None = None,
     weight: str = "angle",
     crease_angle: float = 60.0,
     weld_distance: float | None = None,
@@ -175,18 +206,20 @@ def smooth_file(
     Args:
         input, output: files; may be the same
         normals: "seams" (the file's stay, and are joined where parts meet), or made anew: "model", "object", "face"
+        scope: the old name of ``normals``
         tangents: "auto", "always", "never"
         border_distance: [m] normals also agree along borders at most this far apart that share no vertices; 0: off
     Returns:
         a row of ``rakelight smooth --json``
     """
-    from ._mesh import options_of
-
-    scopes = {"seams": "model", "flat": "face"}
-    options = options_of(scopes.get(normals, normals), weight, crease_angle, weld_distance, True, "averaged")
+    if not isinstance(tangents, str):
+        raise UsageError(f"tangents: 'auto', 'always' or 'never' is expected, not {tangents!r:.40}")
+    border_distance = number("border_distance", border_distance)
+    normals = normals_word(normals, scope, "seams", ("seams", "model", "object", "face"))
+    options = options_of("model" if normals == "seams" else normals, weight, crease_angle, weld_distance, True, "averaged")
     with told(progress) as tell:
         text, remarks = _core.smooth_file(
-            name_of(input), name_of(output), normals, tangents, border_distance, allow_outside, options, threads(), tell
+            name_of(input), name_of(output), normals, tangents, border_distance, bool(allow_outside), options, threads(), tell
         )
     remarks_of(remarks)
     row: dict[str, Any] = json.loads(text)["rows"][0]

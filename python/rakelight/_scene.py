@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._errors import UsageError
-from ._mesh import Mesh, MeshLike, dicts_of, mesh_of, meshes_of, options_of
+from ._mesh import Mesh, MeshLike, dicts_of, mesh_of, meshes_of, options_of, scope_of
+from ._numbers import MAX_MEMORY, number, whole
 from ._run import Path, Progress, Remark, name_of, remarks_of, threads, told
 
 if TYPE_CHECKING:
@@ -136,8 +137,9 @@ class Scene:
 
     def smooth(
         self,
-        scope: str = "model",
+        normals: str = "model",
         *,
+        scope: str | None = None,
         weight: str = "angle",
         crease_angle: float = 60.0,
         weld_distance: float | None = None,
@@ -145,8 +147,9 @@ class Scene:
         tangent_mode: str = "averaged",
         progress: Progress = None,
     ) -> Scene:
-        """The scene with new seam-free normals, and tangents where there are texture coordinates. Arguments: :func:`rakelight.attributes`."""
-        options = options_of(scope, weight, crease_angle, weld_distance, tangents, tangent_mode)
+        """The scene with new seam-free normals, and tangents where there are texture coordinates. Arguments: :func:`rakelight.attributes`.
+        To join the file's normals instead: :meth:`repair_seams`."""
+        options = options_of(scope_of(normals, scope), weight, crease_angle, weld_distance, tangents, tangent_mode)
         with told(progress) as tell:
             core, rows = _core.smooth(self._core, options, threads(), tell)
         return Scene(core, self.remarks + remarks_of(rows))
@@ -159,6 +162,7 @@ class Scene:
             crease_angle: [degrees] 0 to 180; edges bent more stay sharp
             border_distance: [m] normals also agree along borders at most this far apart that share no vertices; 0: off
         """
+        crease_angle, border_distance = number("crease_angle", crease_angle), number("border_distance", border_distance)
         if not 0 <= crease_angle <= 180:
             raise UsageError("crease_angle: must be 0 to 180 degrees")
         if not 0 <= border_distance < float("inf"):
@@ -228,17 +232,21 @@ def load(path: Path, *, allow_outside: bool = False, max_memory: int = 0, progre
     Raises:
         NotFoundError, BadFileError: with file and place
     """
-    if max_memory < 0:
-        raise UsageError("max_memory: must be 0 or more bytes")
+    memory = whole("max_memory", max_memory, 0, MAX_MEMORY)
+    if isinstance(path, (bytes, bytearray, memoryview)):
+        raise UsageError("a file's name is expected, not bytes; load_bytes(data, 'model.glb') loads what lies in memory")
     with told(progress) as tell:
-        core, rows = _core.load(name_of(path), allow_outside, threads(), max_memory, tell)
+        core, rows = _core.load(name_of(path), bool(allow_outside), threads(), memory, tell)
     return Scene(core, remarks_of(rows))
 
 
 def load_bytes(data: bytes, name: str, *, max_memory: int = 0, progress: Progress = None) -> Scene:
     """Loads a model that lies in memory. ``name`` says the format by its ending, as "model.glb"."""
+    if not isinstance(data, (bytes, bytearray, memoryview)):
+        raise UsageError(f"data: bytes are expected, not {type(data).__name__}")
+    memory = whole("max_memory", max_memory, 0, MAX_MEMORY)
     with told(progress) as tell:
-        core, rows = _core.load_bytes(bytes(data), os.fsencode(name), threads(), max_memory, tell)
+        core, rows = _core.load_bytes(bytes(data), name_of(name), threads(), memory, tell)
     return Scene(core, remarks_of(rows))
 
 
@@ -246,6 +254,6 @@ def scene_of(thing: Any) -> Scene:
     """A scene as it is; a path is loaded; all else is taken as meshes."""
     if isinstance(thing, Scene):
         return thing
-    if isinstance(thing, (str, os.PathLike)):
-        return load(thing)
+    if isinstance(thing, (str, os.PathLike, bytes, bytearray, memoryview)):
+        return load(thing)  # type: ignore[arg-type]  # bytes are refused there
     return Scene.from_meshes(thing)

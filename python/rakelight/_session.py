@@ -2,13 +2,14 @@
 """Pictures."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, NoReturn, Union
 
 from . import _core
 from ._camera import CameraLike, camera_settings
-from ._errors import UsageError
+from ._errors import UsageError, usage_error
 from ._mesh import Mesh
+from ._numbers import MAX_MEMORY, whole
 from ._picture import Picture
 from ._run import Path, Progress, remarks_of, settings_of, threads, told
 from ._scene import Scene, scene_of
@@ -21,9 +22,9 @@ Window = Sequence[int]
 
 
 def names_of_channels(channels: Sequence[str] | str) -> list[str]:
-    names = [channels] if isinstance(channels, str) else list(channels)
-    if not names:
-        raise UsageError("channels: at least one is expected, such as 'image'")
+    names = [channels] if isinstance(channels, str) else list(channels) if isinstance(channels, Iterable) else []
+    if not names or not all(isinstance(name, str) for name in names):
+        raise UsageError("channels: a name or several are expected, such as 'image'")
     return names
 
 
@@ -61,7 +62,7 @@ class Session:
         self.scene = scene_of(scene)
         _refuse(settings)
         words = settings_of({"resolution": resolution, **settings})
-        self._core = _core.Session(self.scene._core, words, threads(), max_memory)
+        self._core = _core.Session(self.scene._core, words, threads(), whole("max_memory", max_memory, 0, MAX_MEMORY))
 
     def __reduce__(self) -> NoReturn:
         raise TypeError("a Session cannot be pickled: make one in each process")
@@ -74,10 +75,14 @@ class Session:
         window: Window | None = None,
         channels: Sequence[str] | str = ("image",),
         progress: Progress = None,
+        **others: NoReturn,
     ) -> Picture:
-        """Draws one view. Arguments: :func:`rakelight.render`."""
+        """Draws one view. Arguments: :func:`rakelight.render`, but no settings: they are the session's."""
+        for name in others:
+            settings_of({name: None})  # refused where there is none
+            raise usage_error(name, "is no argument of a session's render()", "settings are arguments of Session(scene, ...)")
         bits, has_image, has_color = _channels(channels)
-        view = settings_of({**camera_settings(camera), "resolution": resolution, "window": window})
+        view = settings_of({**camera_settings(camera, self.scene.cameras), "resolution": resolution, "window": window})
         with told(progress) as tell:
             drawn = self._core.render(view, bits, has_image, has_color, tell)
         remarks_of(self._core.take_remarks())

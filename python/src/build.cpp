@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <rakelight/picture_parts.h>
+#include <rakelight/tools/words.h>
 #include <rakelight/version.h>
 #include <rakelight/world.h>
 
@@ -58,6 +59,9 @@ void define_build(py::module_& module) {
     module.def("build_info", &build_as_dict);
     module.def("setting_keys", &keys_as_dict);
     module.def("channel_words", &channel_words);
+    module.def("nearest_word", [](const std::string& word, const std::vector<std::string>& words) {
+        return nearest_word(word, {words.begin(), words.end()});
+    });
     module.attr("__version__") = RAKELIGHT_VERSION;
 }
 

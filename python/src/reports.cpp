@@ -41,13 +41,20 @@ py::tuple explained(const SceneHandle& handle, const Settings& settings, const s
     return py::make_tuple(list, remarks_of(runner.context().report()));
 }
 
+constexpr Word<bool CheckLimits::*> limit_flags[] = {
+    {"no-degenerate", &CheckLimits::no_degenerate},     {"no-t-junctions", &CheckLimits::no_t_junctions},
+    {"no-non-manifold", &CheckLimits::no_non_manifold}, {"consistent-winding", &CheckLimits::consistent_winding},
+    {"no-inside-out", &CheckLimits::no_inside_out},     {"closed", &CheckLimits::closed},
+    {"unit-normals", &CheckLimits::unit_normals}};
+
+std::vector<std::string> limit_words() {
+    std::vector<std::string> words = {"max-seam"};
+    for (const auto& flag : limit_flags) words.emplace_back(flag.name);
+    return words;
+}
+
 /// Limits by their options' names; "max-seam" has a number, the others are on or off.
 CheckLimits limits_of(const py::dict& given) {
-    constexpr Word<bool CheckLimits::*> flags[] = {
-        {"no-degenerate", &CheckLimits::no_degenerate},     {"no-t-junctions", &CheckLimits::no_t_junctions},
-        {"no-non-manifold", &CheckLimits::no_non_manifold}, {"consistent-winding", &CheckLimits::consistent_winding},
-        {"no-inside-out", &CheckLimits::no_inside_out},     {"closed", &CheckLimits::closed},
-        {"unit-normals", &CheckLimits::unit_normals}};
     CheckLimits limits;
     for (const auto& [key, value] : given) {
         const std::string name = py::cast<std::string>(key);
@@ -55,7 +62,7 @@ CheckLimits limits_of(const py::dict& given) {
             limits.max_seam_deg.reset();
             if (!value.is_none()) limits.max_seam_deg = py::cast<double>(value);
         } else {
-            limits.*values::word("limit", name, flags) = py::cast<bool>(value);
+            limits.*values::word("check", name, limit_flags) = py::cast<bool>(value);
         }
     }
     return limits;
@@ -125,6 +132,7 @@ py::tuple rendered_file(const SceneHandle& handle, const std::string& output, co
 void define_reports(py::module_& module) {
     module.def("explain", &explained);
     module.def("inspect", &inspected);
+    module.def("limit_words", &limit_words);
     module.def("render_file", &rendered_file);
     module.def("smooth_file", &smoothed_file);
 }

@@ -36,7 +36,7 @@ def test_normals_are_those_that_the_program_writes(program, tmp_path, scope):
     model = DATA / "spot" / "spot_slab5.glb"
     program.run("smooth", model, "-o", tmp_path / "program.glb", "--normals", scope)
     written = accessors(tmp_path / "program.glb")
-    made = rakelight.attributes(rakelight.load(model).placed_meshes(), scope=scope, tangents=False)
+    made = rakelight.attributes(rakelight.load(model).placed_meshes(), normals=scope, tangents=False)
     assert len(written) == len(made)
     for a, b in zip(written, made):
         assert a["NORMAL"].tobytes() == b.normals.tobytes()
@@ -167,12 +167,12 @@ def test_arrays_without_rows(shape):
     columns = {"vertices": 3, "normals": 3, "tangents": 4, "uv": 2, "colors": 4}
     for name, width in columns.items():
         arrays = {key: np.zeros((0, columns[key])) for key in columns}
-        mesh = rakelight.Mesh(faces=np.zeros((0, 3), int), **{**arrays, name: nothing})
+        arrays.update({"faces": np.zeros((0, 3), int), name: nothing})
         if shape in ((0,), (0, width)):
-            assert rakelight.attributes(mesh)[0].normals.shape == (0, 3)
+            assert rakelight.attributes(rakelight.Mesh(**arrays))[0].normals.shape == (0, 3)
         else:
             with pytest.raises(rakelight.UsageError, match=f"{name}: the shape must be"):
-                rakelight.attributes(mesh)
+                rakelight.Mesh(**arrays)
 
 
 def test_vertices_split_where_corners_differ():
@@ -186,3 +186,18 @@ def test_vertices_split_where_corners_differ():
 def test_a_mirrored_placement_keeps_the_outside(quad):
     mirror = np.diag([-1.0, 1, 1, 1])
     np.testing.assert_array_equal(rakelight.attributes(replace(quad, to_world=mirror))[0].normals, [[0, 0, 1]] * 4)
+
+
+def test_normals_are_chosen_by_one_name_and_its_old_one(tmp_path):
+    model = DATA / "spot" / "spot_slab5.glb"
+    scene = rakelight.load(model)
+    flat = [mesh.normals for mesh in scene.smooth(normals="face").meshes]
+    for again in (scene.smooth("face"), scene.smooth(scope="face"), scene.smooth("flat")):
+        assert all((mesh.normals == normals).all() for mesh, normals in zip(again.meshes, flat))
+    new, old = (rakelight.attributes(scene.placed_meshes(), **{name: "object"}) for name in ("normals", "scope"))
+    assert all((a.normals == b.normals).all() for a, b in zip(new, old))
+    rakelight.smooth_file(model, tmp_path / "a.glb", normals="model")
+    rakelight.smooth_file(model, tmp_path / "b.glb", scope="model")
+    assert (tmp_path / "a.glb").read_bytes() == (tmp_path / "b.glb").read_bytes()
+    with pytest.raises(rakelight.UsageError, match=r"unknown word 'seams'; use one of model, object, face; repair_seams\(\)"):
+        scene.smooth(scope="seams")

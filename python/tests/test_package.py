@@ -55,9 +55,11 @@ def test_the_page_runs(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     names = {}
     with warnings.catch_warnings():
+        warnings.simplefilter("error")  # of numpy, too
         warnings.simplefilter("ignore", rakelight.RakelightWarning)
         for block in blocks:
             exec(compile("\n" + block, "docs/python.md", "exec"), names)
+    assert names["np"].isfinite(names["points"]).all() and len(names["points"]) == names["seen"].sum() > 100
     assert (tmp_path / "helmet_fixed.glb").exists() and names["view"]["object"].shape == (128, 128)
 
 

@@ -233,3 +233,8 @@ def test_cameras_with_the_same_numbers_are_equal():
             Camera((0, 0, 1), **{name: "123"})
     with pytest.raises(rakelight.UsageError, match="vertical_fov: numbers"):
         Camera((0, 0, 1), vertical_fov="40")
+
+
+def test_a_picture_is_shown_by_channels_and_shapes(teapot):
+    picture = rakelight.render(teapot, resolution=(8, 6), channels=["image", "depth"])
+    assert repr(picture) == "<rakelight.Picture image [6, 8, 3] uint8, depth [6, 8] float32>"
