@@ -119,7 +119,7 @@ def _limits(check: Mapping[str, Any] | bool | None) -> dict[str, Any] | None:
     for name in check:
         if name.replace("-", "_") not in words:
             raise usage_error("check", f"there is no limit {quoted(name)}", suggestion(name, words, f"use {', '.join(words)}"))
-    return {"max-seam": None, **{name.replace("_", "-"): value for name, value in check.items()}}
+    return {name.replace("_", "-"): value for name, value in check.items()}
 
 
 def inspect(
@@ -137,8 +137,8 @@ def inspect(
         borders: look for positions that objects share, and their seams
         surfaces: look at edges, faces and normals of each object
         check: limits by the names of the program's options with ``_`` for ``-``: ``{"max_seam": 1.0, "closed": True}``; the result's
-            ``"check"`` has {"passed", "failures"} then. Without "max_seam" no seam is looked at. True: seams of at most 1 degree, as
-            ``rakelight inspect --check``
+            ``"check"`` has {"passed", "failures"} then. As by ``rakelight inspect --check``, "max_seam" is 1 degree where it is not given;
+            None allows every seam. True: this limit alone
         settings: ``normals``, ``crease_angle``, ``weight``, ``weld_distance``, ``border_distance``, ``animation_time``, ...
     Returns:
         {"triangles", "bounds", "objects", "seams", "borders", "materials", ...}: docs/inspect.md

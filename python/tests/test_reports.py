@@ -51,9 +51,10 @@ def test_pictures_are_in_reports_as_they_are_named(program, monkeypatch):
 def test_limits(teapot):
     assert "check" not in rakelight.inspect(teapot)
     assert rakelight.inspect(teapot, check={"closed": True})["check"]["failures"]
-    assert rakelight.inspect(teapot, check={"no_degenerate": False})["check"]["passed"]
+    assert rakelight.inspect(teapot, check={"max_seam": None, "no_degenerate": False})["check"]["passed"]
     split = DATA / "spot" / "spot_slab5.glb"  # with seams of more than a degree
     failed = rakelight.inspect(split, check=True)["check"]
+    assert failed == rakelight.inspect(split, check={})["check"] == rakelight.inspect(split, check={"no_degenerate": True})["check"]
     assert not failed["passed"] and failed == rakelight.inspect(split, check={"max_seam": 1})["check"]
     assert rakelight.inspect(split, check={"max_seam": 180})["check"]["passed"] and "check" not in rakelight.inspect(split, check=False)
     with pytest.raises(rakelight.UsageError):
