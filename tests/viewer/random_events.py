@@ -42,6 +42,13 @@ def memory_mb(pid):
     return 0
 
 
+def settled_mb(tool, window, pid):
+    """Memory in a small window: pictures of the largest ones take half a gigabyte, and go with them."""
+    tool("windowsize", window, 640, 480)
+    time.sleep(1.5)
+    return memory_mb(pid)
+
+
 def step(rng, window):
     """One event as words of xdotool."""
     kind = rng.random()
@@ -120,8 +127,8 @@ def play(options, rng, viewer, files, pictures):
         if viewer.poll() is not None:
             return [f"the viewer ended with {viewer.returncode} after {count} events"]
         if early_mb == 0 and time.monotonic() > end - 2 * options.seconds / 3:
-            early_mb = memory_mb(viewer.pid)
-    late_mb = memory_mb(viewer.pid)
+            early_mb = settled_mb(tool, window, viewer.pid)
+    late_mb = settled_mb(tool, window, viewer.pid)
     print(f"{count} events, {drops} drops taken, {early_mb:.0f} MB after a third, {late_mb:.0f} MB at the end")
     faults = [f"memory grew from {early_mb:.0f} to {late_mb:.0f} MB"] if late_mb > max(2 * early_mb, early_mb + 300) else []
     tool("windowsize", window, 640, 480, "mousemove", 600, 440, "key", "Escape", "key", "Escape", "key", "Escape", "key", "ctrl+q")
