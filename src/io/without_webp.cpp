@@ -15,6 +15,8 @@ Error no_webp(ErrorCode code = ErrorCode::bad_file) {
 
 Pixels codec::read_webp(std::span<const std::byte>, Want, Context&) { throw no_webp(); }
 
+bool codec::is_lossless_webp(std::span<const std::byte>) { return false; }
+
 std::unique_ptr<ImageWriter> codec::write_webp(const OutputTarget& target, int, int, int, Component) {
     throw no_webp(ErrorCode::usage).with_file(target.path);
 }
