@@ -4,7 +4,7 @@
 # by side. The first shows the seams between the parts; the second has none.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
-program=${RAKELIGHT:-build/release/rakelight}
+program=${RAKELIGHT:-build/package/rakelight}
 out=build/demo
 mkdir -p "$out"
 

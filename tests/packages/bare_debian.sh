@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # Runs a script in a Debian 12 that has nothing but its base system, to see what an installation of ours needs and leaves.
 #
-#   bare_debian.sh [--give PATH]... [--out FOLDER] SCRIPT [ARGUMENT...]
+#   bare_debian.sh [--give PATH]... [--out FOLDER] [--ccache FOLDER] SCRIPT [ARGUMENT...]
 #
 # SCRIPT runs as root in a changed root (no container), by `bash -euo pipefail`, in an empty folder; it finds copies of the files and
 # folders given in $GIVEN, and what it leaves in $OUT is in FOLDER afterwards. apt works in it, from the mirrors of this machine, without
-# recommended packages. Its exit code is that of this script. Where root or debootstrap is missing, one line says so and the code is 77.
+# recommended packages. The compiler cache of --ccache is that of the inside too, with its settings. Its exit code is that of this script. Where root or debootstrap is missing, one line says so and the code is 77.
 #
 # The base system is made once, for a week, and kept in build/bare-debian, packages from the mirror too: a second run starts within
 # seconds. Runs may overlap.
@@ -18,6 +18,7 @@ cache=$(dirname "$(readlink -f "$0")")/../../build/bare-debian
 base=$cache/$suite.tar
 given=()
 out=
+ccache=
 
 skip() { echo "skipped: $*"; exit 77; }
 
@@ -25,11 +26,12 @@ while [ $# -gt 0 ]; do
     case "$1" in
     --give) given+=("$(readlink -f "$2")"); shift 2 ;;
     --out) mkdir -p "$2"; out=$(readlink -f "$2"); shift 2 ;;
+    --ccache) ccache=$(readlink -f "$2"); shift 2 ;;
     -*) echo "bare_debian.sh: unknown option: $1" >&2; exit 2 ;;
     *) break ;;
     esac
 done
-[ $# -gt 0 ] || { sed -n '3,13s/^# \?//p' "$0" >&2; exit 2; }
+[ $# -gt 0 ] || { sed -n '3,14s/^# \?//p' "$0" >&2; exit 2; }
 script=$(readlink -f "$1")
 shift
 
@@ -89,11 +91,12 @@ space=()
 if unshare --mount --pid --fork true 2>/dev/null; then space=(unshare --mount --pid --fork --kill-child); fi
 code=0
 # shellcheck disable=SC2016  # for the inner shells
-"${space[@]}" bash -c '
+CCACHE=$ccache "${space[@]}" bash -c '
     if [ $$ = 1 ]; then
         mount -t proc proc "$0/proc"
         mount -t tmpfs tmpfs "$0/dev/shm"
         mount -t devpts devpts "$0/dev/pts"
+        if [ -n "$CCACHE" ]; then mkdir -p "$0/root/.ccache" && mount --bind "$CCACHE" "$0/root/.ccache"; fi
     fi
     exec chroot "$0" "$@"' "$root" \
     /usr/bin/env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 TERM=dumb \
