@@ -17,7 +17,7 @@ import tempfile
 
 from reproduction import pending, s1_attributes, s1_frames, s1_light, s1_models, s1_scenes, s1_seams, s2_pipeline, s2_shading, s2_visibility, s2_world, s3_bumps, s3_detail, s3_light, s3_maps
 from reproduction.kit import Failure, Kit
-from reproduction.ranges import RANGES
+from reproduction.ranges import ORDERS, RANGES
 from sheet import PROGRAM, ROOT
 
 MODULES = (s1_light, s1_models, s1_scenes, s1_frames, s1_attributes, s1_seams, s2_pipeline, s2_visibility, s2_shading, s2_world, s3_maps, s3_bumps, s3_detail, s3_light, pending)
@@ -39,7 +39,7 @@ def words_of(low, high):
 
 
 def faults(name, numbers):
-    """The numbers that are outside of their range, or have none."""
+    """The numbers that are outside of their range, or have none, and those that are not in the order of the claim."""
     found = []
     for what in sorted(numbers.keys() | RANGES[name].keys()):
         if what not in numbers or what not in RANGES[name]:
@@ -48,6 +48,9 @@ def faults(name, numbers):
             low, high = RANGES[name][what]
             if not low <= numbers[what] <= high:
                 found.append(f"{name}: {what}: {number(numbers[what])}, not {words_of(low, high)}")
+    for low, high in ORDERS.get(name, ()):
+        if low in numbers and high in numbers and not numbers[low] < numbers[high]:
+            found.append(f"{name}: {low}: {number(numbers[low])}, not below {number(numbers[high])} of {high}")
     return found
 
 

@@ -30,7 +30,7 @@ size
 if [ "${1:-}" = configure ]; then
     # The list of a preset suffices: its configuration ends well.
     for preset in package deb release; do
-        case $preset in package) lists='program viewer' ;; deb) lists='program viewer python' ;; *) lists='program viewer tests' ;; esac
+        case $preset in package) lists='program viewer' ;; deb) lists='program viewer python' ;; *) lists='program viewer gl tests' ;; esac
         run "./dev setup $lists"
         size
         run "cmake --preset $preset"

@@ -15,7 +15,7 @@ sys.path.insert(0, str(ROOT / "tools"))
 import reproduce  # noqa: E402
 from reproduction import pending  # noqa: E402
 from reproduction.kit import Kit  # noqa: E402
-from reproduction.ranges import RANGES  # noqa: E402
+from reproduction.ranges import ORDERS, RANGES  # noqa: E402
 
 PROGRAM = ""
 SCALE = 0.3
@@ -64,9 +64,23 @@ class Book(unittest.TestCase):
     def test_numbers_outside_of_their_range_and_without_one_are_faults(self):
         right = {"pixels of the wall, parallax over none": 1, "with --bump-silhouette over without": 0.9}
         self.assertEqual(reproduce.faults("s3-border", right), [])
-        self.assertIn("0.99, not 0.8 to 0.98", reproduce.faults("s3-border", {**right, "with --bump-silhouette over without": 0.99})[0])
+        self.assertIn("1, not 0 to 0.999", reproduce.faults("s3-border", {**right, "with --bump-silhouette over without": 1})[0])
         self.assertIn("no range", reproduce.faults("s3-border", {**right, "more": 1})[0])
         self.assertIn("not measured", reproduce.faults("s3-border", {"with --bump-silhouette over without": 0.9})[0])
+
+
+    def test_numbers_in_the_wrong_order_are_faults(self):
+        right = {what: (low + min(high, 3 * low + 1)) / 2 for what, (low, high) in RANGES["s3-fig13"].items()}
+        pairs = ORDERS["s3-fig13"]
+        for mild, strong in pairs:
+            right[mild], right[strong] = 3, 6
+        self.assertEqual(reproduce.faults("s3-fig13", right), [])
+        found = reproduce.faults("s3-fig13", {**right, pairs[1][0]: 6})
+        self.assertEqual(found, [f"s3-fig13: {pairs[1][0]}: 6, not below 6 of {pairs[1][1]}"])
+
+    def test_orders_are_of_numbers_that_have_ranges(self):
+        for name, pairs in ORDERS.items():
+            self.assertLessEqual({what for pair in pairs for what in pair}, set(RANGES[name]), name)
 
 
 class Command(unittest.TestCase):

@@ -16,6 +16,20 @@ SHEARED = bumps.SHEARED
 SQUARE = ("data/maps/wall.obj", *bumps.SHEARED[1:])
 ROUGH = ("builtin:sphere", "--color", "#c04030", "--roughness", "1", "--camera-position", "0,0,4.5", "--camera-focal-point", "0,0,0", "--camera-view-angle", "29",
          "--light", "directional:1,-0.3,-0.4")
+BALL = ("builtin:sphere", "--camera-position", "0,0,4.5", "--camera-focal-point", "0,0,0", "--camera-view-angle", "29", "--color", "#ffffff", "--metallic", "0", "--background", "0,0,0",
+        "--light", "directional:-0.3,-0.3,-1")
+# Texts of one's own: the equation of Lambert's model, and three steps of its light.
+TEXT = """RL_FN LightTerms user_terms(RL_IN(MaterialSurface) s, RL_IN(LightSample) light)
+{{
+    LightTerms terms;
+    real lit = lambert_cosine(dot(s.diffuse_n, light.l));
+    terms.ambient = s.base.ambient * (light.ambient * light.attenuation);
+    terms.diffuse = s.base.diffuse * (light.diffuse * ({lit} * light.attenuation));
+    terms.specular = vec3(0.0f);
+    return terms;
+}}
+"""
+TEXTS = {"lambert": "lit", "steps": "floor(lit * 3.0f + 0.5f) / 3.0f"}
 RAYS = ("s1-sum", "s1-pbr", "s1-radiosity", "s2-rays", "s2-waves", "s3-fig1")
 
 
@@ -23,6 +37,8 @@ def lacks(kit, name):
     """Why the entry cannot be made with this program; None: it can be."""
     if name in RAYS and kit.run("render", "builtin:plane", "--engine", "trace", "--resolution", "8,8", "-o", kit.folder / "try.png", codes=range(256)).returncode:
         return "this program follows no rays"
+    if name == "s1-table1" and kit.run("render", "builtin:plane", "--engine", "gl", "--resolution", "8,8", "-o", kit.folder / "try.png", codes=range(256)).returncode:
+        return "OpenGL cannot be used here"
     if name in NEED and NEED[name] not in kit.run("render", "--help").stdout:
         return f"this program has no {NEED[name]}"
     if name == "s2-slopes" and "slopes" not in " ".join(map(str, kit.stages(NARROW)[1]("depth").get("columns", ()))):
@@ -34,6 +50,24 @@ def lamps(count):
     return [word for i in range(count) for word in ("--light", f"point:{i - 5},3,3:color=0.08,0.08,0.08")]
 
 
+def by_text(kit, name):
+    """The ball, lit by a text of one's own."""
+    path = kit.folder / f"{name}.glsl"
+    path.write_text(TEXT.format(lit=TEXTS[name]))
+    return (*BALL, "--engine", "gl", "--lighting", path)
+
+
+def colors_of(kit, scene):
+    return len(set(kit.picture(scene).part(0, 0, 1, 1)))
+
+
+def measure_own_texts(kit):
+    own, built_in = by_text(kit, "lambert"), (*BALL, "--engine", "gl", "--lighting", "lambert")
+    return {"control: the equation of Lambert as a text of one's own vs. the built-in one, largest difference [1/255]": 255 * kit.compare(own, built_in)["max_error"],
+            "shaders: a text with three steps of light, different colors in the picture": colors_of(kit, by_text(kit, "steps")),
+            "shaders: the preset alone, different colors in the picture": colors_of(kit, (*BALL, *FIXED))}
+
+
 def measure_table(kit):
     fixed, size = (*TEAPOT, *ONE, *FIXED), (320 / kit.scale, 240 / kit.scale)
     bare = ("data/maps/wall.obj", "--camera-position", "1.2,0.4,3.1", "--camera-focal-point", "0,0,0", "--camera-view-angle", "36", *ONE)  # a classical material
@@ -43,11 +77,12 @@ def measure_table(kit):
             "preset vs. the programmable pipeline [1/255]": kit.rmse(fixed, FULL),
             "evaluations, programmable over preset": kit.stats(FULL, *size)["lighting_evaluations"] / kit.stats(fixed, *size)["lighting_evaluations"],
             "a ninth to eleventh light: change with the preset [1/255]": kit.rmse(eight, eleven),
-            "a normal map: change with the preset [1/255]": kit.rmse(fixed, (*(w for w in fixed if "normal" not in w),))}
+            "a normal map: change with the preset [1/255]": kit.rmse(fixed, (*(w for w in fixed if "normal" not in w),)), **measure_own_texts(kit)}
 
 
 def draw_table(kit, path):
-    kit.sheet(path, [[(*TEAPOT, *ONE, *FIXED), FULL]], 240, 170, below=[["fixed function", "programmable"]])
+    own = kit.render(by_text(kit, "steps"), 240, 170)[0]
+    kit.sheet(path, [[(*TEAPOT, *ONE, *FIXED), FULL, own]], 240, 170, below=[["fixed function", "programmable", "own text, three steps"]])
 
 
 def time_table(kit):

@@ -6,7 +6,7 @@ import bake_pictures
 import bump_pictures as bumps
 from png8 import read_rgb
 
-from .kit import Entry, brightness
+from .kit import Entry, brightness, detail
 
 TEAPOT = (*bumps.TEAPOT, *bumps.KEY, *bumps.SHINY, "--lighting", "blinn-phong")
 LEATHER = (*TEAPOT, *bumps.maps("leather"))
@@ -65,11 +65,6 @@ def frames(kit, how, count, *more):
     kit.run("render", *CLIP, "--bump", how, *more, "--look", "plain", "--resolution", ",".join(map(str, SIZE)), "--fps", "4", "--frames", f"0:{count - 1}", "-o",
             f"{name}-{{frame}}.png", "--quiet")
     return [[sum(pixels[i:i + 3]) / 3 for i in range(0, len(pixels), 3)] for pixels in (read_rgb(f"{name}-{k}.png")[2] for k in range(count))]
-
-
-def detail(picture, width):
-    """What a picture has beyond its mean over 5 pixels of a row: bumps, not the shape below them."""
-    return [picture[i] - sum(picture[i - 2:i + 3]) / 5 for i in range(2, len(picture) - 2) if 2 <= i % width < width - 2]
 
 
 def flicker(pictures, width):

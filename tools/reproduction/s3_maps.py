@@ -6,7 +6,7 @@ from png8 import read_rgb, write_rgb
 from sheet import ROOT
 
 from .arrows import line
-from .kit import Entry, Picture, angle, dot, unit
+from .kit import Entry, Picture, angle, detail, dot, unit
 
 MAPS = ROOT / "data/maps"
 TEAPOT = ("builtin:teapot:divisions=4", "--camera-position", "0.9,1.4,2.6", "--camera-focal-point", "0.07,0.45,0", "--camera-view-angle", "29", *bumps.KEY, *bumps.SHINY,
@@ -43,7 +43,12 @@ def draw_normals(kit, path):
 
 def measure_combination(kit):
     bare, mapped = (*HEAD, "--bump", "none"), (*HEAD, "--bump", "normal")
-    return {"texture and map vs. texture alone [1/255]": kit.rmse(bare, mapped), "pixels that the map changes [%]": kit.differing(bare, mapped)}
+    found = {"texture and map vs. texture alone [1/255]": kit.rmse(bare, mapped), "pixels that the map changes [%]": kit.differing(bare, mapped)}
+    rough = []
+    for picture in (kit.picture(bare), kit.picture(mapped)):
+        grays = [sum(picture.pixels[i:i + 3]) / 3 for i in range(0, len(picture.pixels), 3)]
+        rough.append(sum(d * d for d in detail(grays, picture.width)) ** 0.5)
+    return found | {"detail of the picture, texture and map over texture alone": rough[1] / rough[0]}
 
 
 def head_part(kit, name):
