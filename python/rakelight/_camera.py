@@ -25,6 +25,18 @@ def _vector(name: str, values: Any) -> tuple[float, ...]:
     return vector
 
 
+def _check_axes(axes: NDArray[np.float64]) -> None:
+    """Refuses what is no rotation with a size. The bound lets float32 and six decimals pass."""
+    if np.linalg.det(axes) < 0:
+        raise UsageError("to_world: its axes are left-handed (determinant < 0), the picture would be mirrored; turn one of the first three columns around")
+    lengths = np.linalg.norm(axes, axis=0)
+    unit = axes / lengths
+    if np.abs(unit.T @ unit - np.eye(3)).max() > 1e-4:
+        raise UsageError("to_world: its axes, the first three columns, are not perpendicular to each other")
+    if lengths.max() > lengths.min() * (1 + 1e-4):
+        raise UsageError("to_world: its axes, the first three columns, have different lengths")
+
+
 @dataclass(frozen=True)
 class Camera:
     """A camera that stands at ``position`` and looks at ``target``; right-handed world, +Y up. Cameras with the same numbers are equal.
@@ -80,6 +92,10 @@ class Camera:
         """A camera by its matrix [4, 4], camera to world, that looks along its -Z with +Y up (OpenGL, glTF, Blender).
 
         ``distance`` [m] is where the target lies: of parallel projection it says how much is seen.
+
+        Raises:
+            UsageError: the axes are not perpendicular and of one length, or are left-handed (determinant < 0): such a picture would be
+                sheared, stretched or mirrored, which no position, target and up can say
         """
         m = np.asarray(to_world, dtype=np.float64)
         if m.shape != (4, 4) or not np.isfinite(m).all():
@@ -88,6 +104,7 @@ class Camera:
             raise UsageError("to_world: the last row must be 0 0 0 1; the position is the last column")
         if np.linalg.matrix_rank(m[:3, :3]) < 3:
             raise UsageError("to_world: the axes of the camera, its first three columns, must not lie in a plane")
+        _check_axes(m[:3, :3])
         position = m[:3, 3]
         return cls(tuple(position), tuple(position - distance * m[:3, 2]), tuple(m[:3, 1]), **others)
 

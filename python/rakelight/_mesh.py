@@ -15,6 +15,7 @@ from ._errors import UsageError, usage_error
 from ._numbers import number, numbers, whole
 from ._positions import split
 from ._run import Progress, remarks_of, threads, told
+from ._surface import has_alpha, png_of, surface_of
 
 Floats = NDArray[np.float32]
 Indices = NDArray[np.uint32]
@@ -49,10 +50,11 @@ class Mesh:
         colors: [V, 4] linear RGBA
         name: of its object
         color: linear RGB or RGBA of its surface, 0 to 1; None: the default material
+        texture: [H, W], [H, W, 3] or [H, W, 4] uint8 sRGB, its first row at v = 0; multiplies ``color``
         to_world: [4, 4] object space to world; None: the same
         arrays: {name: [V] or [V, n]} other numbers of the vertices, n <= 16
         material: number of its material in the scene that it comes from; :meth:`Scene.with_meshes` takes it, :meth:`Scene.from_meshes`
-            makes materials of ``color`` alone
+            makes materials of ``color`` and ``texture`` alone
         topology: "triangles", or "lines" or "points" of loaded meshes: faces are [L, 2] or [P, 1] then
         origin: [m] vertices count from here; not 0 where they are far away: :meth:`positions` has the sum
     """
@@ -70,6 +72,7 @@ class Mesh:
     material: int | None = None
     topology: str = "triangles"
     origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    texture: ArrayLike | None = None
 
     def __post_init__(self) -> None:
         origin = numbers("origin", self.origin)
@@ -109,8 +112,9 @@ class Mesh:
 
 
 MeshLike = Union[Mesh, Any]
-"""A :class:`Mesh`, or anything with ``.vertices`` and ``.faces`` (trimesh) or ``.triangles`` (Open3D): normals, texture coordinates and a
-name are taken where they have the usual names; or a tuple (vertices, faces). ``.visual.uv`` (trimesh) is v up, ``.uv`` is v down."""
+"""A :class:`Mesh`, or anything with ``.vertices`` and ``.faces`` (trimesh) or ``.triangles`` (Open3D): normals, texture coordinates, a
+name, colors of vertices and faces, and the color and texture of its one material are taken where they have the usual names; or a tuple
+(vertices, faces). ``.visual.uv`` (trimesh) is v up, ``.uv`` is v down. Colors are sRGB: integers 0 to 255 or floats 0 to 1."""
 
 
 def _first(thing: object, *names: str) -> Any:
@@ -132,8 +136,38 @@ def _per_vertex(values: Any, vertices: NDArray[Any]) -> NDArray[Any] | None:
     return array if array.ndim == 2 and len(array) == len(vertices) else None
 
 
-def mesh_of(thing: MeshLike) -> Mesh:
-    """Makes a :class:`Mesh` of anything that is like one."""
+def _with_surface(mesh: Mesh, thing: object, dropped: list[str]) -> Mesh:
+    """With the colors and the texture of a mesh of another library. Vertices are split where corners have their own."""
+    vertices, faces = np.asarray(mesh.vertices), np.asarray(mesh.faces)
+    surface = surface_of(thing, len(vertices), len(faces))
+    where = f"mesh '{mesh.name}'" if mesh.name else "a mesh"
+    dropped += [f"{where}: not taken over: {what}" for what in surface.dropped]
+    mesh = replace(mesh, colors=surface.colors, color=surface.color, texture=surface.texture)
+    if surface.corner_colors is None and surface.corner_uv is None:
+        return mesh
+    if faces.shape[1:] != (3,) or (faces.size > 0 and not (0 <= faces.min() and faces.max() < len(vertices))):
+        return mesh  # refused later, with words of its own
+    corners = faces.reshape(-1).astype(np.int64)
+
+    def split(values: ArrayLike | None) -> NDArray[Any] | None:
+        return None if values is None else np.asarray(values)[corners]
+
+    return replace(
+        mesh,
+        vertices=vertices[corners],
+        faces=np.arange(len(corners), dtype=np.uint32).reshape(-1, 3),
+        normals=split(mesh.normals),
+        uv=split(mesh.uv) if surface.corner_uv is None else surface.corner_uv,
+        colors=split(mesh.colors) if surface.corner_colors is None else surface.corner_colors,
+    )
+
+
+def mesh_of(thing: MeshLike, dropped: list[str] | None = None) -> Mesh:
+    """Makes a :class:`Mesh` of anything that is like one.
+
+    Args:
+        dropped: gets what of its surface is not taken over; None: surfaces are not looked at
+    """
     if isinstance(thing, Mesh):
         return thing
     if isinstance(thing, tuple) and len(thing) == 2:
@@ -148,31 +182,32 @@ def mesh_of(thing: MeshLike) -> Mesh:
         uv = np.stack([uv[:, 0], 1 - uv[:, 1]], axis=1)
     else:
         uv = _per_vertex(_first(thing, "uv"), vertices)
-    return Mesh(
+    mesh = Mesh(
         vertices,
         np.zeros((0, 3), np.uint32) if faces is None else np.asarray(faces),
         normals=_per_vertex(_first(thing, "vertex_normals", "normals"), vertices),
         uv=uv,
         name=name if isinstance(name, str) else "",
     )
+    return mesh if dropped is None else _with_surface(mesh, thing, dropped)
 
 
-def meshes_of(things: MeshLike | Iterable[MeshLike] | Mapping[str, MeshLike]) -> list[Mesh]:
-    """One mesh, several, or {name: mesh}; of a trimesh scene all, placed."""
+def meshes_of(things: MeshLike | Iterable[MeshLike] | Mapping[str, MeshLike], dropped: list[str] | None = None) -> list[Mesh]:
+    """One mesh, several, or {name: mesh}; of a trimesh scene all, placed. ``dropped``: :func:`mesh_of`."""
     if isinstance(things, Mapping):
         meshes = []
         for name, thing in things.items():
-            mesh = mesh_of(thing)
+            mesh = mesh_of(thing, dropped)
             meshes.append(replace(mesh, name=mesh.name or str(name)))
         return meshes
     if hasattr(things, "dump") and hasattr(things, "geometry"):
-        return meshes_of(list(things.dump()))
+        return meshes_of(list(things.dump()), dropped)
     is_one = isinstance(things, Mesh) or hasattr(things, "vertices") or (isinstance(things, tuple) and len(things) == 2)
     if is_one:
-        return [mesh_of(things)]
+        return [mesh_of(things, dropped)]
     if not isinstance(things, Iterable):
         raise UsageError(f"a mesh or several are expected, not {type(things).__name__}")
-    return [mesh_of(thing) for thing in things]
+    return [mesh_of(thing, dropped) for thing in things]
 
 
 def dicts_of(meshes: Sequence[Mesh]) -> list[dict[str, Any]]:
@@ -184,7 +219,11 @@ def dicts_of(meshes: Sequence[Mesh]) -> list[dict[str, Any]]:
             raise UsageError(f"a mesh of triangles is expected, not one of {mesh.topology}")
         if not isinstance(mesh.arrays, Mapping):
             raise UsageError(f"arrays: {{name: array}} is expected, not {type(mesh.arrays).__name__}")
-        out.append({"vertices": vertices, "origin": origin, "arrays": dict(mesh.arrays), **{key: getattr(mesh, key) for key in keys}})
+        texture = None if mesh.texture is None else png_of(mesh.texture, "texture")
+        if texture is not None and mesh.uv is None:
+            raise UsageError("texture: it needs texture coordinates, uv")
+        out.append({"vertices": vertices, "origin": origin, "arrays": dict(mesh.arrays), **{key: getattr(mesh, key) for key in keys},
+                    "texture": texture, "blend": has_alpha(mesh.color, mesh.colors, mesh.texture)})
     return out
 
 

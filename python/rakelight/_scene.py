@@ -52,12 +52,15 @@ class Scene:
         """A scene of one mesh, of several, or of {name: mesh}: :class:`Mesh`, or anything with ``.vertices`` and ``.faces``. Arrays are copied.
 
         float64 positions that float32 would not hold (far from zero for the model's size) count from an origin, as those of files do.
-        Meshes without ``to_world``, or with the same, have the same origin.
+        Meshes without ``to_world``, or with the same, have the same origin. Of meshes of trimesh and Open3D the colors and the texture come
+        along; what of their materials does not is among the :attr:`remarks`.
 
         Raises:
             UsageError: shapes, types or indices that do not fit
         """
-        return cls(_core.scene_of_meshes(dicts_of(meshes_of(meshes))))
+        dropped: list[str] = []
+        core = _core.scene_of_meshes(dicts_of(meshes_of(meshes, dropped)))
+        return cls(core, _told_dropped(dropped))
 
     @property
     def source(self) -> str:
@@ -76,7 +79,7 @@ class Scene:
         """The scene with the arrays of other meshes in the place of some of its own: {number in :attr:`meshes`: mesh}.
 
         All arrays are the new mesh's: where it has no ``normals``, ``uv``, ``colors`` or ``arrays``, the scene's mesh has none either.
-        Its ``name`` and ``material`` (a number in :attr:`materials`) stay where the new mesh has none; a ``color`` makes a material of
+        Its ``name`` and ``material`` (a number in :attr:`materials`) stay where the new mesh has none; a ``color`` or ``texture`` makes a material of
         its own. Places, animations and further sets of texture coordinates stay; smoothing groups and polygons do where the faces are
         the very same.
 
@@ -89,11 +92,12 @@ class Scene:
         """
         if not isinstance(meshes, Mapping) or not all(hasattr(number, "__index__") for number in meshes):
             raise UsageError("with_meshes: {number: mesh} is expected")
-        given = {operator.index(number): mesh_of(mesh) for number, mesh in meshes.items()}
+        dropped: list[str] = []
+        given = {operator.index(number): mesh_of(mesh, dropped) for number, mesh in meshes.items()}
         for number in given:
             if not 0 <= number < self._core.mesh_count:
                 raise UsageError(f"mesh {number} is not one of the {self._core.mesh_count}")
-        return Scene(_core.with_meshes(self._core, dict(zip(given, dicts_of(list(given.values()))))), self.remarks)
+        return Scene(_core.with_meshes(self._core, dict(zip(given, dicts_of(list(given.values()))))), self.remarks + _told_dropped(dropped))
 
     @property
     def objects(self) -> list[Object]:
@@ -208,6 +212,11 @@ class Scene:
 
     def __repr__(self) -> str:
         return f"<rakelight.Scene {self.source or 'of arrays'}: {len(self._core.objects())} objects, {self._core.mesh_count} meshes>"
+
+
+def _told_dropped(dropped: list[str]) -> list[Remark]:
+    """As remarks, each once, and warnings."""
+    return remarks_of([("dropped", "", "", what, dropped.count(what)) for what in dict.fromkeys(dropped)])
 
 
 def _mesh(core: _core.Scene, index: int) -> Mesh:

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <string_view>
 
 #include <rakelight/error.h>
+#include <rakelight/image_sources.h>
 #include <rakelight/validate.h>
 
 #include "errors.h"
@@ -42,15 +44,20 @@ Block<T> block_of(const std::optional<py::array_t<float>>& array) {
     return array ? block_of<T>(*array) : Block<T>();
 }
 
-/// A surface of one color, neither metal nor mirror.
-Material material_of(const py::handle& color, const std::string& place) {
+vec4 color_of(const py::handle& color, const std::string& place) {
+    if (color.is_none()) return {1, 1, 1, 1};
     const py::array_t<float> rgb = floats(color, place + ": color", 0);
     if (rgb.size() != 3 && rgb.size() != 4)
         throw Error(ErrorCode::usage, place + ": color: 3 or 4 numbers are expected");
-    Material material;
     const float* const c = rgb.data();
-    material.base_color = {c[0], c[1], c[2], rgb.size() == 4 ? c[3] : 1};
-    if (material.base_color.w < 1) material.alpha_mode = AlphaMode::blend;
+    return {c[0], c[1], c[2], rgb.size() == 4 ? c[3] : 1};
+}
+
+/// A surface of one color, neither metal nor mirror.
+Material material_of(const py::dict& given, const std::string& place) {
+    Material material;
+    material.base_color = color_of(given["color"], place);
+    if (py::cast<bool>(given["blend"])) material.alpha_mode = AlphaMode::blend;
     material.metallic_roughness.metallic = 0;
     material.metallic_roughness.roughness = 0.6f;
     material.double_sided = true;
@@ -96,10 +103,12 @@ const char* topology_of(const Mesh& mesh) {
     return mesh.topology == Topology::triangles ? "triangles" : mesh.topology == Topology::lines ? "lines" : "points";
 }
 
+bool has_own_surface(const py::dict& given) { return !given["color"].is_none() || !given["texture"].is_none(); }
+
 /// A mesh with the number of a material has that one, else the one that it had.
 void take_material(const py::dict& given, const std::string& place, std::size_t materials, Mesh& mesh) {
     const py::object material = given["material"];
-    if (material.is_none() || !given["color"].is_none()) return;
+    if (material.is_none() || has_own_surface(given)) return;
     if (!PyIndex_Check(material.ptr())) throw Error(ErrorCode::usage, place + ": material: a number is expected");
     if (material < py::int_(0) || material >= py::int_(materials))
         throw Error(ErrorCode::usage, place + ": material " + std::string(py::str(material)) + " is not one of the " +
@@ -107,11 +116,16 @@ void take_material(const py::dict& given, const std::string& place, std::size_t 
     mesh.material = py::cast<std::uint32_t>(material);
 }
 
-/// A mesh with a color has a material of its own.
-void take_color(const py::dict& given, const std::string& place, Mesh& mesh, Scene& scene) {
-    if (!given.contains("color") || given["color"].is_none()) return;
+/// A mesh with a color or a texture has a material of its own.
+void take_surface(const py::dict& given, const std::string& place, Mesh& mesh, Scene& scene) {
+    if (!has_own_surface(given)) return;
     mesh.material = std::uint32_t(scene.materials.size());
-    scene.materials.push_back(material_of(given["color"], place));
+    Material& material = scene.materials.emplace_back(material_of(given, place));
+    if (given["texture"].is_none()) return;
+    const std::string_view png = py::cast<std::string_view>(given["texture"]);
+    const auto* const bytes = reinterpret_cast<const std::byte*>(png.data());
+    material.base_color_texture.texture = std::uint32_t(scene.textures.size());
+    scene.textures.push_back({.image = image_from_bytes({bytes, bytes + png.size()}, "texture of " + place)});
 }
 
 SceneHandle scene_of(const py::list& meshes) {
@@ -121,7 +135,7 @@ SceneHandle scene_of(const py::list& meshes) {
         const std::string place = "mesh " + std::to_string(i);
         const MeshArrays arrays = mesh_arrays(given, place);
         Mesh mesh = mesh_of(given, arrays, place);
-        take_color(given, place, mesh, scene);
+        take_surface(given, place, mesh, scene);
         scene.meshes.push_back(std::move(mesh));
         Node& node = scene.nodes.emplace_back();
         node.name = arrays.name;
@@ -195,7 +209,7 @@ SceneHandle with_meshes(const SceneHandle& handle, const py::dict& meshes) {
             throw Error(ErrorCode::usage, place + " has " + topology_of(mesh) + ", not triangles");
         replace_arrays(mesh, mesh_of(given, arrays, place), place);
         take_material(given, place, handle.scene.materials.size(), mesh);
-        take_color(given, place, mesh, out.scene);
+        take_surface(given, place, mesh, out.scene);
     }
     validate(out.scene);
     return out;

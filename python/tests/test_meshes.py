@@ -190,3 +190,137 @@ def test_scenes_and_sessions_are_not_pickled(teapot):
     with pytest.raises(TypeError, match="a Session cannot be pickled: make"):
         pickle.dumps(rakelight.Session(teapot))
     assert copy.copy(teapot) is teapot and copy.deepcopy(teapot) is teapot
+
+
+def pixels(mesh, **options):
+    """What an unlit picture of the unit square shows at (column, row) of 4 x 4 places, codes of sRGB."""
+    camera = rakelight.Camera((0.5, 0.5, 1), (0.5, 0.5, 0), vertical_fov=2 * np.degrees(np.arctan(0.5)))  # the square fills it
+    picture = rakelight.render(mesh, camera, resolution=(32, 32), shading="unlit", look="plain", **options)["image"]
+    return picture[4::8, 4::8, :3].astype(int)
+
+
+def visual(**parts):
+    return types.SimpleNamespace(**parts)
+
+
+class Plain:
+    """A mesh of another library: the square of `quad`, with more of it."""
+
+    def __init__(self, quad, **parts):
+        self.vertices, self.faces = np.asarray(quad.vertices), np.asarray(quad.faces)
+        self.__dict__.update(parts)
+
+
+RED = [200, 10, 20, 255]
+
+
+def test_vertex_colors_of_trimesh(quad):
+    colors = np.tile(np.uint8(RED), (4, 1))
+    for look in (visual(vertex_colors=colors), visual(kind="vertex", vertex_colors=colors), visual(vertex_colors=colors[:, :3]),
+                 visual(vertex_colors=colors / 255.0), visual(kind="vertex", vertex_colors=np.uint8(RED))):
+        assert np.abs(pixels(Plain(quad, visual=look)) - RED[:3]).max() <= 1
+    made_up = visual(kind=None, vertex_colors=np.tile(np.uint8([102, 102, 102, 255]), (4, 1)))
+    assert rakelight.Scene.from_meshes(Plain(quad, visual=made_up)).meshes[0].colors is None
+
+
+def test_face_colors_of_trimesh_have_no_gradients(quad):
+    faces = np.uint8([RED, [10, 200, 30, 255]])
+    thing = Plain(quad, visual=visual(kind="face", face_colors=faces, vertex_colors=np.zeros((4, 4), np.uint8)), vertex_normals=np.tile([0.0, 0, 1], (4, 1)))
+    seen = pixels(thing)
+    assert {tuple(row) for row in seen.reshape(-1, 3)[[1, 2, 3, 4, 8, 13]]} <= {(200, 10, 20), (10, 200, 30)}
+    assert (seen[3, 2] == [200, 10, 20]).all() and (seen[0, 1] == [10, 200, 30]).all()  # below and above the diagonal
+    assert len(rakelight.attributes(thing)[0].normals) == 4, "arrays of the caller's are not split for colors"
+
+
+TILES = np.uint8([[[255, 0, 0], [0, 255, 0]], [[0, 0, 255], [255, 255, 0]]])  # row 0 is the top of the picture
+
+
+class Image:
+    """What PIL has."""
+
+    def __init__(self, array, mode="RGB"):
+        self.array, self.mode, self.info = array, mode, {}
+
+    def convert(self, mode):
+        assert mode == ("RGBA" if "A" in self.mode else "RGB")
+        return self.array
+
+
+def test_textures_of_trimesh(quad):
+    uv = np.asarray(quad.vertices)[:, :2]  # v up: the top of the picture is at y = 1
+    for material in (visual(image=Image(TILES), diffuse=np.uint8([102, 102, 102, 255])), visual(baseColorTexture=Image(TILES), baseColorFactor=None)):
+        seen = pixels(Plain(quad, visual=visual(kind="texture", uv=uv, material=material)))
+        for y, x in ((0, 0), (0, 3), (3, 0), (3, 3)):
+            assert (seen[y, x] == TILES[y // 3, x // 3]).all()
+
+
+def test_a_factor_of_a_physical_material_is_linear(quad):
+    material = visual(baseColorTexture=None, baseColorFactor=np.uint8([128, 255, 0, 255]))
+    assert (pixels(Plain(quad, visual=visual(kind="texture", uv=None, material=material)))[1, 1] == [188, 255, 0]).all()  # sRGB of 128 / 255
+    material = visual(image=None, diffuse=np.uint8([128, 255, 0, 255]))
+    assert (pixels(Plain(quad, visual=visual(kind="texture", uv=None, material=material)))[1, 1] == [128, 255, 0]).all()
+
+
+def test_alpha_of_colors_and_textures_is_seen(quad):
+    half = np.tile(np.uint8([255, 0, 0, 128]), (4, 1))
+    seen = pixels(Plain(quad, visual=visual(kind="vertex", vertex_colors=half)), background="0,0,255")
+    assert np.abs(seen - [188, 0, 188]).max() <= 2  # half of either, in linear light
+    holes = np.dstack([TILES, np.uint8([[0, 255], [255, 255]])])
+    uv = np.asarray(quad.vertices)[:, :2]
+    seen = pixels(Plain(quad, visual=visual(kind="texture", uv=uv, material=visual(image=Image(holes, "RGBA"), diffuse=None))), background="0,0,255")
+    assert (seen[0, 0] == [0, 0, 255]).all() and (seen[0, 3] == [0, 255, 0]).all()
+    opaque = visual(baseColorTexture=Image(holes, "RGBA"), alphaMode="OPAQUE")
+    assert (pixels(Plain(quad, visual=visual(kind="texture", uv=uv, material=opaque)))[0, 0] == [255, 0, 0]).all()
+
+
+class Legacy:
+    """What Open3D's TriangleMesh has, with a surface. Its textures are turned over as they are read: row 0 is at v = 0."""
+
+    def __init__(self, quad, **parts):
+        self.vertices, self.triangles = list(map(tuple, quad.vertices)), list(map(tuple, quad.faces))
+        self.vertex_normals, self.triangle_uvs, self.vertex_colors, self.textures, self.triangle_material_ids = [], [], [], [], []
+        self.__dict__.update(parts)
+
+
+def test_colors_and_textures_of_open3d(quad):
+    assert np.abs(pixels(Legacy(quad, vertex_colors=[(200 / 255, 10 / 255, 20 / 255)] * 4)) - RED[:3]).max() <= 1
+    uv = [tuple(quad.vertices[i][:2]) for face in quad.faces for i in face]
+    for ids in ([], [0, 0]):
+        seen = pixels(Legacy(quad, triangle_uvs=uv, textures=[TILES[::-1]], triangle_material_ids=ids))
+        for y, x in ((0, 0), (0, 3), (3, 0), (3, 3)):
+            assert (seen[y, x] == TILES[y // 3, x // 3]).all()
+
+
+def test_what_is_not_taken_over_is_said(quad):
+    uv = np.asarray(quad.vertices)[:, :2]
+    rich = visual(baseColorTexture=Image(TILES), normalTexture=Image(TILES), metallicFactor=1.0, emissiveFactor=np.zeros(3))
+    cases = [
+        (Plain(quad, visual=visual(kind="texture", uv=uv, material=rich), name="body"), "mesh 'body': not taken over: of its material normalTexture, metallicFactor$"),
+        (Plain(quad, visual=visual(kind="vertex", vertex_colors=np.zeros((3, 4), np.uint8))), "its vertex colors are not one color for each"),
+        (Plain(quad, visual=visual(kind="texture", uv=uv, material=visual(materials=[1, 2, 3]))), "its 3 materials"),
+        (Plain(quad, visual=visual(kind="texture", uv=uv, material=visual(image=np.zeros((2, 2, 3)), diffuse=None))), "its texture is no picture of 8 bits"),
+        (Legacy(quad, textures=[TILES, TILES], triangle_uvs=[(0, 0)] * 6, triangle_material_ids=[0, 1]), "its 2 textures are of several materials"),
+        (Legacy(quad, textures=[TILES]), "its textures have no coordinates for each corner"),
+    ]
+    for thing, words in cases:
+        with pytest.warns(rakelight.RakelightWarning, match=words):
+            scene = rakelight.Scene.from_meshes([thing, thing])
+        assert [(r.kind, r.times) for r in scene.remarks] == [("dropped", 2)]
+    scene = rakelight.Scene.from_meshes(quad)
+    with pytest.warns(rakelight.RakelightWarning, match="3 materials"):
+        assert len(scene.with_meshes({0: cases[2][0]}).remarks) == 1
+
+
+def test_a_texture_of_a_mesh(quad, tmp_path):
+    mesh = replace(quad, uv=quad.vertices[:, :2] * (1, -1) + (0, 1), texture=TILES)
+    seen = pixels(mesh)
+    assert (seen[0, 0] == TILES[0, 0]).all() and (seen[3, 3] == TILES[1, 1]).all()
+    rakelight.Scene.from_meshes(mesh).save(tmp_path / "tiles.glb")
+    assert (pixels(str(tmp_path / "tiles.glb")) == seen).all()
+    gray = replace(mesh, texture=TILES[:, :, 1], color=(1, 0, 0))
+    assert (pixels(gray)[0, 3] == [255, 0, 0]).all() and (pixels(gray)[0, 0] == 0).all()
+    for wrong in (TILES / 255.0, TILES[None], np.zeros((0, 4, 3), np.uint8), np.zeros((2, 2, 2), np.uint8)):
+        with pytest.raises(rakelight.UsageError, match="texture: uint8 of the shape"):
+            rakelight.Scene.from_meshes(replace(mesh, texture=wrong))
+    with pytest.raises(rakelight.UsageError, match="needs texture coordinates"):
+        rakelight.Scene.from_meshes(replace(quad, texture=TILES))

@@ -238,3 +238,17 @@ def test_cameras_with_the_same_numbers_are_equal():
 def test_a_picture_is_shown_by_channels_and_shapes(teapot):
     picture = rakelight.render(teapot, resolution=(8, 6), channels=["image", "depth"])
     assert repr(picture) == "<rakelight.Picture image [6, 8, 3] uint8, depth [6, 8] float32>"
+
+
+def test_a_camera_of_a_matrix_is_the_matrix_that_is_drawn(quad):
+    rng = np.random.default_rng(4)
+    for scale in (1, 3.5):
+        for kind in (np.float64, np.float32):
+            axes = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+            axes[:, 0] *= np.linalg.det(axes)  # right-handed
+            matrix = np.eye(4)
+            matrix[:3, :3], matrix[:3, 3] = axes, rng.normal(size=3)
+            asked = matrix.copy()
+            asked[:3, :3] *= scale  # a picture does not change with it
+            drawn = rakelight.render(quad, rakelight.Camera.from_matrix(asked.astype(kind)), resolution=(8, 8), channels="object").to_world
+            np.testing.assert_allclose(drawn, matrix, atol=1e-6)
