@@ -6,6 +6,8 @@
 
 - links lead to files, and `#anchors` to headings;
 - paths in backticks that begin with a folder of the repository exist (`*` matches as in a shell);
+- names of source files in backticks (README.md, CONTRIBUTING.md, architecture.md), `draw_list.h` or `kernels/hits.h`, are in the folder of the
+  page, or of one file of the repository alone; a function before the name, `resolve_reference()` (`file.h`), stands in that file;
 - `./dev WORD` is a command of ./dev;
 - commands `rakelight VERB ...` in code blocks, fenced or indented, and in the examples of `rakelight VERB --help`, run. Models that are
   not there are replaced by one of data/, as are the pictures and the folders (before/) that `compare` gets; where no such model can be made (model.fbx), the program must get as far as not finding it.
@@ -28,6 +30,8 @@ FENCE = re.compile(r"^```(\w*)\n(.*?)^```", re.M | re.S)
 INDENTED = re.compile(r"^(?: {4}.*\n?)+", re.M)
 SYNOPSIS = re.compile(r"(?:^|\s)[A-Z]{2,}\b|\[|\|")
 SPAN = re.compile(r"`([^`\n]+)`")
+# A file of sources, with a function said to be in it: `NAME()` (`FILE`), `NAME()` in `FILE`, `FILE`: `NAME()`.
+SOURCE = re.compile(r"(?:`(?:\w+::)*(\w+)\(\)`(?: \(|\s+in\s+))?`((?:[\w-]+/)*[\w-]+\.(?:h|cpp|glsl|inc|py|sh|cmake))`(?:(?:: | \()`(?:\w+::)*(\w+)\(\)`)?")
 
 
 def pages(root):
@@ -60,6 +64,40 @@ def check_paths(root, text, wrong):
             if word.partition("/")[0] in folders and "/" in word and not re.search(r"[<>{}$]", word):
                 if not any(root.glob(word.rstrip("/"))):
                     wrong(f"`{word}`: there is nothing of that name")
+
+
+def files_below(folder):
+    """Paths of its files, from it; without what is built and what is hidden."""
+    return [path.relative_to(folder).as_posix() for path in folder.rglob("*")
+            if path.is_file() and not any(part == "build" or part.startswith(".") for part in path.relative_to(folder).parts)]
+
+
+def file_of(page, name, files, root):
+    """The file that a page means, or in words why there is none."""
+    at = page.parent.relative_to(root).as_posix()
+    below = "" if at == "." else at + "/"
+    for folder in (below, "", "src/"):
+        if folder + name in files:
+            return folder + name, ""
+    known = [file for file in files if file.endswith("/" + name)]
+    near = [file for file in known if below and file.startswith(below)] or known
+    if len(near) == 1:
+        return near[0], ""
+    return None, f"may be {' or '.join(sorted(near)[:3])}: write the folder, too" if near else "there is no file of that name"
+
+
+def check_file_names(page, text, files, root, wrong):
+    if page.name not in ("README.md", "CONTRIBUTING.md", "architecture.md"):
+        return
+    for function, name, after in SOURCE.findall(FENCE.sub("", text)):
+        path, why = file_of(page, name, files, root)
+        if why:
+            wrong(f"`{name}`: {why}")
+            continue
+        text_of_file = (root / path).read_text()
+        for called in filter(None, (function, after)):
+            if not re.search(rf"\b{called}\b", text_of_file):
+                wrong(f"`{called}()` is not in {path}")
 
 
 def dev_commands(root):
@@ -169,12 +207,14 @@ def main():
     def speaker(where):
         return lambda what: faults.append(f"docs: {where}: {what}")
 
+    files = set(files_below(root))
     for page in pages(root):
         text, wrong = page.read_text(), speaker(page.relative_to(root))
         counts["pages"] += 1
         check_links(page, text, wrong)
         check_paths(root, text, wrong)
         check_dev(root, text, wrong)
+        check_file_names(page, text, files, root, wrong)
         for command in commands_of_page(text) if program else ():
             counts["commands"] += 1
             run_command(root, program, command, wrong)

@@ -3,7 +3,9 @@
 """Checks every #include against the tables below: modules, and the rooms of the soft engine, include only downwards, a library appears in one module only,
 public headers name no library, sources that are compiled per instruction set include only what those may, the shared
 lighting text uses no word that GLSL reserves, no hash table takes std::hash, for which a file can choose its names, tests
-have temporary files in one way, and functions of public headers are seen outside of the shared library. --compile also compiles every header alone. Exit code 1 when something is wrong, one line each."""
+have temporary files in one way, the library names no options of the program (decision 9) and mixes numbers of a file under a key alone,
+no two files define types of one name,
+and functions of public headers are seen outside of the shared library. --compile also compiles every header alone. Exit code 1 when something is wrong, one line each."""
 import argparse
 import concurrent.futures
 import os
@@ -244,6 +246,67 @@ def check_hash_tables(path, wrong):
                          "folded_product (base/hash_key.h) or an ordered table")
 
 
+# An option of a command line in a text: "--engine", "-o". Arguments of other programs, and words of a format, are in these files.
+OPTION = re.compile(r"(?<![\w-])--[a-z]|(?:^|(?<=[\s'(]))-[a-z](?=[\s',);]|$)")
+OPTIONS_OF_OTHERS = {"src/io/import/helper_process.cpp", "src/io/movie/write_movie_by_ffmpeg.cpp", "src/io/obj/mtl_map.cpp", "src/io/obj/obj_remarks.cpp",
+                     "src/tools/stages/projection_stages.cpp", "src/tools/stages/shadow_stage.cpp"}
+
+
+def strings_of(text):
+    """(line, content) of the string literals, not of those in comments."""
+    for number, line in enumerate(text.splitlines(), 1):
+        for literal, _ in re.findall(r'"((?:[^"\\]|\\.)*)"|(//.*)', line):
+            yield number, literal
+
+
+def check_options(path, text, wrong):
+    """A program that uses the library has no options: messages quote the key of a setting, 'engine'."""
+    if str(path) in OPTIONS_OF_OTHERS or path.parts[0] not in ("src", "include") and path.parts[:2] != ("python", "src"):
+        return
+    for number, literal in strings_of(text):
+        if OPTION.search(literal):
+            wrong.append(f"{path}:{number}: the library does not know options (decision 9): quote the key, 'engine', and name it by naming() or in the remark")
+
+
+# Mixing by a known constant. These are random numbers, or have a key or another bound beside it.
+MIXER = re.compile(r"0x9e3779b9", re.I)
+MIXES = {"src/base/hash_key.cpp", "src/bake/sky_rays.cpp", "src/engines/raytrace/path_numbers.cpp", "src/geometry/near_cells.cpp", "src/geometry/border_proposal.cpp", "src/geometry/fast_weld.cpp",
+         "src/geometry/fast_weld_types.h", "src/geometry/position_hash.h", "src/tools/bench_model.cpp", "src/tools/bench_scene.cpp", "src/tools/bench_textures.cpp"}
+
+
+def check_mixers(path, text, wrong):
+    if str(path) not in MIXES and MIXER.search(text):
+        wrong.append(f"{path}: mixes by a known constant: a file can choose numbers that collide; take folded_product() with the key of the run (base/hash_key.h)")
+
+
+# What opens and closes, after comments and literals are off. A type that is only declared, or specialized, is none.
+NOISE = re.compile(r'//[^\n]*|/\*.*?\*/|R"\w*\(.*?\)\w*"|"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)\'|^[ \t]*#(?:[^\n]|\\\n)*', re.M | re.S)
+BRACES = re.compile(r"\bnamespace\s*([\w:]*)\s*\{|\b(?:struct|class|union|enum(?:\s+class|\s+struct)?)\s+(?:RL_API\s+|alignas\([^)]*\)\s*)?(\w+)(?:\s+final)?(?:\s*:[^:;{()][^;{()]*)?\s*\{|[{}]")
+
+
+def types_of(text):
+    """Qualified names of the types of namespaces, but for those in a namespace without a name, which no other file sees."""
+    stack = []  # the names of namespaces; None: anything else
+    for match in BRACES.finditer(NOISE.sub(" ", text)):
+        if match[0] == "}":
+            stack = stack[:-1]
+            continue
+        if match[2] and None not in stack and "" not in stack:
+            yield "::".join([*stack, match[2]])
+        stack.append(match[1] if match[0].startswith("namespace") else None)
+
+
+def check_one_definition(wrong):
+    """Two types of one name in two files share the functions that a compiler makes for them: the linker keeps those of one."""
+    seen = {}
+    for path in sources("src", "include", "apps"):
+        program = "/".join(path.parts[:2]) if path.parts[0] == "apps" else ""  # linked into one program each, all with apps/common
+        for name in types_of((ROOT / path).read_text()):
+            first = seen.setdefault(name, (path, program))
+            if first[0] != path and "RL_ISA" not in name and (not program or not first[1] or program == first[1] or "apps/common" in (program, first[1])):
+                wrong.append(f"{path}: {name} is also defined in {first[0]}")
+
+
 def compile_alone(path):
     per_isa = "wide" in path.name or any(str(path).startswith(f) for f in ISA_FILES)
     if path.name in ("wide_scalar.h", "wide_xsimd.h", "wide_xsimd_memory.h", "wide_pair.h", "wide_functions.h", "wide_vector.h", "prelude.h"):
@@ -262,19 +325,23 @@ def main():
     wrong = []
     for path in sources("src", "include", "apps", "examples", "python"):
         check_file(path, wrong)
+        text = (ROOT / path).read_text()
+        check_options(path, text, wrong)
+        check_mixers(path, text, wrong)
         if path.parts[0] == "include":
             check_export(path, wrong)
         if path.parts[0] != "examples":
             check_hash_tables(path, wrong)
         if path.suffix == ".glsl":
             check_glsl(path, wrong)
+    check_one_definition(wrong)
     for path in sources("tests", "fuzz", "bench"):
         check_temporary_files(path, wrong)
     if options.compile:
         headers = [p for p in sources("src", "include") if p.suffix == ".h"]
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             wrong += [w for w in pool.map(compile_alone, headers) if w]
-    print("\n".join(wrong) or "layers: every include goes down, every hash table has a key")
+    print("\n".join(wrong) or "layers: every include goes down, every hash table has a key, no message of the library names an option")
     return 1 if wrong else 0
 
 

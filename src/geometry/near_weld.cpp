@@ -44,7 +44,7 @@ public:
             for (const AttributeMesh& m : input_.meshes) quantized_ = quantized_ || m.position_step > 0;
             if (matrices_ < 2 && !quantized_) return;
         }
-        const Box box = bounds();
+        const WorldBox box = bounds();
         const double diagonal = box.diagonal();
         if (!(diagonal > 0) || !(diagonal < std::numeric_limits<float>::max())) return;
         distance_ = by_meshes_ ? widest_reach(box) : distance;
@@ -68,7 +68,7 @@ private:
         matrices_ = number.size();
     }
 
-    double widest_reach(const Box& box) {
+    double widest_reach(const WorldBox& box) {
         reach_ = rounding_tolerances(input_, box, context_);
         return 2 * *std::max_element(reach_.begin(), reach_.end());
     }
@@ -139,13 +139,13 @@ private:
                        });
     }
 
-    Box bounds() const {
-        std::vector<Box> boxes(chunks_.size());
+    WorldBox bounds() const {
+        std::vector<WorldBox> boxes(chunks_.size());
         context_.parallel_for(chunks_.size(), [&](std::size_t c) {
             for_each_place(c, [&](std::uint32_t, std::uint32_t, dvec3 p) { boxes[c].add(p); });
         });
-        Box all;
-        for (const Box& box : boxes) all.add(box);
+        WorldBox all;
+        for (const WorldBox& box : boxes) all.add(box);
         return all;
     }
 
@@ -225,7 +225,7 @@ private:
     }
 
     bool is_too_wide(std::span<const Pair> component) const {
-        Box box;
+        WorldBox box;
         double reach = 0;
         for (const Pair& pair : component) {
             reach = std::max(reach, pair.reach);

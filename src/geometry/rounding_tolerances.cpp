@@ -42,7 +42,7 @@ std::vector<float> largest_coordinates(const AttributeInput& input, Context& con
 
 }  // namespace
 
-std::vector<double> rounding_tolerances(const AttributeInput& input, const Box& box, Context& context) {
+std::vector<double> rounding_tolerances(const AttributeInput& input, const WorldBox& box, Context& context) {
     const std::vector<float> largest = largest_coordinates(input, context);
     const dvec3 center = box.low + (box.high - box.low) * 0.5;
     std::vector<double> reach(input.meshes.size());

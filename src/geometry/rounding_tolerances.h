@@ -7,13 +7,14 @@
 
 namespace rakelight::geometry {
 
-struct Box {
+/// In world space; low > high: of no point.
+struct WorldBox {
     dvec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
     void add(dvec3 p) {
         low = min(low, p);
         high = max(high, p);
     }
-    void add(const Box& other) {
+    void add(const WorldBox& other) {
         low = min(low, other.low);
         high = max(high, other.high);
     }
@@ -24,6 +25,6 @@ struct Box {
 /// depends on the size of local coordinates and on the distance of the pivot. That distance counts from the world
 /// origin or the center of the box, whichever is nearer: parts of a far model are usually placed by a common parent.
 /// For quantized positions it is at least half the diagonal of a step's cube.
-std::vector<double> rounding_tolerances(const AttributeInput& input, const Box& box, Context& context);
+std::vector<double> rounding_tolerances(const AttributeInput& input, const WorldBox& box, Context& context);
 
 }  // namespace rakelight::geometry

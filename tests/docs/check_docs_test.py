@@ -50,6 +50,18 @@ class CheckDocs(unittest.TestCase):
         self.assertIn("docs/gone.md", self.check("see `docs/gone.md`")[1])
         self.assertIn("docs/*.txt", self.check("see `docs/*.txt`")[1])
 
+    def test_source_files_and_functions_in_backticks_must_exist(self):
+        for path, text in {"src/one/view.h": "int look_at();", "src/two/list.h": "", "src/three/list.h": "", "include/a/list.h": "", "build/gone.h": ""}.items():
+            (self.root / path).parent.mkdir(parents=True, exist_ok=True)
+            (self.root / path).write_text(text)
+        (self.root / "src/two/README.md").write_text("`list.h`, `view.h`, `one/view.h`\n")
+        self.assertEqual(self.check("`look_at()` (`view.h`), `a::look_at()` in `one/view.h`, `view.h`: `look_at()`, `two/list.h`; `*.h` `list.hpp`"), (0, ""))
+        self.assertIn("`gone.h`: there is no file", self.check("`gone.h`")[1])
+        self.assertIn("`two/view.h`: there is no file", self.check("`two/view.h`")[1])
+        self.assertIn("`list.h`: may be include/a/list.h or src/three/list.h", self.check("`list.h`")[1])
+        for text in ("`look_from()` (`view.h`)", "`look_from()` in `view.h`", "`view.h`: `look_from()`"):
+            self.assertIn("`look_from()` is not in src/one/view.h", self.check(text)[1])
+
     def test_dev_commands_must_exist(self):
         self.assertEqual(self.check("```\n./dev build  # builds\n./dev test\n```\n"), (0, ""))
         self.assertIn("./dev fly", self.check("```\n./dev fly\n```\n")[1])

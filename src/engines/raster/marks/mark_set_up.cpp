@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/hash_key.h"
 #include "engines/raster/visibility/depth_formats.h"
 #include "shading/draw_choices.h"
 
@@ -38,7 +39,8 @@ bool keep(End& a, End& b, std::size_t coordinate, double border, double side) {
     return true;
 }
 
-/// Pairs of vertices that exist already: an edge, in either direction, or a vertex with itself.
+/// Pairs of vertices that exist already: an edge, in either direction, or a vertex with itself. A file chooses the
+/// numbers, so the hash has the key of the run; what is added first does not depend on it.
 class SeenEdges {
 public:
     explicit SeenEdges(std::size_t most)
@@ -47,7 +49,7 @@ public:
     /// True the first time.
     bool add(std::uint32_t a, std::uint32_t b) {
         const std::uint64_t edge = std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
-        std::size_t i = (edge * 0x9E3779B97F4A7C15ull) >> shift_;  // Knuth's multiplicative hash, 2^64 / golden ratio
+        std::size_t i = folded_product(edge ^ key_.a, key_.b) >> shift_;
         while (slots_[i] != empty && slots_[i] != edge) i = (i + 1) & (slots_.size() - 1);
         return std::exchange(slots_[i], edge) == empty;
     }
@@ -56,6 +58,7 @@ private:
     static constexpr std::uint64_t empty = ~std::uint64_t(0);
     std::vector<std::uint64_t> slots_;
     int shift_;
+    HashKey key_ = hash_key_of_this_run();
 };
 
 /// Sets up the marks of one chunk.
