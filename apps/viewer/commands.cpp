@@ -147,14 +147,34 @@ void step_channel(Look& look, int by) {
 }
 
 /// Engines one after the other; of one that follows rays its plain method, then paths.
-void next_engine(PictureRequest& request) {
-    if (request.engine == "trace" && request.settings.method != RayMethod::path)
-        return choose_method(RayMethod::path, request);
+void next_engine(Look& look) {
+    const PictureRequest& r = look.request;
+    if (r.engine == "trace" && r.settings.method != RayMethod::path) return choose_method(RayMethod::path, look);
     const std::vector<std::string> all = build_info().engines;
-    choose_engine(*(std::ranges::find(all, request.engine) == std::prev(all.end())
-                        ? all.begin()
-                        : std::next(std::ranges::find(all, request.engine))),
-                  request);
+    const auto at = std::ranges::find(all, r.engine);
+    choose_engine(at == all.end() || at + 1 == all.end() ? all.front() : at[1], look);
+}
+
+int usual_samples(bool is_path) { return is_path ? 256 : PictureRequest().settings.samples; }
+
+/// The method is left for one that every engine has.
+void leave_rays(Look& look) {
+    const RayMethod method = look.request.settings.method == RayMethod::path
+                                 ? look.ray_method.value_or(RayMethod::automatic)
+                                 : look.request.settings.method;
+    const bool needs_rays = method == RayMethod::whitted || method == RayMethod::cast;
+    choose_method(needs_rays ? RayMethod::automatic : method, look);
+    look.ray_method.reset();
+    if (needs_rays) look.ray_method = method;
+    RenderSettings& s = look.request.settings;
+    if (look.shadows_by_nature) s.shadows = look.shadows_by_nature = false;
+}
+
+void enter_rays(Look& look) {
+    RenderSettings& s = look.request.settings;
+    if (look.ray_method && s.method == RayMethod::automatic) choose_method(*look.ray_method, look);
+    look.ray_method.reset();
+    if (!s.shadows) s.shadows = look.shadows_by_nature = true;
 }
 
 bool apply_to_picture(Command command, Look& look, const Model& model) {
@@ -181,6 +201,7 @@ bool apply_to_picture(Command command, Look& look, const Model& model) {
         case Command::tone:
             return r.tone.mapping = next(tones, r.tone.mapping), true;
         case Command::shadows:
+            look.shadows_by_nature = false;
             return s.shadows = !s.shadows, true;
         case Command::edges:
             return s.edges = !s.edges, true;
@@ -197,7 +218,7 @@ bool apply_to_picture(Command command, Look& look, const Model& model) {
         case Command::darker:
             return r.light_intensity = r.light_intensity * 0.8, true;
         case Command::engine:
-            return next_engine(r), true;
+            return next_engine(look), true;
         default:
             return false;
     }
@@ -205,16 +226,25 @@ bool apply_to_picture(Command command, Look& look, const Model& model) {
 
 }  // namespace
 
-void choose_method(RayMethod method, PictureRequest& request) {
-    RenderSettings& s = request.settings;
-    if ((s.method == RayMethod::path) != (method == RayMethod::path)) s.samples = method == RayMethod::path ? 256 : 1;
+void choose_method(RayMethod method, Look& look) {
+    RenderSettings& s = look.request.settings;
+    const bool was_path = s.method == RayMethod::path, is_path = method == RayMethod::path;
+    if (was_path != is_path) {
+        const int left = s.samples;
+        s.samples = look.other_samples.value_or(usual_samples(is_path));
+        look.other_samples.reset();
+        if (left != usual_samples(was_path)) look.other_samples = left;
+        look.ray_method.reset();
+        if (is_path && s.method != RayMethod::automatic) look.ray_method = s.method;
+    }
     s.method = method;
 }
 
-void choose_engine(const std::string& name, PictureRequest& request) {
-    choose_method(RayMethod::automatic, request);
-    request.engine = name;
-    if (name == "trace") request.settings.shadows = true;
+void choose_engine(const std::string& name, Look& look) {
+    const bool had_rays = look.request.engine == "trace", has_rays = name == "trace";
+    if (had_rays && !has_rays) leave_rays(look);
+    look.request.engine = name;
+    if (has_rays && !had_rays) enter_rays(look);
 }
 
 bool apply(Command command, Look& look, const Model& model, int width, int height) {

@@ -71,6 +71,11 @@ struct Look {
     std::optional<double> time_s;  ///< [s] the moment; absent: as `request.motion` says
     std::vector<EyeKey> keys;      ///< of the camera, in the order of their times
     std::uint32_t channel = 0;     ///< shown instead of the colors; 0: colors
+
+    // What engines have by nature stands in `request` while they are chosen. The settings that it stands for come back with the next engine.
+    std::optional<int> other_samples;  ///< of paths while none are followed, else of the rest; absent: the usual number
+    bool shadows_by_nature = false;    ///< rays have them, the document has none
+    std::optional<RayMethod> ray_method;  ///< of rays, while another engine draws or paths are followed
     bool operator==(const Look&) const = default;
 };
 
@@ -107,11 +112,11 @@ inline bool comes_in_passes(const PictureRequest& r) {
     return r.engine == "trace" && r.settings.method == RayMethod::path;
 }
 
-/// Another way of following rays: paths take many samples.
-void choose_method(RayMethod method, PictureRequest& request);
+/// Another way of following rays. Paths have a number of samples of their own.
+void choose_method(RayMethod method, Look& look);
 
-/// Another engine, by its plain method; rays have shadows by nature, as where `engine` is said.
-void choose_engine(const std::string& name, PictureRequest& request);
+/// Another engine, by its plain method. Rays have shadows by nature, as where `engine` is said; another engine then has those of before.
+void choose_engine(const std::string& name, Look& look);
 
 /// What a command does to a look; false: it is not about looks. @throws Error usage
 bool apply(Command command, Look& look, const Model& model, int width, int height);

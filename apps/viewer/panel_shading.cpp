@@ -74,13 +74,14 @@ void draw_lines(RenderSettings& s) {
     slide("point size", s.point_size, 1, 32, "%.1f px");
 }
 
-void draw_rays(PictureRequest& r) {
+void draw_rays(Look& look) {
+    PictureRequest& r = look.request;
     constexpr Word<RayMethod> words[] = {{"whitted", RayMethod::automatic},
                                          {"cast", RayMethod::cast},
                                          {"path", RayMethod::path},
                                          {"radiosity", RayMethod::radiosity}};
     RayMethod method = r.settings.method == RayMethod::whitted ? RayMethod::automatic : r.settings.method;
-    if (choose("rays", words, method)) choose_method(method, r);
+    if (choose("rays", words, method)) choose_method(method, look);
     slide("reflections", r.settings.max_depth, 0, 64);
     if (method == RayMethod::path) ImGui::Checkbox("denoise", &r.settings.paths.denoise);
 }
@@ -92,7 +93,7 @@ void draw_shading_panel(PanelView& view) {
     RenderSettings& s = r.settings;
     if (ImGui::BeginCombo("engine", r.engine.c_str())) {
         for (const std::string& name : build_info().engines)
-            if (ImGui::Selectable(name.c_str(), name == r.engine)) choose_engine(name, r);
+            if (ImGui::Selectable(name.c_str(), name == r.engine)) choose_engine(name, view.look);
         ImGui::EndCombo();
     }
     draw_channels(view);
@@ -102,7 +103,7 @@ void draw_shading_panel(PanelView& view) {
         ImGui::TextWrapped("replaced by: %s", one_line(display_path(s.lighting_name), 100).c_str());
     choose("specular", specular_form_words, s.specular_form);
     constexpr Word<int> sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}};
-    if (r.engine == "trace") draw_rays(r);
+    if (r.engine == "trace") draw_rays(view.look);
     if (s.method == RayMethod::path)
         slide("paths per pixel", s.samples, 1, max_paths_per_pixel, true);
     else

@@ -8,6 +8,7 @@
 #include "material_sections.h"
 #include "materials.h"
 #include "recorded_keys.h"
+#include "shell_words.h"
 
 namespace rakelight::viewer {
 namespace {
@@ -137,17 +138,6 @@ std::vector<WorldValue> taken_back(const Model& model, const std::vector<WorldVa
     std::erase_if(back,
                   [&](const WorldValue& v) { return is_listed(v) || v.key == "resolution" || v.key == "shading"; });
     return back;
-}
-
-std::string quoted(const std::string& word) {
-    const auto is_plain = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               std::string_view("-_./:,=+@%").find(c) != std::string_view::npos;
-    };
-    if (!word.empty() && std::ranges::all_of(word, is_plain)) return word;
-    std::string out = "'";
-    for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return out + "'";
 }
 
 std::string stem_of(const std::string& file) {

@@ -29,6 +29,18 @@ class Viewer(Case):
         self.assertTrue(png(again.screenshot()) == shot)
         again.close()
 
+    def test_engines_one_after_the_other_leave_the_scene_as_it_was(self):
+        window = self.open()
+        before = window.save()[1]
+        self.assertEqual(before["render"]["samples"], 4)
+        picture = window.settled_picture()
+        for _ in range(5):  # gl, trace, paths, auto, and soft again
+            window.key("r")
+            window.settled_picture()
+        self.assertEqual(window.save()[1], before)
+        wait_for(lambda: window.picture() == picture, "the picture is another one")
+        window.close()
+
     def test_the_window_shows_what_render_draws(self):
         window = self.open()
         window.key("n")  # the file's name goes away

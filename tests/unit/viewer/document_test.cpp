@@ -199,6 +199,69 @@ TEST_F(Looks, WhatAKeyDidIsSaidInWords) {
     EXPECT_EQ(effect(Command::front), "");
 }
 
+/// Documents of every engine and method; R until it is back where it was.
+TEST_F(Looks, EnginesOneAfterTheOtherLeaveTheDocumentAsItWas) {
+    const auto of = model(write_model());
+    for (const char* engine : {"soft", "gl", "trace", "auto"})
+        for (const RayMethod method :
+             {RayMethod::automatic, RayMethod::cast, RayMethod::whitted, RayMethod::path, RayMethod::radiosity})
+            for (const int samples : {1, 4, 8})
+                for (const bool shadows : {false, true}) {
+                    const bool is_trace = std::string_view(engine) == "trace";
+                    if (!is_trace && method != RayMethod::automatic && method != RayMethod::radiosity) continue;
+                    Look look = first_look(*of);
+                    look.request.engine = engine;
+                    RenderSettings& s = look.request.settings;
+                    s.method = method, s.shadows = shadows;
+                    s.samples = method == RayMethod::path ? 100 * samples : samples;
+                    const Look before = look;
+                    for (int presses = 0; presses < 5; ++presses) {
+                        apply(Command::engine, look, *of, width, height);
+                        EXPECT_EQ(s.samples > 8, s.method == RayMethod::path) << "a number that the method takes";
+                        if (!is_trace) {
+                            EXPECT_EQ(s.shadows, shadows || look.request.engine == "trace")
+                                << "rays have them by nature";
+                        }
+                    }
+                    // A document of trace without shadows has them when its engine is chosen again.
+                    if (is_trace && !shadows) look.request.settings.shadows = look.shadows_by_nature = false;
+                    EXPECT_TRUE(look == before) << engine << " " << int(method) << " " << samples << " " << shadows;
+                }
+}
+
+TEST_F(Looks, WhatIsChangedWhileAnEngineDrawsIsOfTheDocument) {
+    const auto of = model(write_model());
+    Look look = first_look(*of);
+    RenderSettings& s = look.request.settings;
+    s.samples = 4;
+    choose_engine("trace", look);
+    apply(Command::shadows, look, *of, width, height);  // off
+    choose_method(RayMethod::path, look);
+    EXPECT_EQ(s.samples, 256);
+    s.samples = 1024;
+    choose_engine("soft", look);
+    EXPECT_EQ(s.samples, 4);
+    EXPECT_FALSE(s.shadows);
+    s.samples = 8, s.shadows = true;
+    choose_engine("trace", look);
+    EXPECT_EQ(s.samples, 8);
+    choose_method(RayMethod::path, look);
+    EXPECT_EQ(s.samples, 1024);
+    choose_engine("gl", look);
+    EXPECT_EQ(s.samples, 8);
+    EXPECT_TRUE(s.shadows);
+}
+
+TEST_F(Looks, ShadowsOfRaysThatAreTurnedOffAndOnAreOfTheDocument) {
+    const auto of = model(write_model());
+    Look look = first_look(*of);
+    choose_engine("trace", look);
+    apply(Command::shadows, look, *of, width, height);
+    apply(Command::shadows, look, *of, width, height);
+    choose_engine("soft", look);
+    EXPECT_TRUE(look.request.settings.shadows);
+}
+
 TEST_F(Looks, SeamsAreLookedForInTheNormalsThatAreSeen) {
     Scene scene;
     scene.missing_normals_are_flat = true;
