@@ -41,14 +41,6 @@ void print_remark(bool is_note, const std::string& text) {
         print_line("warning", "\033[33m", text);
 }
 
-/// The text with the settings that it names, 'camera-index', as options: --camera-index.
-std::string with_options(std::string text, const std::vector<std::string>& settings) {
-    for (const std::string& setting : settings)
-        for (std::size_t at; (at = text.find("'" + setting + "'")) != text.npos;)
-            text.replace(at, setting.size() + 2, "--" + setting);
-    return text;
-}
-
 /// "SIZE": options have small letters.
 bool is_positional(const std::string& name) { return name[0] >= 'A' && name[0] <= 'Z'; }
 
@@ -73,6 +65,13 @@ void most_important_first(std::vector<ReportEntry>& remarks) {
 }
 
 }  // namespace
+
+std::string with_options(std::string text, const std::vector<std::string>& settings) {
+    for (const std::string& setting : settings)
+        for (std::size_t at; (at = text.find("'" + setting + "'")) != text.npos;)
+            text.replace(at, setting.size() + 2, "--" + setting);
+    return text;
+}
 
 std::string text_of(const Error& error) {
     if (error.code() == ErrorCode::bad_file && error.file().ends_with(".toml"))

@@ -19,6 +19,9 @@ enum class Loudness { quiet, normal, verbose };
 /// What takes the text of a terminal's line away.
 inline constexpr const char* wipe_line = "\r\033[K";
 
+/// The text with the settings that it quotes, 'camera-index', as options: --camera-index.
+std::string with_options(std::string text, const std::vector<std::string>& settings);
+
 /// What an error says; settings are called by their options: "--crease-angle: ...".
 std::string text_of(const Error& error);
 

@@ -76,7 +76,7 @@ int explain_input(const Run& run, const InputRequest& input, const std::vector<P
 std::string text_of(const std::vector<ExplainRow>& rows) {
     std::string text;
     for (const ExplainRow& row : rows)
-        if (row.pixel) text += (text.empty() ? "" : "\n") + to_text(*row.pixel);
+        if (row.pixel) text += (text.empty() ? "" : "\n") + with_options(to_text(*row.pixel), {"look"});
     return text;
 }
 

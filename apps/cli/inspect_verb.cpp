@@ -219,7 +219,7 @@ void inspect_file(const PictureRequest& picture, Task task, InspectionRow& row, 
     row.inspection = inspect(scene, task.options, context);
     if (task.limits) row.check = check_limits(*row.inspection, *task.limits);
     if (const std::string seams = proposal_text(*row.inspection); task.limits && !seams.empty())
-        context.report().add(Remark::warning, picture.input, {}, "not checked: " + seams);
+        context.report().add(Remark::warning, picture.input, {}, "not checked: " + seams, {"border-distance"});
     if (task.options.seam_lines) {
         const Frame map =
             draw_seams(scene, *row.inspection, task.options, seam_view(picture), picture.settings, context, task.marks);
@@ -232,7 +232,8 @@ void inspect_file(const PictureRequest& picture, Task task, InspectionRow& row, 
 
 /// The output about a model: whether it passed if it is only checked, else all tables.
 std::string text_of(const Run& run, const InspectionRow& row, const std::optional<CheckLimits>& limits, bool is_first) {
-    if (!row.check || run.loudness == Loudness::verbose) return (is_first ? "" : "\n") + to_text(*row.inspection);
+    if (!row.check || run.loudness == Loudness::verbose)
+        return (is_first ? "" : "\n") + with_options(to_text(*row.inspection), {"border-distance"});
     if (!row.check->empty() || run.loudness == Loudness::quiet) return {};
     return one_line(row.file) + ": passed: " + to_text(*limits) + "\n";
 }

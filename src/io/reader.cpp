@@ -125,7 +125,8 @@ const Format& choose_format(const std::string& path, std::span<const std::byte> 
         throw Error(ErrorCode::bad_file,
                     ending.empty() ? "the file name has no ending that gives its format"
                                    : "files with the ending ." + ending + " are not supported",
-                    {}, (ending.empty() ? "--format names one; supported: " : "supported: ") + supported_formats());
+                    {}, (ending.empty() ? "'format' names one; supported: " : "supported: ") + supported_formats())
+            .naming({"format"});
     context.report().add(Remark::guessed, path, {}, "read as " + std::string(format->name) + " by its content");
     return *format;
 }

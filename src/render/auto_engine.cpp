@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/auto_engine.h"
 
+#include <span>
 #include <utility>
 
 #include <rakelight/tools/strip_sink.h>
@@ -15,7 +16,7 @@
 namespace rakelight {
 namespace {
 
-/// Hands on what it gets, and knows whether a picture was begun.
+/// Hands on all that it gets and is asked, and knows whether a picture was begun.
 class WatchedSink final : public StripSink {
 public:
     explicit WatchedSink(Sink& to) : to_(to), strips_(dynamic_cast<StripSink*>(&to)) {}
@@ -30,6 +31,14 @@ public:
     int rows_at_once() const override { return strips_ ? strips_->rows_at_once() : 0; }
     void rows_done(int first, int rows) override {
         if (strips_) strips_->rows_done(first, rows);
+    }
+    bool wants_partial() const override { return strips_ && strips_->wants_partial(); }
+    bool wants_srgb8() const override { return strips_ && strips_->wants_srgb8(); }
+    DisplayRows display_rows(const Window& area) override {
+        return strips_ ? strips_->display_rows(area) : DisplayRows{};
+    }
+    void display_tile(const Tile& tile, std::span<const std::uint32_t> srgb8) override {
+        if (strips_) strips_->display_tile(tile, srgb8);
     }
 
 private:
@@ -82,11 +91,11 @@ public:
                 if (watched.has_begun()) throw;
                 const Scene scene = gpu_->scene();
                 give_up(error, scene.source, context);
-                check_abilities(name(), soft_->capabilities(), settings);
+                check_abilities(soft_->name(), soft_->capabilities(), settings);
                 soft_->prepare(posed(scene, context), context);
             }
         } else if (draws_on_gpu_) {
-            check_abilities(name(), soft_->capabilities(), settings);
+            check_abilities(soft_->name(), soft_->capabilities(), settings);
             say("it uses engine soft for what engine gl cannot do", Remark::note, scene().source, context);
             soft_->prepare(posed(gpu_->scene(), context), context);
             draws_on_gpu_ = false;

@@ -40,14 +40,14 @@ void remark_missing_rays(const Scene& scene, const Engine& engine, Report& repor
         open += is_classical && m.classical.transmission != vec3{};
         layers += !is_classical && m.metallic_roughness.transmission > 0;
     }
-    const std::string tail = ": engine " + engine.name() + " shows the surface alone, --engine trace follows rays";
+    const std::string tail = ": engine " + engine.name() + " shows the surface alone, 'engine' trace follows rays";
     if (open > 0)
         report.add(Remark::dropped, scene.source, "", "light passes through " + counted(open, "material") + tail,
                    {"engine"});
     if (layers > 0)
         report.add(Remark::note, scene.source, "",
                    "light passes through " + counted(layers, "material") + ": under pbr engine " + engine.name() +
-                       " shows the opaque surfaces behind the nearest one, --engine trace follows rays",
+                       " shows the opaque surfaces behind the nearest one, 'engine' trace follows rays",
                    {"engine"});
     if (mirrors > 0)
         report.add(Remark::note, scene.source, "",

@@ -34,7 +34,7 @@ Component component_for(const BakeRequest& request, BakeMap map) {
     if (name.ends_with(".exr")) return Component::f32;
     if (!name.ends_with(".png"))
         throw Error(ErrorCode::usage, "'" + one_line(name, 80) + "' cannot store a baked map", {},
-                    "write -o 'NAME.{map}.png' or .exr");
+                    "name the files 'NAME.{map}.png' or .exr");
     return request.bits == 0 ? component_of(map) : request.bits == 8 ? Component::u8 : Component::u16;
 }
 
@@ -50,7 +50,7 @@ void check(const BakeRequest& request) {
     check_braces(request.output);
     if (request.options.maps.size() > 1 && request.output.find(map_part) == std::string::npos)
         throw Error(ErrorCode::usage, "'" + one_line(request.output, 80) + "' is one name for several maps", {},
-                    "{map} stands for the name of each: -o 'NAME.{map}.png'");
+                    "{map} stands for the name of each: 'NAME.{map}.png'");
     if (request.bits != 0 && request.bits != 8 && request.bits != 16)
         throw Error(ErrorCode::usage, "must be 8 or 16").about("bits");
     for (const BakeMap map : request.options.maps) {

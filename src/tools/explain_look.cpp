@@ -69,7 +69,7 @@ std::string look_text(const ExplainedPixel& e) {
     TextTable table({"", ""});
     for (const LookChoice& choice : e.look) table.add({choice.topic, choice.value});
     const std::string rows = table.text("    ");
-    return "  the default look, unless another is given ('--look plain' turns it off)\n" +
+    return "  the default look, unless another is given ('look' plain turns it off)\n" +
            rows.substr(rows.find('\n') + 1);
 }
 

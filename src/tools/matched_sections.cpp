@@ -20,7 +20,7 @@ std::string proposal_text(const Inspection& i) {
     if (!(p.distance > 0)) return {};
     return "open borders of different meshes run along each other (" + number(p.matched_length, "%.3g") + " of " +
            number(p.open_length, "%.3g") + " " + i.unit + ", gaps up to " + number(p.gap_max, "%.3g") + ", seams to " +
-           degrees_text(p.seam_deg) + " degrees): --border-distance " + number(p.distance) + " measures and joins them";
+           degrees_text(p.seam_deg) + " degrees): 'border-distance' " + number(p.distance) + " measures and joins them";
 }
 
 std::optional<LargestSeam> largest_seam(const Inspection& i, double than_deg) {

@@ -14,7 +14,8 @@ namespace {
     const std::string window = format_text("{},{},{},{}", begin, band.y, end - begin, band.end - band.y);
     throw Error(ErrorCode::bad_file,
                 "no window covers columns " + range(begin, end) + " of rows " + range(band.y, band.end), {},
-                "render them with --window " + window);
+                "render them with 'window' " + window)
+        .naming({"window"});
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ namespace {
 
 [[noreturn]] void fail(const std::string& reason, const std::string& missing = {}) {
     throw Error(ErrorCode::failed, reason, {},
-                missing.empty() ? "render with engine soft" : "install " + missing + ", or use --engine soft");
+                missing.empty() ? "render with engine soft" : "install " + missing + ", or use 'engine' soft")
+        .naming({"engine"});
 }
 
 constexpr const char* packages =

@@ -12,7 +12,8 @@ constexpr const char* file = "libembree3.so.3";
 
 [[noreturn]] void refuse(const std::string& why) {
     throw Error(ErrorCode::failed, "the engine trace needs Embree 3: " + why, {},
-                "install it (on Debian the package libembree3-3), or use --engine soft");
+                "install it (on Debian the package libembree3-3), or use 'engine' soft")
+        .naming({"engine"});
 }
 
 EmbreeLibrary load() {

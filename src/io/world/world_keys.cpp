@@ -83,7 +83,7 @@ std::vector<WorldKey> moving(std::vector<WorldKey> keys, std::vector<WorldKey> p
     parts.insert(parts.begin(), {"time", Kind::number, "When [s]", {-1e6, 1e6}, {}, true});
     keys.push_back({.name = "keys",
                     .kind = Kind::tables,
-                    .help = "Keyframes, shown by --animation-time and sequences",
+                    .help = "Keyframes, shown by animation-time and sequences",
                     .parts = std::move(parts)});
     keys.push_back({"interpolation",
                     Kind::word,

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include <rakelight/render.h>
 #include <rakelight/session.h>
+#include <rakelight/tools/strip_sink.h>
 
 #include "support/scene_builder.h"
 #include "support/thrown_error.h"
@@ -134,8 +136,90 @@ TEST_F(AutoEngineWithGpu, WhatNeitherCanDoAloneIsRefused) {
     RenderSettings settings = small();
     settings.lighting_name = "mine.glsl", settings.lighting_text = "user_terms";
     settings.visibility = Visibility::painter;
-    EXPECT_EQ(test::error_of([&] { e->render(test::flat_camera(), settings, frame, context); }).code(),
-              ErrorCode::usage);
+    const Error error = test::error_of([&] { e->render(test::flat_camera(), settings, frame, context); });
+    EXPECT_EQ(error.code(), ErrorCode::usage);
+    EXPECT_NE(error.reason().find("engine soft cannot use lighting"), std::string::npos) << error.reason();
+}
+
+/// A picture file's: asks for display values in rows of its own, strip by strip.
+class Strips final : public StripSink {
+public:
+    void begin(int width, int height, Window, std::uint32_t) override {
+        width_ = width, rows.resize(std::size_t(width) * std::size_t(height));
+    }
+    void tile(const Tile&) override { ++linear_tiles; }
+    void end_pass(int) override {}
+    int rows_at_once() const override { return 64; }
+    void rows_done(int, int count) override { done += count; }
+    bool wants_partial() const override { return ++asked_partial, true; }
+    bool wants_srgb8() const override { return true; }
+    DisplayRows display_rows(const Window& area) override {
+        return {rows.data() + std::size_t(area.y) * std::size_t(width_) + std::size_t(area.x), std::size_t(width_)};
+    }
+    void display_tile(const Tile& tile, std::span<const std::uint32_t> srgb8) override {
+        for (std::size_t i = 0; i < srgb8.size(); ++i) {
+            const Window& w = tile.area;
+            const std::size_t x = std::size_t(w.x) + i % std::size_t(w.width),
+                              y = std::size_t(w.y) + i / std::size_t(w.width);
+            rows[y * std::size_t(width_) + x] = srgb8[i];
+        }
+        ++display_tiles;
+    }
+    std::vector<std::uint32_t> rows;
+    std::atomic<int> linear_tiles{0}, display_tiles{0}, done{0};
+    mutable std::atomic<int> asked_partial{0};
+
+private:
+    int width_ = 0;
+};
+
+TEST_F(AutoEngineWithGpu, ASinkThatIsWatchedIsAskedForEverything) {
+    RenderSettings settings = small();
+    settings.height = 150;  // strips
+    Strips watched, plain;
+    const auto e = engine(FakeGpu::Fails::never), soft = make_engine("soft");
+    e->prepare(square(), context), soft->prepare(square(), context);
+    e->render(test::flat_camera(), settings, watched, context);
+    soft->render(test::flat_camera(), settings, plain, context);
+    EXPECT_EQ(watched.rows, plain.rows);
+    EXPECT_EQ(watched.linear_tiles, 0);
+    EXPECT_EQ(watched.display_tiles, plain.display_tiles);
+    EXPECT_EQ(watched.done, plain.done);
+    EXPECT_GT(plain.done, 0);
+    EXPECT_EQ(watched.asked_partial > 0, plain.asked_partial > 0);
+}
+
+/// Asks what the engine of a GPU may ask of any sink.
+class AskingGpu final : public Engine {
+public:
+    explicit AskingGpu(bool& wants_partial) : wants_partial_(wants_partial) {}
+    std::string name() const override { return "gl"; }
+    EngineCapabilities capabilities() const override { return {}; }
+    void prepare(Scene scene, Context&) override { scene_ = std::move(scene); }
+    const Scene& scene() const override { return scene_; }
+    void set_lights(std::vector<Light>) override {}
+    RenderStats render(const Camera&, const RenderSettings&, Sink& sink, Context&) override {
+        auto* const strips = dynamic_cast<StripSink*>(&sink);
+        wants_partial_ = strips && strips->wants_partial();
+        return {};
+    }
+
+private:
+    Scene scene_;
+    bool& wants_partial_;
+};
+
+TEST(AutoEngine, ASinkSaysWhetherItWantsAPictureInPart) {
+    Context context({.threads = 1});
+    bool wants_partial = false;
+    const auto e = make_auto_engine(std::make_unique<AskingGpu>(wants_partial), {});
+    e->prepare(square(), context);
+    Strips strips;
+    e->render(test::flat_camera(), small(), strips, context);
+    EXPECT_TRUE(wants_partial);
+    Frame frame;
+    e->render(test::flat_camera(), small(), frame, context);
+    EXPECT_FALSE(wants_partial);
 }
 
 TEST(AutoEngine, WhatSoftAloneCanDoIsDrawn) {
