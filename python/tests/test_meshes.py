@@ -232,7 +232,8 @@ def test_face_colors_of_trimesh_have_no_gradients(quad):
     assert len(rakelight.attributes(thing)[0].normals) == 4, "arrays of the caller's are not split for colors"
 
 
-TILES = np.uint8([[[255, 0, 0], [0, 255, 0]], [[0, 0, 255], [255, 255, 0]]])  # row 0 is the top of the picture
+CORNERS = np.uint8([[[255, 0, 0], [0, 255, 0]], [[0, 0, 255], [255, 255, 0]]])  # row 0 is the top of the picture
+TILES = np.repeat(np.repeat(CORNERS, 32, axis=0), 32, axis=1)  # so large that no two are filtered into one pixel
 
 
 class Image:
@@ -251,7 +252,7 @@ def test_textures_of_trimesh(quad):
     for material in (visual(image=Image(TILES), diffuse=np.uint8([102, 102, 102, 255])), visual(baseColorTexture=Image(TILES), baseColorFactor=None)):
         seen = pixels(Plain(quad, visual=visual(kind="texture", uv=uv, material=material)))
         for y, x in ((0, 0), (0, 3), (3, 0), (3, 3)):
-            assert (seen[y, x] == TILES[y // 3, x // 3]).all()
+            assert (seen[y, x] == CORNERS[y // 3, x // 3]).all()
 
 
 def test_a_factor_of_a_physical_material_is_linear(quad):
@@ -263,11 +264,11 @@ def test_a_factor_of_a_physical_material_is_linear(quad):
 
 def test_alpha_of_colors_and_textures_is_seen(quad):
     half = np.tile(np.uint8([255, 0, 0, 128]), (4, 1))
-    seen = pixels(Plain(quad, visual=visual(kind="vertex", vertex_colors=half)), background="0,0,255")
+    seen = pixels(Plain(quad, visual=visual(kind="vertex", vertex_colors=half)), background="#0000ff")
     assert np.abs(seen - [188, 0, 188]).max() <= 2  # half of either, in linear light
-    holes = np.dstack([TILES, np.uint8([[0, 255], [255, 255]])])
+    holes = np.dstack([TILES, np.repeat(np.repeat(np.uint8([[0, 255], [255, 255]]), 32, axis=0), 32, axis=1)])
     uv = np.asarray(quad.vertices)[:, :2]
-    seen = pixels(Plain(quad, visual=visual(kind="texture", uv=uv, material=visual(image=Image(holes, "RGBA"), diffuse=None))), background="0,0,255")
+    seen = pixels(Plain(quad, visual=visual(kind="texture", uv=uv, material=visual(image=Image(holes, "RGBA"), diffuse=None))), background="#0000ff")
     assert (seen[0, 0] == [0, 0, 255]).all() and (seen[0, 3] == [0, 255, 0]).all()
     opaque = visual(baseColorTexture=Image(holes, "RGBA"), alphaMode="OPAQUE")
     assert (pixels(Plain(quad, visual=visual(kind="texture", uv=uv, material=opaque)))[0, 0] == [255, 0, 0]).all()
@@ -288,7 +289,7 @@ def test_colors_and_textures_of_open3d(quad):
     for ids in ([], [0, 0]):
         seen = pixels(Legacy(quad, triangle_uvs=uv, textures=[TILES[::-1]], triangle_material_ids=ids))
         for y, x in ((0, 0), (0, 3), (3, 0), (3, 3)):
-            assert (seen[y, x] == TILES[y // 3, x // 3]).all()
+            assert (seen[y, x] == CORNERS[y // 3, x // 3]).all()
 
 
 def test_what_is_not_taken_over_is_said(quad):
@@ -314,7 +315,7 @@ def test_what_is_not_taken_over_is_said(quad):
 def test_a_texture_of_a_mesh(quad, tmp_path):
     mesh = replace(quad, uv=quad.vertices[:, :2] * (1, -1) + (0, 1), texture=TILES)
     seen = pixels(mesh)
-    assert (seen[0, 0] == TILES[0, 0]).all() and (seen[3, 3] == TILES[1, 1]).all()
+    assert (seen[0, 0] == CORNERS[0, 0]).all() and (seen[3, 3] == CORNERS[1, 1]).all()
     rakelight.Scene.from_meshes(mesh).save(tmp_path / "tiles.glb")
     assert (pixels(str(tmp_path / "tiles.glb")) == seen).all()
     gray = replace(mesh, texture=TILES[:, :, 1], color=(1, 0, 0))
