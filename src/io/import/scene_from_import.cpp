@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/format_text.h"
+#include "io/vertex_colors.h"
 #include "math/linear.h"
 
 namespace rakelight::io {
@@ -124,6 +125,14 @@ void add_notes(const Document& d, const std::string& path, Report& report) {
         report.add(kinds[n.kind < 4 ? n.kind : 2], path, one_line(n.place, 120), one_line(n.message));
 }
 
+/// The color of formats without materials is Assimp's, and that of what it calls by this name.
+std::vector<bool> have_invented_color(const Document& d, const std::string& ending) {
+    std::vector<bool> out;
+    for (const import_stream::Surface& s : d.surfaces)
+        out.push_back(ending == "off" || ending == "stl" || s.name == "DefaultMaterial");
+    return out;
+}
+
 bool draws_something(const Scene& scene) {
     for (const Node& n : scene.nodes)
         for (std::uint32_t m : n.meshes)
@@ -153,6 +162,7 @@ Scene scene_from_import(Import&& import, const std::string& path, const std::str
     add_notes(import.document, path, context.report());
     detail::add_meshes(import, path, scene, context);
     detail::add_materials(import, path, ending, options.allow_outside, scene, context);
+    show_vertex_colors(scene, have_invented_color(import.document, ending), context);
     add_nodes(import.document, scene);
     add_skin(import.document, scene);
     add_morph_weights(scene);

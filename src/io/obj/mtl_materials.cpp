@@ -130,6 +130,7 @@ std::uint32_t MaterialLibrary::find(const std::string& name, std::uint64_t line)
     if (!is_new) return entry->second;
     charge_.grow(sizeof(Material) + name.size(), "the materials of an OBJ file");
     scene_.materials.push_back(default_material(name.empty() ? "default" : name));
+    have_invented_color_.push_back(true);
     if (!name.empty())
         remark(Remark::warning, model_path_, line,
                "material '" + one_line(name, 80) + "' is not defined; a light gray one is used instead");
@@ -155,6 +156,7 @@ void MaterialLibrary::add(const MtlMaterial& source, const File& file, Remarks& 
         set_metallic_roughness(m, source, file, remarks);
     else if (source.illumination == 0)
         m.model = MaterialModel::unlit;
+    have_invented_color_.push_back(!source.diffuse && !m.base_color_texture);
     scene_.materials.push_back(std::move(m));
 }
 

@@ -50,6 +50,8 @@ public:
     /// name the default one (light gray, k_d 0.8 as display value, no highlight).
     std::uint32_t find(const std::string& name, std::uint64_t line);
     void finish();  ///< says how many warnings were held back; the scene gets the charge for its materials
+    /// [Scene::materials] no file gives the material's color: the gray of default materials stands for it.
+    const std::vector<bool>& have_invented_color() const { return have_invented_color_; }
 
 private:
     struct File {
@@ -71,6 +73,7 @@ private:
     MemoryCharge charge_;  ///< pays for the scene's materials
     std::string model_path_;
     ReferenceFinder finder_;
+    std::vector<bool> have_invented_color_;
     NameMap<std::uint32_t> by_name_;
     std::set<std::string> loaded_;                                    ///< paths
     std::map<std::string, ImageHandle> images_;                       ///< by path

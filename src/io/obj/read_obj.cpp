@@ -13,6 +13,7 @@
 #include "io/obj/read_obj.h"
 #include "io/plain_text.h"
 #include "io/reader.h"
+#include "io/vertex_colors.h"
 
 namespace rakelight::io {
 namespace {
@@ -70,6 +71,7 @@ Scene scene_of(std::string_view text, const std::string& path, const ReadOptions
     if (elements.drawable == 0)
         throw Error(ErrorCode::bad_file, "nothing to draw: no face, line or point has valid and finite corners");
     add_objects(scene, elements, data, remarks, context);
+    show_vertex_colors(scene, library.have_invented_color(), context);
     if (kept) {
         VertexData normals;
         normals.charge = data.charge.split(data.normals.size() * sizeof(vec3));

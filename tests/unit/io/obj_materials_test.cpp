@@ -43,6 +43,36 @@ TEST_F(ObjMaterials, WithoutKaTheAmbientColorIsKd) {
     EXPECT_EQ(material("").base_color.xyz(), linear(0.8f, 0.8f, 0.8f));
 }
 
+TEST_F(ObjMaterials, VertexColorsAreNotMultipliedByAGrayThatNoFileGives) {
+    const std::string colored = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\n";
+    write("m.mtl", "newmtl with\nKd 0.5 0.6 0.7\nnewmtl without\nKs 1 1 1\nnewmtl ambient\nKa 0.1 0.2 0.3\n");
+    const auto of = [&](const std::string& use) { return load("mtllib m.mtl\n" + colored + use + "\nf 1 2 3\n"); };
+    for (const char* use : {"", "usemtl without", "usemtl missing"}) {
+        const Scene s = of(use);
+        const Material& m = s.materials.at(s.meshes.at(0).material);
+        EXPECT_EQ(m.base_color, (vec4{1, 1, 1, 1})) << use;
+        EXPECT_EQ(m.classical.ambient, (vec3{1, 1, 1})) << use;
+    }
+    const Scene authored = of("usemtl with");
+    EXPECT_EQ(authored.materials.at(0).base_color.xyz(), linear(0.5f, 0.6f, 0.7f));
+    EXPECT_EQ(authored.materials.at(0).classical.ambient, linear(0.5f, 0.6f, 0.7f));
+    const Scene ambient = of("usemtl ambient");
+    EXPECT_EQ(ambient.materials.at(2).base_color.xyz(), (vec3{1, 1, 1}));
+    EXPECT_EQ(ambient.materials.at(2).classical.ambient, linear(0.1f, 0.2f, 0.3f));
+}
+
+TEST_F(ObjMaterials, PartsWithoutVertexColorsKeepTheGrayOfAMaterialThatColoredPartsShare) {
+    const Scene s = load(
+        "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 0 0 1\nv 1 0 1\nv 0 1 1\no a\nf 1 2 3\no b\nf 4 5 6\n"
+        "o c\nf 1 2 3\n");
+    ASSERT_EQ(s.meshes.size(), 3u);
+    ASSERT_EQ(s.materials.size(), 2u);
+    EXPECT_EQ(s.materials.at(s.meshes[0].material).base_color, (vec4{1, 1, 1, 1}));
+    EXPECT_EQ(s.materials.at(s.meshes[1].material).base_color.xyz(), linear(0.8f, 0.8f, 0.8f));
+    EXPECT_EQ(s.meshes[2].material, s.meshes[0].material);
+    EXPECT_EQ(s.materials[0].name, s.materials[1].name);
+}
+
 TEST_F(ObjMaterials, IlluminationModelsDecideTheTerms) {
     EXPECT_EQ(material("Ks 1 1 1\nillum 1").classical.specular, (vec3{0, 0, 0}));
     EXPECT_EQ(material("Ks 1 1 1\nillum 0").model, MaterialModel::unlit);
