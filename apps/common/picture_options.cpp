@@ -198,7 +198,7 @@ constexpr Entry entries[] = {
     {camera, "camera-horizontal-angle", "DEG",
      "Horizontal angle of view; with --camera-view-angle both apply, and pixels need not be square"},
     {camera, "near", "D",
-     "Distance of the near plane [m], more than 0 (default: the camera's, else in front of the model)"},
+     "Distance of the near plane [m], more than 0 (default: the camera's, else in front of what is nearest)"},
     {camera, "far", "D", "Distance of the far plane [m] (default: the camera's, else behind the model)"},
     {camera, "camera-orthographic", "",
      "Parallel projection, with the height that the angle of view covers at the focal point"},

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include <rakelight/world.h>
+
 #include "math/functions.h"
 #include "math/linear.h"
 #include "render/choose_camera.h"
@@ -21,10 +23,7 @@ struct Outside {
 
 Outside outside_of(const Camera& camera, double aspect, const Bounds& bounds) {
     const bool perspective = camera.projection == Projection::perspective;
-    const double half_height = perspective ? math::tan(0.5 * camera.vertical_fov_rad) : camera.half_height;
-    double half_width = half_height * aspect;
-    if (perspective && camera.horizontal_fov_rad) half_width = math::tan(0.5 * *camera.horizontal_fov_rad);
-    if (!perspective && camera.half_width) half_width = *camera.half_width;
+    const dvec2 half = half_extents(camera, aspect);
     const dvec3 eye = camera.to_world[3].xyz();
     Outside out;
     for (int corner = 0; corner < 8; ++corner) {
@@ -33,7 +32,7 @@ Outside outside_of(const Camera& camera, double aspect, const Bounds& bounds) {
                         eye;
         const double x = dot(p, camera.to_world[0].xyz()), y = dot(p, camera.to_world[1].xyz());
         const double distance = -dot(p, camera.to_world[2].xyz());
-        const double at_one = perspective ? distance : 1, limit_x = half_width * at_one, limit_y = half_height * at_one;
+        const double at_one = perspective ? distance : 1, limit_x = half.x * at_one, limit_y = half.y * at_one;
         out.planes &= unsigned(x < -limit_x) * Outside::left | unsigned(x > limit_x) * Outside::right |
                       unsigned(y < -limit_y) * Outside::below | unsigned(y > limit_y) * Outside::above |
                       unsigned(distance < camera.z_near) * Outside::near |
@@ -51,6 +50,29 @@ std::string meters(double length) {
 }
 
 }  // namespace
+
+dvec2 half_extents(const Camera& camera, double aspect) {
+    const bool perspective = camera.projection == Projection::perspective;
+    const double half_height = perspective ? math::tan(0.5 * camera.vertical_fov_rad) : camera.half_height;
+    double half_width = half_height * aspect;
+    if (perspective && camera.horizontal_fov_rad) half_width = math::tan(0.5 * *camera.horizontal_fov_rad);
+    if (!perspective && camera.half_width) half_width = *camera.half_width;
+    return {half_width, half_height};
+}
+
+NearestSurface nearest_of(const NearSurfaces& surfaces, double aspect) {
+    return [&surfaces, aspect](const Camera& camera, double limit) {
+        dmat4 to_camera;
+        if (!inverse_affine(camera.to_world, to_camera)) return limit;
+        return surfaces.nearest(to_camera, half_extents(camera, aspect), limit);
+    };
+}
+
+bool has_default_depths(const Scene& scene, const Camera& camera) {
+    const Camera otherwise;
+    return is_world_file(scene.source) && camera.projection == Projection::perspective &&
+           camera.z_near == otherwise.z_near && camera.z_far == otherwise.z_far;
+}
 
 bool may_see(const Camera& camera, double aspect, const Bounds& bounds) {
     return outside_of(camera, aspect, bounds).planes == 0;

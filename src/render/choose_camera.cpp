@@ -22,9 +22,10 @@ namespace {
 /// A camera of the file, or the fitted one with a remark where the file's cannot show the model, neither as it is nor
 /// by the depths that were requested. One that shows it except for those is kept.
 Camera checked_camera_of_file(const Scene& scene, std::size_t index, const ViewRequest& view, double aspect,
-                              const DrawnVertices& drawn, Context& context) {
+                              const DrawnVertices& drawn, const NearestSurface& nearest, Context& context) {
     const Bounds& bounds = drawn.bounds();
     Camera camera = camera_of_file(scene, index, aspect);
+    if (has_default_depths(scene, camera)) set_depths(camera, bounds, nearest);
     const std::string place = format_text("camera {}{}", index, camera.name.empty() ? "" : " '" + camera.name + "'");
     const auto use_default = [&](const std::string& why) {
         context.report().add(Remark::warning, scene.source, place, why + "; the default view is used instead");
@@ -111,22 +112,24 @@ void check_combination(const Scene& scene, const ViewRequest& view) {
 }
 
 /// @param scene  static; `drawn` are its vertices
-Camera chosen(const Scene& scene, const DrawnVertices& drawn, const ViewRequest& asked, double aspect,
-              Context& context) {
+Camera chosen(const Scene& scene, const DrawnVertices& drawn, const NearSurfaces& surfaces, const ViewRequest& asked,
+              double aspect, Context& context) {
     const ViewRequest view = resolve_angles(asked, aspect);
+    const NearestSurface nearest = nearest_of(surfaces, aspect);
     const Bounds& bounds = drawn.bounds();
     if (bounds.empty()) throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
     check_combination(scene, view);
     if (takes_camera_of_file(scene, view)) {
         const std::size_t index = view.camera.empty() ? 0 : find_camera(scene, view.camera);
         if (!view.is_placed() && !view.is_orbited())
-            return checked_camera_of_file(scene, index, view, aspect, drawn, context);
-        return place_camera(camera_of_file(scene, index, aspect), false, view, aspect, bounds, scene.source, context);
+            return checked_camera_of_file(scene, index, view, aspect, drawn, nearest, context);
+        return place_camera(camera_of_file(scene, index, aspect), false, view, aspect, bounds, nearest, scene.source,
+                            context);
     }
     const bool is_moved = view.position || view.focal_point;
     Camera fitted = view_camera(drawn, aspect, view.side.empty() ? "default" : view.side, fit_wishes(view, is_moved));
     if (!view.position) check_fitted(fitted);
-    if (is_moved) return place_camera(fitted, true, view, aspect, bounds, scene.source, context);
+    if (is_moved) return place_camera(fitted, true, view, aspect, bounds, nearest, scene.source, context);
     if (view.up && (view.world_up || view.direction))
         warn_if_up_is_along(*view.up, fitted, scene.source, context.report());
     set_asked_depths(fitted, view);
@@ -151,11 +154,11 @@ Camera valid::choose_camera(const Scene& scene, const ViewRequest& view, double 
     check_placement(view);
     const std::optional<Scene> posed = posed_outline(scene, context);
     const Scene& still = posed ? *posed : scene;
-    return chosen(still, DrawnVertices(still), view, aspect, context);
+    return chosen(still, DrawnVertices(still), NearSurfaces(still), view, aspect, context);
 }
 
 struct CameraChooser::State {
-    State(Scene scene, Context& context) : still(std::move(scene)), drawn(with_pose(still, context)) {}
+    State(Scene scene, Context& context) : still(std::move(scene)), drawn(with_pose(still, context)), surfaces(still) {}
     static const Scene& with_pose(Scene& scene, Context& context) {
         validate(scene);
         if (std::optional<Scene> posed = posed_outline(scene, context)) scene = std::move(*posed);
@@ -164,6 +167,7 @@ struct CameraChooser::State {
 
     Scene still;
     DrawnVertices drawn;
+    NearSurfaces surfaces;
 };
 
 CameraChooser::CameraChooser(Scene scene, Context& context)
@@ -175,7 +179,7 @@ CameraChooser& CameraChooser::operator=(CameraChooser&&) noexcept = default;
 Camera CameraChooser::choose(const ViewRequest& view, double aspect, Context& context) const {
     check_aspect(aspect);
     check_placement(view);
-    return chosen(state_->still, state_->drawn, view, aspect, context);
+    return chosen(state_->still, state_->drawn, state_->surfaces, view, aspect, context);
 }
 
 const Bounds& CameraChooser::bounds() const { return state_->drawn.bounds(); }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Chooses the camera of a picture. See choose_camera() in <rakelight/picture.h>.
 #pragma once
+#include <functional>
+
 #include <rakelight/picture.h>
 
+#include "scene/near_surfaces.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -39,8 +42,15 @@ bool takes_camera_of_file(const Scene& scene, const ViewRequest& view);
 /// A horizontal angle alone becomes the vertical one of square pixels; both change `aspect` to that of what is seen.
 ViewRequest resolve_angles(ViewRequest view, double& aspect);
 
-/// Near and far about the box as seen along the view; a camera inside or in front of it gets a near of far / 10000.
-void set_depths(Camera& camera, const Bounds& bounds);
+/// Half the width and height of the picture: [m] of parallel cameras, else at a distance of 1 m.
+dvec2 half_extents(const Camera& camera, double aspect);
+
+/// [m] along the view axis to the nearest surface in the picture of a perspective camera; the limit if none is nearer.
+using NearestSurface = std::function<double(const Camera& camera, double limit)>;
+
+/// Near and far about the box as seen along the view. A perspective camera inside the box, or close to it, gets a near of
+/// far / 10000, or half the distance of the nearest surface if that is less, but no less than far / 1e8.
+void set_depths(Camera& camera, const Bounds& bounds, const NearestSurface& nearest);
 
 /// The axis that a view orbits about: the up axis of its world.
 dvec3 axis_of_turns(const ViewRequest& view);
@@ -51,6 +61,12 @@ void check_placement(const ViewRequest& view);
 /// Moves, rotates and zooms a fitted or a file's camera as requested (a fitted one already has its up and view angle).
 /// Near and far are then those of the request, else they enclose the box. `file` is for remarks.
 Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view, double aspect, const Bounds& bounds,
-                    const std::string& file, Context& context);
+                    const NearestSurface& nearest, const std::string& file, Context& context);
+
+/// Whether near and far of a camera of the file are only defaults: of a perspective one in a world file that gives neither.
+bool has_default_depths(const Scene& scene, const Camera& camera);
+
+/// For NearestSurface. @param surfaces  must stay
+NearestSurface nearest_of(const NearSurfaces& surfaces, double aspect);
 
 }  // namespace rakelight

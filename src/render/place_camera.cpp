@@ -62,14 +62,18 @@ dvec3 choose_up(const ViewRequest& view, dvec3 base_up, dvec3 along, const std::
 
 }  // namespace
 
-void set_depths(Camera& camera, const Bounds& bounds) {
+void set_depths(Camera& camera, const Bounds& bounds, const NearestSurface& nearest) {
     const double radius = 1.05 * radius_of(bounds);
     const double distance = dot(camera.to_world[3].xyz() - bounds.center(), camera.to_world[2].xyz());
     camera.z_near = distance - radius;
     camera.z_far = distance + radius;
     if (camera.projection == Projection::orthographic) return;
     camera.z_far = std::max(camera.z_far, radius);
-    camera.z_near = std::max(camera.z_near, 1e-4 * camera.z_far);
+    const double usual = 1e-4 * camera.z_far, least = 1e-8 * camera.z_far;
+    if (camera.z_near >= usual) return;
+    camera.z_near = usual;
+    const double distance_of_surface = nearest(camera, 2 * usual);
+    if (distance_of_surface < 2 * usual) camera.z_near = std::max(0.5 * distance_of_surface, least);
 }
 
 dvec3 axis_of_turns(const ViewRequest& view) {
@@ -85,7 +89,7 @@ void warn_if_up_is_along(dvec3 up, const Camera& camera, const std::string& file
 }
 
 Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view, double aspect, const Bounds& bounds,
-                    const std::string& file, Context& context) {
+                    const NearestSurface& nearest, const std::string& file, Context& context) {
     Camera camera = base;
     if (view.vertical_fov_rad) {
         camera.vertical_fov_rad = *view.vertical_fov_rad;
@@ -118,7 +122,7 @@ Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view,
         camera.projection = Projection::orthographic;
     }
     camera.node = no_index;
-    set_depths(camera, bounds);
+    set_depths(camera, bounds, nearest);
     set_asked_depths(camera, view);
     warn_if_blind(camera, aspect, bounds, file, context.report());
     return camera;

@@ -79,18 +79,28 @@ Camera SequenceViews::camera_of_file_in(const Scene& scene) const {
     Camera camera = camera_of_file(placed, index, aspect_);
     if (view_.is_placed() || view_.is_orbited()) {
         Context quiet({.threads = 1});  // remarks were made for the first picture
-        return place_camera(camera, false, view_, aspect_, bounds_, scene.source, quiet);
+        return place_camera(camera, false, view_, aspect_, bounds_, nearest_in(scene), scene.source, quiet);
     }
+    if (has_default_depths(scene, camera)) set_depths(camera, bounds_, nearest_in(scene));
     set_asked_depths(camera, view_);
     return camera;
 }
 
+NearestSurface SequenceViews::nearest_in(const Scene& scene) const {
+    return [&scene, aspect = aspect_](const Camera& camera, double limit) {
+        Context quiet({.threads = 1});
+        const Scene outline = outline_of(scene, quiet);
+        return nearest_of(NearSurfaces(outline), aspect)(camera, limit);
+    };
+}
+
 Camera SequenceViews::camera(const Scene& scene, double angle_rad) const {
     Camera camera = follows_file_ ? camera_of_file_in(scene) : base_;
-    if (!is_turned_) return camera;
-    camera.to_world = orbited(camera.to_world, focal_, axis_, -angle_rad, 0);
+    const bool is_placed = view_.position || view_.focal_point;
+    if (!is_turned_ && (follows_file_ || !is_placed)) return camera;
+    if (is_turned_) camera.to_world = orbited(camera.to_world, focal_, axis_, -angle_rad, 0);
     if (is_fitted_) return camera;  // all that is seen of it lies about the axis
-    set_depths(camera, bounds_);
+    set_depths(camera, bounds_, nearest_in(scene));
     set_asked_depths(camera, view_);
     return camera;
 }

@@ -3,6 +3,7 @@
 #pragma once
 #include <functional>
 
+#include "render/choose_camera.h"
 #include "render/sequence_plan.h"
 
 #include <rakelight/scene_queries.h>
@@ -23,6 +24,7 @@ public:
 
 private:
     Camera camera_of_file_in(const Scene& scene) const;
+    NearestSurface nearest_in(const Scene& scene) const;
     void find_focal_point();
 
     ViewRequest view_;  ///< angles resolved

@@ -185,6 +185,8 @@ void write_camera(Writer& to, const Camera& camera) {
         if (camera.vertical_fov_rad != 0) to.put("vertical_fov_deg", degrees_of(camera.vertical_fov_rad));
         if (camera.horizontal_fov_rad) to.put("horizontal_fov_deg", degrees_of(*camera.horizontal_fov_rad));
     }
+    const Camera otherwise;  // neither is given: has_default_depths()
+    if (camera.z_near == otherwise.z_near && camera.z_far == otherwise.z_far) return;
     to.put("near", text_of(camera.z_near));
     to.put("far", text_of(camera.z_far));
 }

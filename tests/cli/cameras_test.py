@@ -44,7 +44,10 @@ class Cameras(program.Case):
             self.check_no_picture(self.render(*view, *words), message)
 
     def test_a_camera_too_far_for_its_far_plane_is_replaced_and_the_plane_is_named(self):
-        self.write("w.scene.toml", '[[primitive]]\ntype = "sphere"\n[[camera]]\nposition = [0, 0, 4301]\n')
+        world = '[[primitive]]\ntype = "sphere"\n[[camera]]\nposition = [0, 0, 4301]\n'
+        self.write("free.scene.toml", world)
+        self.assertNotIn("default view", self.render("free.scene.toml").out)  # near and far follow the scene
+        self.write("w.scene.toml", world + "near = 0.1\n")
         result = self.render("w.scene.toml")
         self.assertIn("all of it is 4300 m away or more, but the far plane is at 1000 m; the default view is used instead", result.out)
         result = self.render("w.scene.toml", "--far", "5000")

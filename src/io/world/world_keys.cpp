@@ -117,8 +117,9 @@ std::vector<WorldKey> camera_keys() {
          "square",
          degrees_180},
         {"orthographic_height", Kind::number, "Parallel projection; visible height [m]", above_0},
-        {"near", Kind::number, "Distance of the near plane [m] (default 0.1)"},
-        {"far", Kind::number, "Distance of the far plane [m] (default 1000)", above_0},
+        {"near", Kind::number,
+         "Distance of the near plane [m] (default: in front of what is nearest; beside far, 0.1)"},
+        {"far", Kind::number, "Distance of the far plane [m] (default: behind the scene; beside near, 1000)", above_0},
     };
 }
 

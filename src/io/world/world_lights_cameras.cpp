@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 
 #include "io/world/world_parts.h"
 #include "math/default_up.h"
@@ -128,8 +129,12 @@ Camera read_camera(const SectionValues& v, WorldFile& world) {
         camera.projection = Projection::orthographic;
         camera.half_height = v.number("orthographic_height", 2) / 2;
     }
+    const Camera otherwise;  // as it is, where the file gives neither: has_default_depths()
     camera.z_near = v.number("near", camera.z_near);
     camera.z_far = v.number("far", std::max(camera.z_far, 2 * camera.z_near));
+    const bool is_given = v.has("near") || v.has("far");
+    if (is_given && camera.z_near == otherwise.z_near && camera.z_far == otherwise.z_far)
+        camera.z_far = std::nextafter(camera.z_far, HUGE_VAL);
     if (camera.projection == Projection::perspective && !(camera.z_near > 0))
         fail(v.place_of("near"), "'near' must be more than 0");
     if (!(camera.z_far > camera.z_near))

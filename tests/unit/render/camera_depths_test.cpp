@@ -10,6 +10,8 @@
 
 #include "math/linear.h"
 #include "render/choose_camera.h"
+#include "render/engines.h"
+#include "support/scene_builder.h"
 #include "unit/render/test_scene.h"
 
 namespace rakelight {
@@ -69,6 +71,67 @@ TEST(CameraDepths, WhatIsNearerThanNearOrFartherThanFarIsNotDrawn) {
     EXPECT_EQ(halves(8.0, {}), std::pair(false, true));
     EXPECT_EQ(halves({}, 10.0), std::pair(true, false));
     EXPECT_EQ(halves(6.9, 11.1), std::pair(true, true));
+}
+
+/// A floor of 1500 m, a wall at its end, and a red square before an eye 1.7 m above the middle.
+Scene large_scene(double distance) {
+    Scene scene;
+    const dmat4 lying{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}}};
+    for (const vec3 color : {vec3{0, 1, 0}, vec3{0, 0, 1}, vec3{1, 0, 0}}) {
+        scene.materials.push_back(test::matte(color));
+        scene.materials.back().model = MaterialModel::unlit;
+    }
+    test::add_object(scene, test::square_mesh(0, 750), lying);
+    test::add_object(scene, test::square_mesh(1, 700), translation(dvec3{0, 0, -700}));
+    test::add_object(scene, test::square_mesh(2, float(0.1 * distance)), translation(dvec3{0, 1.7, -distance}));
+    return scene;
+}
+
+TEST(CameraDepths, WhatIsCloseToACameraInsideALargeSceneIsDrawn) {
+    Context context;
+    for (const double distance : {0.4, 0.1, 0.01, 0.001}) {
+        const Scene scene = large_scene(distance);
+        const Camera camera =
+            choose_camera(scene, {.position = dvec3{0, 1.7, 0}, .focal_point = dvec3{0, 1.7, -1}}, 1, context);
+        EXPECT_LT(camera.z_near, distance);
+        EXPECT_GE(camera.z_near, 0.49 * std::min(distance, 2e-4 * camera.z_far)) << "no nearer than it has to be";
+        for (const std::string& name : engine_names()) {
+            if (name != "soft" && name != "trace") continue;
+            Session session(name);
+            session.set(scene);
+            Frame frame;
+            session.render(camera, {.width = 41, .height = 41}, frame, context);
+            EXPECT_EQ(frame.color[20 * 41 + 20].xyz(), (vec3{1, 0, 0})) << name << " " << distance;
+            EXPECT_EQ(frame.color[5 * 41 + 20].xyz(), (vec3{0, 0, 1})) << name << " " << distance;
+            EXPECT_EQ(frame.color[40 * 41 + 20].xyz(), (vec3{0, 1, 0})) << name << " " << distance;
+        }
+    }
+}
+
+TEST(CameraDepths, NearStaysWhereNothingIsNearer) {
+    Context context;
+    const ViewRequest view{.position = dvec3{0, 1.7, 0}, .focal_point = dvec3{0, 1.7, -1}};
+    const Camera camera = choose_camera(large_scene(100), view, 1, context);
+    EXPECT_EQ(camera.z_near, 1e-4 * camera.z_far);
+    Scene beside = large_scene(0.1);
+    beside.nodes[2].local.matrix = translation(dvec3{0, 1.7, 0.1});  // behind the eye
+    EXPECT_EQ(choose_camera(beside, view, 1, context).z_near, 1e-4 * camera.z_far);
+    ViewRequest asked = view;
+    asked.z_near = 0.2;
+    EXPECT_EQ(choose_camera(large_scene(0.1), asked, 1, context).z_near, 0.2);
+}
+
+TEST(CameraDepths, OfAFilesCamerasOnlyThoseOfAWorldWithoutNearAndFarFollowTheScene) {
+    Context context;
+    Scene scene = large_scene(0.05);
+    scene.source = "tour.glb";
+    scene.cameras = {camera_at({0, 1.7, 0}, {0, 1.7, -1})};
+    EXPECT_EQ(choose_camera(scene, {}, 1, context).z_near, 0.1) << "znear of glTF";
+    scene.source = "tour.scene.toml";
+    EXPECT_NEAR(choose_camera(scene, {}, 1, context).z_near, 0.025, 1e-6);
+    EXPECT_GT(choose_camera(scene, {}, 1, context).z_far, 1000);
+    scene.cameras[0].z_near = 0.2;
+    EXPECT_EQ(choose_camera(scene, {}, 1, context).z_near, 0.2);
 }
 
 TEST(CameraDepths, WhatCannotBeIsRefusedWithBothDistances) {

@@ -184,6 +184,25 @@ TEST_F(SequenceCameras, ACameraOfTheFileThatTheClipMovesDoesMove) {
     }
 }
 
+TEST_F(SequenceCameras, NearFollowsWhatComesCloseInEachPicture) {
+    Scene scene = moving_square();
+    test::add_object(scene, test::square_mesh(0, 900), translation(dvec3{0, 0, -800}));
+    SequenceRequest request = request_of();
+    request.picture.view.position = dvec3{30, 0, 0.05};
+    request.picture.view.focal_point = dvec3{30, 0, -1};
+    const SequencePlan plan(scene, request);
+    const SequenceViews all = views(scene, request);
+    const auto near_at = [&](double time_s, double wall) {
+        Scene moved = scene;
+        moved.nodes[1].local.matrix = translation(dvec3{0, 0, wall});
+        return all.camera(scene_at(moved, plan.clips_at(time_s)), 0).z_near;
+    };
+    const double usual = near_at(1, -800);
+    EXPECT_GT(usual, 0.05);
+    EXPECT_NEAR(near_at(1.53, 0), 0.025, 1e-9);
+    EXPECT_EQ(near_at(2, -800), usual);
+}
+
 TEST_F(SequenceCameras, APlacedCameraGoesRoundWhatItLooksAt) {
     Scene scene = moving_square();
     scene.animations.clear();
