@@ -63,7 +63,7 @@ Examples:
       Each model below a folder; pictures/ gets the same subfolders.
   rakelight render body.glb wheels.glb --as-one -o car.png
       Two files as one scene.
-  rakelight render scan.stl --up +Z --view isometric -o scan.png
+  rakelight render scan.ply --up +Z --view isometric -o scan.png
       A scan whose Z axis points up.
   rakelight render - --format glb -o - < helmet.glb
       From standard input to standard output: PNG; -o ppm:- writes PPM.

@@ -182,8 +182,8 @@ constexpr Entry entries[] = {
      "the file's first camera and its lights (default: file if that camera shows 90 % of the model)"},
     {camera, "camera-index", "N", "Camera of the file, by number from 0 or by name (default: see --view)"},
     {camera, "up", "AXIS",
-     "Up axis of the world: +Y (default), +Z, ..., or X,Y,Z. Named views, the environment and the camera turn along. "
-     "OBJ, STL and PLY files are assumed to be Y up: give +Z for models that are Z up"},
+     "Up axis of the world: +Y (default; of STL files +Z), +Z, ..., or X,Y,Z. Named views, the environment and the "
+     "camera turn along. OBJ, PLY and OFF files are assumed to be Y up: give +Z for models that are Z up"},
     {camera, "camera-position", "X,Y,Z", "Position of the camera [m]; not with --view or --camera-index"},
     {camera, "camera-focal-point", "X,Y,Z", "Point that the camera looks at (default: the center of the model)"},
     {camera, "camera-direction", "X,Y,Z", "Fit the model, seen along this direction; replaces --view"},
@@ -230,7 +230,8 @@ constexpr Entry entries[] = {
      "Lights without a range end where they contribute less than this, 0 to 1 (default 0: never)"},
     {light, "fog", "SPEC",
      "none, linear:START,END, exp:DENSITY or exp2:DENSITY, optionally followed by :color=COLOR, as displayed (sRGB)"},
-    {light, "hdri-file", "FILE", "Equirectangular picture of the environment (default: a built-in studio)"},
+    {light, "hdri-file", "FILE",
+     "Equirectangular picture of the environment (default: a built-in studio). Alone it lights the scene"},
     {light, "hdri-ambient", "", "Light the scene by the environment"},
     {light, "hdri-skybox", "", "Show the environment as background"},
     {light, "hdri-intensity", "F", "Factor on the light of the environment (default 1)"},

@@ -63,14 +63,26 @@ bool take_camera(const Scene& scene, PictureRequest& request, Context& context) 
     return false;
 }
 
-/// If neither the request nor the format gives the up axis.
-void note_up(const Scene& scene, PictureRequest& request, Context& context) {
-    const bool is_placed =
-        names(request, {"up", "camera-view-up", "camera-position", "camera-direction", "view", "camera-index"});
-    if (is_placed || !has_no_up_axis(request.input)) return;
-    const std::string why = why_z_is_up(scene);
+/// Advice, if neither the request nor the format gives the up axis.
+void advise_up(const Scene& scene, PictureRequest& request, bool is_z_up, Context& context) {
+    if (names(request, {"camera-position", "camera-direction", "view", "camera-index"})) return;
+    const std::string why = is_z_up ? why_y_is_up(scene) : why_z_is_up(scene), axis = is_z_up ? "Y" : "Z";
     if (!why.empty())
-        note(context, request, "the model looks as if Z were up: " + why + "; 'up' +Z turns it upright", {"up"});
+        context.report().add(
+            Remark::warning, request.input, "",
+            "the model looks as if " + axis + " were up: " + why + "; 'up' +" + axis + " turns it upright", {"up"});
+}
+
+/// STL files have Z up in any look. @param scene  as loaded
+void take_up_axis(const Scene& scene, PictureRequest& request, Context& context) {
+    if (names(request, {"up", "camera-view-up"}) || request.view.up || request.view.world_up) return;
+    const auto& joined = request.load.joined;
+    const bool is_z_up = is_z_up_format(request.input) && std::ranges::all_of(joined, is_z_up_format);
+    if (is_z_up) {
+        request.view.world_up = dvec3{0, 0, 1};
+        note(context, request, "STL files do not say which axis is up: Z is used; see 'up'", {"up"});
+    }
+    if (request.look != Look::plain && has_no_up_axis(request.input)) advise_up(scene, request, is_z_up, context);
 }
 
 /// Metallic-roughness materials are lit by the studio, unless a light is given.
@@ -92,7 +104,6 @@ void take_light(const Scene& scene, bool takes_file, PictureRequest& request) {
 }
 
 void take_look_of_posed(const Scene& scene, PictureRequest& request, Context& context) {
-    note_up(scene, request, context);
     if (request.engine == "trace") return;
     RenderSettings& settings = request.settings;
     const bool takes_file = take_camera(scene, request, context);
@@ -112,6 +123,7 @@ bool names(const PictureRequest& request, std::initializer_list<std::string_view
 }
 
 void apply_look(const Scene& scene, PictureRequest& request, Context& context) {
+    take_up_axis(scene, request, context);
     if (request.look == Look::plain) return;
     const std::optional<Scene> posed = posed_outline(scene, context);
     take_look_of_posed(posed ? *posed : scene, request, context);

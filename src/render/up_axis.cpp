@@ -58,10 +58,34 @@ SideShares side_shares(const Scene& scene, const Bounds& box) {
 
 }  // namespace
 
-bool has_no_up_axis(const std::string& path) {
+namespace {
+
+std::string ending_of(const std::string& path) {
     const std::size_t dot = path.rfind('.');
     std::string ending = dot == std::string::npos ? "" : path.substr(dot + 1);
     for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    return ending;
+}
+
+/// @param axis  1: Y, 2: Z
+bool stands_on_lowest(std::size_t axis, const Scene& scene, const Bounds& box) {
+    const dvec3 size = box.high - box.low;
+    const std::size_t other = 3 - axis;  // beside X
+    if (!(size.x > 0 && size[other] > 0 && size[axis] >= least_height * std::max(size.x, size[other]))) return false;
+    if (triangle_count(scene) < least_triangles) return false;
+    const SideShares share = side_shares(scene, box);
+    double others = 0;
+    for (std::size_t s = 0; s < 6; ++s)
+        if (s != 2 * axis) others = std::max(others, share[s]);
+    return share[2 * axis] >= least_share && share[2 * axis] >= least_ratio * others;
+}
+
+}  // namespace
+
+bool is_z_up_format(const std::string& path) { return ending_of(path) == "stl"; }
+
+bool has_no_up_axis(const std::string& path) {
+    const std::string ending = ending_of(path);
     constexpr const char* such[] = {"stl", "ply", "obj", "off", "xyz", "pts"};
     return std::ranges::find(such, ending) != std::end(such);
 }
@@ -74,14 +98,12 @@ std::string why_z_is_up(const Scene& scene) {
     const auto is_far = [&](double x) { return std::fabs(x) > survey_distance * diagonal; };
     if (is_far(center.x) && is_far(center.y) && !is_far(center.z))
         return "its coordinates look like those of a survey, far from zero in x and y";
-    if (!(size.x > 0 && size.y > 0 && size.z >= least_height * std::max(size.x, size.y))) return {};
-    if (triangle_count(scene) < least_triangles) return {};
-    const SideShares share = side_shares(scene, box);
-    double others = 0;
-    for (std::size_t s = 0; s < 6; ++s)
-        if (s != 4) others = std::max(others, share[s]);
-    if (share[4] >= least_share && share[4] >= least_ratio * others) return "it stands on a flat base at its lowest z";
-    return {};
+    return stands_on_lowest(2, scene, box) ? "it stands on a flat base at its lowest z" : "";
+}
+
+std::string why_y_is_up(const Scene& scene) {
+    const Bounds box = world_bounds(scene);
+    return !box.empty() && stands_on_lowest(1, scene, box) ? "it stands on a flat base at its lowest y" : "";
 }
 
 }  // namespace rakelight

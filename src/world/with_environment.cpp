@@ -47,7 +47,9 @@ Scene with_environment(Scene scene, const PictureRequest& request, Context& cont
     }
     Environment environment = scene.environment.value_or(Environment{.is_light = false, .is_background = false});
     if (!request.hdri_file.empty()) environment.image = environment_file(request.hdri_file, context);
-    environment.is_light = request.hdri_ambient.value_or(environment.is_light || request.studio_lights);
+    const bool is_file_alone = !request.hdri_file.empty() && !scene.environment && !request.hdri_skybox;
+    environment.is_light =
+        request.hdri_ambient.value_or(environment.is_light || request.studio_lights || is_file_alone);
     environment.is_background = request.hdri_skybox.value_or(environment.is_background);
     const bool is_studio = request.studio_lights && !scene.environment && request.hdri_file.empty();
     environment.intensity =

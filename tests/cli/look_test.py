@@ -4,6 +4,7 @@
 
   look_test.py PROGRAM [unittest arguments]"""
 import json
+import pathlib
 
 import program
 from models import TRIANGLE, triangle_gltf, write_glb
@@ -80,6 +81,15 @@ class Looks(program.Case):
         self.assertLess(sum(max(row[3 * x:3 * x + 3]) == 255 for row in picture for x in range(64)), 0.1 * 64 * 48)
         burnt, _ = self.render(bright, "--exposure", "0")
         self.assertGreater(sum(max(row[3 * x:3 * x + 3]) == 255 for row in burnt for x in range(64)), 0.2 * 64 * 48)
+
+    def test_a_panorama_alone_lights_the_model(self):
+        ramp = pathlib.Path(__file__).resolve().parents[2] / "data/environment/ramp.hdr"
+        for look in ("default", "plain"):
+            def lit(*options):
+                return self.render("builtin:teapot", "--hdri-file", str(ramp), "--background", "#000000", *options, look=look)[0]
+            self.assertEqual(lit(), lit("--hdri-ambient"))
+            self.assertNotEqual(lit(), lit("--hdri-ambient", "off"))
+            self.assertEqual(lit("--hdri-skybox"), lit("--hdri-skybox", "--hdri-ambient", "off"))
 
     def test_explain_takes_the_same_look(self):
         model = self.model()

@@ -27,7 +27,7 @@ COMMANDS = (  # exit code, arguments, environment
     (4, "empty.obj -o x.png", {}),
     (4, "spot.glb -o x.png --max-memory 100K", {}),
     (0, "model.obj -o x.png", {}),
-    (0, "part.stl -o x.png --verbose", {}),
+    (0, "part.obj -o x.png", {}),
     (2, "spot.glb -o x.bmp", {}),
     (2, "smooth part.stl -o out.stl", {}),
     (2, "smooth spot.glb -o out.fbx", {}),
@@ -44,6 +44,11 @@ def stl():
     return "solid part\n" + "".join(facets) + "endsolid part\n"
 
 
+def obj():
+    """The same pyramid."""
+    return "".join("v %g %g %g\n" % corner for corner in CORNERS) + "".join("f %d %d %d\n" % tuple(k + 1 for k in face) for face in FACES)
+
+
 class Troubleshooting(unittest.TestCase):
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
@@ -51,7 +56,7 @@ class Troubleshooting(unittest.TestCase):
         self.folder = pathlib.Path(temporary.name)
         spot = (ROOT / "data/spot/spot_slab5.glb").read_bytes()
         for name, content in {"spot.glb": spot, "cut.glb": spot[:1000], "text.glb": b"<html>not found</html>\n", "model.txt": b"hello\n", "empty.obj": b"v 0 0 0\n",
-                              "model.obj": b"mtllib no.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n", "part.stl": stl().encode()}.items():
+                              "model.obj": b"mtllib no.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n", "part.stl": stl().encode(), "part.obj": obj().encode()}.items():
             (self.folder / name).write_bytes(content)
 
     def run_command(self, arguments, settings):

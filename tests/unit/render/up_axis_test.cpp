@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <rakelight/picture_parts.h>
+
 #include "math/linear.h"
 #include "render/up_axis.h"
 
@@ -24,6 +26,52 @@ TEST(UpAxis, WhatStandsOnItsLowestZLooksZUp) {
     EXPECT_NE(why_z_is_up(pyramid(0, 1, 2)).find("flat base"), std::string::npos);
     EXPECT_EQ(why_z_is_up(pyramid(0, 2, 1)), "") << "it stands on its lowest y";
     EXPECT_EQ(why_z_is_up(pyramid(2, 1, 0)), "");
+}
+
+TEST(UpAxis, WhatStandsOnItsLowestYLooksYUp) {
+    Scene scene = pyramid(0, 1, 2);
+    EXPECT_EQ(why_y_is_up(scene), "");
+    scene.nodes[0].local.matrix = dmat4{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}}};  // Z goes to Y
+    EXPECT_NE(why_y_is_up(scene).find("lowest y"), std::string::npos);
+    EXPECT_EQ(why_z_is_up(scene), "");
+    EXPECT_EQ(why_y_is_up(Scene{}), "");
+}
+
+/// STL files have Z up, in any look, unless an axis is given; coordinates stay.
+TEST(UpAxis, OfStlFilesIsZ) {
+    const auto up_of = [](const std::string& name, PictureRequest request = {}) {
+        Context context;
+        request.input = name;
+        apply_look(pyramid(0, 1, 2), request, context);
+        return request.view.world_up;
+    };
+    const dvec3 z{0, 0, 1};
+    EXPECT_EQ(up_of("a.stl"), z);
+    EXPECT_EQ(up_of("a.STL", {.look = Look::standard}), z);
+    for (const char* name : {"a.obj", "a.ply", "a.glb", "stl", "a.scene.toml"}) EXPECT_FALSE(up_of(name)) << name;
+    EXPECT_FALSE(up_of("a.stl", {.given_keys = {"up"}}));
+    EXPECT_EQ(up_of("a.stl", {.view = {.world_up = dvec3{0, 1, 0}}}), (dvec3{0, 1, 0}));
+    EXPECT_EQ(up_of("a.stl", {.load = {.joined = {"b.stl"}}}), z);
+    EXPECT_FALSE(up_of("a.stl", {.load = {.joined = {"b.glb"}}}));
+}
+
+TEST(UpAxis, AdviceIsSeenWithoutAskingForIt) {
+    const auto advice = [](const std::string& name, const Scene& scene) {
+        Context context;
+        PictureRequest request{.input = name, .look = Look::standard};
+        apply_look(scene, request, context);
+        for (const ReportEntry& entry : context.report().entries())
+            if (entry.message.find("turns it upright") != std::string::npos && entry.remark != Remark::note)
+                return entry.message;
+        return std::string();
+    };
+    const Scene z_up = pyramid(0, 1, 2);
+    Scene y_up = z_up;
+    y_up.nodes[0].local.matrix = dmat4{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}}};
+    EXPECT_NE(advice("a.obj", z_up).find("'up' +Z"), std::string::npos);
+    EXPECT_EQ(advice("a.stl", z_up), "");
+    EXPECT_NE(advice("a.stl", y_up).find("'up' +Y"), std::string::npos);
+    EXPECT_EQ(advice("a.obj", y_up), "");
 }
 
 TEST(UpAxis, BoxesSayNothing) {
