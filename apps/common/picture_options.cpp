@@ -224,7 +224,7 @@ constexpr Entry entries[] = {
      "no bumps, no shadows, no environment lighting, no tone curve; other options override it (default: none)"},
     {light, "look", "NAME",
      "default: settings that are not given are chosen for the model (samples, light, shadows, background, exposure); "
-     "plain: one sample, default lights, a gray background (world files are plain)"},
+     "plain: one sample, default lights, a gray background. World files get samples alone, unless this is given"},
     {light, "light-intensity", "F", "Factor on every light (default 1)"},
     {light, "light-cutoff", "VALUE",
      "Lights without a range end where they contribute less than this, 0 to 1 (default 0: never)"},

@@ -120,6 +120,8 @@ std::vector<WorldValue> render_of(const PictureRequest& request, const fs::path&
             for (std::string& word : value.words) word = from_folder(word, folder);
     }
     const RenderSettings& s = request.settings;
+    const bool has_samples = std::ranges::find(values, "samples", &WorldValue::key) != values.end();
+    if (!has_samples) values.push_back({.key = "look", .words = {"plain"}});  // else worlds have four
     if (!has_size)  // what is the default today need not be it forever
         values.push_back({.key = "resolution", .words = {std::to_string(s.width) + "," + std::to_string(s.height)}});
     return values;

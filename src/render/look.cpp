@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <rakelight/validate.h>
+#include <rakelight/world.h>
 
 #include "prepare/pose_scene.h"
 #include "render/choose_camera.h"
@@ -103,13 +104,33 @@ void take_light(const Scene& scene, bool takes_file, PictureRequest& request) {
     if (!names(request, "shadow-filter")) request.settings.shadow_filter = soft_shadow_filter;
 }
 
+void take_samples(PictureRequest& request) {
+    if (!names(request, {"samples", "visibility"}) && request.settings.visibility == Visibility::z_reversed)
+        request.settings.samples = usual_samples;
+}
+
+/// A world has its own cameras, and its own light if it has any, as bright as it says. Unless the look is given, samples
+/// are all that is chosen.
+void take_look_of_world(const Scene& world, PictureRequest& request) {
+    const bool is_traced = request.engine == "trace";
+    if (!is_traced) take_samples(request);
+    if (!names(request, "look")) {
+        request.look = Look::plain;
+        return;
+    }
+    const bool is_lit = !world.lights.empty() || world.environment || world.fog.kind != FogKind::none;
+    if (is_lit)
+        request.given_keys.emplace_back("exposure");
+    else if (!is_traced && request.settings.method != RayMethod::radiosity)
+        take_light(world, true, request);
+}
+
 void take_look_of_posed(const Scene& scene, PictureRequest& request, Context& context) {
+    if (is_world_file(scene.source)) return take_look_of_world(scene, request);
     if (request.engine == "trace") return;
-    RenderSettings& settings = request.settings;
     const bool takes_file = take_camera(scene, request, context);
-    if (settings.method != RayMethod::radiosity) take_light(scene, takes_file, request);
-    if (!names(request, {"samples", "visibility"}) && settings.visibility == Visibility::z_reversed)
-        settings.samples = usual_samples;
+    if (request.settings.method != RayMethod::radiosity) take_light(scene, takes_file, request);
+    take_samples(request);
 }
 
 }  // namespace

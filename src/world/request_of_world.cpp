@@ -130,12 +130,13 @@ Error at_world_value(const Error& error, const WorldRequest& world) {
 namespace {
 
 WorldRequest request_of(std::vector<WorldValue> render, const std::string& path, const LoadOptions& options,
-                        const RenderOverrides& overrides) {
+                        const RenderOverrides& overrides, Look look) {
     Taking taking(path, overrides, options.allow_outside);
     for (WorldValue& value : render) taking.take(std::move(value));
     WorldRequest world;
     world.picture.input = path;
     world.picture.load = options;
+    world.picture.look = look;
     world.applied = std::move(taking.taken);
     std::vector<WorldValue> all = world.applied;
     all.insert(all.end(), overrides.values.begin(), overrides.values.end());
@@ -155,12 +156,12 @@ WorldRequest request_of(std::vector<WorldValue> render, const std::string& path,
 
 WorldRequest read_world_request(const std::string& path, const LoadOptions& options, const RenderOverrides& overrides,
                                 Context& context) {
-    return request_of(read_world(path, context).render, path, options, overrides);
+    return request_of(read_world(path, context).render, path, options, overrides, Look::standard);
 }
 
 WorldRequest read_settings_file(const std::string& path, const LoadOptions& options, const RenderOverrides& overrides,
                                 Context& context) {
-    return request_of(io::world::read_settings(path, context), path, options, overrides);
+    return request_of(io::world::read_settings(path, context), path, options, overrides, Look::plain);
 }
 
 PictureRequest request_of_world(const std::string& path, const LoadOptions& options, Context& context) {

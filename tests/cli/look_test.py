@@ -5,6 +5,7 @@
   look_test.py PROGRAM [unittest arguments]"""
 import json
 import pathlib
+import subprocess
 
 import program
 from models import TRIANGLE, triangle_gltf, write_glb
@@ -81,6 +82,33 @@ class Looks(program.Case):
         self.assertLess(sum(max(row[3 * x:3 * x + 3]) == 255 for row in picture for x in range(64)), 0.1 * 64 * 48)
         burnt, _ = self.render(bright, "--exposure", "0")
         self.assertGreater(sum(max(row[3 * x:3 * x + 3]) == 255 for row in burnt for x in range(64)), 0.2 * 64 * 48)
+
+    def bare(self, model, *options):
+        """The picture without any --look."""
+        done = subprocess.run([program.PROGRAM, "render", model, "-o", "a.png", "--resolution", "64,48", *options], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return program.png(self.folder / "a.png")[3]
+
+    def test_a_world_gets_samples_and_keeps_its_light(self):
+        lamps = "[[light]]\ntype = 'directional'\ndirection = [-1, -2, -1]\ndiffuse = [0.9, 0.9, 0.8]\n[[light]]\ntype = 'ambient'\nambient = [0.2, 0.2, 0.2]\n"
+        camera = "[[camera]]\nposition = [0, 0.3, 1.6]\ntarget = [0, 0.3, 0]\n"  # shows little of the floor
+        parts = "[[primitive]]\ntype = 'sphere'\nradius = 0.5\n[[primitive]]\ntype = 'plane'\nsize = [40, 40]\n"
+        for name, text in (("lit", parts + lamps + camera), ("dark", parts + camera)):
+            with self.subTest(name=name):
+                world = f"{name}.scene.toml"
+                self.write(world, text)
+                standard, plain = self.bare(world), self.bare(world, "--look", "plain")
+                self.assertEqual(standard, self.bare(world, "--look", "plain", "--samples", "4"))
+                self.assertNotEqual(standard, plain)
+                self.assertEqual(self.bare(world, "--samples", "1"), plain)
+                self.assertEqual(self.bare(world, "--visibility", "z32"), self.bare(world, "--visibility", "z32", "--look", "plain"))
+                asked = self.bare(world, "--look", "default", "--background", "#808080")
+                same = self.bare(world, "--background", "#808080")
+                self.assertEqual(asked == same, name == "lit")  # a world without light gets the studio where the look is asked for
+
+    def test_a_worlds_lamps_in_physical_units_stay_as_bright_as_they_are(self):
+        self.write("w.scene.toml", "[[primitive]]\ntype = 'sphere'\n[[light]]\ntype = 'photometric-point'\nposition = [0, 0, 3]\nintensity_cd = 5000\n")
+        self.assertEqual(self.bare("w.scene.toml", "--look", "default", "--background", "#808080"), self.bare("w.scene.toml", "--background", "#808080"))
 
     def test_a_panorama_alone_lights_the_model(self):
         ramp = pathlib.Path(__file__).resolve().parents[2] / "data/environment/ramp.hdr"
