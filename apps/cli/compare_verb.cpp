@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include <rakelight/compare.h>
+#include <rakelight/tools/draw_alike.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/values.h>
 
@@ -125,6 +126,27 @@ bool has_free_size(const Run& run, const ComparedSide& side) {
     return !world || std::ranges::find(world->applied, "resolution", &WorldValue::key) == world->applied.end();
 }
 
+/// Both scenes in one look, as large as the side whose size is given.
+std::pair<Pixels, Pixels> pixels_of_scenes(const Run& run, ComparedSide a, ComparedSide b, Context& context) {
+    for (const ComparedSide* side : {&a, &b})
+        if (side->scene->error) throw *side->scene->error;
+    const auto resize = [](PictureRequest& to, const PictureRequest& from) {
+        to.settings.width = from.settings.width, to.settings.height = from.settings.height;
+    };
+    if (has_free_size(run, a) && !has_free_size(run, b)) resize(a.scene->picture, b.scene->picture);
+    if (has_free_size(run, b) && !has_free_size(run, a)) resize(b.scene->picture, a.scene->picture);
+    try {
+        return draw_alike(a.scene->picture, b.scene->picture, context);
+    } catch (const Error& error) {
+        for (const ComparedSide* side : {&a, &b}) {
+            if (!side->scene->world) continue;
+            const Error placed = at_world_value(error, *side->scene->world);
+            if (!placed.place().empty() && error.place().empty()) throw Error(placed);
+        }
+        throw;
+    }
+}
+
 /// Both sides; a scene beside a picture is drawn as large as that.
 std::pair<Pixels, Pixels> pixels_of(const Run& run, const ComparedPair& pair, Context& context) {
     const auto drawn_like = [&](ComparedSide side, const Pixels& picture) {
@@ -134,6 +156,8 @@ std::pair<Pixels, Pixels> pixels_of(const Run& run, const ComparedPair& pair, Co
         }
         return pixels_of(side, context);
     };
+    if (pair.a.scene && pair.b.scene && !run.given.has("engines"))
+        return pixels_of_scenes(run, pair.a, pair.b, context);
     const bool draws_a = pair.a.scene && !pair.b.scene, draws_b = pair.b.scene && !pair.a.scene;
     if (draws_a) {
         Pixels b = pixels_of(pair.b, context), a = drawn_like(pair.a, b);

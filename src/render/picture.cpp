@@ -301,6 +301,19 @@ PictureResult render_picture(const PictureRequest& request, std::vector<std::byt
         request, [](Scene scene) { return scene; }, file, context);
 }
 
+PictureRequest draw_to_pixels(Scene loaded, const PictureRequest& request, Pixels& color, Context& context) {
+    PictureRequest shown = request;
+    picture_by(request, context, [&](Session& session) {
+        return draw_loaded(
+            std::move(loaded), request, session, context,
+            [&](Session& engine, const Camera& camera, const PictureRequest& looked, PictureResult& result) {
+                draw_to_memory(engine, camera, looked, result, color, context);
+                shown = looked;
+            });
+    });
+    return shown;
+}
+
 PictureResult render_picture(const PictureRequest& asked, Pixels& color, Context& context) {
     PictureRequest request = asked;
     request.output.clear();

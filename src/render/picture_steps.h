@@ -37,6 +37,10 @@ void warn_of_unknown_names(const Scene& scene, const RenderSettings& settings, R
 /// Warns of unused settings of paths and of ambient occlusion.
 void warn_of_unused(const PictureRequest& request, Report& report);
 
+/// Draws a scene into memory. @param loaded  as_requested()
+/// @return the request with what its look has chosen
+PictureRequest draw_to_pixels(Scene loaded, const PictureRequest& request, Pixels& color, Context& context);
+
 /// Counts of what is drawn.
 void count_parts(const Scene& prepared, PictureResult& result);
 

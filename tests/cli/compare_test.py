@@ -179,8 +179,48 @@ class Compare(program.Case):
             self.assertEqual((run.code, run.err), (render.code, render.err))
             self.assertIn("line 8", run.err)
         self.run_program("render", "one.scene.toml", "-o", "one.png")
-        (row,) = self.rows("one.scene.toml", "one.png")
+        (row,) = self.rows("one.scene.toml", "one.png", "--look", "plain")
         self.assertTrue(row["equal"])
+
+    def test_one_model_in_several_formats_differs_by_its_material_alone(self):
+        corners = {(x, y, z): (x * 200 + 10, y * 150 + 60, z * 220) for x in (0, 1) for y in (0, 1) for z in (0, 1)}
+        numbers = {corner: i for i, corner in enumerate(corners)}
+        faces = [[numbers[c] for c in face] for face in (((0, 0, 0), (0, 1, 0), (1, 1, 0), (1, 0, 0)), ((0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)),
+                                                         ((0, 0, 0), (1, 0, 0), (1, 0, 1), (0, 0, 1)), ((0, 0, 0), (0, 0, 1), (0, 1, 1), (0, 1, 0)))]
+        rows = ["%g %g %g %d %d %d" % (*place, *color) for place, color in corners.items()]
+        self.write("box.obj", "".join(f"v {row}\n" for row in rows) + "".join("f %d %d %d %d\n" % tuple(k + 1 for k in f) for f in faces))
+        self.write("box.ply", "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n"
+                              "property uchar green\nproperty uchar blue\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n" +
+                              "".join(f"{row}\n" for row in rows) + "".join("4 %d %d %d %d\n" % tuple(f) for f in faces))
+        self.assertEqual(self.run_program("smooth", "box.obj", "-o", "box.glb").code, 0)
+        size = ("--resolution", "96,64")
+        (row,) = self.rows("box.obj", "box.ply", *size)
+        self.assertTrue(row["equal"])
+        for pair in (("box.obj", "box.glb"), ("box.glb", "box.ply")):
+            (row,) = self.rows(*pair, *size)
+            self.assertLess(row["flip"], 0.02)
+            self.assertGreater(row["psnr_db"] or 99, 36)
+
+    def test_two_scenes_have_one_camera(self):
+        (row,) = self.rows("builtin:sphere:radius=1", "builtin:sphere:radius=2", "--resolution", SIZE)
+        self.assertGreater(row["differing_share"], 0.2)  # each by a view of its own would look like the other
+        self.assertEqual(self.rows("builtin:sphere:radius=2", "builtin:sphere:radius=1", "--resolution", SIZE)[0]["rmse"], row["rmse"])
+        placed = ("--camera-position", "0,0,9", "--resolution", SIZE)
+        self.run_program("render", "builtin:sphere:radius=2", "-o", "placed.png", *placed, "--look", "default")
+        run = self.run_program("compare", "builtin:sphere:radius=1", "builtin:sphere:radius=2", *placed, "-o", "p.html")
+        self.assertEqual(run.code, 0, run.err)
+        pictures = re.findall(r'<img class="b"[^>]* src="data:image/png;base64,([^"]+)"', (self.folder / "p.html").read_text())
+        (self.folder / "b.png").write_bytes(base64.b64decode(pictures[0]))
+        self.assertEqual(png(self.folder / "b.png")[3], png(self.folder / "placed.png")[3])
+
+    def test_a_scene_without_light_gets_that_of_the_other(self):
+        sphere = "[[primitive]]\ntype = 'sphere'\n"
+        self.write("lit.scene.toml", sphere + "[[light]]\ntype = 'point'\nposition = [2, 3, 4]\ndiffuse = [1, 0.2, 0.1]\n"
+                                              "[[camera]]\nposition = [0, 2, 5]\ntarget = [0, 0, 0]\n")
+        self.write("bare.scene.toml", sphere)
+        for pair in (("lit.scene.toml", "bare.scene.toml"), ("bare.scene.toml", "lit.scene.toml"), ("lit.scene.toml", "builtin:sphere")):
+            (row,) = self.rows(*pair, "--resolution", SIZE)
+            self.assertTrue(row["equal"], pair)
 
     def test_scenes_have_the_default_look_as_render_gives_it(self):
         metal = pathlib.Path(__file__).resolve().parents[2] / "data/materials/layers.gltf"

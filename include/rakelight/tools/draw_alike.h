@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of two scenes that differ only where the scenes do.
+#pragma once
+#include <utility>
+
+#include <rakelight/context.h>
+#include <rakelight/export.h>
+#include <rakelight/image.h>
+#include <rakelight/request.h>
+
+namespace rakelight {
+
+/// Draws two scenes into memory, for a comparison. Both get one look, one camera and one exposure, which are chosen for
+/// both scenes together. Settings that a request gives apply to its scene (PictureRequest::given_keys).
+/// - The camera is the first of scene a, else the first of scene b, else a fitted one that shows both.
+/// - If only one scene has lights or an environment, these light the other scene too.
+/// - The look is plain if one of the requests has the plain look.
+/// The output and the data channels of the requests are ignored.
+/// @return the pictures of a and b, as render_picture() draws them
+/// @throws Error as render_picture()
+RL_API std::pair<Pixels, Pixels> draw_alike(PictureRequest a, PictureRequest b, Context& context);
+
+}  // namespace rakelight
