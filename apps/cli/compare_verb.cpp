@@ -139,7 +139,8 @@ std::pair<Pixels, Pixels> pixels_of_scenes(const Run& run, ComparedSide a, Compa
         return draw_alike(a.scene->picture, b.scene->picture, context);
     } catch (const Error& error) {
         for (const ComparedSide* side : {&a, &b}) {
-            if (!side->scene->world) continue;
+            const bool is_of_side = error.file().empty() || error.file() == side->name;
+            if (!is_of_side || !side->scene->world) continue;
             const Error placed = at_world_value(error, *side->scene->world);
             if (!placed.place().empty() && error.place().empty()) throw Error(placed);
         }

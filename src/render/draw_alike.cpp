@@ -50,12 +50,18 @@ Scene both(const Scene& a, const Scene& b, Context& context) {
     return all;
 }
 
-/// The settings that the small picture of the look decides. One that only one side gives holds for both.
+/// The settings that the look decides, besides light and camera. One that only one side gives holds for both.
 struct SharedSetting {
     std::string_view key, other_key;
     void (*copy)(PictureRequest& to, const PictureRequest& from);
 };
 const SharedSetting shared_settings[] = {
+    {"samples", "samples",
+     [](PictureRequest& to, const PictureRequest& from) { to.settings.samples = from.settings.samples; }},
+    {"shadows", "shadows",
+     [](PictureRequest& to, const PictureRequest& from) { to.settings.shadows = from.settings.shadows; }},
+    {"shadow-filter", "shadow-filter",
+     [](PictureRequest& to, const PictureRequest& from) { to.settings.shadow_filter = from.settings.shadow_filter; }},
     {"background", "background",
      [](PictureRequest& to, const PictureRequest& from) { to.settings.background = from.settings.background; }},
     {"exposure", "tone-mapping", [](PictureRequest& to, const PictureRequest& from) { to.tone = from.tone; }},

@@ -173,7 +173,7 @@ class Compare(program.Case):
         self.check_refused(self.run_program("compare", "one.scene.toml", "wrong.scene.toml"), 4, "wrong.scene.toml", "line 4")
         self.write("shadows.scene.toml", "[[primitive]]\ntype = 'sphere'\n[[light]]\ntype = 'point'\nposition = [0, 0, 2]\n"
                                          "[render]\nshadows = true\nshadow-size = 8192\n")  # found out while it is drawn
-        for arguments in (("one.scene.toml", "shadows.scene.toml"), ("--engines", "soft,soft", "shadows.scene.toml")):
+        for arguments in (("shadows.scene.toml", "one.scene.toml"), ("--engines", "soft,soft", "shadows.scene.toml")):
             run = self.run_program("compare", *arguments, "--max-memory", "50M")
             render = self.run_program("render", "shadows.scene.toml", "-o", "none.png", "--max-memory", "50M")
             self.assertEqual((run.code, run.err), (render.code, render.err))

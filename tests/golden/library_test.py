@@ -28,6 +28,7 @@ def settings_of(arguments):
 
 def draw_by_library(example, row, folder):
     model, settings = settings_of(row["arguments"])
+    settings.append("look=plain")
     if not any(s.startswith("resolution=") for s in settings):
         settings.append("resolution={},{}".format(*row["size"]))
     if "channel" in row:
