@@ -191,8 +191,8 @@ struct PictureRequest {
     /// Equirectangular picture that replaces the picture of the scene's environment. Empty: the scene's environment, or
     /// the built-in studio if the scene has none.
     std::string hdri_file{};
-    /// `hdri_ambient`: whether the environment lights the scene. `hdri_skybox`: whether it is the background. Absent:
-    /// as in the scene; off if the scene has no environment.
+    /// `hdri_ambient`: whether the environment lights the scene. `hdri_skybox`: whether it is the background. Absent: as
+    /// in the scene. If the scene has no environment: off, but `hdri_file` alone lights the scene.
     std::optional<bool> hdri_ambient{}, hdri_skybox{};
     std::optional<double> hdri_intensity{};     ///< >= 0; replaces Environment::intensity of the scene
     std::optional<double> hdri_rotation_rad{};  ///< about +Y; replaces Environment::rotation_rad of the scene
