@@ -166,7 +166,7 @@ int run_smooth(const Run& given) {
         const int code = run_input(run, input, row, [&](Context& c) {
             row.result = smooth_input(run, request, smooth_options(run, request), c);
         });
-        if (code == 0) print_note(summary(*row.result), run.loudness);
+        if (code == 0) print_message(summary(*row.result), run.loudness);
         worst = std::max(worst, code);
     }
     if (run.is_json) print_data(to_json(rows));

@@ -86,12 +86,14 @@ def remarks(row):
 
 
 def kept_flat(row):
-    """What is said of borders that were left as they are because the faces at both sides are flat; empty: there are none."""
+    """What is said of borders that were left as they are because both sides are shaded hard there; empty: there are none."""
     seams = row.get("seams")
-    count = seams.get("flat_pairs") if isinstance(seams, dict) else 0
+    flat, creases = (seams.get(name) or 0 if isinstance(seams, dict) else 0 for name in ("flat_pairs", "crease_pairs"))
+    count = flat + creases
     if not count:
         return ""
-    edges = "1 edge between flat faces of two objects keeps its" if count == 1 else f"{count} edges between flat faces of two objects keep their"
+    where = "of two objects" if creases else "between flat faces of two objects"
+    edges = f"1 {'hard ' if creases else ''}edge {where} keeps its" if count == 1 else f"{count} {'hard ' if creases else ''}edges {where} keep their"
     return f"{edges} seam; to smooth across it, choose Normals: Whole model"
 
 

@@ -17,6 +17,13 @@ inline constexpr double authored_equality = 1e-3;
 /// [degrees] A corner normal counts as flat if its angle to the face normal is at most this. Two faces count as
 /// coplanar if the angle between their face normals is at most this.
 inline constexpr double authored_flat_deg = 1;
+/// An edge between two surfaces is an authored crease if the normals of both surfaces differ from their faces by at most
+/// this share of the angle between the faces. Where a surface of equal bends is smooth, the share is at least a half.
+inline constexpr double authored_crease_share = 0.4;
+
+/// Treatment of the normals of a file. `seams`: the normals are kept, but joined where meshes meet (join_seams());
+/// tangents rotate with their normals. `replaced`: all normals are computed anew.
+enum class AuthoredNormals : std::uint8_t { seams, replaced };
 
 /// Options of join_seams().
 struct SeamOptions {
@@ -31,7 +38,8 @@ struct SeamReport {
     std::uint64_t turned = 0;          ///< number of changed normals
     double max_deg = 0, mean_deg = 0;  ///< [degrees] angle of the changes, in world space
     std::uint64_t flat_pairs = 0;      ///< pairs of faces of two meshes that stay flat at their common edge
-    std::uint64_t unusable = 0;        ///< zero or non-finite normals, which are not changed
+    std::uint64_t crease_pairs = 0;  ///< pairs of faces of two meshes that keep an authored crease; without flat_pairs
+    std::uint64_t unusable = 0;      ///< zero or non-finite normals, which are not changed
     bool operator==(const SeamReport&) const = default;
 };
 
@@ -52,11 +60,17 @@ struct MeshSeams {
 ///    normals at a position, only corners with bit-equal normals form a fan. Two fans of one mesh are never joined,
 ///    because an author may place a hard edge at any angle.
 /// 2. *Joints.* Two fans of different meshes are joined if two conditions hold. A face of each fan uses the same edge
-/// at
-///    the position, and the normals of these faces differ by at most the crease angle. A pair of flat faces is an
-///    exception. A face is authored flat if its three corners have the face normal, within `authored_flat_deg`. If both
-///    faces are authored flat, but not coplanar, their edge is a hard edge, and the fans stay separate. If joints would
-///    connect two fans of one mesh, the fans with the closest authored normals are joined first.
+///    at the position, and the normals of these faces differ by at most the crease angle. Two hard edges are
+///    exceptions:
+///    - Both faces are authored flat, but not coplanar. A face is authored flat if its corners have the face normal,
+///      within `authored_flat_deg`.
+///    - Both fans end in an authored crease: their normals do not bend towards each other. The *lean* of a fan is the
+///      largest angle between a face of the fan and the normals of the face's corners. Both leans are at most
+///      `authored_crease_share` of the angle between the faces at the edge.
+///
+///    Of a face's corners, the corner at the position counts, and those at positions of only one mesh. If joints would
+///    connect two fans of one mesh, the fans with the closest authored normals are joined first. The steps are repeated
+///    with the new normals until nothing turns, so that a second call changes nothing.
 /// 3. *Normals.* Joined fans get one normal. It is a weighted sum of the unit normals of the fans, in world space. The
 ///    weight of a fan is the sum of its corner angles (Thuermer & Wuethrich 1998, "Computing Vertex Normals from
 ///    Polygonal Facets", with authored normals in place of facet normals). The fans keep their normals if the sum is

@@ -23,16 +23,12 @@ namespace rakelight {
 /// - `never`: none. Tangents of the file are removed, because they belong to the old normals.
 enum class TangentChoice : std::uint8_t { automatic, always, never };
 
-/// Treatment of the file's normals. `seams`: the normals are kept, but joined where meshes meet (<rakelight/seams.h>);
-/// tangents rotate with their normals. `replaced`: new normals are computed with SmoothFileOptions::attributes.
-enum class AuthoredNormals : std::uint8_t { seams, replaced };
-
 /// Options of smooth_file().
 struct SmoothFileOptions {
     /// The members attributes.normals and attributes.tangents are ignored. With AuthoredNormals::seams, only crease
     /// angle and weld distance apply to existing normals. Meshes without normals use all options.
     AttributeOptions attributes{};
-    AuthoredNormals authored = AuthoredNormals::seams;
+    AuthoredNormals authored = AuthoredNormals::seams;  ///< `replaced`: all normals are new, by `attributes`
     /// [m] in world space, finite, >= 0; 0: off. Also matches normals along borders that are at most this far apart
     /// (<rakelight/matching_borders.h>). Only meshes within one attributes.scope match; with Scope::face no meshes
     /// match.

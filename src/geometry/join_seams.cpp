@@ -28,10 +28,17 @@ struct Turn {
     float degrees;  ///< in the world
 };
 
+/// Memory for the corners and fans at one place.
+struct Scratch {
+    std::vector<dvec3> before;   ///< [corners] authored normals
+    std::vector<dvec3> sums;     ///< [fans]
+    std::vector<double> angles;  ///< [fans]
+};
+
 /// Result of one chunk of places.
 struct Found {
     std::vector<Turn> turns;
-    std::uint64_t flat_pairs = 0;
+    std::uint64_t flat_pairs = 0, crease_pairs = 0;
 };
 
 class SeamPass {
@@ -44,17 +51,19 @@ public:
     }
 
     std::vector<Turn> run(SeamReport& report) {
-        std::vector<std::uint8_t> used(input_.vertex_count(), 0), shared(input_.vertex_count(), 0);
+        std::vector<std::uint8_t> used(input_.vertex_count(), 0);
+        shared_.assign(input_.vertex_count(), 0);
         mark_used(used);
-        mark_shared(used, shared);
+        mark_shared(used);
         count_normals(used, report);
-        const CornerBins bins = corners_at(shared);
+        const CornerBins bins = shared_corners();
         std::vector<Found> found(input_.vertex_count() / vertices_per_chunk + 1);
         context_.parallel_for(found.size(), [&](std::size_t c) { found[c] = look_at_places(c, bins); });
         std::vector<Turn> turns;
         for (const Found& f : found) {
             turns.insert(turns.end(), f.turns.begin(), f.turns.end());
             report.flat_pairs += f.flat_pairs;
+            report.crease_pairs += f.crease_pairs;
         }
         std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.vertex < b.vertex; });
         return turns;
@@ -85,7 +94,7 @@ private:
     }
 
     /// The smallest mesh at a place owns it; with another mesh the place is shared.
-    void mark_shared(const std::vector<std::uint8_t>& used, std::vector<std::uint8_t>& shared) const {
+    void mark_shared(const std::vector<std::uint8_t>& used) {
         std::vector<std::uint32_t> owner(used.size(), nobody);
         for_each_vertex([&](std::uint32_t m, std::uint32_t v) {
             if (used[v] == 0) return;
@@ -96,7 +105,7 @@ private:
         });
         for_each_vertex([&](std::uint32_t m, std::uint32_t v) {
             if (used[v] != 0 && owner[placed_.place[v]] != m)
-                std::atomic_ref(shared[placed_.place[v]]).store(1, std::memory_order_relaxed);
+                std::atomic_ref(shared_[placed_.place[v]]).store(1, std::memory_order_relaxed);
         });
     }
 
@@ -110,12 +119,12 @@ private:
         report.normals = normals, report.unusable = unusable;
     }
 
-    CornerBins corners_at(const std::vector<std::uint8_t>& shared) const {
+    CornerBins shared_corners() const {
         BlockArray<std::uint16_t> scratch;
         return CornerSort(input_, input_.vertex_count(), {}, scratch, context_).run([&](std::uint32_t m) {
             return [&, m](std::uint32_t corner) {
                 const std::uint32_t place = placed_.place[input_.corner_vertex(m, corner)];
-                return shared[place] != 0 ? place : CornerSort::no_bin;
+                return shared_[place] != 0 ? place : CornerSort::no_bin;
             };
         });
     }
@@ -141,24 +150,25 @@ private:
         if (c.face == dvec3{}) return c;
         const dvec3 angles = corner_weights<CornerWeight::angle>(placement, face, normal.length);
         c.angle = k == 0 ? angles.x : k == 1 ? angles.y : angles.z;
-        c.is_flat = true;
-        for (int i = 0; i < 3; ++i) c.is_flat = c.is_flat && is_own(authored(m, index[i]), c.face);
         c.next = places[index[after[k]]];
         c.previous = places[index[after[after[k]]]];
+        for (const std::uint32_t other : {index[after[k]], index[after[after[k]]]})
+            c.others_lean = std::max(c.others_lean, lean_of_other(m, other, c.face));
         return c;
     }
 
-    /// A zero normal means none.
-    static bool is_own(dvec3 corner, dvec3 face) {
-        return corner != dvec3{} && angle_between(corner, face) <= radians(authored_flat_deg);
+    /// A normal that may turn does not count; a zero normal means none.
+    double lean_of_other(std::uint32_t m, std::uint32_t vertex, dvec3 face) const {
+        const dvec3 normal = authored(m, vertex);
+        if (normal == dvec3{}) return pi;
+        return shared_[placed_.place[input_.vertex_base[m] + vertex]] != 0 ? 0 : angle_between(normal, face);
     }
 
     Found look_at_places(std::size_t chunk, const CornerBins& bins) const {
         Found found;
         SeamFans fans(cosines_);
         std::vector<SeamCorner> corners;
-        std::vector<dvec3> sums;
-        std::vector<double> angles;
+        Scratch scratch;
         const std::size_t first = chunk * vertices_per_chunk,
                           last = std::min<std::size_t>(input_.vertex_count(), first + vertices_per_chunk);
         std::uint32_t m = 0;
@@ -169,57 +179,71 @@ private:
                     m = input_.mesh_of_triangle(corner / 3);
                 corners.push_back(corner_at(m, corner));
             }
-            if (corners.empty()) continue;
-            fans.find(std::uint32_t(place), corners);
-            found.flat_pairs += fans.flat_pairs();
-            turn(corners, fans, sums, angles, found.turns);
+            if (!corners.empty()) settle(std::uint32_t(place), corners, fans, scratch, found);
         }
         return found;
     }
 
-    /// The common normals of the joined fans at one place.
-    /// @param sums, scratch  memory
-    void turn(std::span<const SeamCorner> corners, SeamFans& fans, std::vector<dvec3>& sums,
-              std::vector<double>& scratch, std::vector<Turn>& turns) const {
+    /// Joins the fans at one place until nothing turns, as further calls would.
+    void settle(std::uint32_t place, std::vector<SeamCorner>& corners, SeamFans& fans, Scratch& scratch,
+                Found& found) const {
+        scratch.before.clear();
+        for (const SeamCorner& c : corners) scratch.before.push_back(c.authored);
+        constexpr int most_rounds = 8;
+        for (int round = 0; round < most_rounds; ++round) {
+            fans.find(place, corners);
+            if (!turn(corners, fans, scratch)) break;
+        }
+        found.flat_pairs += fans.flat_pairs(), found.crease_pairs += fans.crease_pairs();
+        const std::size_t first = found.turns.size();
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            if (corners[i].authored != scratch.before[i]) add_turn(corners[i], scratch.before[i], found.turns);
+        const auto begin = found.turns.begin() + std::ptrdiff_t(first);
+        std::sort(begin, found.turns.end(), [](const Turn& a, const Turn& b) { return a.vertex < b.vertex; });
+        found.turns.erase(
+            std::unique(begin, found.turns.end(), [](const Turn& a, const Turn& b) { return a.vertex == b.vertex; }),
+            found.turns.end());
+    }
+
+    /// Gives the corners of joined fans their common normal.
+    /// @return whether any turned
+    static bool turn(std::span<SeamCorner> corners, SeamFans& fans, Scratch& scratch) {
         const std::span<const AuthoredFan> list = fans.fans();
-        sums.assign(list.size(), {});
-        std::vector<double>& angles = scratch;
-        angles.assign(list.size(), 0);
+        scratch.sums.assign(list.size(), {});
+        scratch.angles.assign(list.size(), 0);
         bool any = false;
         for (std::uint32_t f = 0; f < list.size(); ++f) {
             const std::uint32_t root = fans.joined(f);
-            sums[root] += list[f].normal * list[f].angle;
-            angles[root] += list[f].angle;
+            scratch.sums[root] += list[f].normal * list[f].angle;
+            scratch.angles[root] += list[f].angle;
             any = any || fans.is_open(f);
         }
-        if (!any) return;
-        const auto turns_to = [&](std::uint32_t root) {  // zero: it keeps its own
-            const bool vanishes = !(length(sums[root]) > vanished_share * angles[root]);
-            return fans.is_open(root) && !vanishes ? normalize_or(sums[root], dvec3{}) : dvec3{};
-        };
-        const std::size_t before = turns.size();
+        if (!any) return false;
+        any = false;
         for (std::size_t i = 0; i < corners.size(); ++i) {
             if (fans.fan_of()[i] == SeamFans::no_fan) continue;
-            if (const dvec3 normal = turns_to(fans.joined(fans.fan_of()[i])); normal != dvec3{})
-                add_turn(corners[i], normal, turns);
+            const std::uint32_t root = fans.joined(fans.fan_of()[i]);
+            const bool vanishes = !(length(scratch.sums[root]) > vanished_share * scratch.angles[root]);
+            if (!fans.is_open(root) || vanishes) continue;
+            const dvec3 normal = normalize_or(scratch.sums[root], corners[i].authored);
+            any = any || normal != corners[i].authored;
+            corners[i].authored = normal;
         }
-        const auto begin = turns.begin() + std::ptrdiff_t(before);
-        std::sort(begin, turns.end(), [](const Turn& a, const Turn& b) { return a.vertex < b.vertex; });
-        turns.erase(std::unique(begin, turns.end(), [](const Turn& a, const Turn& b) { return a.vertex == b.vertex; }),
-                    turns.end());
+        return any;
     }
 
-    void add_turn(const SeamCorner& corner, dvec3 normal, std::vector<Turn>& turns) const {
-        const vec3 wanted = cast<float>(to_object(input_.placements[corner.mesh], normal));
+    void add_turn(const SeamCorner& corner, dvec3 before, std::vector<Turn>& turns) const {
+        const vec3 wanted = cast<float>(to_object(input_.placements[corner.mesh], corner.authored));
         const std::uint32_t vertex = corner.vertex - input_.vertex_base[corner.mesh];
         if (wanted == input_.meshes[corner.mesh].normals[vertex]) return;
-        turns.push_back({corner.vertex, wanted, float(degrees(angle_between(corner.authored, normal)))});
+        turns.push_back({corner.vertex, wanted, float(degrees(angle_between(before, corner.authored)))});
     }
 
     const PlacedMeshes& placed_;
     const AttributeInput& input_;
     Context& context_;
-    std::vector<double> cosines_;  ///< [meshes]
+    std::vector<double> cosines_;       ///< [meshes]
+    std::vector<std::uint8_t> shared_;  ///< [places] whether several meshes have faces there
 };
 
 /// Upper bound of the pass's memory besides the weld, as if every place were shared.

@@ -21,7 +21,7 @@ auto key(dvec3 n) { return std::tuple(n.x, n.y, n.z); }
 }  // namespace
 
 void SeamFans::find(std::uint32_t place, std::span<const SeamCorner> corners) {
-    flat_pairs_ = 0;
+    flat_pairs_ = crease_pairs_ = 0;
     find_fans(corners);
     sets_.reset(fans_.size());
     is_open_.assign(fans_.size(), 0);
@@ -38,6 +38,9 @@ void SeamFans::find(std::uint32_t place, std::span<const SeamCorner> corners) {
 void SeamFans::find_fans(std::span<const SeamCorner> corners) {
     fans_.clear();
     fan_of_.assign(corners.size(), no_fan);
+    leans_.clear();
+    for (const SeamCorner& c : corners)
+        leans_.push_back(c.face == dvec3{} ? 0 : std::max(c.others_lean, angle_between(c.authored, c.face)));
     for (std::size_t first = 0; first < corners.size();) {
         std::size_t last = first + 1;
         while (last < corners.size() && corners[last].mesh == corners[first].mesh) ++last;
@@ -75,7 +78,7 @@ void SeamFans::find_fans_of_mesh(std::span<const SeamCorner> corners, std::uint3
         const std::uint32_t root = alike_.root(a);
         if (root == a) {
             fan_of_lead_[a] = std::uint32_t(fans_.size());
-            fans_.push_back({corners[0].mesh, normal_of(a), 0});
+            fans_.push_back({corners[0].mesh, normal_of(a)});
             sums_.emplace_back();
         }
         const std::uint32_t fan = fan_of_lead_[a] = fan_of_lead_[root];
@@ -84,6 +87,7 @@ void SeamFans::find_fans_of_mesh(std::span<const SeamCorner> corners, std::uint3
             const SeamCorner& c = corners[order_[i]];
             fan_of_[first + order_[i]] = fan;
             fans_[fan].angle += c.angle;
+            fans_[fan].lean = std::max(fans_[fan].lean, leans_[first + order_[i]]);
             sums_[fan - first_fan] += c.authored * c.angle;
         }
     }
@@ -137,13 +141,22 @@ void SeamFans::look_at_pair(std::uint32_t place, std::span<const SeamCorner> cor
     if (p.mesh == q.mesh) return;
     const double cosine = dot(p.face, q.face);
     if (!(cosine >= std::max(cosines_[p.mesh], cosines_[q.mesh]))) return;
-    if (p.is_flat && q.is_flat && cosine < cosine_of_flat) {
-        flat_pairs_ += place < a.place;
-        return;
-    }
+    if (stays_hard(a.index, b.index, angle_between(p.face, q.face), place < a.place)) return;
     const auto [f, g] = std::minmax(fan_of_[a.index], fan_of_[b.index]);
     joints_.push_back(
         {f, g, dot(fans_[f].normal, fans_[g].normal), cosine, length(p.authored - q.authored) > continuous_rad});
+}
+
+/// @param a, b  corners of the two faces of an edge
+/// @param bend  [rad] between these faces
+/// @param counts  whether this is the edge's first end
+bool SeamFans::stays_hard(std::uint32_t a, std::uint32_t b, double bend, bool counts) {
+    if (!(bend > radians(authored_flat_deg))) return false;
+    const bool is_flat = std::max(leans_[a], leans_[b]) <= radians(authored_flat_deg);
+    const double lean = std::max(fans_[fan_of_[a]].lean, fans_[fan_of_[b]].lean);
+    if (!is_flat && !is_authored_crease(lean, bend)) return false;
+    (is_flat ? flat_pairs_ : crease_pairs_) += counts;
+    return true;
 }
 
 /// With one fan per mesh there is no conflict.

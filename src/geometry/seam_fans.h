@@ -18,7 +18,7 @@ struct SeamCorner {
     dvec3 authored;                        ///< its normal, unit, world space; zero: unusable
     dvec3 face;                            ///< the face normal, unit, world space; zero: none
     double angle = 0;                      ///< of the face at this corner [rad]
-    bool is_flat = false;                  ///< all corners of the face have the face normal
+    double others_lean = 0;                ///< [rad] of the face's other corners that count: <rakelight/seams.h>
     std::uint32_t next = 0, previous = 0;  ///< places of the face's other corners
 };
 
@@ -27,6 +27,7 @@ struct AuthoredFan {
     std::uint32_t mesh = 0;
     dvec3 normal;      ///< unit
     double angle = 0;  ///< sum of its corners'
+    double lean = 0;   ///< [rad] largest of its corners'
 };
 
 /// The fans at one place. The object is reused for all places to keep its memory.
@@ -47,9 +48,9 @@ public:
     std::uint32_t joined(std::uint32_t fan) { return sets_.root(fan); }
     /// For a representative: whether its fans contain a seam to close.
     bool is_open(std::uint32_t fan) const { return is_open_[fan] != 0; }
-    std::uint64_t flat_pairs() const {
-        return flat_pairs_;
-    }  ///< pairs that stay flat at edges from here to larger places
+    /// Pairs of faces that stay hard at edges from here to larger places: flat ones, and other creases.
+    std::uint64_t flat_pairs() const { return flat_pairs_; }
+    std::uint64_t crease_pairs() const { return crease_pairs_; }
 
     static constexpr std::uint32_t no_fan = 0xffffffffu;
 
@@ -66,12 +67,14 @@ private:
     void find_joints(std::uint32_t place, std::span<const SeamCorner> corners);
     void look_at_edge(std::uint32_t place, std::span<const SeamCorner> corners, std::span<const Spoke> edge);
     void look_at_pair(std::uint32_t place, std::span<const SeamCorner> corners, const Spoke& a, const Spoke& b);
+    bool stays_hard(std::uint32_t a, std::uint32_t b, double bend, bool counts);
     void join_all();
     void join_nearest_first();
     bool comes_before(const Joint& a, const Joint& b) const;
 
     std::span<const double> cosines_;
     std::vector<std::uint32_t> fan_of_;                       ///< [corners]
+    std::vector<double> leans_;                               ///< [corners]
     std::vector<std::uint32_t> order_, leads_, fan_of_lead_;  ///< of one mesh: scratch
     std::vector<dvec3> sums_;
     std::vector<AuthoredFan> fans_;
@@ -79,7 +82,7 @@ private:
     std::vector<Spoke> spokes_;
     std::vector<Joint> joints_;
     UnionFind sets_, alike_;
-    std::uint64_t flat_pairs_ = 0;
+    std::uint64_t flat_pairs_ = 0, crease_pairs_ = 0;
 };
 
 }  // namespace rakelight::geometry

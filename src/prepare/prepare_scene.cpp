@@ -284,7 +284,8 @@ private:
         const SeamRequest request{
             {options_.crease_angle_rad, options_.weld_distance}, options_.normals, options_.keep_instances};
         scene = paid(join_seams(std::move(scene), request, seams, context_));
-        if (seams.turned + seams.flat_pairs > 0) context_.report().add(Remark::note, scene.source, {}, describe(seams));
+        if (seams.turned + seams.flat_pairs + seams.crease_pairs > 0)
+            context_.report().add(Remark::note, scene.source, {}, describe(seams));
         return scene;
     }
 

@@ -61,6 +61,8 @@ std::string describe(const SeamReport& seams) {
     }
     if (seams.flat_pairs > 0)
         out += format_text(", {} pairs of flat faces at borders keep their edge", seams.flat_pairs);
+    if (seams.crease_pairs > 0)
+        out += format_text(", {} pairs of faces at borders keep an authored crease", seams.crease_pairs);
     if (seams.unusable > 0) out += format_text(", {} that are zero or not finite stay so", seams.unusable);
     return out;
 }

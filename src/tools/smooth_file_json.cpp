@@ -44,7 +44,8 @@ Json json_of(const SmoothedMesh& m) {
 
 Json json_of(const SeamReport& s) {
     return {{"normals", s.normals},   {"turned", s.turned},         {"max_deg", s.max_deg},
-            {"mean_deg", s.mean_deg}, {"flat_pairs", s.flat_pairs}, {"unusable", s.unusable}};
+            {"mean_deg", s.mean_deg}, {"flat_pairs", s.flat_pairs}, {"crease_pairs", s.crease_pairs},
+            {"unusable", s.unusable}};
 }
 
 Json json_of(const MatchReport& b) {

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <set>
+#include <span>
+#include <tuple>
 
 #include <rakelight/seams.h>
 
@@ -244,7 +247,8 @@ struct Corner {
     vec3 place;
     dvec3 normal, face;
     double angle;
-    bool is_flat;
+    double others_lean;  ///< [degrees] of the face's other corners, where no other mesh is
+    double lean() const { return std::max(others_lean, degrees_between(normal, face)); }
 };
 
 dvec3 normal_at(const Shape& s, std::size_t t, std::size_t k) {
@@ -252,19 +256,27 @@ dvec3 normal_at(const Shape& s, std::size_t t, std::size_t k) {
 }
 vec3 place_at(const Shape& s, std::size_t t, std::size_t k) { return s.positions[s.indices[3 * t + k % 3]]; }
 
+bool is_alone(const std::vector<Shape>& shapes, std::size_t mesh, vec3 place) {
+    for (std::size_t m = 0; m < shapes.size(); ++m)
+        for (const std::uint32_t v : shapes[m].indices)
+            if (m != mesh && shapes[m].positions[v] == place) return false;
+    return true;
+}
+
 std::vector<Corner> all_corners(const std::vector<Shape>& shapes) {
     std::vector<Corner> corners;
     for (std::size_t m = 0; m < shapes.size(); ++m)
         for (std::size_t t = 0; t < shapes[m].indices.size() / 3; ++t)
             for (std::size_t k = 0; k < 3; ++k) {
                 const Shape& s = shapes[m];
-                Corner c{m, t, k, place_at(s, t, k), normal_at(s, t, k), {}, 0, true};
+                Corner c{m, t, k, place_at(s, t, k), normal_at(s, t, k), {}, 0, 0};
                 c.face = normalize_or(edge_product(s, t), dvec3{});
                 const dvec3 e = cast<double>(place_at(s, t, k + 1)) - cast<double>(c.place),
                             f = cast<double>(place_at(s, t, k + 2)) - cast<double>(c.place);
                 c.angle = std::atan2(length(cross(e, f)), dot(e, f));
-                for (std::size_t i = 0; i < 3; ++i)
-                    c.is_flat = c.is_flat && degrees_between(normal_at(s, t, i), c.face) <= 1;
+                for (std::size_t i = k + 1; i < k + 3; ++i)
+                    if (is_alone(shapes, m, place_at(s, t, i)))
+                        c.others_lean = std::max(c.others_lean, degrees_between(normal_at(s, t, i), c.face));
                 corners.push_back(c);
             }
     return corners;
@@ -278,64 +290,91 @@ bool share_an_edge(const std::vector<Shape>& shapes, const Corner& a, const Corn
     return false;
 }
 
-/// The normal of each corner after the rule of the header, every corner compared with every other one.
-std::vector<dvec3> by_brute_force(const std::vector<Shape>& shapes, double crease_deg) {
-    const std::vector<Corner> all = all_corners(shapes);
-    std::vector<dvec3> after;
-    for (const Corner& of : all) {
-        std::vector<Corner> here;
-        for (const Corner& c : all)
-            if (c.place == of.place) here.push_back(c);
-        std::vector<std::size_t> fan(here.size()), group(here.size());
-        std::iota(fan.begin(), fan.end(), 0u);
-        const auto merge = [](std::vector<std::size_t>& label, std::size_t a, std::size_t b) {
-            const std::size_t from = label[a], to = label[b];
-            for (std::size_t& l : label)
-                if (l == from) l = to;
-        };
-        for (std::size_t i = 0; i < here.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j)
-                if (here[i].mesh == here[j].mesh && length(here[i].normal - here[j].normal) <= 1e-3) merge(fan, i, j);
-        const auto mean = [&](const std::vector<std::size_t>& label, std::size_t wanted) {
-            dvec3 sum;
-            for (std::size_t i = 0; i < here.size(); ++i)
-                if (label[i] == wanted) sum += here[i].normal * here[i].angle;
-            return normalize_or(sum, dvec3{});
-        };
-        std::vector<std::tuple<double, double, std::size_t, std::size_t>> joints;
-        for (std::size_t i = 0; i < here.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j) {
-                const double bend = degrees_between(here[i].face, here[j].face);
-                if (here[i].mesh == here[j].mesh || !share_an_edge(shapes, here[i], here[j]) || bend > crease_deg)
-                    continue;
-                if (here[i].is_flat && here[j].is_flat && bend > 1) continue;
-                joints.emplace_back(-dot(mean(fan, fan[i]), mean(fan, fan[j])), bend, i, j);
-            }
-        std::sort(joints.begin(), joints.end());
-        group = fan;
-        for (const auto& [nearness, bend, i, j] : joints) {
-            bool is_allowed = group[i] != group[j];
-            for (std::size_t a = 0; a < here.size(); ++a)
-                for (std::size_t b = 0; b < here.size(); ++b)
-                    if (group[a] == group[i] && group[b] == group[j] && here[a].mesh == here[b].mesh)
-                        is_allowed = false;
-            if (is_allowed) merge(group, i, j);
+using Labels = std::vector<std::size_t>;
+
+void merge(Labels& labels, std::size_t a, std::size_t b) {
+    const std::size_t from = labels[a], to = labels[b];
+    for (std::size_t& l : labels)
+        if (l == from) l = to;
+}
+
+dvec3 mean(const std::vector<Corner>& here, const Labels& labels, std::size_t wanted) {
+    dvec3 sum;
+    for (std::size_t i = 0; i < here.size(); ++i)
+        if (labels[i] == wanted) sum += here[i].normal * here[i].angle;
+    return normalize_or(sum, dvec3{});
+}
+
+double lean_of(const std::vector<Corner>& here, const Labels& fans, std::size_t fan) {
+    double lean = 0;
+    for (std::size_t i = 0; i < here.size(); ++i)
+        if (fans[i] == fan) lean = std::max(lean, here[i].lean());
+    return lean;
+}
+
+bool stays_hard(const std::vector<Corner>& here, const Labels& fans, std::size_t i, std::size_t j, double bend) {
+    if (bend <= 1) return false;
+    if (here[i].lean() <= 1 && here[j].lean() <= 1) return true;
+    return std::max(lean_of(here, fans, fans[i]), lean_of(here, fans, fans[j])) <= 0.4 * bend;
+}
+
+/// The corners of one place after one round of the rule, every corner compared with every other one.
+std::vector<Corner> one_round(const std::vector<Shape>& shapes, const std::vector<Corner>& here, double crease_deg) {
+    Labels fans(here.size());
+    std::iota(fans.begin(), fans.end(), 0u);
+    for (std::size_t i = 0; i < here.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (here[i].mesh == here[j].mesh && length(here[i].normal - here[j].normal) <= 1e-3) merge(fans, i, j);
+    std::vector<std::tuple<double, double, std::size_t, std::size_t>> joints;
+    for (std::size_t i = 0; i < here.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const double bend = degrees_between(here[i].face, here[j].face);
+            if (here[i].mesh == here[j].mesh || !share_an_edge(shapes, here[i], here[j]) || bend > crease_deg) continue;
+            if (stays_hard(here, fans, i, j, bend)) continue;
+            joints.emplace_back(-dot(mean(here, fans, fans[i]), mean(here, fans, fans[j])), bend, i, j);
         }
-        for (std::size_t i = 0; i < here.size(); ++i) {
-            if (here[i].mesh != of.mesh || here[i].triangle != of.triangle || here[i].k != of.k) continue;
-            const bool is_joined = std::any_of(joints.begin(), joints.end(), [&](const auto& joint) {
-                const auto [nearness, bend, a, b] = joint;
-                const bool is_open = degrees_between(here[a].normal, here[b].normal) > 0.01;
-                return is_open && group[a] == group[i] && group[b] == group[i];
-            });
-            after.push_back(is_joined ? mean(group, group[i]) : of.normal);
-        }
+    std::sort(joints.begin(), joints.end());
+    Labels groups = fans;
+    for (const auto& [nearness, bend, i, j] : joints) {
+        bool is_allowed = groups[i] != groups[j];
+        for (std::size_t a = 0; a < here.size(); ++a)
+            for (std::size_t b = 0; b < here.size(); ++b)
+                if (groups[a] == groups[i] && groups[b] == groups[j] && here[a].mesh == here[b].mesh)
+                    is_allowed = false;
+        if (is_allowed) merge(groups, i, j);
+    }
+    std::vector<Corner> after = here;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+        const bool is_joined = std::any_of(joints.begin(), joints.end(), [&](const auto& joint) {
+            const auto [nearness, bend, a, b] = joint;
+            const bool is_open = degrees_between(here[a].normal, here[b].normal) > 0.01;
+            return is_open && groups[a] == groups[i] && groups[b] == groups[i];
+        });
+        if (is_joined) after[i].normal = mean(here, groups, groups[i]);
     }
     return after;
 }
 
+/// The normal of each corner after the rule of the header.
+std::vector<dvec3> by_brute_force(const std::vector<Shape>& shapes, double crease_deg) {
+    const std::vector<Corner> all = all_corners(shapes);
+    std::vector<dvec3> normals;
+    for (const Corner& of : all) {
+        std::vector<Corner> here;
+        std::size_t own = 0;
+        for (const Corner& c : all) {
+            if (!(c.place == of.place)) continue;
+            if (c.mesh == of.mesh && c.triangle == of.triangle && c.k == of.k) own = here.size();
+            here.push_back(c);
+        }
+        for (int round = 0; round < 8; ++round) here = one_round(shapes, here, crease_deg);
+        normals.push_back(here[own].normal);
+    }
+    return normals;
+}
+
 TEST(JoinSeams, EveryCornerOfRandomModelsIsAsComparingAllWithAllSays) {
-    std::uint64_t turned = 0, flat_pairs = 0;
+    std::uint64_t turned = 0, flat_pairs = 0, crease_pairs = 0;
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
         const std::vector<Shape> before = random_parts(seed);
         const double crease = seed % 3 == 0 ? 15 : 60;
@@ -343,6 +382,8 @@ TEST(JoinSeams, EveryCornerOfRandomModelsIsAsComparingAllWithAllSays) {
         const std::vector<Shape> after = applied(before, joined);
         const std::vector<dvec3> wanted = by_brute_force(before, crease);
         turned += joined.report.turned, flat_pairs += joined.report.flat_pairs;
+        crease_pairs += joined.report.crease_pairs;
+        EXPECT_EQ(join(after, crease).report.turned, 0u) << "a second call changes nothing, seed " << seed;
         std::size_t i = 0;
         for (std::size_t m = 0; m < after.size(); ++m)
             for (std::size_t t = 0; t < after[m].indices.size() / 3; ++t)
@@ -352,6 +393,110 @@ TEST(JoinSeams, EveryCornerOfRandomModelsIsAsComparingAllWithAllSays) {
     }
     EXPECT_GT(turned, 500u) << "models at which something happens";
     EXPECT_GT(flat_pairs, 20u);
+    EXPECT_GT(crease_pairs, 20u);
+}
+
+// ---- creases between curved parts
+
+/// A strip of a surface of revolution about y, with the normals of that surface: `profile` from below, {radius, height}.
+Shape revolved(std::span<const dvec2> profile, std::uint32_t segments, std::span<const dvec2> normals) {
+    Shape s;
+    for (std::size_t r = 0; r < profile.size(); ++r)
+        for (std::uint32_t i = 0; i < segments; ++i) {
+            const double a = 2 * pi * i / segments, c = std::cos(a), z = std::sin(a);
+            s.positions.push_back(cast<float>(dvec3{profile[r].x * c, profile[r].y, -profile[r].x * z}));
+            s.normals.push_back(cast<float>(dvec3{normals[r].x * c, normals[r].y, -normals[r].x * z}));
+        }
+    for (std::uint32_t r = 0; r + 1 < profile.size(); ++r)
+        for (std::uint32_t i = 0; i < segments; ++i) {
+            const std::uint32_t a = r * segments + i, b = r * segments + (i + 1) % segments;
+            s.indices.insert(s.indices.end(), {a, b, b + segments, a, b + segments, a + segments});
+        }
+    return s;
+}
+
+/// A cylinder below, a cone above that bends inwards by an angle at the rim; both smooth in themselves.
+std::vector<Shape> rim(double bend_deg, std::uint32_t segments, double lean_deg = 0) {
+    const double c = std::cos(radians(bend_deg)), s = std::sin(radians(bend_deg)), l = radians(lean_deg);
+    const dvec2 wall{std::cos(l), std::sin(l)}, roof{std::cos(radians(bend_deg) - l), std::sin(radians(bend_deg) - l)};
+    std::vector<Shape> parts = {
+        revolved(std::array<dvec2, 2>{{{1, 0}, {1, 1}}}, segments, std::array<dvec2, 2>{{{1, 0}, wall}}),
+        revolved(std::array<dvec2, 2>{{{1, 1}, {1 - 0.5 * s, 1 + 0.5 * c}}}, segments,
+                 std::array<dvec2, 2>{{roof, {c, s}}})};
+    parts[1].object = 1;
+    return parts;
+}
+
+TEST(JoinSeams, ARimAuthoredHardBetweenTwoCurvedPartsStays) {
+    for (const auto& [bend, segments] : {std::pair(45.0, 32u),
+                                         {45.0, 16u},
+                                         {45.0, 12u},
+                                         {30.0, 24u},
+                                         {30.0, 16u},
+                                         {20.0, 24u},
+                                         {20.0, 64u},
+                                         {12.0, 64u},
+                                         {59.0, 12u}}) {
+        const Joined joined = join(rim(bend, segments));
+        EXPECT_EQ(joined.report.turned, 0u) << bend << " degrees, " << segments << " segments";
+        EXPECT_EQ(joined.report.crease_pairs, segments);
+        EXPECT_EQ(joined.report.flat_pairs, 0u);
+    }
+}
+
+TEST(JoinSeams, ARimThatBendsAsThePartsDoThemselvesIsACut) {
+    // A barrel: where its walls bend by 15 degrees, they do so around it too; the normal in the middle is horizontal.
+    std::vector<Shape> barrel = rim(15, 24);
+    const std::vector<Shape> after = applied(barrel, join(barrel));
+    const double half = radians(7.5);
+    for (std::uint32_t i = 24; i < 48; ++i) {
+        const vec3 p = barrel[0].positions[i];
+        const dvec3 wanted{std::cos(half) * double(p.x), std::sin(half), std::cos(half) * double(p.z)};
+        EXPECT_LT(degrees_between(cast<double>(after[0].normals[i]), wanted), 0.1);  // by the corners' angles
+        EXPECT_EQ(after[0].normals[i], after[1].normals[i - 24]);
+    }
+    EXPECT_GT(join(rim(45, 32, 20)).report.turned, 0u) << "normals that bend towards each other, by nearly a half";
+    EXPECT_EQ(join(rim(45, 32, 10)).report.turned, 0u);
+}
+
+/// A surface of revolution that is cut at each row in turn, each part smoothed by itself.
+void expect_closed(const char* name, const Shape& whole, std::uint32_t rows, std::size_t triangles_per_row) {
+    for (std::uint32_t row = 1; row < rows; ++row) {
+        std::vector<Shape> parts =
+            cut(whole, 2, [&](std::size_t t) { return std::uint32_t(t / triangles_per_row >= row); });
+        Context context;
+        AttributeOptions options;
+        options.scope = Scope::object;
+        for (std::size_t m = 0; m < 2; ++m) parts[m].object = std::uint32_t(m);
+        const std::vector<MeshAttributes> own = compute_attributes(views(parts), options, context);
+        for (std::size_t m = 0; m < 2; ++m) {
+            ASSERT_TRUE(own[m].source_vertex.empty());
+            parts[m].normals.assign(own[m].normals.begin(), own[m].normals.end());
+        }
+        const Joined joined = join(parts);
+        EXPECT_EQ(joined.report.crease_pairs, 0u) << name << ", row " << row;
+        EXPECT_GT(joined.report.turned, 0u) << name << ", row " << row;
+    }
+}
+
+TEST(JoinSeams, CutsOfSmoothSurfacesAreClosedWhereverTheyAre) {
+    const auto lathe = [](auto&& profile) {  // 24 rows of 32 segments
+        return make_grid(32, 24, [=](double u, double v) {
+            const dvec2 p = profile(v);
+            const double a = wrapped(u);
+            return cast<float>(dvec3{p.x * std::cos(a), p.y, -p.x * std::sin(a)});
+        });
+    };
+    const auto ellipsoid = [&](double height) {
+        return lathe([=](double v) {
+            const double a = pi * (0.02 + 0.96 * v) - pi / 2;
+            return dvec2{std::cos(a), height * std::sin(a)};
+        });
+    };
+    expect_closed("sphere", ellipsoid(1), 24, 64);
+    expect_closed("egg", ellipsoid(1.6), 24, 64);
+    expect_closed("lens", ellipsoid(0.6), 24, 64);
+    expect_closed("vase", lathe([](double v) { return dvec2{1 + 0.3 * std::sin(9 * v), 3 * v}; }), 24, 64);
 }
 
 TEST(JoinSeams, ThreadsDoNotCountAndTheOrderOfMeshesAndFacesOnlyForRounding) {
