@@ -113,9 +113,10 @@ largest. A signal ends the program as that signal (130 or 143 in a shell) within
 second. No unfinished file remains; --json prints nothing if work was interrupted.)";
 
 inline constexpr const char* inspect_footer =
-    R"(A border is a world position that two objects share. Its angle is that between the
-nearest two normals there. A seam is such an angle that smoothing over the whole model
-would remove. Edges sharper than --crease-angle are no seams.
+    R"(A border is a world position that two meshes share: objects, or parts of one object with
+materials of their own. Its angle is that between the nearest two normals there. A seam
+is such an angle that rakelight smooth would remove. Edges sharper than --crease-angle
+are no seams, nor are creases that were authored hard.
 
 Heat map: the model in gray, its seams from 0.01 degrees (dark blue) through 1
 (violet), 5 (red) and 20 (orange) to 60 and more (light yellow).
@@ -137,9 +138,10 @@ largest.)";
 inline constexpr const char* smooth_footer =
     R"(Normals of the file are kept, except where parts meet: there they are joined across
 edges up to the crease angle. Hard edges within a part are kept, and so are those
-between flat faces of two parts. Everything but normals and tangents is kept: names,
-extras, animations, images, and compression where no normal changes. A second run
-changes nothing.
+between two parts where both were authored hard. Everything but normals and tangents is
+kept: names, extras, animations, images, and compression where no normal changes. One
+line says how many normals turned, and by how much at most; --quiet leaves it out. A
+second run changes nothing.
 
 Examples:
   rakelight smooth parts.glb -o smooth.glb

@@ -52,11 +52,12 @@ std::vector<Option> normal_options() {
 
 std::vector<Option> own_options() {
     std::vector<Option> options = {
-        {"no-borders", "Normals", "", "Do not search for borders that objects share", flag},
+        {"no-borders", "Normals", "", "Do not search for borders that meshes share", flag},
         {"no-surfaces", "Normals", "", "Do not check edges, faces and normals of each object", flag},
         {"check", "Check", "",
          "Print only pass or fail: exit code 5 if the limit of --max-seam or one of those below is exceeded", flag},
-        {"max-seam", "Check", "DEG", "Largest allowed seam between two objects (default 1; 180 allows any)"},
+        {"max-seam", "Check", "DEG",
+         "Largest allowed seam between two objects or two materials of one (default 1; 180 allows any)"},
     };
     for (const Limit& limit : limits_of_surfaces) options.push_back({limit.name, "Check", "", limit.help, flag});
     options.push_back({"report", "Reports", "FILE",

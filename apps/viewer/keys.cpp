@@ -81,7 +81,7 @@ constexpr Binding table[] = {
     {Command::normals, 'N', mod_shift, "Shift+N T B", "normals, tangents, bitangents", marks},
     {Command::tangents, 'T', mod_shift, "", "", marks},
     {Command::bitangents, 'B', mod_shift, "", "", marks},
-    {Command::seams, 'V', 0, "V", "seams between objects by angle", marks},
+    {Command::seams, 'V', 0, "V", "seams between parts by angle", marks},
 
     {Command::panel_view, f1 + 1, 0, "F2 to F8", "view, shading, normals, lights,", window},
     {Command::panel_shading, f1 + 2, 0, " ", "materials, pixel, statistics", window},

@@ -44,7 +44,7 @@ void draw_normals_panel(PanelView& view) {
     ImGui::Checkbox("tangents##lines", &view.ui.tangents);
     ImGui::SameLine();
     ImGui::Checkbox("bitangents##lines", &view.ui.bitangents);
-    ImGui::Checkbox("seams between objects", &view.ui.seams);
+    ImGui::Checkbox("seams between parts", &view.ui.seams);
     if (view.seams) {
         ImGui::Text("%zu seam edges, worst %.2f degrees", view.seams->count, view.seams->worst_deg);
         if (view.seams->drawn.size() < view.seams->count)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inspection of a model: objects, materials, textures (not decoded), lights, cameras, surface faults, and seams between
-// objects.
+// meshes.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -13,6 +13,7 @@
 #include <rakelight/picture.h>
 #include <rakelight/prepare.h>
 #include <rakelight/scene.h>
+#include <rakelight/seams.h>
 
 namespace rakelight {
 
@@ -63,15 +64,22 @@ struct AngleSummary {
 /// and too small to be visible.
 inline constexpr double continuous_deg = 0.01;
 
-/// The border of two objects: the positions that both share. The angle at a shared position is the angle between the
-/// two closest normals of both objects. The angle `before` is that of the current normals. The angle `after` is that of
-/// normals smoothed over the whole model. If smoothing joins faces of both objects, the position is joined, and the
-/// angle `before` of the joined corners is a *seam*. Otherwise the edge between the objects is a crease.
+/// The borders between the meshes of two objects, or between the meshes of one object: the positions that two of these
+/// meshes share. The angle at a shared position is the angle between the two closest normals of both meshes. The angle
+/// `before` is that of the current normals. The angle `after` is that of the normals that smooth_file() would write
+/// (InspectOptions::authored). If smoothing joins faces of both meshes, the position is joined, and the angle `before`
+/// of the joined corners is a *seam*. Otherwise the edge between the meshes is a crease. If several pairs of meshes
+/// meet at a position, the pair with the largest seam counts, or without a seam the pair with the smallest angle.
 struct BorderSummary {
-    std::uint32_t object_a = 0, object_b = 0;  ///< into Inspection::objects, a < b
-    std::uint64_t positions = 0;               ///< number of shared positions
-    std::uint64_t continuous = 0;              ///< shared positions where `before` is at most continuous_deg
-    std::uint64_t joined = 0;  ///< shared positions where `after` is at most continuous_deg; the others are creases
+    /// Into Inspection::objects, a <= b. If a == b, the borders are those between the meshes of one object.
+    std::uint32_t object_a = 0, object_b = 0;
+    /// Into Scene::meshes: the two meshes of the largest seam, of objects a and b.
+    std::uint32_t mesh_a = no_index, mesh_b = no_index;
+    /// Into Scene::materials: the materials of these two meshes. no_index: no material.
+    std::uint32_t material_a = no_index, material_b = no_index;
+    std::uint64_t positions = 0;   ///< number of shared positions
+    std::uint64_t continuous = 0;  ///< shared positions where `before` is at most continuous_deg
+    std::uint64_t joined = 0;      ///< shared positions where `after` is at most continuous_deg; the others are creases
     AngleSummary before{}, after{};
     double seam_deg = 0;                     ///< largest seam: the largest angle `before` at joined positions
     dvec3 seam_position{};                   ///< [m] world: position of seam_deg
@@ -85,19 +93,20 @@ struct InconsistentPair {
     std::uint64_t edges = 0;                   ///< common edges with faces of opposite orientation
 };
 
-/// Totals over all shared positions. At a position with several pairs of objects, the pair with the largest angle
-/// counts.
+/// Totals over all shared positions. At a position with several pairs of objects (BorderSummary), the pair with the
+/// largest angle counts.
 struct SeamTotals {
     std::uint64_t positions = 0, continuous = 0, joined = 0;  ///< as in BorderSummary, each position once
     AngleSummary before{}, after{};
     double seam_deg = 0;      ///< largest seam
-    std::uint64_t pairs = 0;  ///< examined pairs of objects
-    /// Positions that more than 8 objects share. Only 8 of these objects are paired: the 7 with the normals farthest
+    std::uint64_t pairs = 0;  ///< number of BorderSummary
+    /// Positions that more than 8 meshes share. Only 8 of these meshes are paired: the 7 with the normals farthest
     /// from the mean normal, and the one with the nearest normal.
     std::uint64_t crowded_positions = 0;
     std::uint64_t pairings_left_out = 0;   ///< pairs at crowded positions that were not examined
     std::uint64_t inconsistent_edges = 0;  ///< common edges of two objects with faces of opposite orientation
     std::string normals_before{};          ///< source of the normals of `before`, for people
+    std::string normals_after{};           ///< source of the normals of `after`, for people
     /// Smallest and largest crease angle of `after`. They differ if parts of the model have crease angles of their own.
     double crease_angle_deg = 0, crease_angle_max_deg = 0;
 };
@@ -138,7 +147,7 @@ struct BorderProposal {
     double seam_deg = 0;        ///< MatchedSeams::seam_deg at the proposed distance
 };
 
-/// A line segment of a seam. If objects share a position but no edge, a and b are equal.
+/// A line segment of a seam. If meshes share a position but no edge, a and b are equal.
 struct SeamLine {
     dvec3 a{}, b{};              ///< [m] world: end points
     float deg_a = 0, deg_b = 0;  ///< [degrees] angles between the normals at the end points a and b
@@ -178,7 +187,7 @@ struct Inspection {
     /// true: the scene has skins, morph targets or clips. The bounding box is that of the pose, but seams are those of
     /// the bind pose.
     bool is_posed = false;
-    std::uint64_t shared_positions = 0;  ///< world positions that two or more objects share
+    std::uint64_t shared_positions = 0;  ///< world positions that two or more meshes share; each instance counts
     SeamTotals seams{};
     std::vector<BorderSummary> borders{};  ///< at most 10,000, by falling seam_deg, then by the largest angle
     std::uint64_t borders_left_out = 0;    ///< pairs beyond the first 10,000
@@ -198,6 +207,10 @@ struct InspectOptions {
     /// [m] in world space, >= 0, finite. If `borders` is true, also measure seams along adjacent open borders that are
     /// at most this far apart. 0: off.
     double border_distance = 0;
+    /// Smoothing for the angles `after`, as SmoothFileOptions::authored. `replaced`: normals smoothed over the whole
+    /// model. `seams`: where prepare.normals keeps normals of the file, they are joined where meshes meet
+    /// (<rakelight/seams.h>), and other normals are smoothed over the model. If no normals are kept, all are smoothed.
+    AuthoredNormals authored = AuthoredNormals::seams;
     /// prepare.normals gives the normals for the angles `before`. If it is `automatic`, these are the normals of the
     /// file, or normals smoothed per object. Crease angle and weight apply to the normals of `before` and of `after`.
     /// With prepare.measure_orthogonality the report says how far the tangents computed by these options are from

@@ -134,7 +134,7 @@ def inspect(
     """What is in a model: a row of ``rakelight inspect --json``.
 
     Args:
-        borders: look for positions that objects share, and their seams
+        borders: look for positions that meshes share (objects, or materials of one object), and their seams
         surfaces: look at edges, faces and normals of each object
         check: limits by the names of the program's options with ``_`` for ``-``: ``{"max_seam": 1.0, "closed": True}``; the result's
             ``"check"`` has {"passed", "failures"} then. As by ``rakelight inspect --check``, "max_seam" is 1 degree where it is not given;

@@ -61,3 +61,14 @@ def test_limits(teapot):
         rakelight.inspect(teapot, check={"perfect": True})
     with pytest.raises(rakelight.UsageError):
         rakelight.inspect(teapot, borders=False, check={"max_seam": 1})
+
+
+def test_a_split_by_material_is_a_split(tmp_path):
+    model = tmp_path / "car.obj"  # two squares in one plane, one object: their normals differ by 20 degrees
+    corners = "v -1 0 0\nv 0 0 0\nv 0 0 -1\nv -1 0 -1\nv 1 0 0\nv 1 0 -1\nvn -0.173648 0.984808 0\nvn 0.173648 0.984808 0\n"
+    model.write_text(f"o car\n{corners}usemtl red\nf 1//1 2//1 3//1 4//1\nusemtl blue\nf 2//2 5//2 6//2 3//2\n")
+    scene = rakelight.load(model)
+    found = rakelight.inspect(scene, check={"max_seam": 1})
+    assert len(found["objects"]) == 1 and found["shared_positions"] == 2 and found["seams"]["seam_deg"] == pytest.approx(20, abs=1e-3)
+    assert "of 'car'" in found["check"]["failures"][0]["message"]
+    assert rakelight.inspect(scene.repair_seams(), check={"max_seam": 0.01})["check"]["passed"]

@@ -34,18 +34,20 @@ private:
         if (uses.size() == 1) result_.open_corners.push_back(uses[0].corner);
         by_object_.clear();
         Count whole;
+        const std::uint32_t first_mesh = placed_.input.mesh_of_triangle(uses[0].corner / 3);
+        bool is_border = false;
         for (const EdgeUse use : uses) {
             const bool up = edges_.goes_up(place, use);
-            by_object_.emplace_back(placed_.object_of_triangle(use.corner / 3), up);
+            const std::uint32_t mesh = placed_.input.mesh_of_triangle(use.corner / 3);
+            is_border = is_border || mesh != first_mesh;
+            by_object_.emplace_back(placed_.input.meshes[mesh].object, up);
             ++whole.faces;
             whole.upwards += up;
         }
+        if (is_border) result_.border_edges.push_back({place, uses[0].larger});
         std::sort(by_object_.begin(), by_object_.end());
-        if (by_object_.front().first != by_object_.back().first) {
-            result_.border_edges.push_back({place, uses[0].larger});
-            if (whole.is_inconsistent())
-                result_.inconsistent_borders.push_back({by_object_[0].first, by_object_[1].first, 1});
-        }
+        if (by_object_.front().first != by_object_.back().first && whole.is_inconsistent())
+            result_.inconsistent_borders.push_back({by_object_[0].first, by_object_[1].first, 1});
         for (std::size_t i = 0; i < by_object_.size();) {
             const std::uint32_t object = by_object_[i].first;
             Count count;

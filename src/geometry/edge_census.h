@@ -33,7 +33,7 @@ struct EdgeCensus {
     std::vector<ObjectEdges> objects;
     std::vector<InconsistentBorder> inconsistent_borders;  ///< each pair once, ascending
     std::vector<std::uint32_t> open_corners;  ///< edges of one face in the whole model: the corner where each begins
-    std::vector<PlaceEdge> border_edges;      ///< of faces of two or more objects
+    std::vector<PlaceEdge> border_edges;      ///< of faces of two or more meshes
 };
 
 /// Orientation is evaluated in world space: mirroring matrices reverse it. Faces with a non-finite corner, or with two

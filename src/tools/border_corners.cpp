@@ -38,9 +38,8 @@ std::vector<BorderCorner> find_border_corners(const geometry::PlacedMeshes& plac
                                               Context& context) {
     std::vector<std::uint32_t> owner(placed.place.size(), nobody);
     for_each_corner(placed, [&](std::uint32_t m, std::uint32_t place, std::size_t) {
-        const std::uint32_t object = placed.input.meshes[m].object;
-        if (owner[place] == nobody) owner[place] = object;
-        if (owner[place] != object) owner[place] = several;
+        if (owner[place] == nobody) owner[place] = m;
+        if (owner[place] != m) owner[place] = several;
     });
     std::uint64_t count = 0;
     for_each_corner(placed, [&](std::uint32_t, std::uint32_t place, std::size_t) { count += owner[place] == several; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The corners at places that several objects draw.
+// The corners at places that several parts draw.
 #pragma once
 #include <cstdint>
 #include <vector>

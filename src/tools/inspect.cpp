@@ -184,9 +184,16 @@ std::vector<SeamLine> find_seam_lines(const geometry::PlacedMeshes& placed, cons
     return lines;
 }
 
-void look_at_borders(Inspection& result, const Surfaces& surfaces, const geometry::PlacedMeshes& placed,
-                     const geometry::EdgeCensus& census, const InspectOptions& options, Context& context) {
-    const bool shares = result.objects.size() > 1, measures = options.border_distance > 0,
+/// @param border  with parts as its meshes
+void name_meshes(BorderSummary& border, const Scene& scene, const Surfaces& surfaces) {
+    border.mesh_a = surfaces.parts[border.mesh_a].mesh, border.mesh_b = surfaces.parts[border.mesh_b].mesh;
+    border.material_a = scene.meshes[border.mesh_a].material, border.material_b = scene.meshes[border.mesh_b].material;
+}
+
+void look_at_borders(Inspection& result, const Scene& scene, const Surfaces& surfaces,
+                     const geometry::PlacedMeshes& placed, const geometry::EdgeCensus& census,
+                     const InspectOptions& options, Context& context) {
+    const bool shares = surfaces.meshes.size() > 1, measures = options.border_distance > 0,
                proposes = !measures && options.surfaces && have_open_borders(placed, census);
     SeamNormals normals;
     if (shares || measures || proposes) normals.before = normals_before(surfaces, options, context);
@@ -196,12 +203,14 @@ void look_at_borders(Inspection& result, const Surfaces& surfaces, const geometr
         if (options.seam_lines) result.seam_lines = find_seam_lines(placed, census, report);
         result.seams = report.totals;
         result.borders = std::move(report.borders);
+        for (BorderSummary& border : result.borders) name_meshes(border, scene, surfaces);
         result.borders_left_out = report.borders_left_out;
     }
     if (measures) look_at_matched_borders(result, surfaces, normals, options, context);
     if (proposes) propose_border_distance(result, surfaces, normals.before, options, context);
     result.shared_positions = result.seams.positions;
     result.seams.normals_before = name_of_source(surfaces);
+    result.seams.normals_after = name_of_smoothing(surfaces, options);
     const geometry::CreaseRange creases =
         geometry::crease_range(surfaces.meshes, {.crease_angle_rad = options.prepare.crease_angle_rad});
     const auto rounded_deg = [](double rad) { return std::round(degrees(rad) * 1e9) * 1e-9; };  // 60 and not 59.999...
@@ -286,7 +295,7 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
         if (options.surfaces) look_at_surfaces(result, placed, census, context);
         context.throw_if_cancelled();
         context.progress("inspect", 0.6);
-        if (options.borders) look_at_borders(result, surfaces, placed, census, options, context);
+        if (options.borders) look_at_borders(result, scene, surfaces, placed, census, options, context);
         look_at_winding(result, census);
         if (options.borders && !scene.skins.empty())
             warn_of_parting_vertices(scene, drawn_instances(scene), bind_pose_matrices(scene), context);

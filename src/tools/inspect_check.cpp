@@ -41,7 +41,7 @@ std::string seam_failure(const Inspection& i, double limit_deg) {
         if (b.seam_deg > limit_deg) pairs.insert({b.object_a, b.object_b});
     for (const MatchedPair& p : i.matched.pairs)
         if (p.seam_deg > limit_deg) pairs.insert({p.object_a, p.object_b});
-    return "seam of " + text_of(worst->deg) + " degrees " + between_text(i, worst->object_a, worst->object_b) + " at " +
+    return "seam of " + text_of(worst->deg) + " degrees " + between_text(i, *worst) + " at " +
            text_of(worst->position) + (worst->is_along_borders ? ", along borders that share no vertex there" : "") +
            ", more than " + text_of(limit_deg) + more(pairs.size() - 1, "pair");
 }

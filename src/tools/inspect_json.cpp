@@ -100,6 +100,8 @@ Json json_of(const AngleSummary& a) {
 Json json_of(const BorderSummary& b) {
     return {{"object_a", b.object_a},
             {"object_b", b.object_b},
+            {"material_a", index_or_null(b.material_a)},
+            {"material_b", index_or_null(b.material_b)},
             {"positions", b.positions},
             {"continuous", b.continuous},
             {"joined", b.joined},
@@ -143,6 +145,7 @@ Json json_of(const SeamTotals& s) {
             {"before", json_of(s.before)},
             {"after", json_of(s.after)},
             {"normals_before", s.normals_before},
+            {"normals_after", s.normals_after},
             {"crease_angle_deg", s.crease_angle_deg},
             {"crease_angle_most_deg", s.crease_angle_max_deg},
             {"pairs", s.pairs},

@@ -54,9 +54,8 @@ std::string section_html(const Section& s) {
 std::string worst_seam_html(const Inspection& i) {
     const std::optional<LargestSeam> worst = largest_seam(i);
     if (!worst) return {};
-    return "<p>The largest seam, " + number(worst->deg, "%.2f") + " degrees, is " +
-           html_text(between_text(i, worst->object_a, worst->object_b)) + ", at " + position_text(worst->position) +
-           " " + i.unit + ".</p>\n";
+    return "<p>The largest seam, " + number(worst->deg, "%.2f") + " degrees, is " + html_text(between_text(i, *worst)) +
+           ", at " + position_text(worst->position) + " " + i.unit + ".</p>\n";
 }
 
 /// The largest seam, or that nothing could have one.
@@ -137,8 +136,9 @@ void InspectionPage::save(const std::string& path) const {
               "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
               "content=\"width=device-width, initial-scale=1\">\n<title>" +
                   title + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + title +
-                  "</h1>\n<p>A seam is the angle between the normals of two objects at a position that both share, if "
-                  "smoothing over the whole model would remove it. On request, seams are also measured along open "
+                  "</h1>\n<p>A seam is the angle between the normals of two meshes at a position that both share, if "
+                  "rakelight smooth would remove it. Meshes are objects, or parts of an object with a material of "
+                  "their own. On request, seams are also measured along open "
                   "borders that run along each other.</p>\n<nav><table>\n<tr><th>model</th><th "
                   "class=\"r\">objects</th><th class=\"r\">largest seam [degrees]</th><th>limits</th></tr>\n" +
                   contents_ + "</table></nav>\n<main>\n" + sections_ + "</main>\n</body>\n</html>\n");

@@ -27,10 +27,10 @@ std::uint64_t fault_count(const SurfaceSummary& s) {
 
 std::vector<std::string> seams_lines(const Inspection& i) {
     const SeamTotals& s = i.seams;
-    std::vector<std::string> lines = {counted(i.shared_positions, "position") + " shared by objects"};
+    std::vector<std::string> lines = {counted(i.shared_positions, "position") + " shared by meshes"};
     if (i.shared_positions == 0) return lines;
-    lines[0] += format_text(", {} continuous (normals: {}), {} once smoothed over the model at {}{} degrees",
-                            s.continuous, s.normals_before, s.joined, number(s.crease_angle_deg),
+    lines[0] += format_text(", {} continuous (normals: {}), {} once {} at {}{} degrees", s.continuous, s.normals_before,
+                            s.joined, s.normals_after, number(s.crease_angle_deg),
                             s.crease_angle_max_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_max_deg) : "");
     lines.push_back("largest seam " + degrees_text(s.seam_deg) + " degrees; angles at shared positions max " +
                     degrees_text(s.before.max_deg) + ", mean " + degrees_text(s.before.mean_deg) + ", 95% " +
@@ -38,7 +38,7 @@ std::vector<std::string> seams_lines(const Inspection& i) {
                     degrees_text(s.after.mean_deg) + ", 95% " + degrees_text(s.after.p95_deg));
     if (s.crowded_positions > 0)
         lines.push_back(counted(s.crowded_positions, "position") +
-                        " of more than 8 objects: " + counted(s.pairings_left_out, "pairing") + " there not inspected");
+                        " of more than 8 meshes: " + counted(s.pairings_left_out, "pairing") + " there not inspected");
     if (s.inconsistent_edges > 0)
         lines.push_back(format_text("{} between objects of which one is inside out, most ({}) between {} and {}",
                                     counted(s.inconsistent_edges, "edge"), i.inconsistent_pairs[0].edges,

@@ -44,7 +44,7 @@ Section section(const char* title, std::vector<std::string> head, const List& li
     return {title, std::move(table), more ? "... " + std::to_string(more) + " more, all of them in the JSON" : ""};
 }
 
-/// The lines above all tables: "3 objects, ...", bounds, "300 positions shared by objects, ..."; without line ends.
+/// The lines above all tables: "3 objects, ...", bounds, "300 positions shared by meshes, ..."; without line ends.
 std::vector<std::string> summary_lines(const Inspection& inspection);
 std::vector<std::string> seams_lines(const Inspection& inspection);
 /// All tables, those that are empty left out.

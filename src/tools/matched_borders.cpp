@@ -15,14 +15,11 @@ namespace {
 
 /// As smooth and pictures join the same model: flat faces that somebody authored stay apart.
 MatchOptions match_options(const Surfaces& surfaces, const InspectOptions& options, double distance) {
-    bool keeps_some = false;
-    for (std::size_t i = 0; i < surfaces.meshes.size(); ++i)
-        keeps_some = keeps_some || (surfaces.rules[i].keeps_given && !surfaces.meshes[i].normals.empty());
     return {.distance = distance,
             .crease_angle_rad = options.prepare.crease_angle_rad,
             .weld_distance = options.weld_distance,
             .weight = options.prepare.weight,
-            .keep_flat = keeps_some};
+            .keep_flat = keep_some(surfaces)};
 }
 
 std::vector<std::uint32_t> all_parts(const Surfaces& surfaces) {

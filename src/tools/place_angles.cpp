@@ -38,7 +38,7 @@ std::size_t group_of(std::span<const CornerNormals> corners, std::size_t i) {
 
 }  // namespace
 
-PairAngle pair_angle(const ObjectAtPlace& a, const ObjectAtPlace& b) {
+PairAngle pair_angle(const PartAtPlace& a, const PartAtPlace& b) {
     Nearest before, after, worst_group;
     std::vector<Nearest> groups(a.corners.size());
     for (std::size_t i = 0; i < a.corners.size(); ++i) {
@@ -59,19 +59,19 @@ PairAngle pair_angle(const ObjectAtPlace& a, const ObjectAtPlace& b) {
     return result;
 }
 
-std::vector<ObjectAtPlace> most_different(std::span<const ObjectAtPlace> objects, std::size_t most) {
-    if (objects.size() <= most) return {objects.begin(), objects.end()};
+std::vector<PartAtPlace> most_different(std::span<const PartAtPlace> parts, std::size_t most) {
+    if (parts.size() <= most) return {parts.begin(), parts.end()};
     dvec3 sum;
-    for (const ObjectAtPlace& o : objects) sum += o.corners[0].before;
-    const dvec3 mean = normalize_or(sum, objects[0].corners[0].before);
+    for (const PartAtPlace& p : parts) sum += p.corners[0].before;
+    const dvec3 mean = normalize_or(sum, parts[0].corners[0].before);
     std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t i = 0; i < objects.size(); ++i) order.emplace_back(dot(objects[i].corners[0].before, mean), i);
+    for (std::size_t i = 0; i < parts.size(); ++i) order.emplace_back(dot(parts[i].corners[0].before, mean), i);
     std::sort(order.begin(), order.end());
     order[most - 1] = order.back();
     order.resize(most);
     std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-    std::vector<ObjectAtPlace> chosen;
-    for (const auto& [cosine, i] : order) chosen.push_back(objects[i]);
+    std::vector<PartAtPlace> chosen;
+    for (const auto& [cosine, i] : order) chosen.push_back(parts[i]);
     return chosen;
 }
 

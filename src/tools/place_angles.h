@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The angles between the normals of two objects at one place.
+// The angles between the normals of two parts at one place.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,12 +9,12 @@
 
 namespace rakelight {
 
-/// The normals of some corners of one object at a place: unit, in the world.
+/// The normals of some corners of one part at a place: unit, in the world.
 struct CornerNormals {
     dvec3 before, after;
 };
-struct ObjectAtPlace {
-    std::uint32_t object = 0;
+struct PartAtPlace {
+    std::uint32_t part = 0;
     std::span<const CornerNormals> corners;  ///< at least one
 };
 
@@ -25,10 +25,10 @@ struct PairAngle {
 
 /// `after`: of the nearest two normals. `before`: of the nearest two in each group of corners that the smoothing joins,
 /// the largest over the groups; of the nearest two of all where it joins none. O(a b).
-PairAngle pair_angle(const ObjectAtPlace& a, const ObjectAtPlace& b);
+PairAngle pair_angle(const PartAtPlace& a, const PartAtPlace& b);
 
-/// At most `most` objects, in the order of the list: those whose first normals turn farthest from the mean, and the
+/// At most `most` parts, in the order of the list: those whose first normals turn farthest from the mean, and the
 /// nearest one.
-std::vector<ObjectAtPlace> most_different(std::span<const ObjectAtPlace> objects, std::size_t most);
+std::vector<PartAtPlace> most_different(std::span<const PartAtPlace> parts, std::size_t most);
 
 }  // namespace rakelight

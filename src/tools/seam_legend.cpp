@@ -99,7 +99,7 @@ private:
 
     static std::string objects_text(const Inspection& i) {
         const std::optional<LargestSeam> seam = largest_seam(i);
-        return seam ? between_text(i, seam->object_a, seam->object_b) : "";
+        return seam ? between_text(i, *seam) : "";
     }
 
     Pixels& picture_;

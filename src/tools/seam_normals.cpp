@@ -112,7 +112,21 @@ void apply(const std::vector<MeshSeams>& turned, std::span<const std::uint32_t> 
     }
 }
 
+/// The same parts, joined where they meet; what has no normals to keep is smoothed over the model.
+static Surfaces joined_surfaces(Surfaces surfaces) {
+    for (NormalRule& rule : surfaces.rules) {
+        rule.scope = Scope::model, rule.joins_seams = true;
+        rule.groups = rule.groups || rule.keeps_given;
+    }
+    return surfaces;
+}
+
+static bool keeps_authored(const Surfaces& surfaces, const InspectOptions& options) {
+    return options.authored == AuthoredNormals::seams && keep_some(surfaces);
+}
+
 std::vector<PartNormals> normals_after(const Surfaces& surfaces, const InspectOptions& options, Context& context) {
+    if (keeps_authored(surfaces, options)) return normals_before(joined_surfaces(surfaces), options, context);
     std::vector<PartNormals> normals(surfaces.meshes.size());
     make_normals(normals, surfaces.meshes, Scope::model, options, context, [](std::size_t i) { return i; });
     return normals;
@@ -137,6 +151,10 @@ static std::string name_of_unjoined(const Surfaces& surfaces) {
                                           [](const NormalRule& rule) { return !rule.keeps_given; });
     return format_text("the file's, {}{}{} of {} meshes)", made, is_overruled ? " of others (" : " where it has none (",
                        missing, surfaces.meshes.size());
+}
+
+std::string name_of_smoothing(const Surfaces& surfaces, const InspectOptions& options) {
+    return keeps_authored(surfaces, options) ? "joined where parts meet" : "smoothed over the model";
 }
 
 std::string name_of_source(const Surfaces& surfaces) {

@@ -35,7 +35,8 @@ struct SeamNormals {
 /// place.
 std::vector<PartNormals> normals_before(const Surfaces& surfaces, const InspectOptions& options, Context& context);
 
-/// As `rakelight smooth --normals model` writes them with the same crease angle and weight.
+/// As `rakelight smooth` writes them with the same crease angle and weight: by `options.authored`, kept ones are joined
+/// where parts meet, or all are smoothed over the model.
 std::vector<PartNormals> normals_after(const Surfaces& surfaces, const InspectOptions& options, Context& context);
 
 /// Some parts as meshes that have their normals; what these split is a vertex of its own. Views into both.
@@ -54,5 +55,7 @@ void apply(const std::vector<MeshSeams>& turned, std::span<const std::uint32_t> 
 /// The source of the normals of normals_before(), for people: "the file's, smoothed per object where it has none (2 of
 /// 5 meshes)".
 std::string name_of_source(const Surfaces& surfaces);
+/// That of normals_after().
+std::string name_of_smoothing(const Surfaces& surfaces, const InspectOptions& options);
 
 }  // namespace rakelight

@@ -99,7 +99,7 @@ std::string borders_html(const Inspection& before, const Inspection& after) {
                                 is_there ? number(found->second->seam_deg) : "?", number(b.largest_deg),
                                 is_there ? number(found->second->largest_deg) : "?"});
     }
-    if (rows.empty()) return "<p>No positions that two objects share have a seam.</p>\n";
+    if (rows.empty()) return "<p>No positions that two meshes share have a seam.</p>\n";
     return "<div class=\"scroll\"><table>\n" +
            row_html("th", {"object", "object", "shared", "seam before", "after", "largest angle before", "after"}) +
            rows + "</table></div>\n";
@@ -122,6 +122,7 @@ InspectOptions inspect_options(const SmoothFileOptions& options) {
     out.seam_lines = true;
     out.weld_distance = options.attributes.weld_distance;
     out.border_distance = options.border_distance;
+    out.authored = options.authored;
     out.prepare.crease_angle_rad = options.attributes.crease_angle_rad;
     out.prepare.weight = options.attributes.weight;
     return out;
@@ -161,7 +162,7 @@ SmoothedFile preview_smooth(const std::string& input, const PreviewPlace& place,
     write_text(place.page, page_of(name, what,
                                    "<div class=\"pair\">\n" + figure_html("before", seams_before) +
                                        figure_html("after", seams_after) +
-                                       "</div>\n<h2>Angle between the normals of two objects</h2>\n" + legend_html() +
+                                       "</div>\n<h2>Angle between the normals of two meshes</h2>\n" + legend_html() +
                                        totals_html(a.seams, b.seams) + matched_html(a.matched, b.matched) +
                                        "<h2>Borders</h2>\n" + borders_html(a, b)));
     return result;

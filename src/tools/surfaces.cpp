@@ -19,6 +19,12 @@ bool has_choices(const Scene& scene, std::span<const Instance> parts) {
 
 }  // namespace
 
+bool keep_some(const Surfaces& surfaces) {
+    for (std::size_t i = 0; i < surfaces.meshes.size(); ++i)
+        if (surfaces.rules[i].keeps_given && !surfaces.meshes[i].normals.empty()) return true;
+    return false;
+}
+
 Surfaces collect_surfaces(const Scene& scene, std::span<const std::uint32_t> objects, NormalSource source) {
     const std::vector<dmat4> world = bind_pose_matrices(scene);
     Surfaces out;

@@ -20,6 +20,9 @@ struct Surfaces {
     std::vector<NormalRule> rules;      ///< [parts] by which the normals of a picture come about
 };
 
+/// Whether any part has normals of its own, and its rule keeps them.
+bool keep_some(const Surfaces& surfaces);
+
 /// @param objects  the node of each object, ascending; all nodes that have meshes
 /// @param source  whose normals the picture would have. `automatic`, in scenes of which no part has a choice: what is
 ///                not in the file is smoothed per object, as programs do that see no borders

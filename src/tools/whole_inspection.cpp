@@ -26,7 +26,13 @@ void check_whole(const Inspection& i) {
     for (const InsideOutBody& body : i.inside_out)
         require(!body.objects.empty() && std::all_of(body.objects.begin(), body.objects.end(), is_object),
                 "an inside-out body");
-    for (const BorderSummary& b : i.borders) require(is_object(b.object_a) && is_object(b.object_b), "a border");
+    const auto is_material = [&](std::uint32_t number) {
+        return number == no_index || number < i.scene.materials.size();
+    };
+    for (const BorderSummary& b : i.borders) {
+        require(is_object(b.object_a) && is_object(b.object_b), "a border");
+        require(is_material(b.material_a) && is_material(b.material_b), "the materials of a border");
+    }
     for (const MatchedPair& p : i.matched.pairs)
         require(is_object(p.object_a) && is_object(p.object_b), "borders that match");
     require(!(i.matched.before.max_deg > 0 || i.matched.seam_deg > 0) || !i.matched.pairs.empty(),

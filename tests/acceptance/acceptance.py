@@ -8,6 +8,8 @@
                                       models of plain names; the test makes them itself
   acceptance.py smooth  PROGRAM DIR   every file of DIR, broken or not, goes through `smooth` to its own kind, to GLB and to PLY: it is refused in
                                       one line, or the output stands alone and a second run over it succeeds and changes nothing
+  acceptance.py seams   PROGRAM DIR   `inspect --check` fails for each model of which `smooth` would join normals that differ by more than the limit,
+                                      and for no other; it finds no seam in what `smooth` wrote, and a second `smooth` changes nothing
   acceptance.py parts   PROGRAM DIR   models cut into parts render like the whole when smoothed over the model, and unlike it per object
   acceptance.py growth  PROGRAM       what a file may have many of costs time in proportion
   acceptance.py bits    PROGRAM FILE... the same picture for each number of threads and instruction set, and under qemu as a Nehalem
@@ -320,6 +322,46 @@ def check_smooth(program, folder):
     return wrong if tasks else ["no models found"]
 
 
+def check_seams(program, folder):
+    """A seam of s degrees turns the normals of one of its sides by s / 2 or more, and none by more than s."""
+    limits = (1, 5, 20)
+
+    def rows(*command):
+        done = subprocess.run([program, *map(str, command), "--json", "--quiet"], capture_output=True, text=True, stdin=subprocess.DEVNULL)
+        return json.loads(done.stdout)["rows"] if done.returncode in (0, 5) else None
+
+    def faults(model, temporary):
+        first, second = (pathlib.Path(temporary) / (n + (model.suffix.lower() if model.suffix.lower() in (".gltf", ".obj") else ".glb"))
+                         for n in ("first", "second"))
+        before, smoothed = rows("inspect", model), rows("smooth", model, "-o", first)
+        if before is None or smoothed is None:
+            return  # refused
+        seam, turned = before[0]["seams"]["seam_deg"], smoothed[0].get("seams", {"turned": None, "max_deg": None})
+        for limit in limits:
+            fails = bool(rows("inspect", model, "--check", "--max-seam", limit)[0]["check"]["failures"])
+            if fails != (seam > limit):
+                yield f"--max-seam {limit} {'fails' if fails else 'passes'} at a seam of {seam}"
+            if turned["turned"] is not None and fails and not turned["max_deg"] > limit / 2.001:
+                yield f"--max-seam {limit} fails ({seam}), but smooth turns {turned['turned']} normals by at most {turned['max_deg']}"
+            if turned["turned"] and not fails and turned["max_deg"] > limit:
+                yield f"--max-seam {limit} passes ({seam}), but smooth turns {turned['turned']} normals by up to {turned['max_deg']}"
+        left = rows("inspect", first)[0]["seams"]["seam_deg"]
+        if left > 0.02:
+            yield f"{left} degrees are left after smooth"
+        rows("smooth", first, "-o", second)
+        if turned["turned"] is not None and first.read_bytes() != second.read_bytes():
+            yield "a second smooth changes it"
+
+    def one(model):
+        with tempfile.TemporaryDirectory() as temporary:
+            return "; ".join(f"{model.relative_to(folder)}: {fault}" for fault in faults(model, temporary))
+
+    models = models_under(folder)
+    wrong = in_parallel(one, models)
+    print(f"{len(models) - len(wrong)} of {len(models)} models agree")
+    return wrong if models else ["no models found"]
+
+
 def check_parts(program, folder):
     wrong, pairs = [], 0
     with tempfile.TemporaryDirectory() as temporary:
@@ -412,7 +454,7 @@ def check_bits(program, *models):
 
 
 def main():
-    checks = {"models": check_models, "hostile": check_hostile, "floods": check_floods, "smooth": check_smooth, "parts": check_parts,
+    checks = {"models": check_models, "hostile": check_hostile, "floods": check_floods, "smooth": check_smooth, "seams": check_seams, "parts": check_parts,
               "growth": check_growth, "bits": check_bits}
     if len(sys.argv) < (3 if sys.argv[1:2] in (["floods"], ["growth"]) else 4) or sys.argv[1] not in checks:
         sys.exit(__doc__)

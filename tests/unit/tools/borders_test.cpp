@@ -23,9 +23,18 @@ namespace {
 
 using test::two_squares;
 
+/// Beside the normals that smoothing over the whole model gives.
 Inspection inspected(const Scene& scene, const PrepareOptions& prepare = {}, bool lines = false) {
     Context context;
-    return inspect(scene, {.surfaces = false, .seam_lines = lines, .prepare = prepare}, context);
+    return inspect(scene,
+                   {.surfaces = false, .seam_lines = lines, .authored = AuthoredNormals::replaced, .prepare = prepare},
+                   context);
+}
+
+/// Beside what smooth_file() makes of the scene.
+Inspection inspected_as_smooth_does(const Scene& scene, bool lines = false) {
+    Context context;
+    return inspect(scene, {.surfaces = false, .seam_lines = lines}, context);
 }
 
 /// Both squares, the right one with this normal everywhere.
@@ -66,6 +75,65 @@ TEST(Borders, ASeamIsTheAngleBetweenTheNormalsInTheWorld) {
     EXPECT_EQ(b.seam_position.x, 0);
     scene.nodes[1].local.scale = {1, 1, -1};  // mirrored in its own plane: the normal points to the back in the world
     EXPECT_NEAR(inspected(scene).borders[0].largest_deg, 180 - 36.8699, 1e-3);
+}
+
+/// One object of both squares, red and blue.
+Scene object_of_two_materials(vec3 right) {
+    Scene scene = squares_with_normal(right);
+    scene.nodes.resize(1);
+    scene.nodes[0].name = "car";
+    scene.nodes[0].meshes = {0, 1};
+    scene.materials.resize(2);
+    scene.materials[0].name = "red", scene.materials[1].name = "blue";
+    scene.meshes[0].material = 0, scene.meshes[1].material = 1;
+    return scene;
+}
+
+TEST(Borders, MeshesOfOneObjectArePartsToo) {
+    const Scene scene = object_of_two_materials({0.6f, 0, 0.8f});
+    const Inspection i = inspected_as_smooth_does(scene, true);
+    EXPECT_EQ(i.shared_positions, 2u);
+    ASSERT_EQ(i.borders.size(), 1u);
+    const BorderSummary& b = i.borders[0];
+    EXPECT_EQ(std::pair(b.object_a, b.object_b), std::pair(0u, 0u));
+    EXPECT_EQ(std::pair(b.mesh_a, b.mesh_b), std::pair(0u, 1u));
+    EXPECT_EQ(std::pair(b.material_a, b.material_b), std::pair(0u, 1u));
+    EXPECT_NEAR(b.seam_deg, 36.8699, 1e-3);
+    ASSERT_EQ(i.seam_lines.size(), 1u);
+    EXPECT_NEAR(i.seam_lines[0].deg_b, 36.8699, 1e-3);
+    EXPECT_EQ(i.seams.normals_after, "joined where parts meet");
+    const std::vector<CheckFailure> failures = check_limits(i, {});
+    ASSERT_EQ(failures.size(), 1u);
+    EXPECT_NE(failures[0].message.find("between 'red' and 'blue' of 'car'"), std::string::npos) << failures[0].message;
+    EXPECT_TRUE(inspected_as_smooth_does(object_of_two_materials({0, 0, 1}), true).seam_lines.empty());
+}
+
+TEST(Borders, PairsOfObjectsHoldTheWorstOfTheirMeshes) {
+    // Four squares at one edge pair: a left object of two meshes, a right one whose two meshes lean by 5 and 20 degrees.
+    Scene scene = two_squares();
+    scene.meshes.push_back(scene.meshes[0]), scene.meshes.push_back(scene.meshes[1]);
+    scene.meshes[1].normals = std::vector<vec3>(4, tilted(5));
+    scene.meshes[3].normals = std::vector<vec3>(4, tilted(20));
+    scene.nodes[0].meshes = {0, 2}, scene.nodes[1].meshes = {1, 3};
+    const Inspection i = inspected(scene);
+    EXPECT_EQ(i.seams.positions, 6u) << "those of the edge, and the far ends of squares that lie on one another";
+    ASSERT_EQ(i.borders.size(), 3u);
+    for (const BorderSummary& b : i.borders) {
+        const double wanted = b.object_a != b.object_b ? 20 : b.object_a == 1 ? 15 : 0;
+        EXPECT_NEAR(b.seam_deg, wanted, 1e-4) << b.object_a << ' ' << b.object_b;
+    }
+}
+
+TEST(Borders, WhatSmoothKeepsIsNoSeam) {
+    Scene scene = squares_with_normal({0.6f, 0, 0.8f});  // a hinge of 37 degrees, authored flat
+    scene.meshes[1].positions = std::vector<vec3>{{0, 0, 0}, {0.8f, 0, -0.6f}, {0.8f, 1, -0.6f}, {0, 1, 0}};
+    const Inspection kept = inspected_as_smooth_does(scene);
+    EXPECT_NEAR(kept.borders[0].largest_deg, 36.8699, 1e-3);
+    EXPECT_NEAR(kept.borders[0].after.max_deg, 36.8699, 1e-3);
+    EXPECT_EQ(kept.seams.seam_deg, 0);
+    EXPECT_NEAR(inspected(scene).seams.seam_deg, 36.8699, 1e-3) << "smoothed over the whole model";
+    scene.meshes[1].normals = std::vector<vec3>(4, tilted(15));  // these bend towards the other square
+    EXPECT_NEAR(inspected_as_smooth_does(scene).seams.seam_deg, 15, 1e-3);
 }
 
 TEST(Borders, AnEdgeSharperThanTheCreaseAngleIsNoSeam) {
@@ -322,12 +390,12 @@ TEST(Borders, TheCrowdIsRepresentedByThoseThatDifferMostAndTheNearestToTheMean) 
         const dvec3 n = cast<double>(tilted(i < 3 ? 50 + i : 0));
         normals.push_back({n, n});
     }
-    std::vector<ObjectAtPlace> objects;
-    for (std::uint32_t i = 0; i < 100; ++i) objects.push_back({i, std::span(normals).subspan(i, 1)});
-    const std::vector<ObjectAtPlace> few = most_different(objects, 4);
+    std::vector<PartAtPlace> parts;
+    for (std::uint32_t i = 0; i < 100; ++i) parts.push_back({i, std::span(normals).subspan(i, 1)});
+    const std::vector<PartAtPlace> few = most_different(parts, 4);
     ASSERT_EQ(few.size(), 4u);
-    for (std::uint32_t i = 0; i < 3; ++i) EXPECT_EQ(few[i].object, i);
-    EXPECT_EQ(most_different(objects, 100).size(), 100u);
+    for (std::uint32_t i = 0; i < 3; ++i) EXPECT_EQ(few[i].part, i);
+    EXPECT_EQ(most_different(parts, 100).size(), 100u);
 }
 
 }  // namespace
