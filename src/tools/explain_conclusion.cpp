@@ -2,6 +2,7 @@
 // The last line of an explained pixel: which term makes most of it, and of a dark one what keeps the lights away.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "shading/luminance.h"
 #include "tools/explain_values.h"
@@ -29,15 +30,17 @@ struct Term {
 std::vector<double> shares_of_layers(const raster::PixelExplanation& p) {
     std::vector<double> shares(p.layers.size());
     for (std::size_t s = 0; s < p.samples.size(); ++s) {
-        std::vector<std::pair<std::size_t, double>> here;
-        for (std::size_t i = 0; i < p.layers.size(); ++i) {
-            const ShadedLayer& layer = p.layers[i];
-            if (std::ranges::find(layer.samples, int(s), &raster::LaidSample::sample) == layer.samples.end()) continue;
-            const double opacity = layer.is_blended ? double(layer.trace.alpha) : 1;
-            for (auto& [below, share] : here) share *= 1 - opacity;
-            here.emplace_back(i, opacity);
+        std::vector<std::pair<int, std::size_t>> here;  // places and layers
+        for (std::size_t i = 0; i < p.layers.size(); ++i)
+            for (const raster::LaidSample& laid : p.layers[i].samples)
+                if (laid.sample == int(s)) here.emplace_back(laid.place, i);
+        std::ranges::sort(here, std::greater());
+        double rest = 1 / double(p.samples.size());
+        for (const auto& [place, i] : here) {
+            const double opacity = p.layers[i].is_blended ? double(p.layers[i].trace.alpha) : 1;
+            shares[i] += rest * opacity;
+            rest *= 1 - opacity;
         }
-        for (const auto& [i, share] : here) shares[i] += share / double(p.samples.size());
     }
     return shares;
 }

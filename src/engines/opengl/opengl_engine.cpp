@@ -74,6 +74,7 @@ public:
         }
         sink.end_pass(0);
         thread_.call([&] { renderer_->end_picture(stats, context); });
+        renderer_->remark_order(context);
         return stats;
     }
 

@@ -10,6 +10,7 @@
 #include "engines/channel_arrays.h"
 #include "engines/empty_pixel.h"
 #include "engines/opengl/blended.h"
+#include "engines/opengl/blended_check.h"
 #include "lighting/albedo_tables.h"
 #include "scene/material_table.h"
 #include "scene/scene_tools.h"
@@ -345,6 +346,16 @@ void Renderer::end_picture(RenderStats& stats, Context& context) {
     if (not_finite_ > 0)
         context.report().add(Remark::warning, list_.scene.source, {},
                              std::to_string(not_finite_) + " color values were not finite and are shown black");
+}
+
+void Renderer::remark_order(Context& context) const {
+    std::vector<std::uint32_t> draws;
+    for (std::uint32_t d = 0; d < seen_.size(); ++d)
+        if (seen_[d] && list_.material(list_.draws[d]).factors.blend) draws.push_back(d);
+    if (has_wrong_order(list_, view_, settings_, draws, context))
+        context.report().add(Remark::warning, list_.scene.source, {},
+                             "transparent surfaces cross or overlap in a circle; this engine sorts whole triangles, so "
+                             "some are drawn over nearer ones; the engines soft and trace sort at every pixel");
 }
 
 }  // namespace rakelight::opengl

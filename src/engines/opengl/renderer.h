@@ -59,6 +59,8 @@ public:
     void read_part(std::span<vec4> to);
     /// Counts and times of all parts; what is to be said of them.
     void end_picture(RenderStats& stats, Context& context);
+    /// A warning where blended triangles are in the wrong order. After end_picture(); reads many vertices.
+    void remark_order(Context& context) const;
     /// Data channels of a part of the picture, which are filled. After its colors.
     void draw_channels(Window pixels, ChannelArrays& to, Context& context);
     shading::PictureCamera picture_camera_of(const Camera& camera, const RenderSettings& settings) const {

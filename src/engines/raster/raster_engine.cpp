@@ -12,6 +12,7 @@
 #include "engines/raster/draw_tile.h"
 #include "engines/raster/material_jobs.h"
 #include "engines/raster/occlusion/occlusion.h"
+#include "engines/raster/shade/blended_layers.h"
 #include "engines/raster/shadows/shadow_maps.h"
 #include "engines/raster/shadows/shadow_texels.h"
 #include "engines/raster/tile.h"
@@ -158,14 +159,14 @@ private:
     double draw_tiles(const TileJob& job, const Taker& taker, std::optional<AmbientOcclusion>& occlusion,
                       Context& context, RenderStats& stats) {
         std::atomic<std::uint64_t> covered{0}, shaded{0}, not_finite{0}, marked{0}, lit_pixels{0}, depth_passes{0},
-            samples_covered{0};
+            samples_covered{0}, layers_unsorted{0};
         std::atomic<std::size_t> done{0};
         const auto draw = [&](std::size_t tile) {
             const FlushDenormals guard;
             if (context.cancelled()) return;
             auto scratch = pool_.take();
             scratch->covered = scratch->shaded = scratch->not_finite = scratch->marked = scratch->lit_pixels =
-                scratch->depth_passes = scratch->samples_covered = 0;
+                scratch->depth_passes = scratch->samples_covered = scratch->layers_unsorted = 0;
             draw_tile(job, tile, *scratch, taker);
             covered += scratch->covered;
             shaded += scratch->shaded;
@@ -174,6 +175,7 @@ private:
             lit_pixels += scratch->lit_pixels;
             depth_passes += scratch->depth_passes;
             samples_covered += scratch->samples_covered;
+            layers_unsorted += scratch->layers_unsorted;
             pool_.give_back(std::move(scratch));
             context.progress("render", double(++done) / double(job.grid.count()));
         };
@@ -205,7 +207,16 @@ private:
         if (not_finite > 0)
             context.report().add(Remark::warning, list_.scene.source, {},
                                  std::to_string(not_finite) + " color values were not finite and are shown black");
+        if (layers_unsorted > 0) remark_on_layers(layers_unsorted, context);
         return waited;
+    }
+
+    void remark_on_layers(std::uint64_t count, Context& context) const {
+        context.report().add(Remark::warning, list_.scene.source, {},
+                             std::to_string(count) +
+                                 " times a blended surface was laid over nearer ones, because more than " +
+                                 std::to_string(BlendedLayers::most_waiting) +
+                                 " lie over one pixel out of order; the engine trace sorts any number");
     }
 
     const Kernels* kernels_;

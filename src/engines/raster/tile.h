@@ -48,6 +48,7 @@ struct OcclusionScratch {
 };
 
 struct SampleScratch;  // multisample.h
+struct LayerScratch;   // shade/blended_layers.h
 
 /// Working memory of one tile; used again by the next one.
 struct TileScratch : ChannelArrays {
@@ -66,9 +67,11 @@ public:
     std::vector<float> offset_x = batch<float>(), offset_y = batch<float>();
     std::vector<float> normal_x = batch<float>(), normal_y = batch<float>(), normal_z = batch<float>();
     std::vector<float> batch_depth = batch<float>();
-    /// For tools: called after each blended triangle was laid over, with the number of its pixels (`pixel`); `alpha`
-    /// are its own, `color` is what came of it.
-    std::function<void(std::size_t count)> on_layer;
+    /// For tools: called after a blended surface was laid over a pixel of a picture of one sample; `color` is what came
+    /// of it.
+    /// @param number  of its triangle in the tile's list
+    /// @param alpha   its own
+    std::function<void(std::size_t pixel, std::uint32_t number, float alpha)> on_layer;
     std::vector<float> channel_values;  ///< [channel_planes][tile_pixels + batch_padding] where channels need them
     std::vector<ShadeTriangle> triangles;
     std::vector<LitTriangle> lit;          ///< beside `triangles` in flat and Gouraud pictures
@@ -91,6 +94,8 @@ public:
     std::uint64_t covered = 0, shaded = 0, not_finite = 0, marked = 0;
     std::uint64_t samples_covered = 0;       ///< by something opaque
     std::shared_ptr<SampleScratch> samples;  ///< of multisampled pictures
+    std::shared_ptr<LayerScratch> layers;    ///< of pictures with blended surfaces
+    std::uint64_t layers_unsorted = 0;       ///< blended surfaces at pixels that were laid over nearer ones
     OcclusionScratch occlusion;
     StageTimes times;                ///< of all tiles so far
     std::uint64_t lit_pixels = 0;    ///< lighting was evaluated at
@@ -113,7 +118,7 @@ public:
 void find_visible(const TileJob& job, std::size_t tile, TileScratch& scratch);
 /// Colors of the visible pixels. True where something is to be laid over them.
 bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& scratch);
-/// Blended triangles over them, far to near, then lines and points.
+/// Blended surfaces over them, far to near at each pixel, then lines and points.
 void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& scratch);
 
 /// Positions begin..end-1 of a tile's list, all of one draw.
@@ -125,7 +130,8 @@ struct DrawRun {
 void find_runs(const TileJob& job, std::size_t tile, std::vector<DrawRun>& runs);
 /// Some of them are blended.
 bool has_blended(const TileJob& job, const std::vector<DrawRun>& runs);
-/// The blended triangles of a tile, into Binned::items, in the order in which they are laid: far to near.
+/// The blended triangles of a tile, into Binned::items, far to near by the middle of each: the order in which they are
+/// shaded, and that in which methods without depth lay them.
 std::vector<std::uint32_t> blending_order(const TileJob& job, std::size_t tile);
 
 /// `wanted`: what the first `count` of `shown` are, each once; `batch_triangle`: which of them.

@@ -53,6 +53,39 @@ TEST_F(OpenGl, ChannelsAreThoseOfTheSoftEngine) {
     is_near(gl.emission, soft.emission, 3, 0.01, "emission");
 }
 
+/// Panes of glass over the picture, which lean to the right by these angles.
+Scene leaning_panes(std::initializer_list<double> angles, double apart) {
+    Scene scene;
+    Material m = test::matte();
+    m.alpha_mode = AlphaMode::blend;
+    m.base_color.w = 0.5f;
+    m.double_sided = true;
+    scene.materials = {m};
+    double z = 0;
+    for (const double angle : angles)
+        test::add_object(scene, test::square_mesh(0),
+                         translation(dvec3{0, 0, z -= apart}) *
+                             look_at({0, 0, 0}, {std::sin(angle), 0, -std::cos(angle)}, {0, 1, 0}));
+    return scene;
+}
+
+TEST_F(OpenGl, WarnsWhereTransparentSurfacesCrossAndNowhereElse) {
+    const auto warnings = [&](const Scene& scene) {
+        Context own({.threads = 1});
+        drawn(*engine, scene, small(), own);
+        std::vector<std::string> texts;
+        for (const ReportEntry& e : own.report().entries())
+            if (e.remark == Remark::warning) texts.push_back(e.message);
+        return texts;
+    };
+    const std::vector<std::string> crossing = warnings(leaning_panes({0.3, -0.3}, 0));
+    ASSERT_EQ(crossing.size(), 1u);
+    EXPECT_NE(crossing[0].find("engines soft and trace"), std::string::npos) << crossing[0];
+    EXPECT_TRUE(warnings(leaning_panes({0.3, 0.3}, 0.4)).empty());
+    EXPECT_TRUE(warnings(leaning_panes({0.3, -0.3}, 3)).empty());
+    EXPECT_TRUE(warnings(leaning_panes({0.3}, 0)).empty());
+}
+
 TEST_F(OpenGl, AWindowIsAPartOfThePicture) {
     RenderSettings settings = small();
     const Frame whole = drawn(*engine, two_squares(), settings, context);

@@ -123,14 +123,14 @@ TEST(Cancel, VisibilityOfATileLooksAtItByEveryMethodAndAtEverySample) {
 
 TEST(Cancel, NoBlendedLayerIsLaidAfterIt) {
     OneTile t(many_screens(500, AlphaMode::blend), one_tile);
-    int layers = 0;
-    t.scratch.on_layer = [&](std::size_t) {
-        if (++layers == 7) t.run.cancel();
+    std::size_t laid = 0;
+    t.scratch.on_layer = [&](std::size_t, std::uint32_t, float) {
+        if (++laid == 7 * std::size_t(tile_pixels)) t.run.cancel();
     };
     find_visible(t.job, 0, t.scratch);
     ASSERT_TRUE(shade_opaque(t.job, 0, t.scratch));
     blend_transparent(t.job, 0, t.scratch);
-    EXPECT_EQ(layers, 7);
+    EXPECT_EQ(laid, 7 * std::size_t(tile_pixels));
 }
 
 TEST(Cancel, NoBlendedLayerIsLaidAtSamplesAfterIt) {

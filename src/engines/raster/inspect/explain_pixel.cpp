@@ -15,6 +15,7 @@
 #include "engines/raster/material_jobs.h"
 #include "engines/raster/multisample.h"
 #include "engines/raster/occlusion/occlusion.h"
+#include "engines/raster/shade/layer_order.h"
 #include "engines/raster/shade/sky.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility/coverage.h"
@@ -49,6 +50,7 @@ public:
         find_visible_triangles();
         find_blended();
         for (const std::size_t i : order_) shade(i);
+        lay();
         out_.sum = resolved();
         draw();
         summarize(out_, of_);
@@ -199,7 +201,7 @@ private:
         return nullptr;
     }
 
-    /// What is laid over which samples, and in which order: the rules of blend_transparent().
+    /// What is laid over which samples: the rules of blend_transparent().
     void find_blended() {
         std::vector<std::size_t> blended;
         for (std::size_t i = 0; i < out_.triangles.size(); ++i) {
@@ -216,7 +218,26 @@ private:
         const auto place = [this](std::size_t i) { return blending_place(open_.front, *screen_[i]); };
         std::stable_sort(blended.begin(), blended.end(),
                          [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
-        order_.insert(order_.end(), blended.begin(), blended.end());
+        for (std::size_t k = 0; k < out_.samples.size(); ++k) sort_layers(k, blended);
+        // Layers are told in the order of the first sample that shows them.
+        for (const std::vector<std::size_t>& layers : layers_of_)
+            for (const std::size_t i : layers)
+                if (std::find(order_.begin(), order_.end(), i) == order_.end()) order_.push_back(i);
+    }
+
+    /// Those of a sample, far to near.
+    /// @param blended  of the pixel, triangle by triangle
+    void sort_layers(std::size_t sample, const std::vector<std::size_t>& blended) {
+        std::vector<std::size_t>& layers = layers_of_.emplace_back();
+        const auto place = [&](std::size_t i) {
+            return LayerPlace{covered_sample(i, sample)->depth_key, std::uint32_t(i)};
+        };
+        for (const std::size_t i : blended) {
+            const CoveredSample* const c = covered_sample(i, sample);
+            if (!c || c->fate != Fate::blended) continue;
+            layers.push_back(i);
+            if (has_depth(of_.settings().visibility)) insert_last_layer(layers.begin(), layers.end(), place);
+        }
     }
 
     bool is_before_visible(std::size_t i, const CoveredSample& c, double order) {
@@ -229,7 +250,7 @@ private:
         return is_seen_before(of_.settings().visibility, order, standing, i > visible);
     }
 
-    /// Adds a layer over what is there: once for all samples that show it, at the middle of those.
+    /// Adds a layer: shaded once for all samples that show it, at the middle of those.
     void shade(std::size_t i) {
         ShadedLayer layer;
         layer.triangle = i;
@@ -245,18 +266,35 @@ private:
         const float opacity = layer.is_blended ? std::clamp(finite(layer.trace.alpha), 0.0f, 1.0f) : 1.0f;
         const float(&rgb)[3] = layer.trace.color;
         const vec4 color = {finite(rgb[0]), finite(rgb[1]), finite(rgb[2]), opacity};
-        for (std::size_t k = 0; k < out_.samples.size(); ++k) {
-            if (!(shown >> k & 1u)) continue;
-            vec4& to = out_.samples[k].color;
-            LaidSample laid{int(k), to, color};
-            if (layer.is_blended)
-                lay_over(color, to);
-            else
-                to = color;
-            laid.after = to;
-            layer.samples.push_back(laid);
-        }
+        for (std::size_t k = 0; k < out_.samples.size(); ++k)
+            if (shown >> k & 1u) layer.samples.push_back({int(k), 0, {}, {}});
+        colors_.push_back(color);
         out_.layers.push_back(std::move(layer));
+    }
+
+    /// Lays all layers of each sample, in its order.
+    void lay() {
+        for (std::size_t k = 0; k < out_.samples.size(); ++k) {
+            int place = 0;
+            if (out_.samples[k].triangle != no_triangle) lay(out_.samples[k].triangle, k, place++);
+            for (const std::size_t i : layers_of_[k]) lay(i, k, place++);
+        }
+    }
+
+    void lay(std::size_t triangle, std::size_t sample, int place) {
+        const auto number = std::size_t(std::find(order_.begin(), order_.end(), triangle) - order_.begin());
+        ShadedLayer& layer = out_.layers[number];
+        vec4& to = out_.samples[sample].color;
+        for (LaidSample& laid : layer.samples) {
+            if (laid.sample != int(sample)) continue;
+            laid.place = place;
+            laid.before = to;
+            if (layer.is_blended)
+                lay_over(colors_[number], to);
+            else
+                to = colors_[number];
+            laid.after = to;
+        }
     }
 
     vec4 resolved() const {
@@ -294,9 +332,11 @@ private:
     OpenGeometry open_, drawn_;
     int x_, y_, ox_, oy_;
     TileScratch scratch_;
-    std::vector<const ScreenTriangle*> screen_;    ///< of out_.triangles while in the order of the scene
-    std::vector<std::vector<double>> seen_order_;  ///< [their samples]: what the method of visibility compares
-    std::vector<std::size_t> order_;               ///< of the layers
+    std::vector<const ScreenTriangle*> screen_;        ///< of out_.triangles while in the order of the scene
+    std::vector<std::vector<double>> seen_order_;      ///< [their samples]: what the method of visibility compares
+    std::vector<std::size_t> order_;                   ///< of the layers
+    std::vector<vec4> colors_;                         ///< [layers] with their opacity
+    std::vector<std::vector<std::size_t>> layers_of_;  ///< [samples] the blended ones, far to near
     PixelExplanation out_;
 };
 

@@ -66,6 +66,7 @@ struct TracedCorner {
 /// A layer at one sample.
 struct LaidSample {
     int sample = 0;
+    int place = 0;       ///< among the layers of the sample, the farthest is 0
     vec4 before, after;  ///< the sample's color, linear
 };
 
@@ -101,11 +102,13 @@ struct PixelExplanation {
     int x = 0, y = 0;
     vec4 background;
     std::vector<CoveringTriangle> triangles;  ///< nearest first
-    /// Visible surfaces, in the order of the first sample that shows them, then blended ones as they were laid.
+    /// Visible surfaces, in the order of the first sample that shows them, then blended ones far to near, in the order of the
+    /// first sample that shows them.
     std::vector<ShadedLayer> layers;
     std::vector<SeenSample> samples;  ///< as many as the picture has a pixel
     vec4 sum;                         ///< the result of the layers: the mean of the samples
-    vec4 color;                       ///< the pixel's surfaces as the engine draws them: equal to `sum` to the bit
+    vec4 color;                       ///< the pixel's surfaces as the engine draws them: equal to `sum` to the bit, but
+                                      ///< where more layers than BlendedLayers::most_waiting are out of order
     bool has_marks = false;           ///< lines or points of the scene may lie over them
     std::optional<VisibleMark> mark;  ///< the opaque one that hides them at the pixel's center
 };

@@ -104,7 +104,9 @@ public:
         note_visible();
         const bool blends = shade_opaque(job_, tile_, s_);
         if (!out_.opaque.empty()) copy_color(out_.opaque);
-        s_.on_layer = [this](std::size_t pixels) { note_layer(pixels); };
+        s_.on_layer = [this](std::size_t pixel, std::uint32_t number, float alpha) {
+            note_layer(pixel, number, alpha);
+        };
         if (blends) blend_transparent(job_, tile_, s_);
         copy_color(out_.center_color.empty() ? out_.color : out_.center_color);
         for (std::size_t k = 0; k < out_.layers.size(); ++k) fill_up(k);
@@ -131,17 +133,16 @@ private:
         for_each_pixel([&](std::size_t p) { to[at(p)] = s_.color[p]; });
     }
 
-    /// A blended triangle was laid over `count` pixels.
-    void note_layer(std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto pixel = std::size_t(s_.pixel[i]), p = at(pixel);
-            std::uint8_t& n = out_.layer_count[p];
-            if (n < out_.layers.size()) {
-                out_.layers[n].color[p] = s_.color[pixel];
-                out_.layers[n].alpha[p] = s_.alpha[i] >= 0 ? std::min(s_.alpha[i], 1.0f) : 0;
-            }
-            n = std::uint8_t(n + (n < 255));
+    /// A blended surface was laid over a pixel of the tile.
+    void note_layer(std::size_t pixel, std::uint32_t number, float alpha) {
+        const std::size_t p = at(pixel);
+        std::uint8_t& n = out_.layer_count[p];
+        if (n < out_.layers.size()) {
+            out_.layers[n].color[p] = s_.color[pixel];
+            out_.layers[n].alpha[p] = alpha;
         }
+        n = std::uint8_t(n + (n < 255));
+        laid_.push_back({std::uint32_t(pixel), number});
     }
 
     /// Pixels with fewer layers keep what they have.
@@ -209,20 +210,16 @@ private:
             alpha_[pixel] = out_.draw[p] == no_index ? background.w : 1;
             if (out_.draw[p] == no_index && out_.layer_count[p] > 0) out_.own_color[p] = background.xyz();
         });
-        for (const std::uint32_t item : blending_order(job_, tile_)) {
-            const ScreenTriangle& t = *drawn_.binned.items[item];
-            const BlendTest is_before(drawn_.front, t, std::int32_t(item - drawn_.binned.offsets[tile_]));
-            bool is_new = true;
-            cover(t, area_, ox_, oy_, [&](int x, int y, float depth) {
-                if (!is_before(x, y, ox_, oy_, depth, s_)) return;
-                const Traced pixel = trace(t, is_new, x, y);
-                is_new = false;
-                float& alpha = alpha_[std::size_t(y * tile_size + x)];
-                const float own = pixel.trace.alpha >= 0 ? std::min(pixel.trace.alpha, 1.0f) : 0,
-                            under = alpha * (1 - own);
-                alpha = own + under;
-                if (alpha > 0) add_terms(at(x, y), pixel, own / alpha, under / alpha);
-            });
+        const ScreenTriangle* last = nullptr;
+        for (const Laid& laid : laid_) {
+            const ScreenTriangle& t = *drawn_.binned.items[drawn_.binned.offsets[tile_] + laid.number];
+            const int x = int(laid.pixel) % tile_size, y = int(laid.pixel) / tile_size;
+            const Traced pixel = trace(t, &t != last, x, y);
+            last = &t;
+            float& alpha = alpha_[laid.pixel];
+            const float own = pixel.trace.alpha >= 0 ? std::min(pixel.trace.alpha, 1.0f) : 0, under = alpha * (1 - own);
+            alpha = own + under;
+            if (alpha > 0) add_terms(at(x, y), pixel, own / alpha, under / alpha);
         }
     }
 
@@ -320,6 +317,10 @@ private:
         int x, y;
         const ScreenTriangle* triangle;
     };
+    /// A blended surface at a pixel of the tile, of this number in the tile's list.
+    struct Laid {
+        std::uint32_t pixel, number;
+    };
     const OpenScene& of_;
     const OpenGeometry &open_, &drawn_;
     std::size_t tile_;
@@ -328,6 +329,7 @@ private:
     int ox_, oy_;
     TileScratch s_;
     std::vector<Visible> visible_;
+    std::vector<Laid> laid_;  ///< in the order in which they were
     std::vector<TracedLight> lights_;
     std::vector<TracedCorner> corners_;                           ///< of the triangle that was traced last
     std::vector<float> alpha_ = std::vector<float>(tile_pixels);  ///< of the picture, while layers are laid

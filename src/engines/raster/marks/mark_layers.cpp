@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "engines/raster/blend.h"
-#include "engines/raster/multisample.h"
 
 namespace rakelight::raster {
 
@@ -14,7 +13,8 @@ MarkLayers::MarkLayers(const TileJob& job, std::size_t tile, TileScratch& scratc
       marks_(job, tile, scratch),
       ox_(job.grid.origin_x(tile)),
       oy_(job.grid.origin_y(tile)),
-      lists_(tile_pixels) {
+      lists_(tile_pixels),
+      has_any_(tile_pixels) {
     marks_.for_each_fragment([this](const MarkFragment& f) { take(f); });
 }
 
@@ -28,34 +28,23 @@ void MarkLayers::take(const MarkFragment& f) {
         job_.front.memory.remove(std::exchange(charged_, room * sizeof(Waiting)));
     }
     List& list = lists_[f.pixel];
+    has_any_[f.pixel] = 1;
     const auto index = std::uint32_t(waiting_.size());
     (list.last == no_index ? list.first : waiting_[list.last].next) = index;
     list.last = index;
     waiting_.push_back({f, no_index});
 }
 
-void MarkLayers::lay_behind(const ScreenTriangle& t, std::size_t count) {
-    lay_behind(t, count, 1, [this](std::size_t p) { return &s_.color[p]; });
-}
-
-void MarkLayers::lay_behind_samples(const ScreenTriangle& t, std::size_t count) {
-    const auto samples = std::size_t(job_.front.settings.samples);
-    lay_behind(t, count, samples,
-               [&](std::size_t p) { return &s_.samples->color[std::size_t(s_.samples->number[p]) * samples]; });
-}
-
-template <class ColorsOf>
-void MarkLayers::lay_behind(const ScreenTriangle& t, std::size_t count, std::size_t samples,
-                            const ColorsOf& colors_of) {
-    const SurfacePlane plane(t, ox_, oy_);
-    const DepthTolerance tolerance = plane.tolerance();
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto p = std::size_t(s_.pixel[i]);
-        if (lists_[p].first == no_index) continue;
-        const double key = plane.key(p);
-        lay(p, colors_of(p), samples,
-            [&](const MarkFragment& f) { return double(f.key) + tolerance.of(double(f.key), double(f.reach)) < key; });
+void MarkLayers::lay_behind(const ScreenTriangle& t, std::size_t pixel, vec4* colors, std::size_t samples) {
+    if (lists_[pixel].first == no_index) return;
+    if (last_ != &t) {
+        last_ = &t;
+        plane_ = SurfacePlane(t, ox_, oy_);
     }
+    const double key = plane_.key(pixel);
+    const DepthTolerance tolerance = plane_.tolerance();
+    lay(pixel, colors, samples,
+        [&](const MarkFragment& f) { return double(f.key) + tolerance.of(double(f.key), double(f.reach)) < key; });
 }
 
 void MarkLayers::lay_rest() {

@@ -18,11 +18,11 @@ public:
     MarkLayers& operator=(const MarkLayers&) = delete;
     ~MarkLayers();
 
-    /// Lays those that are behind a blended triangle, on the `count` pixels (`pixel` of the scratch) where it comes
-    /// next. A mark on the triangle is not behind it.
-    void lay_behind(const ScreenTriangle& t, std::size_t count);
-    /// The same on all samples of these pixels (SampleScratch::color).
-    void lay_behind_samples(const ScreenTriangle& t, std::size_t count);
+    /// Some lie at a pixel, laid or not.
+    bool has_any(std::size_t pixel) const { return has_any_[pixel] != 0; }
+    /// Lays those that are behind a blended triangle at a pixel where it comes next, on all samples of the pixel. A mark
+    /// on the triangle is not behind it.
+    void lay_behind(const ScreenTriangle& t, std::size_t pixel, vec4* colors, std::size_t samples);
     /// The others over everything, on the pixels; and what data channels hold.
     void lay_rest();
 
@@ -36,8 +36,6 @@ private:
     };
 
     void take(const MarkFragment& f);
-    template <class ColorsOf>
-    void lay_behind(const ScreenTriangle& t, std::size_t count, std::size_t samples, const ColorsOf& colors_of);
     template <class Chosen>
     void lay(std::size_t pixel, vec4* to, std::size_t samples, const Chosen& is_chosen);
 
@@ -45,7 +43,10 @@ private:
     TileScratch& s_;
     TileMarks marks_;
     int ox_, oy_;
-    std::vector<List> lists_;  ///< [tile_pixels]
+    std::vector<List> lists_;            ///< [tile_pixels]
+    std::vector<std::uint8_t> has_any_;  ///< [tile_pixels]
+    const ScreenTriangle* last_ = nullptr;
+    SurfacePlane plane_;  ///< of last_
     std::vector<Waiting> waiting_;
     std::uint64_t charged_ = 0;  ///< [bytes]
 };

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colors of a tile: the visible pixels draw by draw in full vectors, then what is blended over them.
+// Colors of a tile: the visible pixels draw by draw in full vectors.
 #include <algorithm>
 #include <cstring>
-#include <utility>
 
 #include "engines/empty_pixel.h"
-#include "engines/raster/blend.h"
-#include "engines/raster/marks/mark_layers.h"
 #include "engines/raster/material_jobs.h"
 #include "engines/raster/occlusion/occlusion.h"
 #include "engines/raster/shade/channels_tile.h"
 #include "engines/raster/shade/sky.h"
-#include "engines/raster/visibility/coverage.h"
-#include "engines/raster/visibility/visibility_methods.h"
 #include "image/srgb_encoder.h"
 #include "image/tone.h"
 #include "math/linear.h"
@@ -50,18 +45,6 @@ void encode_tile(TileScratch& s) {
 
 namespace {
 
-bool is_lit_at_pixels(const ShadeJob& job) { return !job.unlit && !job.lit; }
-
-/// Colors of a finished batch over what is there.
-void blend_batch(std::size_t count, TileScratch& s) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const bool is_finite = s.alpha[i] - s.alpha[i] == 0;
-        if (!is_finite) ++s.not_finite;
-        const vec4 c = {s.red[i], s.green[i], s.blue[i], is_finite ? std::clamp(s.alpha[i], 0.0f, 1.0f) : 0.0f};
-        lay_over(c, s.color[std::size_t(s.pixel[i])]);
-    }
-}
-
 /// Shades `count` pixels of the batch arrays, all of one draw, into the tile.
 void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::size_t count, bool to_srgb8,
                  TileScratch& s) {
@@ -73,7 +56,7 @@ void shade_batch(const TileJob& job, std::uint32_t draw, std::size_t tile, std::
     if (job.occlusion) job.occlusion->give(batch, s);
     s.not_finite += std::uint64_t(shade_with_lists(job.kernels, job.reach, batch, s));
     s.shaded += count;
-    if (is_lit_at_pixels(batch)) s.lit_pixels += count;
+    if (!batch.unlit && !batch.lit) s.lit_pixels += count;
     for (std::size_t i = 0; i < count && !to_srgb8; ++i)
         s.color[std::size_t(s.pixel[i])] = {s.red[i], s.green[i], s.blue[i], 1.0f};
     for (std::size_t i = 0; i < count && with_normal; ++i)
@@ -204,69 +187,6 @@ bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& s) {
                                                              s.list_position.data())),
                        direct, s);
     return blends;
-}
-
-std::vector<std::uint32_t> blending_order(const TileJob& job, std::size_t tile) {
-    struct Layer {
-        double place;
-        std::uint32_t item;
-    };
-    std::vector<Layer> layers;
-    for (std::uint32_t i = job.binned.offsets[tile]; i < job.binned.offsets[tile + 1]; ++i) {
-        const ScreenTriangle& t = *job.binned.items[i];
-        if (job.front.list.view(t.draw).blend) layers.push_back({blending_place(job.front, t), i});
-    }
-    std::stable_sort(layers.begin(), layers.end(), [](const Layer& a, const Layer& b) { return a.place < b.place; });
-    std::vector<std::uint32_t> items;
-    for (const Layer& layer : layers) items.push_back(layer.item);
-    return items;
-}
-
-namespace {
-
-/// @param marks  lines and points between the surfaces, if there are any
-void blend_layers(const TileJob& job, std::size_t tile, const std::vector<std::uint32_t>& order, MarkLayers* marks,
-                  TileScratch& s) {
-    const Window area = job.grid.pixels(tile);
-    const int ox = job.grid.origin_x(tile), oy = job.grid.origin_y(tile);
-    for (const std::uint32_t item : order) {
-        if (job.is_cancelled()) return;
-        const ScreenTriangle& t = *job.binned.items[item];
-        std::size_t count = 0;
-        const BlendTest is_before(job.front, t, std::int32_t(item - job.binned.offsets[tile]));
-        cover(t, area, ox, oy, [&](int x, int y, float depth) {
-            if (!is_before(x, y, ox, oy, depth, s)) return;
-            s.pixel[count] = y * tile_size + x;
-            s.batch_triangle[count++] = 0;
-        });
-        if (count == 0) continue;
-        const ScreenTriangle* const only = &t;
-        make_records(job, t.draw, {&only, 1}, ox, oy, s);
-        const ShadeJob batch = make_job(job, t.draw, ox, oy, count, s);
-        s.not_finite += std::uint64_t(shade_with_lists(job.kernels, job.reach, batch, s));
-        s.shaded += count;
-        if (is_lit_at_pixels(batch)) s.lit_pixels += count;
-        if (marks) marks->lay_behind(t, count);
-        blend_batch(count, s);
-        if (s.on_layer) s.on_layer(count);
-    }
-}
-
-}  // namespace
-
-void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& s) {
-    std::vector<std::uint32_t> order;
-    if (job.has_blended) order = blending_order(job, tile);
-    if (order.empty()) {
-        if (has_marks(job, tile)) draw_marks(job, tile, s);
-    } else if (has_marks(job, tile)) {
-        MarkLayers marks(job, tile, s);
-        blend_layers(job, tile, order, &marks, s);
-        marks.lay_rest();
-    } else {
-        blend_layers(job, tile, order, nullptr, s);
-    }
-    if (job.to_srgb8) encode_tile(s);
 }
 
 }  // namespace rakelight::raster

@@ -38,6 +38,21 @@ inline void set_depth(const ScreenTriangle& s, int first_x, int first_y, Coverag
     c.depth_high = s.nearest_key();
 }
 
+/// set_depth() about the first pixel of the triangle's box in the tile. Also where no pixel center is covered.
+inline void set_plane(const ScreenTriangle& s, int tile_x, int tile_y, Coverage& c) {
+    c.plane_x = std::max(((std::min({s.x0, s.x1, s.x2}) + 127) >> subpixel_bits) - tile_x, 0);
+    c.plane_y = std::max(((std::min({s.y0, s.y1, s.y2}) + 127) >> subpixel_bits) - tile_y, 0);
+    set_depth(s, c.plane_x + tile_x, c.plane_y + tile_y, c);
+}
+
+/// The depth key that the plane has, within those of the corners. x, y [px] from the center of the tile's first pixel.
+inline float depth_at(const Coverage& c, float x, float y) {
+    const float depth_row = c.depth_0 + c.depth_y * (y - float(c.plane_y));
+    const float plane = depth_row + c.depth_x * (x - float(c.plane_x));
+    const float from_below = plane > c.depth_low ? plane : c.depth_low;
+    return from_below < c.depth_high ? from_below : c.depth_high;
+}
+
 /// Of every triangle what kernels/nearest_kernel.h finds for small ones.
 /// @param area  pixels of the picture that count; lies in the tile
 /// @return false: no pixel is covered
@@ -69,9 +84,7 @@ inline bool set_coverage(const ScreenTriangle& s, const Window& area, int tile_x
     c.right = right - tile_x;
     c.top = top - tile_y;
     c.bottom = bottom - tile_y;
-    c.plane_x = std::max(first_x - tile_x, 0);
-    c.plane_y = std::max(first_y - tile_y, 0);
-    set_depth(s, c.plane_x + tile_x, c.plane_y + tile_y, c);
+    set_plane(s, tile_x, tile_y, c);
     return true;
 }
 
