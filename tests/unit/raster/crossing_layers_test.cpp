@@ -205,8 +205,13 @@ TEST(CrossingLayers, MethodsWithoutDepthKeepTheOrderOfTriangles) {
         s.visibility = method;
         for (const bool red_first : {true, false}) {
             const Frame f = draw(crossing_panes(0, red_first), flat_camera(), s);
-            const vec4 expected = red_first ? over(blue, over(red, white)) : over(red, over(blue, white));
-            for (std::size_t i = 0; i < f.color.size(); i += 7) expect_near(f.color[i], expected, name_of(i, 1));
+            const vec4 red_on_top = over(red, over(blue, white)), blue_on_top = over(blue, over(red, white));
+            for (std::size_t i = 0; i < f.color.size(); i += 7) {
+                if (i % side + i / side == side - 1) continue;  // on the diagonal
+                // Painter's: of the lower right triangles red has the nearer mean, of the upper left ones blue.
+                const bool is_red = method == Visibility::painter ? i % side + i / side >= side : !red_first;
+                expect_near(f.color[i], is_red ? red_on_top : blue_on_top, name_of(i, 1));
+            }
         }
     }
 }
@@ -291,7 +296,8 @@ TEST(CrossingLayers, AsManyAsMayWaitAndOneAreInOrder) {
     for (const int samples : {1, 4}) {
         const Frame f = draw(scene, flat_camera(), on_white(samples));
         for (int x = 0; x < side; ++x)
-            expect_near(pixel(f, x, 40), pencil_color(scene, x < 32), std::to_string(x), 1e-5f);
+            if (x < 31 || x > 32)  // beside the line all depths are equal within rounding
+                expect_near(pixel(f, x, 40), pencil_color(scene, x < 32), std::to_string(x), 1e-5f);
     }
 }
 
