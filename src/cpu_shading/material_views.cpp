@@ -41,11 +41,12 @@ bool show_the_same(const TextureSlot& a, const TextureSlot& b) {
 }
 
 /// The slot of one map, whose texture is there.
-TextureSlot slot_for(const shading::TextureCache& textures, const TextureRole& role, const TextureUse& use,
+TextureSlot slot_for(const shading::TextureCache& textures, const TextureRole& role, const shading::DrawMaterial& drawn,
                      const shading::DrawList& list, MaterialViews& views) {
-    const Texture& texture = list.scene.textures[use.texture];
-    const shading::LoadedTexture* const loaded = textures.find(shading::key_of(texture, role.space));
-    views.textures.push_back(with_filters(static_cast<const TextureData&>(*loaded->packed), texture.sampler));
+    const TextureUse& use = role.in(list.scene_material(drawn));
+    const Sampler& sampler = list.scene.textures[use.texture].sampler;
+    const shading::LoadedTexture* const loaded = textures.find(shading::key_of(list, drawn, role));
+    views.textures.push_back(with_filters(static_cast<const TextureData&>(*loaded->packed), sampler));
     TextureSlot slot{shading::uv_transform(use), &views.textures.back(), std::int32_t(use.texcoord_set), 0};
     slot.is_transformed = !shading::is_identity(slot);
     return slot;
@@ -57,9 +58,8 @@ MaterialView picture_camera_of(const shading::TextureCache& textures, const shad
     static_cast<shading::MaterialFactors&>(view) = drawn.factors;
     for (const TextureRole& role : texture_roles()) {
         if (!drawn.maps[std::size_t(role.number)]) continue;
-        const TextureUse& use = role.in(list.scene_material(drawn));
-        view.map[role.number] = slot_for(textures, role, use, list, views);
-        view.uses_texcoords[use.texcoord_set] = 1;
+        view.map[role.number] = slot_for(textures, role, drawn, list, views);
+        view.uses_texcoords[view.map[role.number].texcoord_set] = 1;
     }
     for (const TextureSlot& slot : view.map) view.has_float_maps |= slot.view && slot.view->rgba32f;
     view.shared_maps = shared_maps(view);

@@ -116,6 +116,16 @@ std::uint64_t decoding_work(const EncodedImage& image, int most_side, Context& c
     }
 }
 
+bool has_alpha(const EncodedImage& image, Context& context) {
+    if (!image.measure) return true;
+    try {
+        return image.measure(image, context).channels % 2 == 0;
+    } catch (const Error&) {  // told when it is decoded
+        context.throw_if_cancelled();
+        return false;
+    }
+}
+
 ImageHandle reduced_image(const ImageHandle& image, int most_side) {
     if (!is_of_file(*image)) return image;
     EncodedImage reduced = *image;

@@ -17,4 +17,7 @@ ImageHandle reduced_image(const ImageHandle& image, int most_side);
 /// as more. 0: it cannot be read, or did not come from a file.
 std::uint64_t decoding_work(const EncodedImage& image, int most_side, Context& context);
 
+/// Whether the picture has an alpha channel; false where it cannot be read.
+bool has_alpha(const EncodedImage& image, Context& context);
+
 }  // namespace rakelight::io

@@ -97,14 +97,39 @@ void add_materials(DrawList& list) {
     for (const Draw& draw : list.draws) list.materials[draw.material].is_drawn = true;
 }
 
+/// Alpha's other factors are divided out of the cutoff; that of vertices by its mean where something can be seen.
+void find_texel_cutoffs(DrawList& list) {
+    struct Sum {
+        double alpha = 0, vertices = 0;
+    };
+    std::vector<Sum> sums(list.materials.size());
+    std::vector<bool> seen(list.scene.meshes.size(), false);
+    for (const Draw& draw : list.draws) {
+        const MaterialFactors& m = list.material(draw).factors;
+        if (!(m.alpha_cutoff > 0) || seen[draw.mesh]) continue;
+        seen[draw.mesh] = true;
+        const Mesh& mesh = list.scene.meshes[draw.mesh];
+        Sum& sum = sums[draw.material];
+        if (mesh.colors.empty())
+            sum.alpha += double(mesh.positions.size()), sum.vertices += double(mesh.positions.size());
+        for (const vec4& color : mesh.colors)
+            if (m.base_color[3] * color.w >= m.alpha_cutoff) sum.alpha += double(color.w), sum.vertices += 1;
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const MaterialFactors& m = list.materials[i].factors;
+        const double alpha = double(m.base_color[3]) * sums[i].alpha;
+        const double cutoff = alpha > 0 ? double(m.alpha_cutoff) * sums[i].vertices / alpha : -1;
+        if (cutoff <= 1) list.materials[i].texel_cutoff = float(cutoff);
+    }
+}
+
 std::vector<TextureWish> wishes_of(const DrawList& list) {
     std::vector<TextureWish> wishes;
     for (const DrawMaterial& drawn : list.materials) {
         if (!drawn.is_drawn) continue;
         const Material& m = list.scene_material(drawn);
         for (const TextureRole* const role : roles_of(m))
-            wishes.push_back({key_of(list.scene.textures[role->in(m).texture], role->space),
-                              role->number == role_normal || role->number == role_height,
+            wishes.push_back({key_of(list, drawn, *role), role->number == role_normal || role->number == role_height,
                               role->number == role_emission});
     }
     return wishes;
@@ -120,8 +145,7 @@ public:
         for (DrawMaterial& drawn : list_.materials) {
             if (!drawn.is_drawn) continue;
             const Material& m = list_.scene_material(drawn);
-            const TextureUse& emission = m.emission_texture;
-            if (m.model != MaterialModel::unlit && emission && !find(emission, ColorSpace::srgb))
+            if (m.model != MaterialModel::unlit && m.emission_texture && !find(drawn, texture_roles()[role_emission]))
                 leave_out_emission(m, drawn);
             else
                 look_for(m, drawn);
@@ -132,9 +156,9 @@ private:
     static constexpr std::uint32_t texcoord_sets = 2;
 
     /// Null: it could not be had, which has been said, or its coordinates are left out.
-    const LoadedTexture* find(const TextureUse& use, ColorSpace space) const {
-        if (use.texcoord_set >= texcoord_sets) return nullptr;
-        return textures_.find(key_of(list_.scene.textures[use.texture], space));
+    const LoadedTexture* find(const DrawMaterial& drawn, const TextureRole& role) const {
+        if (role.in(list_.scene_material(drawn)).texcoord_set >= texcoord_sets) return nullptr;
+        return textures_.find(key_of(list_, drawn, role));
     }
 
     void leave_out_emission(Material m, DrawMaterial& drawn) {
@@ -151,7 +175,7 @@ private:
                             "texture left out: only texture coordinate sets 0 and 1 are drawn");
                 continue;
             }
-            const LoadedTexture* const texture = find(use, role->space);
+            const LoadedTexture* const texture = find(drawn, *role);
             if (!texture) continue;
             if (role->number == role_normal) remarks_.look_at(m, use, *texture);
             if (role->number == role_height) remarks_.look_at_heights(m, use, *texture);
@@ -212,8 +236,14 @@ void find_normal_sides(DrawList& list, Context& context) {
 
 }  // namespace
 
-TextureKey key_of(const Texture& texture, ColorSpace space) {
-    return {texture.image, space, texture.sampler.wrap_u, texture.sampler.wrap_v};
+TextureKey key_of(const DrawList& list, const DrawMaterial& material, const TextureRole& role) {
+    const Texture& texture = list.scene.textures[role.in(list.scene_material(material)).texture];
+    const Sampler& s = texture.sampler;
+    TextureKey key{texture.image, role.space, s.wrap_u, s.wrap_v};
+    const bool holds_alpha = role.number == role_base_color || role.number == role_opacity;
+    if (holds_alpha && material.texel_cutoff > 0 && s.mip != MipFilter::none)
+        key.test = {material.texel_cutoff, role.number == role_opacity ? 0 : 3, s.minify == Filter::linear};
+    return key;
 }
 
 const Material& DrawList::scene_material(const DrawMaterial& material) const {
@@ -237,6 +267,7 @@ DrawList make_draw_list(Scene given, const geometry::MeshPoses& poses, TextureCa
     list.node_to_world = world_matrices(scene);
     add_draws(list, poses, placements, context);
     add_materials(list);
+    find_texel_cutoffs(list);
     textures.update(wishes_of(list), packer, context);
     TextureSearch(list, textures, context.report()).run();
     drop_coat_normals(list);

@@ -29,6 +29,7 @@ struct DrawMaterial {
     bool two_sided = false;  ///< is_two_sided() of choices.h
     bool classical = false;  ///< its format says nothing about sides (lit_side.h)
     MaterialFactors factors{};
+    float texel_cutoff = -1;               ///< what the mask asks of alpha in its textures; not above 0: nothing
     std::bitset<texture_role_count> maps;  ///< by TextureRoleNumber: it is read, and it could be decoded
 };
 
@@ -51,6 +52,7 @@ struct DrawList {
 /// reported, beside what is suspicious about normal maps.
 DrawList make_draw_list(Scene scene, TextureCache& textures, const TexturePacker& packer, Context& context);
 
-TextureKey key_of(const Texture& texture, ColorSpace space);
+/// Of the texture that a material has in that role.
+TextureKey key_of(const DrawList& list, const DrawMaterial& material, const TextureRole& role);
 
 }  // namespace rakelight::shading

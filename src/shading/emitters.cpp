@@ -32,7 +32,7 @@ public:
         factor_ = {double(e[0]), double(e[1]), double(e[2])};
         if (!drawn.maps[role_emission]) return;
         const TextureUse& use = list.scene_material(drawn).emission_texture;
-        const LoadedTexture* const texture = textures.find(key_of(list.scene.textures[use.texture], ColorSpace::srgb));
+        const LoadedTexture* const texture = textures.find(key_of(list, drawn, texture_roles()[role_emission]));
         if (!texture || !texture->means) return;
         means_ = &*texture->means;
         sampler_ = list.scene.textures[use.texture].sampler;

@@ -71,11 +71,12 @@ void load(Missing& m, const TexturePacker& packer, Context& context) {
     m.fault.clear();
     try_to(m, context, [&] {
         auto texture = std::make_shared<LoadedTexture>();
-        const MipChain chain = [&] {
+        MipChain chain = [&] {
             const Pixels pixels = decode_measured(image, context);
             texture->is_tagged_srgb = pixels.is_tagged_srgb;
             return make_mip_chain(pixels, m.key->space, context);
         }();
+        keep_coverage(chain, m.key->test, m.key->wrap_u == Wrap::repeat, m.key->wrap_v == Wrap::repeat, context);
         MemoryCharge charge = m.charge.bytes() > 0 ? std::move(m.charge) : MemoryCharge(context.memory());
         if (m.wanted.means && !chain.levels.empty()) {
             const std::uint64_t bytes = MeanMap::bytes_for(chain.levels[0].width, chain.levels[0].height);

@@ -9,6 +9,7 @@
 
 #include <rakelight/scene.h>
 
+#include "image/alpha_coverage.h"
 #include "image/mip_chain.h"
 #include "image/normal_map_check.h"
 #include "shading/mean_map.h"
@@ -20,6 +21,7 @@ struct TextureKey {
     ImageHandle image;
     ColorSpace space;
     Wrap wrap_u, wrap_v;
+    AlphaTest test{};  ///< of materials with a mask: the levels keep what is seen
     auto operator<=>(const TextureKey&) const = default;
 };
 
@@ -57,8 +59,8 @@ struct TextureWish {
     bool is_emission = false;  ///< LoadedTexture::means are wanted
 };
 
-/// Decodes pictures once for each color space and wrapping in which they are used, in parallel, and keeps them by
-/// identity.
+/// Decodes pictures once for each color space, wrapping and cutoff with which they are used, in parallel, and keeps them
+/// by identity.
 class TextureCache {
 public:
     /// Forgets what is not wished for, decodes what is new. A picture that cannot be decoded becomes a warning in the

@@ -32,6 +32,8 @@ constexpr std::array<Kind, 5> kinds{
      {"environment maps; the built-in studio replaces it", [](TextureRoleNumber) { return false; }},
      {"maps of color and opacity", [](TextureRoleNumber) { return true; }}}};
 
+/// [px] A mask is decoded at this size at least: what is seen of it is kept from there on, and would be lost before.
+constexpr int mask_side = 2048;
 constexpr std::size_t environment_kind = 3;
 /// [pixels] What the light of an environment takes beside decoding its picture: 110 ms, where a pixel takes 16 ns.
 constexpr std::uint64_t environment_work = 7'000'000;
@@ -65,21 +67,41 @@ void disable_factor(Material& m, TextureRoleNumber role) {
 
 ImageHandle environment_image(const Scene& scene) { return scene.environment ? scene.environment->image : nullptr; }
 
+/// Pictures whose alpha a material compares with its cutoff.
+std::set<ImageHandle> masks_of(const Scene& scene, Context& context) {
+    std::set<ImageHandle> masks;
+    for (const Material& m : scene.materials) {
+        if (m.alpha_mode != AlphaMode::mask) continue;
+        if (m.opacity_texture) masks.insert(scene.textures[m.opacity_texture.texture].image);
+        if (!m.base_color_texture) continue;
+        const ImageHandle& image = scene.textures[m.base_color_texture.texture].image;
+        if (io::has_alpha(*image, context)) masks.insert(image);
+    }
+    return masks;
+}
+
+/// How large pictures are decoded.
+struct Sides {
+    int most;
+    std::set<ImageHandle> masks;
+    int of(const ImageHandle& image) const { return masks.contains(image) ? std::max(most, mask_side) : most; }
+};
+
 /// That of the environment, then those of the materials in their order.
-std::vector<Picture> pictures_of(const Scene& scene, int most_side, Context& context) {
+std::vector<Picture> pictures_of(const Scene& scene, const Sides& sides, Context& context) {
     std::vector<Picture> pictures;
     std::map<ImageHandle, std::size_t> places;
     if (const ImageHandle image = environment_image(scene)) {
         places[image] = 0;
         pictures.push_back({image, environment_kind,
-                            environment_work + io::decoding_work(*image, environment_sides * most_side, context)});
+                            environment_work + io::decoding_work(*image, environment_sides * sides.most, context)});
     }
     for (const Material& material : scene.materials)
         for (const TextureRole& role : texture_roles()) {
             if (!role.in(material) || !role.is_shown_by(material)) continue;
             const ImageHandle& image = scene.textures[role.in(material).texture].image;
             const auto [place, is_new] = places.try_emplace(image, pictures.size());
-            if (is_new) pictures.push_back({image, 0, io::decoding_work(*image, most_side, context)});
+            if (is_new) pictures.push_back({image, 0, io::decoding_work(*image, sides.of(image), context)});
             std::size_t& kind = pictures[place->second].kind;
             kind = std::max(kind, kind_of(role.number));
         }
@@ -127,11 +149,12 @@ std::set<ImageHandle> too_many(std::vector<Picture> pictures, std::uint64_t most
 }  // namespace
 
 Scene with_thumbnail_textures(Scene scene, int most_side, std::uint64_t most_work, Context& context) {
-    leave_out(scene, too_many(pictures_of(scene, most_side, context), most_work, scene, context));
+    const Sides sides{most_side, masks_of(scene, context)};
+    leave_out(scene, too_many(pictures_of(scene, sides, context), most_work, scene, context));
     std::map<ImageHandle, ImageHandle> reduced;  // textures that share a picture still do
     for (Texture& texture : scene.textures) {
         ImageHandle& image = reduced[texture.image];
-        if (!image) image = io::reduced_image(texture.image, most_side);
+        if (!image) image = io::reduced_image(texture.image, sides.of(texture.image));
         texture.image = image;
     }
     if (const ImageHandle image = environment_image(scene))

@@ -204,7 +204,7 @@ private:
             if (!f_.has(role.number)) continue;
             const TextureUse& use = role.in(material_);
             const Texture& texture = p_.list.scene.textures[use.texture];
-            const shading::LoadedTexture* const loaded = p_.cache.find(shading::key_of(texture, role.space));
+            const shading::LoadedTexture* const loaded = p_.cache.find(shading::key_of(p_.list, drawn_, role));
             const auto& levels = static_cast<const TextureLevels&>(*loaded->packed);
             const bool is_height = role.number == role_height;
             state_.maps.push_back(

@@ -27,10 +27,10 @@ std::vector<TextureStore::Wish> wishes_of(const shading::DrawList& list, const s
     for (const shading::DrawMaterial& drawn : list.materials)
         for (const TextureRole& role : texture_roles()) {
             if (!drawn.maps[std::size_t(role.number)]) continue;
-            const Texture& texture = list.scene.textures[role.in(list.scene_material(drawn)).texture];
-            const shading::LoadedTexture* const loaded = cache.find(shading::key_of(texture, role.space));
+            const shading::TextureKey key = shading::key_of(list, drawn, role);
+            const shading::LoadedTexture* const loaded = cache.find(key);
             wishes.push_back({std::static_pointer_cast<const TextureLevels>(loaded->packed), role.number == role_height,
-                              loaded->is_bump, texture.image.get()});
+                              loaded->is_bump, key.image.get()});
         }
     return wishes;
 }
