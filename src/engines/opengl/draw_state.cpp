@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 
 #include "scene/material_table.h"
 #include "shading/behind.h"
 #include "shading/choices.h"
+#include "shading/guard_band.h"
 
 namespace rakelight::opengl {
 namespace {
@@ -33,6 +35,21 @@ constexpr std::array least_visible_first = {role_iridescence,
                                             role_opacity,
                                             role_base_color};
 static_assert(least_visible_first.size() == texture_role_count);
+
+/// Whether triangles of the draw may reach out of the clip volume.
+bool reaches_out(const shading::Draw& draw, const shading::PictureCamera& view) {
+    const shading::GuardBand guard(view);
+    const dmat4 to_camera = view.world_to_camera * draw.to_world;
+    const Bounds box{cast<double>(draw.low), cast<double>(draw.high)};
+    for (int corner = 0; corner < 8; ++corner) {
+        const dvec3 p = transform_point(to_camera, box.corner(corner));
+        const double w = -p.z, x = view.scale_x * p.x, y = view.scale_y * p.y;
+        const bool is_inside =
+            w > view.z_near && w < view.z_far && std::abs(x) < guard.x * w && std::abs(y) < guard.y * w;
+        if (!is_inside) return true;
+    }
+    return false;
+}
 
 /// Fills one DrawState, step by step.
 class DrawStateMaker {
@@ -133,7 +150,8 @@ private:
         f_.has_parallel_viewer = p_.view.orthographic || p_.settings.viewer_at_infinity;
         f_.is_sampled = f_.output == Output::color && p_.settings.samples > 1 ? p_.settings.samples : 0;
         if (f_.output == Output::directions) f_.orthogonalize = p_.settings.orthogonalize;
-        f_.is_screen_linear = p_.settings.interpolation == AttributeInterpolation::screen;
+        f_.is_screen_linear = p_.settings.interpolation == AttributeInterpolation::screen && !p_.view.orthographic;
+        f_.is_cut = f_.is_screen_linear && f_.output != Output::shadow && reaches_out(draw_, p_.view);
     }
 
     void set_lit_at() {
@@ -185,7 +203,7 @@ private:
         const bool reads_tangents = f_.has_bumps || f_.is_anisotropic || f_.model == shading::reflects_ward ||
                                     f_.has(role_clearcoat_normal) || f_.output == Output::directions;
         const bool reads_normals = f_.output != Output::shadow && f_.output != Output::count;
-        f_.from_triangles = wants_triangles || f_.lit_at == lit_at_faces ||
+        f_.from_triangles = wants_triangles || f_.lit_at == lit_at_faces || f_.is_cut ||
                             (reads_normals && (mesh_.normals.empty() || state_.against)) || f_.has_corner_frames;
         f_.front_turns = side_.front_turns();
         f_.seen_sides = state_.culling.back ? seen_front : state_.culling.front ? seen_back : seen_both;

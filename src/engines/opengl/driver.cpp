@@ -95,7 +95,7 @@ EngineCapabilities abilities_of(const Driver& driver) {
     can.channels = channels_all;
     for (const int samples : {4, 8})
         if (driver.samples >= samples) can.samples.push_back(samples);
-    can.screen_interpolation = !driver.is_es;
+    can.screen_interpolation = true;
     can.shadows = true;
     can.user_lighting = true;
     can.lines_and_points = true;

@@ -86,11 +86,15 @@ enum class Output : std::int32_t { color, shadow, sky, numbers, directions, plac
     X(light_count, "LIGHT_COUNT_KNOWN")               \
     X(has_lists, "HAS_LISTS")                         \
     X(is_screen_linear, "SCREEN_LINEAR")              \
+    X(is_cut, "CUTS")                                 \
     X(is_sampled, "SAMPLED")                          \
     X(seen_sides, "SEEN_SIDES")
 
 /// Sides of a surface that culling leaves.
 enum SeenSides : std::int32_t { seen_both, seen_front, seen_back };
+
+/// What is left of a triangle that six planes cut has 9 corners at most.
+inline constexpr std::int32_t cut_pieces = 7;
 
 /// Where lighting is evaluated.
 enum LitAt : std::int32_t { lit_at_pixels, lit_at_vertices, lit_at_faces };

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "shading/draw_frame.h"
+#include "shading/guard_band.h"
 
 namespace rakelight::opengl {
 namespace {
@@ -27,6 +28,17 @@ void set_samples(GLint place, int samples) {
         at[2 * i] -= 0.5f, at[2 * i + 1] -= 0.5f;
     }
     glUniform2fv(place, 8, at);
+}
+
+/// Where triangles are cut, and clip space of the pixels -> that of the whole picture.
+void set_cut(GLint place, const shading::PictureCamera& view, Window pixels) {
+    const shading::GuardBand guard(view);
+    const float wide = float(pixels.width) / float(view.width), high = float(pixels.height) / float(view.height);
+    const float x = (float(view.width) - 2.0f * float(pixels.x)) / float(pixels.width) - 1.0f,
+                y = (float(view.height) - 2.0f * float(pixels.y)) / float(pixels.height) - 1.0f;
+    const float far = float(std::min(view.z_far, 3e38));
+    const float cut[8] = {float(view.z_near), far, guard.x, guard.y, wide, -x * wide, -high, y * high};
+    glUniform4fv(place, 2, cut);
 }
 
 void put_vec3(dvec3 v, float w, float* to) { to[0] = float(v.x), to[1] = float(v.y), to[2] = float(v.z), to[3] = w; }
@@ -103,6 +115,7 @@ void PictureDrawer::set_picture(const Program& p) const {
     const shading::PictureCamera& view = state_.view;
     const dvec3 back = view.camera_to_world[2].xyz();
     glUniform3f(p.view_direction, float(back.x), float(back.y), float(back.z));
+    if (p.cut >= 0) set_cut(p.cut, view, pixels_);
     if (p.lights >= 0) glUniform4fv(p.lights, GLsizei(state_.lights.count()) * light_texels, state_.lights.numbers());
     if (p.light_count >= 0) glUniform4iv(p.light_count, 1, state_.lights.counts());
     if (p.map_texels >= 0) glUniform1f(p.map_texels, map_texels_);
@@ -216,7 +229,7 @@ void PictureDrawer::draw_triangles(const DrawState& state, const Program& progra
                                    std::uint32_t count) {
     if (state.features.from_triangles) {
         glUniform1i(program.first_corner, GLint(3 * first));
-        glDrawArrays(GL_TRIANGLES, 0, GLsizei(3 * count));
+        glDrawArrays(GL_TRIANGLES, 0, GLsizei(3 * count) * (state.features.is_cut ? cut_pieces : 1));
     } else {
         glDrawElements(GL_TRIANGLES, GLsizei(3 * count), GL_UNSIGNED_INT,
                        reinterpret_cast<const void*>(std::size_t(first) * 3 * sizeof(std::uint32_t)));

@@ -59,9 +59,8 @@ std::string version_of(const Driver& driver) {
 /// How what vertices hand on is interpolated.
 std::string qualifiers(const Features& f, const Driver& driver, bool is_vertex) {
     const std::string place = f.is_sampled && !driver.has_sample_mask ? "centroid " : "";
-    const std::string attribute = (f.is_screen_linear ? "noperspective " : "") + place;
     return "#define RL_VARYING " + std::string(is_vertex ? "out" : "in") + "\n#define RL_PLACE " + place +
-           "\n#define RL_ATTRIBUTE " + attribute + "\n#define RL_CONSTANT flat\n";
+           "\n#define RL_ATTRIBUTE " + place + "\n#define RL_CONSTANT flat\n";
 }
 
 /// X(0) X(1) ...: the kind of each is a constant.
@@ -80,9 +79,9 @@ std::string numbers_of(const Features& f) {
     return define("RL_AT_PIXELS", lit_at_pixels) + define("RL_AT_VERTICES", lit_at_vertices) +
            define("RL_AT_FACES", lit_at_faces) + define("RL_SPACE_WORLD", shading::space_world) +
            define("RL_SPACE_TRANSPOSED", shading::space_transposed) + define("RL_FETCH_WIDTH", fetch_width) +
-           define("RL_LIGHT_TEXELS", light_texels) + define("RL_VERTEX_TEXELS", texels) +
-           (f.tangents_are_sound ? "#define RL_TANGENTS_ARE_SOUND\n" : "") + define("RL_SEEN_FRONT", seen_front) +
-           define("RL_SEEN_BACK", seen_back) +
+           define("RL_LIGHT_TEXELS", light_texels) + define("RL_PIECES", cut_pieces) +
+           define("RL_VERTEX_TEXELS", texels) + (f.tangents_are_sound ? "#define RL_TANGENTS_ARE_SOUND\n" : "") +
+           define("RL_SEEN_FRONT", seen_front) + define("RL_SEEN_BACK", seen_back) +
            define("RL_HAS_SECOND_SET", f.second_sets != 0 || f.coords_are_moved || f.output == Output::places) +
            "#define RL_LIGHT_KINDS " + std::to_string(f.light_kinds) + "u\n#define RL_LIGHTS_WITHOUT_AMBIENT " +
            std::to_string(f.lights_without_ambient) + "u\n#define RL_EACH_LIGHT(X)" + each_light(f) + "\n" +

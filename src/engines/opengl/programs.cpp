@@ -86,6 +86,7 @@ void find_places(Program& program, const Driver& driver, const Features& feature
     program.environment = place("rl_environment_numbers");
     program.environment_levels = place("rl_environment_levels");
     program.first_corner = place("rl_first_corner");
+    program.cut = place("rl_cut");
     program.against = place("rl_against");
     program.map_texels = place("rl_map_texels");
     program.shadow_size = place("rl_shadow_size");

@@ -22,7 +22,8 @@ struct Program {
     GlProgram name;
     GLint object = -1, material = -1, lights = -1, light_count = -1, view_direction = -1, ray = -1, fog = -1,
           environment = -1, environment_levels = -1, first_corner = -1, against = -1, map_texels = -1, shadow_size = -1,
-          numbers = -1, samples = -1, mark = -1, mark_color = -1, mark_view = -1, mark_cull = -1, behind_view = -1;
+          numbers = -1, samples = -1, mark = -1, mark_color = -1, mark_view = -1, mark_cull = -1, behind_view = -1,
+          cut = -1;
     GLint behind_unit = -1;             ///< of transmissive materials alone
     mutable std::uint64_t picture = 0;  ///< whose numbers it has been given
     std::vector<GLint> map_unit;        ///< [texture_role_count] -1: it has none

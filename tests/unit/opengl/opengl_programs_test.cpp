@@ -129,7 +129,7 @@ TEST_F(OpenGl, Es30DrawsThePictureOfCore33) {
     const Frame core = drawn(*engine, two_squares(), small(), context);
     const EnvironmentVariable es("RAKELIGHT_GL", "es");
     engine = opengl::make_engine();
-    EXPECT_FALSE(engine->capabilities().screen_interpolation) << "ES has no noperspective";
+    EXPECT_TRUE(engine->capabilities().screen_interpolation);
     EXPECT_LT(rmse(drawn(*engine, two_squares(), small(), context), core), 0.002);
     RenderSettings settings = small();
     settings.channels = channel_object | channel_normal;

@@ -102,7 +102,7 @@ vec3 through_corner(int k, vec3 d)
 {
     vec3 n = safe_normalize(v_corner_normal[k]);
     vec3 t = map_tangent(n, v_corner_tangent[k], RL_ORTHOGONALIZE);
-    vec3 b = cross(n, t) * v_tangent.w;
+    vec3 b = cross(n, t) * RL_GIVEN(v_tangent.w);
 #if RL_HAS_BITANGENTS
     b = safe_normalize_or(v_corner_bitangent[k], b);
 #endif
@@ -114,7 +114,8 @@ vec3 through_corner(int k, vec3 d)
 vec3 in_tangent_space(Frame f, vec3 world, vec3 to[3])
 {
 #if RL_HAS_CORNER_FRAMES
-    vec3 d = through_corner(0, to[0]) * v_barycentric.x + through_corner(1, to[1]) * v_barycentric.y + through_corner(2, to[2]) * v_barycentric.z;
+    vec3 b = RL_GIVEN(v_barycentric);
+    vec3 d = through_corner(0, to[0]) * b.x + through_corner(1, to[1]) * b.y + through_corner(2, to[2]) * b.z;
 #else
     vec3 d = to_tangent_space(f.map_normal, f.map_tangent, f.map_bitangent, 0, world);
 #endif

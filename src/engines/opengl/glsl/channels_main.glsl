@@ -44,7 +44,7 @@ void main()
     o_first = vec4(v_position, away);
     o_second = vec4(0.0);
 #if RL_HAS_TEXCOORDS
-    o_second = v_texcoords;
+    o_second = RL_GIVEN(v_texcoords);
 #endif
     o_third = finite_part(x.base.color.xyz, x.base.color.xyz);
     o_fourth = vec4(0.0);
@@ -55,7 +55,7 @@ void main()
     o_fourth = vec4(0.0);
 #if RL_FROM_TRIANGLES
     o_second = vec4(v_face_normal, 1.0);
-    o_fourth = vec4(v_barycentric, 1.0);
+    o_fourth = vec4(RL_GIVEN(v_barycentric), 1.0);
 #endif
     o_third = tangent_at(x.point);
 #else

@@ -57,29 +57,32 @@ Point this_point()
     p.normal = v_face_normal;
     p.side = 1.0;
 #elif RL_HAS_NORMALS
-    p.normal = RL_MOVED(v_normal);
+    p.normal = RL_MOVED(RL_GIVEN(v_normal));
 #else
     p.normal = vec3(0.0, 0.0, 1.0);
 #endif
 #if RL_HAS_TANGENTS
-    p.tangent = RL_MOVED(v_tangent).xyz;
-    p.w = v_tangent.w;  // the same at all corners of a triangle
+    p.tangent = RL_MOVED(RL_GIVEN(v_tangent)).xyz;
+    p.w = RL_GIVEN(v_tangent.w);  // the same at all corners of a triangle
 #else
     p.tangent = vec3(0.0);
     p.w = 1.0;
 #endif
 #if RL_HAS_BITANGENTS
-    p.bitangent = RL_MOVED(v_bitangent);
+    p.bitangent = RL_MOVED(RL_GIVEN(v_bitangent));
 #endif
     p.color = vec4(1.0);
 #if RL_HAS_COLORS
-    p.color = RL_MOVED(v_color);
+    p.color = RL_MOVED(RL_GIVEN(v_color));
 #endif
 #if RL_HAS_TEXCOORDS
 #if RL_SAMPLED && !RL_HAS_SAMPLE_MASK
     RL_TEXCOORDS at = v_center_texcoords;
+#if RL_SCREEN_LINEAR
+    at = at * gl_FragCoord.w;
+#endif
 #else
-    RL_TEXCOORDS at = v_texcoords;
+    RL_TEXCOORDS at = RL_GIVEN(v_texcoords);
 #endif
 #if RL_SCREEN_LINEAR
     RL_TEXCOORDS dx = dFdx(at);
@@ -90,7 +93,7 @@ Point this_point()
     RL_TEXCOORDS dx = (dFdx(at * per_w) - at * dFdx(per_w)) / per_w;
     RL_TEXCOORDS dy = (dFdy(at * per_w) - at * dFdy(per_w)) / per_w;
 #endif
-    RL_TEXCOORDS uv = RL_MOVED(v_texcoords);
+    RL_TEXCOORDS uv = RL_MOVED(RL_GIVEN(v_texcoords));
     p.texcoords[0].uv = uv.xy;
     p.texcoords[0].dx = dx.xy;
     p.texcoords[0].dy = dy.xy;
@@ -203,22 +206,27 @@ LightTerms terms_of_light(Pixel x, int i, vec3 plane)
     return material_terms(x.surface, light, seen, traits(1));
 }
 
+#if RL_LIT_AT == RL_AT_FACES
+#define RL_GIVEN_LIGHT(v) (v)
+#else
+#define RL_GIVEN_LIGHT(v) RL_GIVEN(v)
+#endif
 // The light of the vertices, of the side that is seen.
 LightTerms light_of_corners(float side)
 {
     LightTerms received = no_terms();
 #if RL_LIT_AT != RL_AT_PIXELS
-    received.diffuse = v_diffuse;
-    received.specular = v_specular;
+    received.diffuse = RL_GIVEN_LIGHT(v_diffuse);
+    received.specular = RL_GIVEN_LIGHT(v_specular);
 #if !RL_PAINTS_LAST || RL_LIT_AT == RL_AT_FACES
-    received.ambient = v_ambient;
+    received.ambient = RL_GIVEN_LIGHT(v_ambient);
 #endif
 #if RL_LIT_AT == RL_AT_VERTICES && RL_TWO_SIDES
     if (side < 0.0) {
-        received.diffuse = v_turned_diffuse;
-        received.specular = v_turned_specular;
+        received.diffuse = RL_GIVEN(v_turned_diffuse);
+        received.specular = RL_GIVEN(v_turned_specular);
 #if !RL_PAINTS_LAST
-        received.ambient = v_turned_ambient;
+        received.ambient = RL_GIVEN(v_turned_ambient);
 #endif
     }
 #endif

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the vertex stage hands to the pixels. RL_VARYING is `out` or `in`; RL_ATTRIBUTE how attributes are interpolated,
 // RL_PLACE how positions are, RL_CONSTANT: not at all. RL_HAS_...: the mesh has it, and the program reads it.
+// Attributes that are linear on the screen are handed on times w: over w, which is linear in space, they are. The driver's
+// own `noperspective` fails where it cuts triangles at the sides of the picture.
+#if RL_SCREEN_LINEAR
+RL_PLACE RL_VARYING float v_w;
+#define RL_GIVEN(v) ((v) / v_w)
+#else
+#define RL_GIVEN(v) (v)
+#endif
 RL_PLACE RL_VARYING vec3 v_position;  // about the eye, world axes
 #if RL_HAS_NORMALS
 RL_ATTRIBUTE RL_VARYING vec3 v_normal;  // of unit vectors: not unit

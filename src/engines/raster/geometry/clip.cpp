@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "shading/guard_band.h"
+
 namespace rakelight::raster {
 namespace {
 
@@ -64,8 +66,8 @@ std::size_t clip_by_plane(const ClipVertex* in, std::size_t count, ClipVertex* o
 ClipVolume::ClipVolume(const PictureCamera& view)
     : z_near(view.z_near),
       z_far(view.z_far),
-      guard_x(float((guard_band_px - view.width) / (0.5 * view.width))),
-      guard_y(float((guard_band_px - view.height) / (0.5 * view.height))) {}
+      guard_x(shading::GuardBand(view).x),
+      guard_y(shading::GuardBand(view).y) {}
 
 unsigned outcode(const ClipVertex& v, const ClipVolume& volume) {
     // Written so that a comparison with NaN counts as outside. kernels/vertex_kernel.h has the same once more.

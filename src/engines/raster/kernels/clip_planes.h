@@ -25,9 +25,6 @@ inline constexpr unsigned cutting_planes =
 inline constexpr unsigned outside_all =
     1023;  ///< outcode of a vertex with a non-finite coordinate: in front of near and behind far
 
-inline constexpr double guard_band_px =
-    double(1 << 20);  ///< screen coordinates stay below this, so that edge functions fit 64 bits
-
 /// Screen coordinates are rounded as positive numbers, about snap_origin [1/256 px].
 inline constexpr int32_t snap_origin = 1 << 29;
 inline constexpr double snap_lowest = double(snap_origin - (1 << 28)), snap_highest = double(snap_origin + (1 << 28));
