@@ -2,9 +2,9 @@
 #include "shading/shading_choice.h"
 
 #include <algorithm>
-#include <atomic>
 
 #include "shading/draw_choices.h"
+#include "shading/edge_lengths.h"
 
 namespace rakelight::shading {
 
@@ -55,24 +55,30 @@ bool needs_pixels(const DrawList& list, const Draw& draw, const RenderSettings& 
 
 }  // namespace
 
-std::vector<Shading> choose_shading(const DrawList& list, const RenderSettings& settings,
-                                    const EdgesAreWithin& edges_are_within, Context& context) {
+std::set<std::uint32_t> measured_meshes(const DrawList& list, const RenderSettings& settings) {
+    std::set<std::uint32_t> meshes;
+    const ShadingChoice choice(list.scene, settings);
+    if (choice.is_all_alike()) return meshes;
+    for (const Draw& draw : list.draws)
+        if (choice.of(draw.node, list.material(draw).scene_material) == Shading::automatic &&
+            !needs_pixels(list, draw, settings))
+            meshes.insert(draw.mesh);
+    return meshes;
+}
+
+std::vector<Shading> choose_shading(const DrawList& list, const RenderSettings& settings, const PictureCamera& view,
+                                    Context& context) {
     std::vector<Shading> out(list.draws.size(), settings.shading);
     const ShadingChoice choice(list.scene, settings);
     if (choice.is_all_alike()) return out;
-    std::atomic<bool> is_unknown{false};
     context.parallel_for(out.size(), [&](std::size_t d) {
         const Draw& draw = list.draws[d];
         out[d] = choice.of(draw.node, list.material(draw).scene_material);
         if (out[d] != Shading::automatic) return;
-        if (!edges_are_within) is_unknown = true;
-        const bool is_fine = edges_are_within && !needs_pixels(list, draw, settings) &&
-                             edges_are_within(std::uint32_t(d), automatic_gouraud_px);
+        const bool is_fine =
+            !needs_pixels(list, draw, settings) && edges_are_within(list, draw, view, double(automatic_gouraud_px));
         out[d] = is_fine ? Shading::gouraud : Shading::phong;
     });
-    if (is_unknown)
-        context.report().add(Remark::note, list.scene.source, {},
-                             "automatic shading is phong here: this engine does not know how large triangles are");
     return out;
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // How often lighting is evaluated on each object: by the settings, by rules for objects and materials, by what the scene
-// says of them; where that is `automatic`, by the size of its triangles on the engine's screen.
+// says of them; where that is `automatic`, by the size of its triangles in the picture.
 #pragma once
-#include <functional>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include <rakelight/engine.h>
 
 #include "shading/draw_list.h"
+#include "shading/picture_camera.h"
 
 namespace rakelight::shading {
 
@@ -35,14 +36,12 @@ private:
     std::vector<NodeChoice> nodes_;
 };
 
-/// Whether no edge of a draw's triangles that the whole picture (not only its window) may show is longer than so many
-/// pixels. Null: an engine that cannot say.
-using EdgesAreWithin = std::function<bool(std::uint32_t draw, double pixels)>;
+/// The meshes whose vertices choose_shading() reads, which must be posed.
+std::set<std::uint32_t> measured_meshes(const DrawList& list, const RenderSettings& settings);
 
 /// [draws] never automatic. Where nothing says how often, small triangles that need no lighting at their pixels are
-/// shaded by Gouraud; an engine that cannot say how long edges are shades by Phong, a note in the report. The same for
-/// any window.
-std::vector<Shading> choose_shading(const DrawList& list, const RenderSettings& settings,
-                                    const EdgesAreWithin& edges_are_within, Context& context);
+/// shaded by Gouraud, others by Phong. The same for any engine and window.
+std::vector<Shading> choose_shading(const DrawList& list, const RenderSettings& settings, const PictureCamera& view,
+                                    Context& context);
 
 }  // namespace rakelight::shading

@@ -2,6 +2,7 @@
 // Renderer: who poses the meshes of a moment.
 #include "engines/opengl/renderer.h"
 #include "engines/posing_engine.h"
+#include "shading/shading_choice.h"
 
 namespace rakelight::opengl {
 
@@ -23,23 +24,30 @@ std::set<std::uint32_t> Renderer::meshes_read_by_processor() {
     return meshes;
 }
 
+void Renderer::pose_here(std::uint32_t mesh, Context& context) {
+    const auto pose = unposed_.find(mesh);
+    if (pose == unposed_.end()) return;
+    context.throw_if_cancelled();
+    take_posed_arrays(list_.scene.meshes[mesh], pose->second, context);
+    poses_.drop(mesh);
+    unposed_.erase(pose);
+}
+
+void Renderer::pose_measured_meshes(Context& context) {
+    if (unposed_.empty()) return;
+    for (const std::uint32_t mesh : shading::measured_meshes(list_, settings_)) pose_here(mesh, context);
+}
+
 /// Decides what poses a mesh at this moment: the processor if it reads the vertices or the driver's textures are too
 /// small, else the driver. (OpenGL 3.3 and ES 3.0 have transform feedback. Whose vertices prepare needed, come posed:
 /// Preparing::finish_unposed() of prepare_scene.cpp.)
 void Renderer::pose_meshes(Context& context) {
     if (unposed_.empty()) return;
     const std::set<std::uint32_t> read = meshes_read_by_processor();
-    for (auto pose = unposed_.begin(); pose != unposed_.end();) {
-        const auto& [number, of] = *pose;
-        if (!read.contains(number) && poses_.fits(of)) {
-            ++pose;
-            continue;
-        }
-        context.throw_if_cancelled();
-        take_posed_arrays(list_.scene.meshes[number], of, context);
-        poses_.drop(number);
-        pose = unposed_.erase(pose);
-    }
+    std::vector<std::uint32_t> here;
+    for (const auto& [number, of] : unposed_)
+        if (read.contains(number) || !poses_.fits(of)) here.push_back(number);
+    for (const std::uint32_t number : here) pose_here(number, context);
     poses_.pose(list_.scene, unposed_, meshes_);
 }
 

@@ -113,7 +113,8 @@ void Renderer::begin_picture(const Camera& camera, const RenderSettings& setting
     meter_.reset();
     programs_.set_user({settings.lighting_name, settings.lighting_text});
     view_ = shading::picture_camera_of(list_, camera, settings);
-    shading_ = shading::choose_shading(list_, settings, nullptr, context);
+    pose_measured_meshes(context);
+    shading_ = shading::choose_shading(list_, settings, view_, context);
     pose_meshes(context);
     const dvec3 eye = view_.camera_to_world[3].xyz();
     light_parameters_ = shading::make_lights(list_.scene, list_.node_to_world, eye);

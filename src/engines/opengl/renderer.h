@@ -79,6 +79,8 @@ private:
     void forget_picture();
     void keep_meshes(const Scene& scene, const geometry::MeshPoses& poses);
     void pose_meshes(Context& context);
+    void pose_measured_meshes(Context& context);
+    void pose_here(std::uint32_t mesh, Context& context);
     std::set<std::uint32_t> meshes_read_by_processor();
     void update_shadows(const RenderSettings& settings, dvec3 eye, std::vector<lighting::LightParameters>& lights,
                         RenderStats& stats, Context& context);

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "shading/draw_choices.h"
+#include "shading/edge_lengths.h"
 #include "shading/shading_choice.h"
 #include "shading/text_numbers.h"
 #include "support/scene_builder.h"
@@ -158,36 +161,58 @@ TEST(DrawChoices, FrontFacesTurnWithTheWindingAndWithMirrors) {
     EXPECT_FALSE(culling_of(made.list, made.draw(0), {}).back) << "its format says nothing about sides";
 }
 
+/// A square of side 2 whose sides are `pixels` long, seen from the front.
+PictureCamera view_of(double pixels, bool is_parallel, double z_near = 0.1) {
+    Camera camera = test::flat_camera();
+    camera.projection = is_parallel ? Projection::orthographic : Projection::perspective;
+    camera.vertical_fov_rad = 2 * std::atan(1.0 / 5), camera.z_near = z_near, camera.z_far = 1e4;
+    RenderSettings s{.width = 64, .height = 64};
+    camera.half_height = 64 / pixels;
+    camera.to_world = translation(dvec3{0, 0, 5 * 64 / pixels});
+    return make_picture_camera(camera, camera.to_world, s);
+}
+
 TEST(ChooseShading, SmallTrianglesThatNeedNoPixelsAreShadedByGouraud) {
     Scene scene;
     scene.materials = {matte()};
     add_object(scene, square_mesh(0));
-    Scene with_bumps = bumpy();
-    const Made plain(std::move(scene)), bumps(std::move(with_bumps));
+    const Made plain(std::move(scene)), bumps(bumpy());
     Context context({.threads = 1});
     RenderSettings s;
     s.shading = Shading::automatic;
-    const auto all = [](std::uint32_t, double) { return true; };
-    const auto none_is = [](std::uint32_t, double) { return false; };
-    EXPECT_EQ(choose_shading(plain.list, s, all, context)[0], Shading::gouraud);
-    EXPECT_EQ(choose_shading(plain.list, s, none_is, context)[0], Shading::phong);
-    EXPECT_EQ(choose_shading(bumps.list, s, all, context)[0], Shading::phong);
-    s.shadows = true;
-    EXPECT_EQ(choose_shading(plain.list, s, all, context)[0], Shading::phong);
+    const double side = automatic_gouraud_px / std::sqrt(2.0);  // the diagonal is the longest edge
+    for (const bool is_parallel : {false, true}) {
+        const PictureCamera small = view_of(0.99 * side, is_parallel), large = view_of(1.01 * side, is_parallel);
+        EXPECT_EQ(choose_shading(plain.list, s, small, context)[0], Shading::gouraud);
+        EXPECT_EQ(choose_shading(plain.list, s, large, context)[0], Shading::phong);
+        EXPECT_EQ(choose_shading(bumps.list, s, small, context)[0], Shading::phong);
+        RenderSettings with_shadows = s;
+        with_shadows.shadows = true;
+        EXPECT_EQ(choose_shading(plain.list, with_shadows, small, context)[0], Shading::phong);
+    }
+    EXPECT_EQ(measured_meshes(plain.list, s), std::set<std::uint32_t>{0});
+    EXPECT_TRUE(measured_meshes(bumps.list, s).empty());
+    EXPECT_TRUE(measured_meshes(plain.list, {}).empty());
     EXPECT_TRUE(context.report().entries().empty());
 }
 
-TEST(ChooseShading, AnEngineThatCannotSayHowLongEdgesAreShadesByPhongAndSaysSo) {
-    const Made made(bumpy());
-    Context context({.threads = 1});
-    RenderSettings s;
-    s.shading = Shading::automatic;
-    EXPECT_EQ(choose_shading(made.list, s, {}, context)[0], Shading::phong);
-    ASSERT_EQ(context.report().entries().size(), 1u);
-    EXPECT_EQ(context.report().entries()[0].remark, Remark::note);
-    s.shading = Shading::flat;
-    EXPECT_EQ(choose_shading(made.list, s, {}, context)[0], Shading::flat);
-    EXPECT_EQ(context.report().entries().size(), 1u) << "nothing is automatic";
+TEST(ChooseShading, TrianglesThatPassTheEndsOfTheViewAndThoseOutsideOfItAreShadedByPhong) {
+    Scene scene;
+    scene.materials = {matte()};
+    add_object(scene, square_mesh(0));
+    dmat4 away;
+    away[3].x = 1000;
+    add_object(scene, square_mesh(0), away);
+    const Made made(std::move(scene));
+    EXPECT_TRUE(edges_are_within(made.list, made.draw(0), view_of(1, true), 2));
+    EXPECT_FALSE(edges_are_within(made.list, made.draw(1), view_of(1, true), 2)) << "it is not in the picture";
+    dmat4 turned;
+    turned[0] = {0, 0, 1e-3, 0}, turned[2] = {1, 0, 0, 0};
+    Scene crossing;
+    crossing.materials = {matte()};
+    add_object(crossing, square_mesh(0), turned);
+    const Made crosses(std::move(crossing));
+    EXPECT_FALSE(edges_are_within(crosses.list, crosses.draw(0), view_of(1, true, 320), 2)) << "the near plane cuts it";
 }
 
 }  // namespace

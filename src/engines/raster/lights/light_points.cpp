@@ -14,6 +14,7 @@
 #include "math/flush_denormals.h"
 #include "shading/corner_remarks.h"
 #include "shading/draw_choices.h"
+#include "shading/shading_choice.h"
 
 namespace rakelight::raster {
 namespace {
@@ -166,10 +167,14 @@ std::vector<Task> plan(FrontEnd& front, LightPoints& points) {
 
 }  // namespace
 
+bool is_lit_at_corners(const FrontEnd& front, std::uint32_t draw) {
+    return front.shading[draw] == Shading::flat || front.shading[draw] == Shading::gouraud;
+}
+
 LightPoints light_points(FrontEnd& front, const Binned& binned, const std::vector<lighting::LightParameters>& lights,
                          const Kernels& kernels, LightPoints&& used, Context& context) {
     LightPoints points = std::move(used);
-    choose_shading(front, context);
+    front.shading = shading::choose_shading(front.list, front.settings, front.view, context);
     points.is_used = false;
     for (std::uint32_t d = 0; d < front.shading.size(); ++d)
         points.is_used = points.is_used || is_lit_at_corners(front, d);

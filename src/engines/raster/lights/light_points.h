@@ -28,12 +28,10 @@ struct LightPoints {
     std::vector<DrawLight> draws;  ///< [draws]
 };
 
-/// How often lighting is evaluated on each draw, into front.shading. After transform_draws(); the same for any window.
-void choose_shading(FrontEnd& front, Context& context);
 /// Flat and Gouraud.
 bool is_lit_at_corners(const FrontEnd& front, std::uint32_t draw);
 
-/// Calls choose_shading(). Lights the faces, or the vertices of the faces, that are in a tile's bin; counts them in
+/// Calls choose_shading(), into front.shading. Lights the faces, or the vertices of the faces, that are in a tile's bin; counts them in
 /// front.stats. Each is lit once, however many pieces clipping made and however many tiles it touches. A mesh without
 /// normals is lit per face in both. Nothing in unlit and Phong pictures. Same bits for any number of threads and
 /// instruction set.
