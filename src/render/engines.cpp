@@ -61,7 +61,7 @@ std::string beyond(const EngineCapabilities& can, const RenderSettings& s) {
     require(is_path || std::ranges::find(can.samples, s.samples) != can.samples.end(),
             format_text("take {} samples per pixel{}", s.samples, can.rays ? ": method path does" : ""));
     require(can.visibility_methods || s.visibility == Visibility::z_reversed,
-            "use another method of hidden-surface removal than its own");
+            "use another method of hidden-surface removal than its own: engine soft does");
     require(can.screen_interpolation || s.interpolation == AttributeInterpolation::perspective,
             "interpolate attributes on the screen");
     require(can.lines_and_points || (s.surfaces && !s.edges && s.points == PointShape::none),

@@ -189,13 +189,13 @@ void take_hits(const PathPicture& picture, int depth, std::uint32_t draw, std::u
     }
 }
 
-/// Points give their color as surfaces that are not lit do.
-void take_points(const PathPicture& picture, int depth, std::uint32_t sample, std::size_t begin, std::size_t end,
-                 PathScratch& s) {
+/// Lines and points give their color as surfaces that are not lit do.
+void take_marks(const PathPicture& picture, int depth, std::uint32_t sample, std::size_t begin, std::size_t end,
+                PathScratch& s) {
     s.counts.marked += end - begin;
     for (std::size_t i = begin; i < end; ++i) {
         const auto ray = std::size_t(s.order[i]);
-        const vec4 color = picture.trace.point_color(s.meetings[ray]);
+        const vec4 color = picture.trace.mark_color(s.meetings[ray]);
         const auto numbers = s.numbers[s.wave.pixel_of(ray)].of(sample, group_of(s.states[ray].met, group_emitter));
         if (unit_float(numbers[3]) >= color.w) {
             go_behind(ray, s);
@@ -245,8 +245,8 @@ void walk_run(const PathPicture& picture, int depth, std::uint32_t sample, const
 
 void walk_wave(const PathPicture& picture, int depth, std::uint32_t sample, const Context& context, PathScratch& s) {
     meet_wave(picture.trace, context, s, [&](std::size_t begin, std::size_t end) {
-        if (picture.trace.is_point(s.meetings[std::size_t(s.order[begin])].draw))
-            take_points(picture, depth, sample, begin, end, s);
+        if (picture.trace.is_mark(s.meetings[std::size_t(s.order[begin])].draw))
+            take_marks(picture, depth, sample, begin, end, s);
         else
             walk_run(picture, depth, sample, context, begin, end, s);
     });

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene's points as rays hit them: discs that face the eye, of as many pixels as the other engines draw, in their own colors. They
-// cast no shadows.
+// Points as rays hit them: discs or squares that face the eye, of as many pixels as the other engines draw.
 #pragma once
 #include <cstdint>
 #include <vector>
 
 #include <rakelight/context.h>
 
+#include "engines/raytrace/ray_marks.h"
 #include "engines/raytrace/ray_scene.h"
 #include "shading/picture_camera.h"
 
@@ -20,15 +20,15 @@ public:
         float radius;
     };
     struct Meeting {
-        std::uint32_t draw = no_index;  ///< into DrawList::line_draws; no_index: none
-        std::uint32_t point = 0;        ///< into the mesh's indices
-        float t = 0;                    ///< where the ray hits the plane of the disc
+        std::uint32_t mark = no_index;  ///< into the marks; no_index: none
+        std::uint32_t point = 0;
+        float t = 0;  ///< where the ray hits the plane of the disc
     };
 
-    /// @param rays, list  must outlive this
+    /// @param rays, marks  must outlive this
     /// @throws Error bad_file: over the memory budget; failed: cancelled
-    RayPoints(const RayScene& rays, const shading::DrawList& list, const shading::PictureCamera& view, float size_px,
-              Context& context);
+    RayPoints(const RayScene& rays, const std::vector<MarkedDraw>& marks, const shading::PictureCamera& view,
+              const RenderSettings& settings, Context& context);
     ~RayPoints();
     RayPoints(const RayPoints&) = delete;
     RayPoints& operator=(const RayPoints&) = delete;
@@ -40,22 +40,21 @@ public:
     /// @param is_primary  the discs stand across the view axis; else across the ray
     /// @param with_blended  false: only opaque ones
     Meeting first(vec3 origin, vec3 direction, float from, float to, bool is_primary, bool with_blended) const;
-    /// Linear RGB and opacity, 0 to 1.
-    vec4 color(std::uint32_t draw, std::uint32_t point) const;
 
 private:
     struct Cloud {
         std::vector<Disc> discs;
-        vec4 color;
-        std::uint32_t draw;  ///< into DrawList::line_draws
+        std::uint32_t mark;
+        float opacity;
     };
     struct Ray;
-    void add(std::uint32_t draw, const shading::PictureCamera& view, float size_px, Context& context);
+    void add(std::uint32_t mark, const MarkedDraw& marked, const shading::PictureCamera& view, float size_px,
+             Context& context);
     void build(Context& context);
 
     const RayScene& rays_;
-    const shading::DrawList& list_;
-    dvec3 ahead_;  ///< the view axis
+    dvec3 ahead_, right_, up_;  ///< the camera's axes
+    bool are_squares_;
     std::vector<Cloud> clouds_;
     MemoryCharge charge_;
     RTCScene scene_ = nullptr;

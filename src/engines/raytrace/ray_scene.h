@@ -25,6 +25,7 @@ struct Meeting {
     float t = 0;
     /// The ray goes against the normal that the order of the corners gives, in the world. Known to filters alone.
     bool is_against = false;
+    float part = 0;  ///< of lines: from one end to the other
 };
 
 /// Which meetings count.

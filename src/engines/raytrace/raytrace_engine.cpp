@@ -59,6 +59,7 @@ public:
     EngineCapabilities capabilities() const override {
         return {.channels = channels_all,
                 .samples = {1, 4, 8},
+                .lines_and_points = true,
                 .shadows = true,
                 .rays = true,
                 .path_channels = channels_of_paths,
@@ -97,11 +98,6 @@ public:
             check_naive(*naive, settings, window, list_.scene.lights);
             picture.naive = &*naive;
         }
-        const auto is_of_lines = [&](const shading::Draw& draw) {
-            return list_.scene.meshes[draw.mesh].topology == Topology::lines;
-        };
-        if (std::ranges::any_of(list_.line_draws, is_of_lines) && settings.surfaces)
-            context.report().add(Remark::warning, list_.scene.source, {}, "lines are not drawn: rays cannot hit them");
         if (!is_path) note_rough_glass(settings, context.report());
         sink.begin(settings.width, settings.height, window, settings.channels);
         const auto begin = std::chrono::steady_clock::now();
@@ -191,7 +187,7 @@ private:
             paths.shines_behind.push_back(path_lights_->emitters.shines_back(d));
         paths.has_dispersion = std::ranges::any_of(
             list_.materials, [](const shading::DrawMaterial& m) { return m.factors.dispersion > 0; });
-        paths.shines = lights.has_sky() || !picture.points.is_empty() ||
+        paths.shines = lights.has_sky() || !picture.marks.empty() ||
                        std::ranges::any_of(list_.materials, [](const shading::DrawMaterial& m) {
                            return shading::emits(m) || m.factors.unlit != 0;
                        });

@@ -11,12 +11,12 @@ namespace {
 
 /// The numbers of a hit, into its pixel.
 void take_numbers(const TracePicture& picture, std::size_t pixel, const Meeting& m, TileScratch& s) {
-    const bool is_point = picture.is_point(m.draw);
-    const shading::Draw& draw = is_point ? picture.point_draw(m) : picture.list.draws[m.draw];
+    const bool is_mark = picture.is_mark(m.draw);
+    const shading::Draw& draw = is_mark ? picture.mark_draw(m) : picture.list.draws[m.draw];
     const std::uint32_t channels = picture.settings.channels;
     if (channels & channel_object) s.object[pixel] = draw.node;
     if (channels & channel_mesh) s.mesh[pixel] = draw.mesh;
-    if ((channels & channel_triangle) && !is_point) s.triangle[pixel] = m.triangle;
+    if ((channels & channel_triangle) && !is_mark) s.triangle[pixel] = m.triangle;
     if (channels & channel_material) s.material[pixel] = picture.list.material(draw).scene_material;
 }
 
@@ -57,10 +57,10 @@ void take_values(const TracePicture& picture, const Context& context, std::size_
     }
 }
 
-/// A point has no triangle, normal or texture coordinates, and is not lit.
-void take_point(const TracePicture& picture, std::size_t pixel, const Meeting& m, TileScratch& s) {
+/// A mark has no triangle, normal or texture coordinates, and is not lit.
+void take_mark(const TracePicture& picture, std::size_t pixel, const Meeting& m, TileScratch& s) {
     const std::uint32_t channels = picture.settings.channels;
-    const vec3 color = picture.point_color(m).xyz();
+    const vec3 color = picture.mark_color(m).xyz();
     const dvec3 place =
         cast<double>(s.wave.vector(ray_o, pixel)) + cast<double>(s.wave.vector(ray_d, pixel)) * double(m.t);
     if (channels & channel_depth) s.depth[pixel] = m.t;
@@ -69,9 +69,9 @@ void take_point(const TracePicture& picture, std::size_t pixel, const Meeting& m
     if (channels & channel_position) s.position[pixel] = cast<float>(place + picture.view.camera_to_world[3].xyz());
 }
 
-/// Opaque surfaces on a ray; none is a point.
+/// Opaque surfaces on a ray; none is a line or point.
 std::uint32_t count_surfaces(const TracePicture& picture, std::size_t ray, Meeting first, TileScratch& s) {
-    if (picture.is_point(first.draw)) first = find_surface(picture, s, ray, false);
+    if (picture.is_mark(first.draw)) first = find_surface(picture, s, ray, false);
     std::uint32_t count = 0;
     for (; first.draw != no_index; ++count) {
         s.from[ray] = first.t * step_behind;
@@ -97,8 +97,8 @@ void find_data(const TracePicture& picture, const Window& area, const Context& c
         s.meetings[i] = find_first(picture, s, i, false);
         if (s.meetings[i].draw == no_index) continue;
         take_numbers(picture, i, s.meetings[i], s);
-        if (picture.is_point(s.meetings[i].draw))
-            take_point(picture, i, s.meetings[i], s);
+        if (picture.is_mark(s.meetings[i].draw))
+            take_mark(picture, i, s.meetings[i], s);
         else
             s.order.push_back(std::int32_t(i));
     }

@@ -109,7 +109,9 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
       view(of_view),
       settings(of_settings),
       kernels(of_kernels),
-      points(rays, list, view, settings.point_size, context),
+      marks(marked_draws(list, view, settings, context)),
+      points(rays, marks, view, settings, context),
+      lines(rays, marks, view, settings.line_width, context),
       is_path(of_settings.method == RayMethod::path),
       max_depth(of_settings.method == RayMethod::cast ? 0 : of_settings.max_depth) {
     const dvec3 eye = view.camera_to_world[3].xyz();
@@ -117,7 +119,7 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
     eye_ = cast<float>(eye - rays.origin());
     const std::size_t count = list.draws.size();
     to_eye_.reserve(count), frames_.reserve(count), jobs_.reserve(count);
-    const std::vector<Shading> shading = shading::choose_shading(list, settings, {}, context);
+    const std::vector<Shading> shading = shading::choose_shading(list, settings, view, context);
     for (std::uint32_t d = 0; d < count; ++d) {
         const shading::Draw& draw = list.draws[d];
         to_eye_.push_back(view.world_to_eye * draw.to_world);
@@ -155,6 +157,35 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
         has_filtered = has_filtered || cutoffs_.back() >= 0 || culling_.back().back || culling_.back().front;
         jobs_.push_back(job);
     }
+}
+
+vec4 TracePicture::mark_color(const Meeting& meeting) const {
+    const MarkedDraw& m = marks[mark_of(meeting)];
+    const vec4 color = m.color_at(meeting.triangle, meeting.part);
+    return m.is_line ? vec4{color.x, color.y, color.z, color.w * lines.coverage()} : color;
+}
+
+float TracePicture::mark_limit(const Meeting& surface, vec3 origin, vec3 direction, float size) const {
+    if (jobs_[surface.draw].shape.kind != shape_none) return surface.t * step_behind;
+    const Mesh& mesh = list.scene.meshes[list.draws[surface.draw].mesh];
+    const std::uint32_t* const index = mesh.indices.data() + 3 * std::size_t(surface.triangle);
+    dvec3 p[3];
+    for (std::size_t k = 0; k < 3; ++k)
+        p[k] = transform_point(to_eye_[surface.draw], cast<double>(mesh.positions[index[k]]));
+    const dvec3 n = cross(p[1] - p[0], p[2] - p[0]), d = cast<double>(direction),
+                ahead = -view.camera_to_world[2].xyz();
+    const shading::PixelRays rays_of = shading::pixel_rays(view, 0, 0);
+    const double reach = 0.5 * double(size) + 0.70711, t = double(surface.t);
+    const double turn = std::fabs(dot(n, rays_of.along_x)) + std::fabs(dot(n, rays_of.along_y));
+    // In parallel views distances are linear on the screen, else 1 over them.
+    const auto key = [&](double away) { return view.orthographic ? away : 1 / std::max(away, view.z_near); };
+    const auto [low, high] = std::minmax({key(dot(p[0], ahead)), key(dot(p[1], ahead)), key(dot(p[2], ahead))});
+    const double slope =
+        view.orthographic ? turn / std::fabs(dot(n, d)) : turn / std::fabs(dot(n, p[0] - cast<double>(origin)));
+    const double tolerance = std::min(high - low, slope * reach) + 4e-6 * key(t);
+    if (!(tolerance >= 0)) return surface.t * step_behind;
+    if (view.orthographic) return float(t + tolerance);
+    return key(t) > tolerance ? float(1 / (key(t) - tolerance)) : float(view.z_far);
 }
 
 vec3 TracePicture::light_reaching(vec3 origin, vec3 direction, float to, const Media& media) const {

@@ -7,6 +7,7 @@
 #include "engines/raytrace/kernels/trace_types.h"
 #include "engines/raytrace/media.h"
 #include "engines/raytrace/naive_scan.h"
+#include "engines/raytrace/ray_lines.h"
 #include "engines/raytrace/ray_points.h"
 #include "engines/raytrace/ray_scene.h"
 #include "shading/draw_choices.h"
@@ -27,6 +28,7 @@ public:
     TracePicture& operator=(const TracePicture&) = delete;
 
     Meeting first(vec3 origin, vec3 direction, float from, float to, const RayFilter* filter) const {
+        if (!settings.surfaces) return {};
         return naive ? naive->first(origin, direction, from, to, filter)
                      : rays.first(origin, direction, from, to, filter);
     }
@@ -42,15 +44,14 @@ public:
     /// About the coordinates of the ray scene.
     vec3 in_rays(vec3 about_eye) const { return about_eye + eye_; }
 
-    /// Whether a meeting is with a point: Meeting::draw is then list.draws.size() + its place in list.line_draws, and Meeting::triangle
-    /// the number of the point.
-    bool is_point(std::uint32_t draw) const { return draw != no_index && draw >= list.draws.size(); }
-    const shading::Draw& point_draw(const Meeting& meeting) const {
-        return list.line_draws[meeting.draw - list.draws.size()];
-    }
-    vec4 point_color(const Meeting& meeting) const {
-        return points.color(std::uint32_t(meeting.draw - list.draws.size()), meeting.triangle);
-    }
+    /// Whether a meeting is with a line or a point: Meeting::draw is then list.draws.size() + its place in `marks`, and
+    /// Meeting::triangle the number of the line or point.
+    bool is_mark(std::uint32_t draw) const { return draw != no_index && draw >= list.draws.size(); }
+    const shading::Draw& mark_draw(const Meeting& meeting) const { return *marks[mark_of(meeting)].draw; }
+    vec4 mark_color(const Meeting& meeting) const;
+    /// How far along a primary ray marks still lie on the surface that it meets: raster/marks/tile_marks.h has the same tolerance.
+    /// @param size  [px] of the marks
+    float mark_limit(const Meeting& surface, vec3 origin, vec3 direction, float size) const;
 
     bool is_blended(std::uint32_t draw) const { return list.view(draw).blend != 0; }
     bool is_masked(std::uint32_t draw) const { return cutoffs_[draw] >= 0; }
@@ -82,7 +83,9 @@ public:
     const shading::PictureCamera& view;
     const RenderSettings& settings;
     const Kernels& kernels;
+    const std::vector<MarkedDraw> marks;
     const RayPoints points;
+    const RayLines lines;
     std::vector<lighting::LightParameters> lights;
     const bool is_path;         ///< light goes along paths: it is refracted by bodies, and blended surfaces shade
     bool has_filtered = false;  ///< some draw is culled, or has holes
@@ -92,6 +95,7 @@ public:
     int max_depth = 0;          ///< of reflections and refractions
 
 private:
+    std::size_t mark_of(const Meeting& meeting) const { return meeting.draw - list.draws.size(); }
     vec3 share_through(const Meeting& meeting, const RayView& planes) const;
 
     std::vector<dmat4> to_eye_;

@@ -86,12 +86,12 @@ void lay(const TracePicture& picture, std::size_t ray, vec3 color, float alpha, 
     s.live.push_back(std::int32_t(ray));
 }
 
-/// Points are not lit.
-void show_points(const TracePicture& picture, std::size_t begin, std::size_t end, WaveScratch& s) {
+/// Lines and points are not lit.
+void show_marks(const TracePicture& picture, std::size_t begin, std::size_t end, WaveScratch& s) {
     s.counts.marked += end - begin;
     for (std::size_t i = begin; i < end; ++i) {
         const auto ray = std::size_t(s.order[i]);
-        const vec4 color = picture.point_color(s.meetings[ray]);
+        const vec4 color = picture.mark_color(s.meetings[ray]);
         lay(picture, ray, color.xyz(), color.w, s);
     }
 }
@@ -216,14 +216,27 @@ Meeting find_surface(const TracePicture& picture, const WaveScratch& s, std::siz
 
 Meeting find_first(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended) {
     const Meeting surface = find_surface(picture, s, ray, with_blended);
-    if (picture.points.is_empty()) return surface;
-    const RayWave& wave = s.wave;
-    const float far = wave.is_primary() ? float(picture.view.z_far) : std::numeric_limits<float>::infinity();
-    const RayPoints::Meeting point =
-        picture.points.first(wave.vector(ray_o, ray), wave.vector(ray_d, ray), s.from[ray],
-                             surface.draw == no_index ? far : surface.t * step_behind, wave.is_primary(), with_blended);
-    if (point.draw == no_index) return surface;
-    return {std::uint32_t(picture.list.draws.size()) + point.draw, point.point, point.t};
+    if (picture.points.is_empty() && picture.lines.is_empty()) return surface;
+    const bool is_primary = s.wave.is_primary();
+    const vec3 origin = s.wave.vector(ray_o, ray), along = s.wave.vector(ray_d, ray);
+    const auto limit = [&](float size) {
+        if (surface.draw == no_index)
+            return is_primary ? float(picture.view.z_far) : std::numeric_limits<float>::infinity();
+        return is_primary ? picture.mark_limit(surface, origin, along, size) : surface.t * step_behind;
+    };
+    const auto first_mark = std::uint32_t(picture.list.draws.size());
+    Meeting mark;
+    if (!picture.points.is_empty()) {
+        const RayPoints::Meeting m = picture.points.first(origin, along, s.from[ray],
+                                                          limit(picture.settings.point_size), is_primary, with_blended);
+        if (m.mark != no_index) mark = {first_mark + m.mark, m.point, m.t};
+    }
+    if (!picture.lines.is_empty()) {
+        const float to = mark.draw == no_index ? limit(picture.settings.line_width) : mark.t;
+        const RayLines::Meeting m = picture.lines.first(origin, along, s.from[ray], to, is_primary, with_blended);
+        if (m.mark != no_index) mark = {first_mark + m.mark, m.line, m.t, false, m.part};
+    }
+    return mark.draw == no_index ? surface : mark;
 }
 
 void set_hits(std::size_t begin, std::size_t end, WaveScratch& s, HitJob& job) {
@@ -244,8 +257,8 @@ void follow(const TracePicture& picture, const Context& context, int depth, Wave
     s.rest.assign(s.wave.count, 1.0f);
     s.next.clear();
     meet_wave(picture, context, s, [&](std::size_t begin, std::size_t end) {
-        if (picture.is_point(s.meetings[std::size_t(s.order[begin])].draw))
-            show_points(picture, begin, end, s);
+        if (picture.is_mark(s.meetings[std::size_t(s.order[begin])].draw))
+            show_marks(picture, begin, end, s);
         else
             shade_run(picture, context, depth, begin, end, s);
     });

@@ -69,7 +69,7 @@ void find_sky_colors(const TracePicture& picture, bool is_parallel, WaveScratch&
 
 /// The nearest surface that a ray of the wave shows. @param with_blended  false: only opaque ones
 Meeting find_surface(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended);
-/// The nearest surface or point (TracePicture::is_point()); points lie over surfaces at the same depth.
+/// The nearest surface, line or point (TracePicture::is_mark()); lines and points lie over surfaces at the same depth.
 Meeting find_first(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended);
 
 /// For the jobs of the hits that set_hits() set.

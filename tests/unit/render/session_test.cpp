@@ -303,7 +303,7 @@ TEST(Session, WhatAnEngineCannotDoIsRefusedByName) {
               "engine fake cannot give the data channel overdraw");
     EXPECT_EQ(reason_of([](RenderSettings& s) { s.samples = 4; }), "engine fake cannot take 4 samples per pixel");
     EXPECT_EQ(reason_of([](RenderSettings& s) { s.visibility = Visibility::painter; }),
-              "engine fake cannot use another method of hidden-surface removal than its own");
+              "engine fake cannot use another method of hidden-surface removal than its own: engine soft does");
     EXPECT_EQ(reason_of([](RenderSettings& s) { s.interpolation = AttributeInterpolation::screen; }),
               "engine fake cannot interpolate attributes on the screen");
     EXPECT_EQ(reason_of([](RenderSettings& s) { s.edges = true; }), "engine fake cannot draw edges and vertices");

@@ -8,7 +8,7 @@
 
 #include "base/hash_key.h"
 #include "engines/raster/visibility/depth_formats.h"
-#include "shading/draw_choices.h"
+#include "shading/culled_triangle.h"
 
 namespace rakelight::raster {
 namespace {
@@ -106,13 +106,9 @@ private:
         return {p.x * view_.scale_x, p.y * view_.scale_y, view_.orthographic ? 1.0 : -p.z, -p.z};
     }
 
-    /// By the sign of the triangle's area before the division: right also where it passes through the eye plane.
     bool is_culled(const Place (&v)[3]) const {
-        if (!culling_.back && !culling_.front) return false;
-        const double area = v[0].x * (v[1].y * v[2].w - v[2].y * v[1].w) -
-                            v[1].x * (v[0].y * v[2].w - v[2].y * v[0].w) + v[2].x * (v[0].y * v[1].w - v[1].y * v[0].w);
-        const bool is_back = (area > 0) != culling_.front_is_negative;  // y up here
-        return area == 0 || (is_back ? culling_.back : culling_.front);
+        return shading::is_culled(culling_,
+                                  {{v[0].x, v[0].y, v[0].w}, {v[1].x, v[1].y, v[1].w}, {v[2].x, v[2].y, v[2].w}});
     }
 
     /// From the vertex of the lower number, whichever of its triangles comes first.
