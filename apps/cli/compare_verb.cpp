@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include <rakelight/compare.h>
-#include <rakelight/tools/draw_alike.h>
+#include <rakelight/tools/file_ending.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/values.h>
 
@@ -80,7 +80,8 @@ struct Settings {
     std::optional<double> gain;
     /// Numbers in files are not made larger unless asked for.
     double gain_for(const std::string& output) const {
-        return gain.value_or(output.ends_with(".exr") || output.ends_with(".hdr") ? 1 : 10);
+        const std::string ending = file_ending(output);
+        return gain.value_or(ending == "exr" || ending == "hdr" ? 1 : 10);
     }
 };
 

@@ -7,6 +7,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include <rakelight/tools/file_ending.h>
+#include <rakelight/world.h>
+
 namespace rakelight::cli {
 namespace {
 
@@ -57,7 +60,7 @@ std::string text_of(const ReportEntry& r) {
 /// the rest, each in its order.
 void most_important_first(std::vector<ReportEntry>& remarks) {
     const auto rank = [](const ReportEntry& r) {
-        const bool is_asked = r.file.ends_with(".scene.toml") || r.file.empty();
+        const bool is_asked = is_world_file(r.file) || r.file.empty();
         return is_asked ? 0 : r.remark == Remark::dropped ? 1 : 2;
     };
     std::stable_sort(remarks.begin(), remarks.end(),
@@ -74,7 +77,7 @@ std::string with_options(std::string text, const std::vector<std::string>& setti
 }
 
 std::string text_of(const Error& error) {
-    if (error.code() == ErrorCode::bad_file && error.file().ends_with(".toml"))
+    if (error.code() == ErrorCode::bad_file && file_ending(error.file()) == "toml")
         return error.what();  // its keys, of a world or a configuration
     const std::string setting =
         error.setting().empty() || is_positional(error.setting()) ? error.setting() : "--" + error.setting();

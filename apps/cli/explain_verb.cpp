@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include <rakelight/compare.h>
+#include <rakelight/tools/file_ending.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/text_file.h>
 #include <rakelight/tools/values.h>
@@ -85,7 +86,7 @@ std::string text_of(const std::vector<ExplainRow>& rows) {
 int run_explain(const Run& run) {
     const std::vector<PixelPlace> pixels = pixels_of(run);
     const std::string& output = run.picture.output;
-    const bool has_file = !output.empty() && output != "-", is_json = run.is_json || output.ends_with(".json");
+    const bool has_file = !output.empty() && output != "-", is_json = run.is_json || file_ending(output) == "json";
     if (has_picture_ending(output))
         throw values::wrong("output", "an explanation is text or JSON",
                             "write for example -o pixel.txt or -o pixel.json");

@@ -3,6 +3,7 @@
 
 #include <rakelight/compare.h>
 #include <rakelight/tools/exit_code.h>
+#include <rakelight/tools/file_ending.h>
 #include <rakelight/tools/inspection_report.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/text_file.h>
@@ -137,7 +138,7 @@ struct Reports {
         for (const std::string& file : given.words("report")) {
             if (is_page(file))
                 pages.push_back(file);
-            else if (file.ends_with(".xml"))
+            else if (file_ending(file) == "xml")
                 junit.push_back(file);
             else
                 throw values::wrong("report", "'" + one_line(file, 80) + "' is neither .html nor .xml");

@@ -8,6 +8,7 @@
 
 #include <rakelight/movie.h>
 #include <rakelight/sequence.h>
+#include <rakelight/tools/file_ending.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/values.h>
 
@@ -98,7 +99,7 @@ void check_movies(const Job& job) {
     if (const double fps = job.sequence.fps / double(std::max<std::int64_t>(job.sequence.frames.step, 1));
         !job.movies.empty() && fps < least_fps)
         throw Error(ErrorCode::usage, "leaves a movie with fewer than 0.01 frames per second").about("frames", {"fps"});
-    if (!job.movies.empty() && !job.sequence.picture.output.ends_with(".png"))
+    if (!job.movies.empty() && file_ending(job.sequence.picture.output) != "png")
         throw Error(ErrorCode::usage, "movies are made of PNG pictures", {},
                     "let -o end in .png, or name the movie there")
             .about("movie", {"output"});
@@ -201,7 +202,7 @@ bool asks_sequence(const Run& run) {
                             run.given.first_of({"animation-time", "watch"}).empty();
     const bool is_asked = !run.given.first_of({"frames", "fps", "turntable", "movie"}).empty() ||
                           (plays_clip && has_frame_number(run.picture.output));
-    const bool is_webp = run.picture.output.ends_with(".webp");  // alone it is a picture
+    const bool is_webp = file_ending(run.picture.output) == "webp";  // alone it is a picture
     if (is_asked || (is_movie_output(run) && !is_webp)) return true;
     if (const std::string_view how = run.given.first_of({"skip-existing", "keep-frames"}); !how.empty())
         throw Error(ErrorCode::usage, "applies to sequences, but none is requested", {},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <rakelight/tools/file_ending.h>
 #include <rakelight/world.h>
 
 namespace rakelight::viewer {
@@ -11,31 +12,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string ending_of(const std::string& file) {
-    std::string ending = fs::path(file).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-    return ending;
-}
-
 template <std::size_t n>
 bool ends_in_one_of(const char* const (&endings)[n], const std::string& file) {
-    const std::string ending = ending_of(file);
+    const std::string ending = file_ending(file);
     return std::ranges::any_of(endings, [&](const char* one) { return ending == one; });
 }
 
 bool may_be_model(const std::string& file) {
-    constexpr const char* endings[] = {".glb",   ".gltf", ".obj", ".fbx", ".dae", ".3ds", ".ase",
-                                       ".blend", ".stl",  ".ply", ".off", ".x",   ".xyz", ".pts"};
+    constexpr const char* endings[] = {"glb",   "gltf", "obj", "fbx", "dae", "3ds", "ase",
+                                       "blend", "stl",  "ply", "off", "x",   "xyz", "pts"};
     return ends_in_one_of(endings, file) || is_world_file(file);
 }
 
 bool is_radiance(const std::string& file) {
-    constexpr const char* endings[] = {".hdr", ".exr"};
+    constexpr const char* endings[] = {"hdr", "exr"};
     return ends_in_one_of(endings, file);
 }
 
 bool is_picture(const std::string& file) {
-    constexpr const char* endings[] = {".png", ".jpg", ".jpeg", ".webp", ".tga", ".bmp"};
+    constexpr const char* endings[] = {"png", "jpg", "jpeg", "webp", "tga", "bmp"};
     return ends_in_one_of(endings, file);
 }
 

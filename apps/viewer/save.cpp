@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <set>
 
+#include <rakelight/tools/file_ending.h>
+
 #include "material_sections.h"
 #include "materials.h"
 #include "recorded_keys.h"
@@ -244,9 +246,9 @@ std::string free_world_name(const std::string& model_file) {
 }
 
 std::string free_seamless_name(const std::string& model_file) {
-    const std::string ending = is_shape(model_file) ? "" : fs::path(model_file).extension().string();
-    const bool is_kept = ending == ".glb" || ending == ".gltf" || ending == ".obj";
-    return free_beside(model_file, stem_of(model_file) + "-seamless", is_kept ? ending : ".glb");
+    const std::string ending = is_shape(model_file) ? "" : file_ending(model_file);
+    const bool is_kept = ending == "glb" || ending == "gltf" || ending == "obj";
+    return free_beside(model_file, stem_of(model_file) + "-seamless", is_kept ? "." + ending : ".glb");
 }
 
 std::string free_name(const std::string& model_file, const std::string& middle, const std::string& ending) {

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <rakelight/tools/file_ending.h>
+
 #include "io/file.h"
 #include "io/glb_writer_materials.h"
 #include "io/glb_writer_motion.h"
@@ -65,7 +67,7 @@ public:
         binary.insert(binary.end(), data.bytes().begin(), data.bytes().end());
         if (root_["meshes"].empty()) throw Error(ErrorCode::bad_file, "nothing to write: there is no mesh");
         root_["buffers"] = OrderedJson::array({{{"byteLength", binary.size()}}});
-        path.ends_with(".gltf") ? write_text(path, binary) : write_container(path, binary);
+        file_ending(path) == "gltf" ? write_text(path, binary) : write_container(path, binary);
     }
 
 private:

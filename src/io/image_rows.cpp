@@ -5,6 +5,8 @@
 #include <cstring>
 #include <string_view>
 
+#include <rakelight/tools/file_ending.h>
+
 #include "base/format_text.h"
 #include "io/image_codecs.h"
 
@@ -51,13 +53,11 @@ std::unique_ptr<RowReader> read_rows(const std::string& path, Context& context) 
 }
 
 std::unique_ptr<ImageWriter> write_rows(const std::string& path, int width, int height, const RowKind& kind) {
-    constexpr std::array<std::string_view, 3> endings{".png", ".exr", ".hdr"};
-    const std::string_view wanted = endings[std::size_t(kind.format)];
-    std::string ending = path.substr(path.size() - std::min(path.size(), wanted.size()));
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-    if (ending != wanted)
-        throw Error(ErrorCode::usage, "the input pictures are " + std::string(wanted) + " pictures", {},
-                    "let the output end in " + std::string(wanted))
+    constexpr std::array<const char*, 3> endings{"png", "exr", "hdr"};
+    const std::string wanted = endings[std::size_t(kind.format)];
+    if (file_ending(path) != wanted)
+        throw Error(ErrorCode::usage, "the input pictures are ." + wanted + " pictures", {},
+                    "let the output end in ." + wanted)
             .with_file(path);
     OutputTarget target(path);
     target.comment = kind.comment;

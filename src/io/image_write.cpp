@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include <rakelight/tools/file_ending.h>
+
 #include "base/format_text.h"
 #include "io/image_codecs.h"
 
@@ -26,16 +28,8 @@ constexpr std::array endings{
     Ending{"ppm", Component::u8, codec::write_ppm},   Ending{"exr", Component::f32, codec::write_exr},
     Ending{"hdr", Component::f32, codec::write_hdr}};
 
-std::string lower_case_ending(const std::string& path) {
-    const std::size_t dot = path.find_last_of("./");
-    std::string ending = dot == std::string::npos || path[dot] == '/' ? std::string() : path.substr(dot + 1);
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    return ending;
-}
-
 const Ending& ending_of(const std::string& path) {
-    const std::string name = lower_case_ending(path);
+    const std::string name = file_ending(path);
     std::string all;
     for (const Ending& ending : endings) {
         if (name == ending.name) return ending;

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include <rakelight/tools/file_ending.h>
+
 #include "render/overlay.h"
 #include "scene/scene_tools.h"
 
@@ -18,9 +20,8 @@ std::string counted(std::uint64_t count) {
 }
 
 std::string format_of(const std::string& file) {
-    std::string ending = std::filesystem::path(file).extension().string();
+    std::string ending = file_ending(file);
     if (ending.empty()) return file.starts_with("builtin:") ? "built in" : "unknown";
-    ending.erase(0, 1);
     std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 32) : c; });
     return ending;
 }

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include <rakelight/tools/file_ending.h>
+
 #include "render/channel_view.h"
 
 namespace rakelight {
@@ -18,13 +20,6 @@ auto named(const std::string& path, const Step& step) {
     } catch (const Error& error) {
         throw error.with_file(path);
     }
-}
-
-/// With its dot, ASCII letters in lower case.
-std::string ending_of(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-    return ending;
 }
 
 io::ExrType type_of(const ChannelInfo& info, bool half) {
@@ -56,11 +51,11 @@ PixelFormat format_for(const std::string& output, bool transparent) {
     });
 }
 
-bool is_exr(const std::string& path) { return ending_of(path) == ".exr"; }
+bool is_exr(const std::string& path) { return file_ending(path) == "exr"; }
 
 void check_alpha(const std::string& path, const PixelFormat& format) {
-    const std::string ending = ending_of(path);
-    if (format.channels == 4 && (ending == ".jpg" || ending == ".jpeg" || ending == ".ppm" || ending == ".hdr"))
+    const std::string ending = file_ending(path);
+    if (format.channels == 4 && (ending == "jpg" || ending == "jpeg" || ending == "ppm" || ending == "hdr"))
         throw Error(ErrorCode::usage, "this format has no alpha for a transparent background", {},
                     "use .png, .webp or .exr");
 }

@@ -14,6 +14,7 @@
 #include "scene/scene_tools.h"
 #include "tools/report_json.h"
 
+#include <rakelight/tools/file_ending.h>
 #include <rakelight/tools/rows.h>
 
 namespace rakelight {
@@ -31,8 +32,9 @@ std::string name_for(const std::string& output, BakeMap map) {
 /// What pictures of that name hold of a map.
 Component component_for(const BakeRequest& request, BakeMap map) {
     const std::string& name = request.output;
-    if (name.ends_with(".exr")) return Component::f32;
-    if (!name.ends_with(".png"))
+    const std::string ending = file_ending(name);
+    if (ending == "exr") return Component::f32;
+    if (ending != "png")
         throw Error(ErrorCode::usage, "'" + one_line(name, 80) + "' cannot store a baked map", {},
                     "name the files 'NAME.{map}.png' or .exr");
     return request.bits == 0 ? component_of(map) : request.bits == 8 ? Component::u8 : Component::u16;
@@ -58,7 +60,7 @@ void check(const BakeRequest& request) {
         io::check_output_place(name_for(request.output, map));
     }
     if (request.model.empty()) return;
-    if (!request.model.ends_with(".glb") && !request.model.ends_with(".gltf"))
+    if (const std::string ending = file_ending(request.model); ending != "glb" && ending != "gltf")
         throw Error(ErrorCode::usage, "'" + one_line(request.model, 80) + "' is not a name for a model with maps", {},
                     "write .glb or .gltf")
             .about("model");

@@ -8,6 +8,7 @@
 #include <rakelight/picture.h>
 
 #include <rakelight/picture_parts.h>
+#include <rakelight/tools/file_ending.h>
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"
@@ -61,7 +62,7 @@ void check(const RenderBenchOptions& o) {
     if (o.frames < 1 || o.frames > 10'000) refuse("frames must be 1 to 10000");
     if (o.engines.empty()) refuse("no engine to measure");
     for (const std::string& name : o.engines) check_engine_name(name);
-    if (!o.export_file.empty() && !o.export_file.ends_with(".glb"))
+    if (!o.export_file.empty() && file_ending(o.export_file) != "glb")
         throw Error(ErrorCode::usage, "scenes are exported as .glb").with_file(o.export_file);
     check_settings(o.settings);
     if (o.output.empty()) return;

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include <rakelight/compare.h>
+#include <rakelight/tools/file_ending.h>
 
 #include "base/format_text.h"
 #include "io/file.h"
@@ -136,7 +137,10 @@ void ComparisonPage::save(const std::string& path) const {
     file.commit();
 }
 
-bool is_page(const std::string& path) { return path.ends_with(".html") || path.ends_with(".htm"); }
+bool is_page(const std::string& path) {
+    const std::string ending = file_ending(path);
+    return ending == "html" || ending == "htm";
+}
 
 void check_comparison_output(const std::string& path) {
     try {

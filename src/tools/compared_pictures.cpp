@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include <rakelight/image_sources.h>
+#include <rakelight/tools/file_ending.h>
 #include <rakelight/world.h>
 
 #include "base/format_text.h"
@@ -120,10 +121,8 @@ Pixels ComparedPictures::difference(DifferenceKind kind, double gain, Component 
 Pixels read_picture(const std::string& path, Context& context) { return decode(*image_from_file(path), context); }
 
 bool has_picture_ending(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-    constexpr const char* endings[] = {".png", ".jpg", ".jpeg", ".webp", ".exr", ".hdr", ".tga", ".bmp"};
-    return std::ranges::find(endings, ending) != std::end(endings);
+    constexpr const char* endings[] = {"png", "jpg", "jpeg", "webp", "exr", "hdr", "tga", "bmp"};
+    return std::ranges::find(endings, file_ending(path)) != std::end(endings);
 }
 
 bool is_scene(const std::string& name) {

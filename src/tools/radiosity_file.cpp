@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <rakelight/tools/file_ending.h>
 #include <rakelight/tools/radiosity_file.h>
 
 #include <cstdio>
@@ -46,7 +47,7 @@ Scene lightmapped(const ReadyScene& ready, const PictureRequest& request, const 
 
 RadiosityFile radiosity_file(const PictureRequest& asked, const std::optional<LightmapOptions>& lightmap,
                              Context& context) {
-    if (!asked.output.ends_with(".glb") && !asked.output.ends_with(".gltf"))
+    if (const std::string ending = file_ending(asked.output); ending != "glb" && ending != "gltf")
         throw Error(ErrorCode::usage, "cannot write '" + one_line(asked.output, 80) + "'", {}, "write .glb or .gltf");
     check_output_place(asked.output);
     PictureRequest request = asked;

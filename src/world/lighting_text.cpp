@@ -6,12 +6,13 @@
 #include <iterator>
 
 #include <rakelight/error.h>
+#include <rakelight/tools/file_ending.h>
 
 #include "base/format_text.h"
 
 namespace rakelight {
 
-bool is_lighting_file(std::string_view word) { return word.ends_with(".glsl"); }
+bool is_lighting_file(std::string_view word) { return file_ending(word) == "glsl"; }
 
 std::string read_lighting_text(const std::string& path) {
     constexpr std::uintmax_t max_bytes = 1 << 20;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loading of scenes by name.
 #include <rakelight/load.h>
+#include <rakelight/tools/file_ending.h>
 
 #include <algorithm>
 #include <cstring>
@@ -29,7 +30,7 @@ Scene load_shape(const std::string& words, const std::string& path, Context& con
 
 /// The name of a file in memory; without an ending it gets one by content.
 std::string named(const MemoryFile& file) {
-    if (std::filesystem::path(file.name).has_extension()) return file.name;
+    if (!file_ending(file.name).empty()) return file.name;
     const std::string_view ending =
         io::content_kind(std::span(*file.bytes).first(std::min<std::size_t>(64, file.bytes->size()))).ending;
     return ending.empty() ? file.name : file.name + "." + std::string(ending);

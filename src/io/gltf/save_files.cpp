@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <rakelight/tools/file_ending.h>
+
 #include "io/beside.h"
 #include "io/file.h"
 #include "io/gltf/container.h"
@@ -42,13 +44,6 @@ void pad(std::vector<std::byte>& out, char filler = 0) {
 }
 
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
-
-std::string lower_ending(const std::string& path) {
-    std::string ending = fs::path(path).extension().string();
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    return ending;
-}
 
 /// Chunks that are neither JSON nor BIN, as they lie after those (open_container has checked all sizes).
 std::span<const std::byte> other_chunks(std::span<const std::byte> file) {
@@ -99,7 +94,7 @@ bool is_fallback(const OrderedJson& buffer) {
 }  // namespace
 
 OutputModel::OutputModel(const Document& document, Buffers& buffers, OrderedJson& tree, const std::string& output)
-    : document_(document), tree_(tree), output_(output), is_glb_(lower_ending(output) == ".glb") {
+    : document_(document), tree_(tree), output_(output), is_glb_(file_ending(output) == "glb") {
     const std::span<const std::byte> file = *document.file();
     const bool source_is_glb = word_at(file, 0) == magic;
     repacked_ = is_glb_ != source_is_glb;

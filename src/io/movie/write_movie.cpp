@@ -2,11 +2,11 @@
 // Which writer a movie gets, and what is wrong with one before it is begun.
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
+#include <string_view>
 
 #include <rakelight/movie.h>
+#include <rakelight/tools/file_ending.h>
 
 #include "base/format_text.h"
 #include "io/file.h"
@@ -19,20 +19,18 @@ namespace io {
 namespace {
 
 struct Kind {
-    const char* ending;
+    std::string_view ending;
     MovieKind kind;
     int most_side;  ///< [px]
 };
-constexpr std::array<Kind, 5> kinds{{{".apng", MovieKind::apng, 65536},
-                                     {".webp", MovieKind::webp, 16383},
-                                     {".gif", MovieKind::gif, 65535},
-                                     {".mp4", MovieKind::mp4, 16384},
-                                     {".webm", MovieKind::webm, 16384}}};
+constexpr std::array<Kind, 5> kinds{{{"apng", MovieKind::apng, 65536},
+                                     {"webp", MovieKind::webp, 16383},
+                                     {"gif", MovieKind::gif, 65535},
+                                     {"mp4", MovieKind::mp4, 16384},
+                                     {"webm", MovieKind::webm, 16384}}};
 
 const Kind* find_kind(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
-    const auto found = std::ranges::find(kinds, ending, &Kind::ending);
+    const auto found = std::ranges::find(kinds, file_ending(path), &Kind::ending);
     return found == kinds.end() ? nullptr : &*found;
 }
 

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <rakelight/tools/file_ending.h>
+
+namespace rakelight {
+
+std::string file_ending(std::string_view path) {
+    const std::string_view name = path.substr(path.find_last_of('/') + 1);  // npos + 1 is 0
+    const std::size_t dot = name.rfind('.');
+    if (dot == std::string_view::npos || dot == 0) return {};
+    std::string ending(name.substr(dot + 1));
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    return ending;
+}
+
+}  // namespace rakelight
