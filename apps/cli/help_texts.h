@@ -9,7 +9,8 @@ inline constexpr const char* models_help =
     "builtin:teapot, builtin:sphere:tolerance=0.01, ..., or - for standard input";
 
 inline constexpr const char* main_footer =
-    R"(Without a subcommand, models are rendered if -o names a picture, and opened in a window otherwise.
+    R"(Without a subcommand, models are rendered if -o names a picture, converted if it names a model,
+and opened in a window if there is no -o.
 
 Examples:
   rakelight helmet.glb -o helmet.png                       # a picture
@@ -20,6 +21,7 @@ Examples:
   rakelight shoe.glb --background white -o shoe.png        # a product on white
   rakelight cloud.ply -o cloud.png                         # a point cloud in its colors
   rakelight smooth knight.glb -o fixed.glb                 # no seams; skins and clips are kept
+  rakelight robot.fbx -o robot.glb                         # another format, normals untouched
   rakelight inspect knight.glb --check --max-seam 2        # a gate for CI: exit code 5
   rakelight compare before.png helmet.glb --max-flip 0.05  # a model against a reference picture
   rakelight explain helmet.glb --pixel 640,360             # why that pixel is so dark
@@ -147,6 +149,8 @@ Examples:
   rakelight smooth parts.glb -o smooth.glb
   rakelight smooth models/ -o fixed/
       Each model of a folder, under its name.
+  rakelight smooth head.glb body.glb --as-one -o fixed/
+      The seam between two files too: fixed/head.glb and fixed/body.glb.
   rakelight smooth parts.glb --preview look.html
       Heat maps of the seams before and after; no model is written.
   rakelight smooth parts.glb -o smooth.glb --normals model
@@ -156,6 +160,26 @@ Examples:
   rakelight smooth *.glb -o 'out/{model}.glb' --json
       One row a file, schema rakelight.smooth/1.
   rakelight smooth scan.stl -o scan.ply --crease-angle 180)";
+
+inline constexpr const char* convert_footer =
+    R"(No normal is computed: what the file has is written, and meshes without normals stay
+without. From .gltf to .glb and back everything is kept. Other conversions keep materials,
+textures, skins and clips as far as the format can express them; the rest is listed.
+OBJ and PLY store positions in world space, and skinned models in bind pose.
+
+Examples:
+  rakelight convert robot.fbx -o robot.glb
+  rakelight robot.fbx -o robot.glb
+      The same: the ending of -o says that a model is to be written.
+  rakelight convert models/ -o 'out/{model}.gltf'
+      Each model of a folder.
+  rakelight convert body.obj wheels.obj --as-one -o car.glb
+      Two files in one.
+  rakelight convert helmet.glb -o helmet.obj
+      With helmet.mtl, and textures as files.
+  rakelight convert *.fbx -o 'out/{model}.glb' --json
+      One row a file, schema rakelight.convert/1.
+Seam-free normals: rakelight smooth.)";
 
 inline constexpr const char* explain_footer =
     R"(The options are those of render. The pixel is that of the picture that render would draw

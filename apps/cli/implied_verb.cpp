@@ -6,6 +6,7 @@
 
 #include <rakelight/compare.h>
 #include <rakelight/error.h>
+#include <rakelight/world.h>
 
 #include "file_uri.h"
 #include "view_verb.h"
@@ -16,6 +17,15 @@ namespace {
 bool names_output(const std::string& word) {
     const bool is_short = word.starts_with('-') && !word.starts_with("--");
     return word == "--output" || word.starts_with("--output=") || (is_short && (word[1] == 'o' || word.ends_with('o')));
+}
+
+/// Whether the output that the words name is a model's: "-o a.glb", "-oa.glb", "--output=a.glb".
+bool writes_model(const std::vector<std::string>& words) {
+    const auto at = std::ranges::find_if(words, names_output);
+    if (at == words.end()) return false;
+    const bool is_alone = *at == "--output" || at->ends_with('o');
+    const std::string& output = is_alone && at + 1 != words.end() ? at[1] : *at;
+    return is_scene(output) && !is_world_file(output);
 }
 
 bool asks_help(const std::string& word) { return word == "--help" || word == "-h"; }
@@ -60,7 +70,7 @@ std::vector<std::string> with_implied_verb(const apps::Program& program, std::ve
         throw Error(ErrorCode::usage, "there is no display to open a window on", {},
                     "for a picture write: rakelight " + one_line(*model, 80) + " -o " + picture_name(*model));
     }
-    words.insert(words.begin(), renders ? "render" : "view");
+    words.insert(words.begin(), writes_model(words) ? "convert" : renders ? "render" : "view");
     return words;
 }
 

@@ -12,8 +12,8 @@ namespace rakelight::cli {
 /// is "-", standard input.
 bool is_model_word(const std::string& word);
 
-/// The words, with "render" before them where they begin with a model and name an output, and with "view" where they name none and
-/// a window can be opened. Others are left as they are.
+/// The words, with "render" before them where they begin with a model and name an output ("convert" where that is a model), and with
+/// "view" where they name none and a window can be opened. Others are left as they are.
 /// @throws Error usage: wrong options; models, but nothing to show them on
 std::vector<std::string> with_implied_verb(const apps::Program& program, std::vector<std::string> words);
 

@@ -25,19 +25,13 @@ struct Verb {
 };
 
 int run(int argc, const char* const* argv) {
-    const Verb verbs[] = {{render_command(), run_render},
-                          {inspect_command(), run_inspect},
-                          {smooth_command(), run_smooth},
-                          {bench_command(), run_bench},
-                          {explain_command(), run_explain},
-                          {stages_command(), run_stages},
-                          {compare_command(), run_compare},
-                          {check_command(), run_check},
-                          {join_windows_command(), run_join_windows},
-                          {bake_command(), run_bake},
-                          {radiosity_command(), run_radiosity},
-                          {thumbnail_command(), run_thumbnail},
-                          {apps::view_command(), nullptr}};
+    const Verb verbs[] = {{render_command(), run_render},       {inspect_command(), run_inspect},
+                          {smooth_command(), run_smooth},       {convert_command(), run_convert},
+                          {bench_command(), run_bench},         {explain_command(), run_explain},
+                          {stages_command(), run_stages},       {compare_command(), run_compare},
+                          {check_command(), run_check},         {join_windows_command(), run_join_windows},
+                          {bake_command(), run_bake},           {radiosity_command(), run_radiosity},
+                          {thumbnail_command(), run_thumbnail}, {apps::view_command(), nullptr}};
     std::vector<Command> commands;
     for (const Verb& verb : verbs) commands.push_back(verb.command);
     const apps::Program program{"rakelight", "Renders 3D models made of many parts: bumps show, seams do not.",

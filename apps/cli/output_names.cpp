@@ -9,6 +9,7 @@
 
 #include <rakelight/compare.h>
 #include <rakelight/movie.h>
+#include <rakelight/tools/file_ending.h>
 #include <rakelight/tools/values.h>
 
 #include "inputs.h"
@@ -27,20 +28,15 @@ Error no_name_for_each(std::string_view command) {
     };
     if (command == "smooth")
         return error("models need a name for each output", "-o 'out/{model}.glb', or a folder: -o out/");
+    if (command == "convert")
+        return error("models need a name for each output",
+                     "-o 'out/{model}.glb', or a folder: -o out/; --as-one puts them into one");
     if (command == "stages") return error("models need a name for each folder", "-o 'out/{model}'");
     if (command == "compare")
         return error("pairs need a name for each picture", "-o 'out/{model}.png', or one page: -o out.html");
     if (command == "inspect") return error("models need a name for each picture", "--heatmap 'out/{model}.png'");
     return error("models need a name for each picture",
                  "-o 'out/{model}.png', or a folder: -o out/; --as-one puts them into one");
-}
-
-/// With its dot removed, in lower case.
-std::string ending_of(const std::string& path) {
-    std::string ending = fs::path(path).extension().string();
-    if (!ending.empty()) ending.erase(0, 1);
-    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
-    return ending;
 }
 
 /// Without folder and ending.
@@ -111,11 +107,12 @@ std::size_t check_template(const std::string& output) {
 
 /// The ending of files that a command writes into a folder.
 std::string ending_in_folder(const Run& run, const std::string& input) {
+    if (std::string_view(run.command.name) == "convert") return "glb";
     if (std::string_view(run.command.name) != "smooth") {
         const std::string format = picture_format(run);
         return format.empty() ? "png" : format;
     }
-    const std::string ending = ending_of(input);
+    const std::string ending = file_ending(input);
     return ending == "gltf" || ending == "obj" || ending == "ply" ? ending : "glb";
 }
 
@@ -142,7 +139,10 @@ std::string format_of(const Run& run, bool of_pictures) {
 void check_picture_name(const Run& run) {
     const std::string& output = run.picture.output;
     if (output.empty() || means_folder(output) || is_standard_output(output)) return;
-    if (!ending_of(output).empty()) return;
+    if (is_scene(output) && !is_world_file(output))
+        throw Error(ErrorCode::usage, "'" + one_line(output, 80) + "' names a model, not a picture", {},
+                    "rakelight convert MODEL -o " + one_line(output, 80) + " writes models");
+    if (!file_ending(output).empty()) return;
     const std::string name = one_line(output, 80);
     throw Error(ErrorCode::usage, "'" + name + "' has no ending that names a picture format", {},
                 "write -o " + name + ".png, or for a folder -o " + name + "/");
@@ -181,7 +181,7 @@ std::string OutputNames::of(const std::string& input, const OutputParts& parts) 
         [&](std::string_view part) {
             const std::string_view word = word_of(part);
             if (word == "model") output += name_of(input);
-            if (word == "ext") output += ending_of(input);
+            if (word == "ext") output += file_ending(input);
             if (word == "dir") output += folder == run_.folders.end() ? "." : folder->second.as_written;
             if (word == "n") output += padded(count_, part);
             if (word == "camera") output += parts.camera;

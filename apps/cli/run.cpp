@@ -43,7 +43,7 @@ void take_config(Run& run) {
 
 constexpr std::uint64_t most_standard_input = std::uint64_t(4) << 30;  ///< [bytes] without --max-memory
 
-/// Folders are gone through, standard input is read, and --as-one leaves one.
+/// Folders are gone through, standard input is read, and --as-one leaves one, unless each file is written back.
 void take_inputs(Run& run) {
     const std::vector<std::string> words = std::move(run.inputs);
     run.inputs.clear();
@@ -57,7 +57,8 @@ void take_inputs(Run& run) {
         run.folders.emplace(input.path, input.folder);
         run.inputs.push_back(std::move(input.path));
     }
-    if (!run.given.has("as-one") || run.inputs.empty()) return;
+    const bool writes_each = std::string_view(run.command.name) == "smooth" && !run.given.has("preview");
+    if (!run.given.has("as-one") || run.inputs.empty() || writes_each) return;
     run.picture.load.joined.assign(run.inputs.begin() + 1, run.inputs.end());
     run.inputs.resize(1);
 }

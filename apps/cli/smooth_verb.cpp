@@ -35,6 +35,11 @@ Command smooth_command() {
     using enum apps::Form;
     std::vector<Option> shared = apps::picture_options();
     Option keep = apps::find(shared, "keep-instances");
+    std::vector<Option> input = apps::input_options();
+    Option as_one = apps::find(input, "as-one");
+    as_one.help =
+        "Smooth all files as one model, each in its own coordinates: borders between files are joined too. Each "
+        "file is written to its own output, all of them or none";
     keep.help = "glTF: keep instances sharing one mesh even where they touch different objects";
     return {
         "smooth",
@@ -83,6 +88,7 @@ Command smooth_command() {
                flag},
               keep},
              apps::without(apps::input_options(), {"format", "as-one"}),
+             {as_one},
              apps::common_options()})};
 }
 
@@ -149,16 +155,39 @@ SmoothedFile smooth_input(const Run& run, const PictureRequest& request, const S
     return preview_smooth(request.input, place, options, request.view, request.settings, c);
 }
 
-}  // namespace
+/// All inputs as one model. @return the exit code
+int smooth_as_one(const Run& run, const std::vector<InputRequest>& inputs, std::vector<SmoothedFileRow>& rows) {
+    std::vector<FileToSmooth> files;
+    std::string title;
+    for (const InputRequest& input : inputs) {
+        files.push_back({input.picture.input, input.picture.output});
+        title += (title.empty() ? "" : " + ") + input.picture.input;
+        rows.emplace_back().file = input.picture.input;
+    }
+    *run.files = {.of = 1};
+    SmoothedFileRow all;
+    std::vector<SmoothedFile> results;
+    const int code = run_file(run, title, all, [&](Context& context) {
+        for (const InputRequest& input : inputs)
+            if (input.error) throw *input.error;
+        results = smooth_files(files, smooth_options(run, inputs.front().picture), context);
+    });
+    rows.front().remarks = all.remarks, rows.front().remarks_left_out = all.remarks_left_out;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (code != 0) {
+            rows[i].error = all.error;
+            continue;
+        }
+        rows[i].result = std::move(results[i]);
+        print_note(summary(*rows[i].result), run.loudness);
+    }
+    return code;
+}
 
-int run_smooth(const Run& given) {
-    if (std::ranges::any_of(given.inputs, [](const std::string& file) { return file.starts_with("standard input"); }))
-        throw Error(ErrorCode::usage, "smooth takes files, not standard input", {}, "write the model to a file first");
-    const Run run = with_output(given);
-    (void)smooth_options(run, run.picture);  // what is wrong for all is reported once
-    std::vector<SmoothedFileRow> rows;
+/// Each input by itself. @return the exit code
+int smooth_each(const Run& run, const std::vector<InputRequest>& inputs, std::vector<SmoothedFileRow>& rows) {
     int worst = 0;
-    for (const InputRequest& input : picture_requests(run)) {
+    for (const InputRequest& input : inputs) {
         const PictureRequest& request = input.picture;
         if (CancelOnInterrupt::happened()) break;
         SmoothedFileRow& row = rows.emplace_back();
@@ -169,6 +198,22 @@ int run_smooth(const Run& given) {
         if (code == 0) print_message(summary(*row.result), run.loudness);
         worst = std::max(worst, code);
     }
+    if (inputs.size() > 1 && !run.given.has("preview"))
+        print_note("each file was smoothed by itself; --as-one also joins the borders between them", run.loudness);
+    return worst;
+}
+
+}  // namespace
+
+int run_smooth(const Run& given) {
+    if (std::ranges::any_of(given.inputs, [](const std::string& file) { return file.starts_with("standard input"); }))
+        throw Error(ErrorCode::usage, "smooth takes files, not standard input", {}, "write the model to a file first");
+    const Run run = with_output(given);
+    (void)smooth_options(run, run.picture);  // what is wrong for all is reported once
+    const std::vector<InputRequest> inputs = picture_requests(run);
+    std::vector<SmoothedFileRow> rows;
+    const bool is_one = run.given.has("as-one") && inputs.size() > 1;
+    const int worst = is_one ? smooth_as_one(run, inputs, rows) : smooth_each(run, inputs, rows);
     if (run.is_json) print_data(to_json(rows));
     return worst;
 }

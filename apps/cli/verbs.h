@@ -17,6 +17,10 @@ int run_inspect(const Run& run);
 Command smooth_command();
 int run_smooth(const Run& run);
 
+/// Models written in another format.
+Command convert_command();
+int run_convert(const Run& run);
+
 /// The speed of the program itself.
 Command bench_command();
 int run_bench(const Run& run);

@@ -9,6 +9,7 @@
 #include <rakelight/camera_chooser.h>
 #include <rakelight/compare.h>
 #include <rakelight/context.h>
+#include <rakelight/convert_file.h>
 #include <rakelight/engine.h>
 #include <rakelight/error.h>
 #include <rakelight/explain.h>

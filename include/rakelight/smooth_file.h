@@ -75,6 +75,19 @@ struct SmoothedFile {
 RL_API SmoothedFile smooth_file(const std::string& input, const std::string& output, const SmoothFileOptions& options,
                                 Context& context);
 
+/// A file of several that belong together.
+struct FileToSmooth {
+    std::string input{}, output{};  ///< as for smooth_file()
+};
+
+/// Smooths several files as one model, each in its own coordinates: normals agree across the borders between the files
+/// too. Each file is written to its own output, in the ways of smooth_file(). All outputs appear, or none.
+/// @return one entry for each file. `seams` and `borders` count over all files
+/// @throws Error as smooth_file(); usage: two files have one output; failed: two outputs need another file of one name,
+///         such as a texture, with different content
+RL_API std::vector<SmoothedFile> smooth_files(std::span<const FileToSmooth> files, const SmoothFileOptions& options,
+                                              Context& context);
+
 /// Output of a preview.
 struct PreviewPlace {
     std::string page{};  ///< an .html file

@@ -10,6 +10,7 @@
 Models      load, load_bytes, Scene: objects, meshes, materials; smooth, repair_seams, with_meshes, save
 Pictures    render, Session (many views), render_file, Camera, Picture (arrays: image, depth, normal, object, ...), NONE
 Attributes  attributes, Mesh, Attributes, smooth_file
+Formats     convert_file
 Reports     inspect, explain, explain_pixels, Explanation, build_info
 Errors      Error: UsageError, NotFoundError, BadFileError; RakelightWarning, Remark
 Settings    the options of ``rakelight render`` with ``_`` for ``-``: ``shadows=True``; set_threads
@@ -25,7 +26,7 @@ from ._core import __version__
 from ._errors import BadFileError, Error, NotFoundError, RakelightWarning, UsageError
 from ._mesh import Attributes, Mesh, MeshLike, attributes
 from ._picture import NONE, Picture
-from ._reports import Explanation, explain, explain_pixels, inspect, render_file, smooth_file
+from ._reports import Explanation, convert_file, explain, explain_pixels, inspect, render_file, smooth_file
 from ._run import Progress, Remark, set_threads
 from ._scene import Object, Scene, load, load_bytes
 from ._session import SceneLike, Session, render

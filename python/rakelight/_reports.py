@@ -187,6 +187,19 @@ def render_file(
     return row
 
 
+def convert_file(input: Path, output: Path, *, allow_outside: bool = False, progress: Progress = None) -> dict[str, Any]:
+    """Writes a model in another format: .glb, .gltf, .obj or .ply. No normal is computed, and those of the file stay as they are.
+
+    Returns:
+        a row of ``rakelight convert --json``
+    """
+    with told(progress) as tell:
+        text, remarks = _core.convert_file(name_of(input), name_of(output), bool(allow_outside), threads(), tell)
+    remarks_of(remarks)
+    row: dict[str, Any] = json.loads(text)["rows"][0]
+    return row
+
+
 def smooth_file(
     input: Path,
     output: Path,

@@ -176,7 +176,8 @@ class Scene:
         return Scene(core, self.remarks + remarks_of(rows))
 
     def save(self, path: Path, *, progress: Progress = None) -> None:
-        """Writes .glb, or .ply (triangles alone). To keep all else of a file as it is: :func:`rakelight.smooth_file`."""
+        """Writes .glb or .gltf, .obj (without motion), or .ply (triangles alone). To keep all else of a file as it is:
+        :func:`rakelight.smooth_file`, :func:`rakelight.convert_file`."""
         with told(progress) as tell:
             remarks_of(_core.save(self._core, name_of(path), threads(), tell))
 

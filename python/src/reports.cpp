@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <rakelight/explain.h>
+#include <rakelight/convert_file.h>
 #include <rakelight/inspect.h>
 #include <rakelight/motion.h>
 #include <rakelight/picture.h>
@@ -114,6 +115,17 @@ py::tuple smoothed_file(const std::string& input, const std::string& output, con
     return py::make_tuple(text_of(json), remarks_of(runner.context().report()));
 }
 
+py::tuple converted_file(const std::string& input, const std::string& output, bool allow_outside, int threads,
+                         const py::object& progress) {
+    Runner runner(threads, 0);
+    const std::string json = runner.run(progress, [&] {
+        ConvertedFileRow row;
+        row.result = convert_file(input, output, {.allow_outside = allow_outside}, runner.context());
+        return to_json(std::span(&row, 1));
+    });
+    return py::make_tuple(text_of(json), remarks_of(runner.context().report()));
+}
+
 py::tuple rendered_file(const SceneHandle& handle, const std::string& output, const Settings& settings, int threads,
                         const py::object& progress) {
     Runner runner(threads, 0);
@@ -135,6 +147,7 @@ void define_reports(py::module_& module) {
     module.def("limit_words", &limit_words);
     module.def("render_file", &rendered_file);
     module.def("smooth_file", &smoothed_file);
+    module.def("convert_file", &converted_file);
 }
 
 }  // namespace rakelight::python

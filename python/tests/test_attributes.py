@@ -63,6 +63,19 @@ def test_a_smoothed_file_is_the_program_s(program, tmp_path):
     assert row["changed"]
 
 
+def test_a_file_is_converted_as_the_program_does(tmp_path, program):
+    model = DATA / "spot" / "spot_slab5.glb"
+    program.run("convert", model, "-o", tmp_path / "a.obj")
+    row = rakelight.convert_file(model, tmp_path / "a2" / "A.OBJ")
+    assert row["meshes"] > 0 and row["meshes_without_normals"] == 0 and not row["copied"]
+    vertices = [[line for line in path.read_text().splitlines() if line.startswith("v")] for path in (tmp_path / "a.obj", tmp_path / "a2" / "A.OBJ")]
+    assert vertices[0] == vertices[1]
+    scene = rakelight.load(model)
+    for name in ("b.GLB", "c.gltf", "d.Obj", "e.PLY"):  # endings in any case
+        scene.save(tmp_path / name)
+        assert len(rakelight.load(tmp_path / name).placed_meshes()) > 0
+
+
 @pytest.mark.parametrize("model", ["builtin:teapot", DATA / "spot" / "spot_slab5.glb"])
 def test_repaired_seams_are_gone(model):
     cut = rakelight.load(model)

@@ -224,7 +224,7 @@ def test_options_of_attributes_that_cannot_be(quad, options):
 
 
 def test_endings_that_nobody_writes(teapot, tmp_path):
-    with pytest.raises(rakelight.UsageError, match="use .glb or .ply"):
+    with pytest.raises(rakelight.UsageError, match="use .glb, .gltf, .obj or .ply"):
         teapot.save(tmp_path / "a.stl")
     with pytest.raises(rakelight.UsageError):
         rakelight.render(teapot, resolution=(8, 8)).save(tmp_path / "a.bmp")

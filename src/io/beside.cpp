@@ -21,6 +21,15 @@ bool is_same_folder(const std::string& a, const std::string& b) {
     return fs::equivalent(folder_of(a), folder_of(b), error) && !error;
 }
 
+bool is_same_place(const std::string& a, const std::string& b) {
+    if (fs::path(a).filename() != fs::path(b).filename()) return false;
+    const auto folder = [](const std::string& path) {
+        std::error_code error;
+        return fs::weakly_canonical(fs::absolute(folder_of(path), error), error);
+    };
+    return folder(a) == folder(b);
+}
+
 void write_file(const std::string& path, std::span<const std::byte> bytes) {
     OutputFile file(path);
     file.write(bytes);
@@ -44,10 +53,7 @@ void copy_beside(const std::vector<NamedFile>& files, const std::string& output,
                         "write to the model's own folder, to an empty one, or as .glb");
     }
     for (const NamedFile* file : missing) {
-        const std::string to = (folder_of(output) / file->name).string();
-        std::error_code error;  // a missing folder is reported on writing
-        fs::create_directories(fs::path(to).parent_path(), error);
-        write_file(to, *read_file(file->path, context));
+        write_file((folder_of(output) / file->name).string(), *read_file(file->path, context));
     }
 }
 

@@ -13,6 +13,8 @@ namespace rakelight::io {
 
 std::filesystem::path folder_of(const std::string& path);  ///< "." for a bare name
 bool is_same_folder(const std::string& a, const std::string& b);
+/// Whether both are the name of one file, by whatever way through folders; it need not exist.
+bool is_same_place(const std::string& a, const std::string& b);
 
 /// By a temporary name, as OutputFile. @throws Error failed: cannot write
 void write_file(const std::string& path, std::span<const std::byte> bytes);

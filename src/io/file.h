@@ -101,6 +101,7 @@ public:
     /// @throws Error failed, with `path` as its file
     void make_above(const std::string& path);
     void keep();
+    void give_to(MadeFolders& other);  ///< which removes them then
 
 private:
     std::deque<std::string> folders_;          ///< those that were made
@@ -119,8 +120,8 @@ public:
     OutputFile& operator=(const OutputFile&) = delete;
     void write(std::span<const std::byte> bytes);  ///< @throws Error failed: disk full
     void finish(Sync sync = Sync::now);  ///< flush, fsync, close: what may fail for want of space; @throws Error failed
-    /// Finish where that was not done, rename, fsync of the folder. @throws Error failed; the file may then be in its
-    /// place
+    /// Finish where that was not done, rename, fsync of the folder; among HeldOutputs the last two are theirs.
+    /// @throws Error failed; the file may then be in its place
     void commit(Sync sync = Sync::now);
     std::FILE* handle() { return file_; }  ///< for libraries that want a FILE*
 

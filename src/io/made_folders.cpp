@@ -46,6 +46,14 @@ void check_output_place(const std::string& output) {
     if (fs::is_directory(path, ignored)) throw Error(ErrorCode::failed, "a folder has this name");
 }
 
+void MadeFolders::give_to(MadeFolders& other) {
+    for (const std::string& folder : folders_) {
+        other.folders_.push_back(folder);
+        other.unfinished_.emplace_back().watch(folder);
+    }
+    keep();
+}
+
 void MadeFolders::keep() {
     unfinished_.clear();
     folders_.clear();

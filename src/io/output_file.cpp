@@ -17,6 +17,7 @@
 #include "base/format_text.h"
 #include "io/descriptor.h"
 #include "io/file.h"
+#include "io/held_outputs.h"
 #include "io/overwrite_file.h"
 
 namespace rakelight::io {
@@ -184,6 +185,11 @@ void OutputFile::finish(Sync sync) {
 void OutputFile::commit(Sync sync) {
     if (file_ != nullptr) finish(sync);
     if (temporary_.empty()) return;
+    if (HeldOutputs* const held = HeldOutputs::current()) {
+        held->take(temporary_, path_, folders_);
+        temporary_.clear(), unfinished_.forget();
+        return;
+    }
     if (std::rename(temporary_.c_str(), path_.c_str()) != 0) refuse_output(path_, errno);
     temporary_.clear();
     folders_.keep();

@@ -101,11 +101,12 @@ void say_what_is_lost(const Scene& scene, const Layout& layout, Report& report) 
         report.add(Remark::dropped, scene.source, {}, std::string("PLY cannot store ") + what);
     };
     std::size_t objects = 0;
-    bool texcoords = false, tangents = false, others = false, has_groups = false, arrays = false;
+    bool normals = false, texcoords = false, tangents = false, others = false, has_groups = false, arrays = false;
     for (const Node& node : scene.nodes) {
         objects += !node.meshes.empty();
         for (const std::uint32_t m : node.meshes) {
             const Mesh& mesh = scene.meshes[m];
+            normals = normals || !mesh.normals.empty();
             texcoords = texcoords || mesh.texcoords.size() > (layout.texcoords ? 1u : 0u);
             tangents = tangents || !mesh.tangents.empty();
             has_groups = has_groups || !mesh.smoothing.empty() || !mesh.smoothing_hint.empty();
@@ -115,6 +116,7 @@ void say_what_is_lost(const Scene& scene, const Layout& layout, Report& report) 
     }
     if (objects > 1) lost("separate objects: they were merged into one mesh");
     if (!scene.materials.empty()) lost("materials and textures");
+    if (normals && !layout.normals) lost("normals that only some meshes have");
     if (texcoords)
         lost(layout.texcoords ? "more than one set of texture coordinates"
                               : "texture coordinates that only some meshes have");

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Facade: smooth, render, save.
 #include <algorithm>
-#include <filesystem>
 
 #include <rakelight/picture.h>
 #include <rakelight/session.h>
+#include <rakelight/tools/file_ending.h>
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "io/glb_writer.h"
+#include "io/obj/write_obj.h"
 #include "io/ply_writer.h"
 #include "prepare/prepare.h"
 #include "render/picture_files.h"
 #include "render/picture_steps.h"
 #include "render/rows.h"
+#include "world/placed_in_world.h"
 
 namespace rakelight {
 Scene smooth(const Scene& scene, const AttributeOptions& options, Context& context) {
@@ -72,11 +74,12 @@ void save(const Frame& frame, const std::string& path, const ToneSettings& tone,
 void save(const Scene& scene, const std::string& path, Context& context) {
     try {
         validate(scene);
-        const std::string ending = std::filesystem::path(path).extension().string();
-        if (ending == ".glb") return io::write_glb(scene, path, context);
-        if (ending == ".ply") return io::write_ply(scene, path, context);
+        const std::string ending = file_ending(path);
+        if (ending == "glb" || ending == "gltf") return io::write_glb(scene, path, context);
+        if (ending == "obj") return io::write_obj(placed_in_world(scene, true, context), path, context);
+        if (ending == "ply") return io::write_ply(scene, path, context);
         throw Error(ErrorCode::usage, "a scene cannot be written with the ending '" + one_line(ending, 40) + "'", {},
-                    "use .glb or .ply");
+                    "use .glb, .gltf, .obj or .ply");
     } catch (const Error& error) {
         throw error.with_file(path);
     }

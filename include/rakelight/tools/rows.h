@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <rakelight/compare.h>
+#include <rakelight/convert_file.h>
 #include <rakelight/error.h>
 #include <rakelight/explain.h>
 #include <rakelight/export.h>
@@ -90,6 +91,11 @@ struct SmoothedFileRow : ReportRow {
     std::optional<SmoothedFile> result{};
 };
 
+/// A row of `convert --json`.
+struct ConvertedFileRow : ReportRow {
+    ConvertedFile result{};  ///< at least `file` and `output`
+};
+
 /// A row of `join-windows --json`.
 struct JoinRow : ReportRow {
     JoinResult result{};  ///< at least `output`
@@ -114,6 +120,8 @@ RL_API std::string to_json(std::span<const ExplainRow> rows);
 RL_API std::string to_json(std::span<const StagesRow> rows);
 /// {"schema": "rakelight.smooth/1", "rows": [...]}
 RL_API std::string to_json(std::span<const SmoothedFileRow> rows);
+/// {"schema": "rakelight.convert/1", "rows": [...]}
+RL_API std::string to_json(std::span<const ConvertedFileRow> rows);
 
 /// {"schema": "rakelight.join-windows/1", "rows": [...]}
 RL_API std::string to_json(std::span<const JoinRow> rows);

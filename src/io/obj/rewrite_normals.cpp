@@ -237,4 +237,13 @@ bool rewrite_obj_normals(const std::string& source, const Scene& after, const st
     }
 }
 
+void copy_obj(const std::string& source, const std::string& output, const ReadOptions& options, Context& context) {
+    const Bytes bytes = read_file(source, context);
+    const PlainText text(std::string_view(reinterpret_cast<const char*>(bytes->data()), bytes->size()), source,
+                         context);
+    if (!is_same_folder(source, output))
+        copy_beside(obj::material_files(text.view(), source, options, context), output, context);
+    write_file(output, *bytes);
+}
+
 }  // namespace rakelight::io

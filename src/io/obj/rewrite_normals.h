@@ -25,4 +25,7 @@ bool rewrite_obj_normals(const std::string& source, const Scene& after, const st
                          const ReadOptions& options, Context& context,
                          std::size_t chunk_bytes = obj::usual_chunk_bytes);
 
+/// The file byte by byte; to another folder the MTL files and pictures that it names go along. @throws Error as above
+void copy_obj(const std::string& source, const std::string& output, const ReadOptions& options, Context& context);
+
 }  // namespace rakelight::io

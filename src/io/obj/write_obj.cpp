@@ -7,13 +7,17 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <system_error>
 
 #include <rakelight/error.h>
 
 #include "base/format_text.h"
+#include "io/beside.h"
+#include "io/content_kind.h"
 #include "io/file.h"
 #include "io/position_origin.h"
 #include "math/color.h"
@@ -67,6 +71,22 @@ std::string material_word(const Scene& scene, std::uint32_t m) {
     return format_text("{}_{}", word(scene.materials[m].name, "material"), m);  // names need not be unique
 }
 
+/// The textures that library_text() names.
+std::vector<const TextureUse*> written_maps(const Material& m) {
+    std::vector<const TextureUse*> maps{&m.base_color_texture, &m.normal_texture, &m.emission_texture};
+    if (m.model == MaterialModel::classical) maps.push_back(&m.classical.specular_texture);
+    return maps;
+}
+
+/// By the content, as readers decide.
+std::string picture_ending(std::span<const std::byte> bytes) {
+    const std::string_view name = content_kind(bytes).name;
+    return name.starts_with("PNG")    ? ".png"
+           : name.starts_with("JPEG") ? ".jpg"
+           : name.starts_with("WebP") ? ".webp"
+                                      : ".img";
+}
+
 class ObjWriter {
 public:
     ObjWriter(const Scene& scene, const std::string& path, Context& context)
@@ -78,6 +98,7 @@ public:
         const std::string library = library_name(path_);
         has_floats_ = floats_hold_positions();
         const std::string materials = scene_.materials.empty() ? "" : library_text();
+        write_embedded();
         OutputFile model(path_);
         std::string text;
         if (!materials.empty()) text = "mtllib " + library + "\n";
@@ -150,9 +171,12 @@ private:
         const bool has_texcoords = !mesh.texcoords.empty() && !mesh.texcoords[0].empty();
         put_vertices(text, mesh, place, has_normals, has_texcoords);
         if (mesh.material != no_index) text += "usemtl " + material_word(scene_, mesh.material) + "\n";
-        text += "s off\n";
+        put_groups(text, mesh);
+        const bool has_groups = is_grouped(mesh);
         const bool is_mirrored = determinant(upper_left(place)) < 0;
         for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+            if (has_groups && (t == 0 || mesh.smoothing[t] != mesh.smoothing[t - 1]))
+                text += "s " + (mesh.smoothing[t] == 0 ? "off" : std::to_string(mesh.smoothing[t])) + "\n";
             text += 'f';
             for (const std::size_t k :
                  {std::size_t(0), std::size_t(is_mirrored ? 2 : 1), std::size_t(is_mirrored ? 1 : 2)}) {
@@ -167,6 +191,20 @@ private:
         positions_ += mesh.positions.size();
         if (has_normals) normals_ += mesh.positions.size();
         if (has_texcoords) texcoords_ += mesh.positions.size();
+    }
+
+    /// Groups say where a mesh without normals is smooth. Masks of one bit each are numbers, too.
+    static bool is_grouped(const Mesh& mesh) {
+        if (!mesh.normals.empty() || mesh.smoothing.empty()) return false;
+        return mesh.smoothing_kind == SmoothingKind::numbers ||
+               std::ranges::all_of(mesh.smoothing, [](std::uint32_t mask) { return (mask & (mask - 1)) == 0; });
+    }
+
+    /// Without a line `s` a reader may choose how meshes without normals look.
+    void put_groups(std::string& text, const Mesh& mesh) {
+        if (mesh.normals.empty() && !is_grouped(mesh) && !scene_.missing_normals_are_flat && !has_groups_) return;
+        has_groups_ = true;
+        if (!is_grouped(mesh)) text += "s off\n";
     }
 
     void put_vertices(std::string& text, const Mesh& mesh, const dmat4& place, bool has_normals,
@@ -205,13 +243,41 @@ private:
         if (!use) return;
         const EncodedImage& image = *scene_.textures[use.texture].image;
         if (image.path.empty()) {
-            has_embedded_ = true;
+            const auto written = embedded_.find(&image);
+            if (written == embedded_.end())
+                is_texture_lost_ = true;
+            else
+                text += std::string(key) + " " + written->second + "\n";
             return;
         }
         std::error_code fault;
         const fs::path from = fs::absolute(fs::path(path_).parent_path(), fault), to = fs::absolute(image.path, fault);
         const fs::path seen = to.lexically_proximate(from);
         text += std::string(key) + " " + one_line(seen.generic_string(), 4000) + "\n";
+    }
+
+    /// Textures inside of the model become files beside it, byte by byte.
+    void write_embedded() {
+        const std::string stem = word(fs::path(path_).stem().string(), "texture");
+        for (const Material& material : scene_.materials)
+            for (const TextureUse* const use : written_maps(material)) {
+                if (!*use) continue;
+                const EncodedImage& image = *scene_.textures[use->texture].image;
+                if (!image.path.empty() || !image.bytes || embedded_.contains(&image)) continue;
+                const std::string first = format_text("{}.{}", stem, use->texture),
+                                  ending = picture_ending(*image.bytes);
+                std::string name = first + ending;
+                for (int n = 2; is_other_file(name, *image.bytes); ++n) name = format_text("{}-{}{}", first, n, ending);
+                write_file((folder_of(path_) / name).string(), *image.bytes);
+                embedded_[&image] = name;
+            }
+    }
+
+    /// Whether there is a file of this name that holds something else.
+    bool is_other_file(const std::string& name, const std::vector<std::byte>& bytes) {
+        const std::string path = (folder_of(path_) / name).string();
+        std::error_code error;
+        return fs::exists(path, error) && (!is_regular_file(path) || *read_file(path, context_) != bytes);
     }
 
     std::string library_text() {
@@ -234,9 +300,9 @@ private:
             put_map(text, "norm", material.normal_texture);
             put_map(text, "map_Ke", material.emission_texture);
         }
-        if (has_embedded_)
+        if (is_texture_lost_)
             context_.report().add(Remark::dropped, scene_.source, {},
-                                  "textures inside of the model are not written: OBJ names files");
+                                  "a texture that is no encoded picture is not written");
         return text;
     }
 
@@ -245,7 +311,9 @@ private:
     Context& context_;
     std::vector<dmat4> world_;
     std::uint64_t positions_ = 0, normals_ = 0, texcoords_ = 0;
-    bool has_embedded_ = false, has_floats_ = true;
+    std::map<const EncodedImage*, std::string> embedded_;  ///< the files that hold them now
+    bool is_texture_lost_ = false, has_floats_ = true;
+    bool has_groups_ = false;  ///< a line `s` was written
 };
 
 }  // namespace

@@ -9,9 +9,9 @@
 namespace rakelight::io {
 
 /// One object for each node that has meshes, a `usemtl` for each mesh; positions [m, world], normals, the first set of texture
-/// coordinates (v up). Materials go to NAME.mtl beside it: colors, and textures that are files of their own, by their
-/// paths as seen from there. What OBJ cannot store (tangents, skins, clips, lights, cameras, textures inside of the
-/// model) is reported.
+/// coordinates (v up), and smoothing groups where there are no normals. Materials go to NAME.mtl beside it: colors, and
+/// textures by their paths as seen from there. Textures inside of the model become files NAME.N.png, ... beside it.
+/// What OBJ cannot store (tangents, skins, clips, lights, cameras) is reported.
 /// @param scene  placed in the world: nodes without matrices (placed_in_world())
 /// @throws Error bad_file: nothing to write; failed: cannot write
 void write_obj(const Scene& scene, const std::string& path, Context& context);

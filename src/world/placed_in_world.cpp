@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/smooth_file_world.h"
+#include "world/placed_in_world.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/model_rewrite.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include <rakelight/tools/file_ending.h>
+
+#include "io/beside.h"
+#include "io/file.h"
+#include "io/glb_writer.h"
+#include "io/gltf/save_gltf.h"
+#include "io/obj/rewrite_normals.h"
+#include "io/obj/write_obj.h"
+#include "io/ply_writer.h"
+#include "io/same_attributes.h"
+#include "world/placed_in_world.h"
+
+namespace rakelight {
+namespace {
+
+using Change = SmoothedMesh::Change;
+
+bool is_gltf(const std::string& ending) { return ending == "glb" || ending == "gltf"; }
+
+Change change_of(bool had, bool has, bool changed) {
+    if (!has) return had ? Change::removed : Change::none;
+    return !had ? Change::made : changed ? Change::replaced : Change::kept;
+}
+
+/// Of arrays that stay except for what turns.
+template <class T>
+Change change_of(const Block<T>& before, const Block<T>& after) {
+    if (before == after) return before.empty() ? Change::none : Change::kept;
+    return before.empty() ? Change::made : after.empty() ? Change::removed : Change::turned;
+}
+
+/// @param before  the mesh that `after` came from
+SmoothedMesh describe(const Mesh& before, const Mesh& after, bool changed, bool is_repair) {
+    SmoothedMesh m;
+    m.name = before.name;
+    m.vertices = before.positions.size();
+    if (!changed) {  // what the file has stays, and it is what was computed
+        m.normals = before.normals.empty() ? Change::none : Change::kept;
+        m.tangents = before.tangents.empty() ? Change::none : Change::kept;
+        return m;
+    }
+    m.vertices_split = after.positions.size() - before.positions.size();
+    if (is_repair) {
+        m.normals = change_of(before.normals, after.normals);
+        m.tangents = change_of(before.tangents, after.tangents);
+        return m;
+    }
+    m.normals = change_of(!before.normals.empty(), !after.normals.empty(), true);
+    m.tangents = change_of(!before.tangents.empty(), !after.tangents.empty(), true);
+    return m;
+}
+
+/// [meshes of `after`] the mesh of `before`, by the nodes that show them.
+std::vector<std::uint32_t> shown_before(const Scene& before, const Scene& after) {
+    std::vector<std::uint32_t> origin(after.meshes.size(), no_index);
+    for (std::size_t n = 0; n < after.nodes.size(); ++n)
+        for (std::size_t slot = 0; slot < after.nodes[n].meshes.size(); ++slot)
+            origin[after.nodes[n].meshes[slot]] = before.nodes[n].meshes[slot];
+    return origin;
+}
+
+void describe_all(const Scene& before, const Scene& after, SmoothedFile& result) {
+    const std::vector<std::uint32_t> origin = shown_before(before, after);
+    for (std::size_t i = 0; i < origin.size(); ++i)
+        if (origin[i] != no_index)
+            result.meshes.push_back(
+                describe(before.meshes[origin[i]], after.meshes[i], result.changed, result.seams.has_value()));
+}
+
+void save_as_gltf(const ModelRewrite& model, const Scene& after, const SmoothFileOptions& options, SmoothedFile& result,
+                  Context& context) {
+    const Scene& before = model.before;
+    const io::GltfSaveOptions save{
+        {.allow_outside = model.load.allow_outside}, options.keep_instances, options.keep_unused};
+    const io::GltfSaveResult done = io::save_gltf(model.input, before, after, model.output, save, context);
+    result.changed = done.changed;
+    result.meshes_added = done.meshes_added;
+    const std::vector<std::uint32_t> origin = shown_before(before, after);
+    for (const io::SavedPrimitive& p : done.primitives) {
+        if (origin[p.scene_mesh] == no_index) continue;
+        SmoothedMesh m = describe(before.meshes[origin[p.scene_mesh]], after.meshes[p.scene_mesh], p.changed,
+                                  result.seams.has_value());
+        m.mesh = p.mesh;
+        m.primitive = p.primitive;
+        result.meshes.push_back(std::move(m));
+    }
+}
+
+/// A PLY file has these normals at every corner; how its vertices are numbered does not count.
+bool has_these_normals(const Scene& before, const Scene& after) {
+    const auto same = [](const Mesh& a, const Mesh& b) {
+        if (a.topology != Topology::triangles) return true;
+        if (a.indices.size() != b.indices.size() || (a.normals.empty() && !a.indices.empty())) return false;
+        for (std::size_t c = 0; c < a.indices.size(); ++c)
+            if (!io::is_near(a.normals[a.indices[c]], b.normals[b.indices[c]])) return false;
+        return true;
+    };
+    return std::equal(before.meshes.begin(), before.meshes.end(), after.meshes.begin(), after.meshes.end(), same);
+}
+
+void refuse_folder(const std::string& output) {
+    std::error_code error;
+    if (output.ends_with('/') || std::filesystem::is_directory(output, error))
+        throw Error(ErrorCode::usage, "'" + one_line(output, 80) + "' is a folder", {}, "add a file name");
+}
+
+/// A PLY file whose normals stay is copied.
+bool write_ply(const ModelRewrite& model, const Scene& after, Context& context) {
+    const bool is_changed = !has_these_normals(model.before, after) || file_ending(model.input) != "ply" ||
+                            !is_one_file(model.input, model.load);
+    if (is_changed)
+        io::write_ply(after, model.output, context);
+    else
+        io::write_file(model.output, *io::read_file(model.input, context));
+    return is_changed;
+}
+
+}  // namespace
+
+bool is_one_file(const std::string& input, const LoadOptions& load) {
+    return load.joined.empty() &&
+           std::ranges::find(load.memory_files, input, &MemoryFile::name) == load.memory_files.end();
+}
+
+RewriteWay way_of(const std::string& input, const std::string& output, const LoadOptions& load) {
+    const std::string from = is_one_file(input, load) ? file_ending(input) : "", to = file_ending(output);
+    if (is_gltf(from) && is_gltf(to)) return RewriteWay::gltf_in_place;
+    if (from == "obj" && to == "obj") return RewriteWay::obj_in_place;
+    if (is_gltf(to)) return RewriteWay::new_gltf;
+    if (to == "obj") return RewriteWay::new_obj;
+    if (to == "ply") return RewriteWay::new_ply;
+    const std::string name = one_line(std::filesystem::path(output).filename().string(), 80);
+    if (to == "stl")
+        throw Error(ErrorCode::usage,
+                    "cannot write '" + name + "': STL cannot store vertex normals, only one normal per triangle", {},
+                    "write .glb or .ply");
+    throw Error(ErrorCode::usage, "cannot write '" + name + "'", {}, "write .glb, .gltf, .obj or .ply");
+}
+
+ModelRewrite begin_rewrite(const std::string& input, const std::string& wanted, const LoadOptions& options,
+                           Context& context) {
+    refuse_folder(wanted);
+    const std::string output = io::behind_links(wanted);  // data, materials and pictures go beside the file itself
+    ModelRewrite model{input, output, way_of(input, output, options), options, {}};
+    context.progress("load", 0);
+    if (model.way == RewriteWay::obj_in_place)
+        model.before =
+            io::read_scene(input, {.allow_outside = options.allow_outside, .keep_obj = &model.kept}, context);
+    else
+        model.before = load(input, options, context);
+    if (model.way == RewriteWay::new_obj || model.way == RewriteWay::new_ply)
+        model.before = placed_in_world(model.before, model.way == RewriteWay::new_obj, context);
+    return model;
+}
+
+void finish_rewrite(const ModelRewrite& model, const Scene& after, const SmoothFileOptions& options,
+                    SmoothedFile& result, Context& context) {
+    context.throw_if_cancelled();
+    context.progress("write", 0);
+    std::shared_ptr<const io::KeptObj> kept = model.kept;
+    result.changed = true;
+    switch (model.way) {
+        case RewriteWay::gltf_in_place:
+            return save_as_gltf(model, after, options, result, context);
+        case RewriteWay::obj_in_place:
+            result.changed =
+                io::rewrite_obj_normals(model.input, after, model.output,
+                                        {.allow_outside = model.load.allow_outside, .keep_obj = &kept}, context);
+            break;
+        case RewriteWay::new_gltf:
+            io::write_glb(after, model.output, context);
+            break;
+        case RewriteWay::new_obj:
+            io::write_obj(after, model.output, context);
+            break;
+        case RewriteWay::new_ply:
+            result.changed = write_ply(model, after, context);
+            break;
+    }
+    describe_all(model.before, after, result);
+}
+
+}  // namespace rakelight
