@@ -63,7 +63,7 @@ DOORS = {
 
 # Public header -> the module that implements it (and whose layer it belongs to).
 PUBLIC = {
-    "export": "base", "error": "base", "current_error": "base", "report": "base", "context": "base", "memory_budget": "base", "rare": "base", "interleaved": "base",
+    "export": "base", "error": "base", "current_error": "base", "report": "base", "context": "base", "memory_budget": "base", "rare": "base", "interleaved": "base", "file_ending": "base",
     "vector": "math", "linear": "math", "joint_influence": "math",
     "block": "image", "image": "image", "colormap": "image",
     "attributes": "geometry", "seams": "geometry", "matching_borders": "geometry",
@@ -72,7 +72,7 @@ PUBLIC = {
     "engine": "engines", "line": "engines", "values": "world", "request": "world", "settings_file": "world", "material_changes": "world", "load": "world",
     "radiosity": "radiosity", "render": "render", "session": "render", "gl_view": "render", "draw_alike": "render", "strip_sink": "engines", "exit_code": "base", "rows": "tools",
     "picture": "render", "camera_chooser": "render", "picture_parts": "render", "sequence": "render", "version": "render",
-    "check_scene": "tools", "compare": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "join_windows": "tools", "bake_files": "tools", "bench": "tools", "reference": "tools", "inspection_report": "tools", "text_file": "tools", "thumbnail": "tools", "smooth_file": "tools", "radiosity_file": "tools", "rakelight": "tools",
+    "check_scene": "tools", "compare": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "join_windows": "tools", "bake_files": "tools", "bench": "tools", "reference": "tools", "inspection_report": "tools", "text_file": "tools", "thumbnail": "tools", "smooth_file": "tools", "convert_file": "tools", "radiosity_file": "tools", "rakelight": "tools",
 }
 
 # Third-party include (regular expression) -> the modules, or the one file of a module, that may use it.

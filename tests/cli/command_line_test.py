@@ -323,7 +323,7 @@ class CommandLine(program.Case):
         self.write("a.obj", program.TWO_PARTS)
         self.write("a.png", "")
         self.fine("render", "a.obj", "-o", "a.png", *SIZE)
-        verbs = {"render": ("a.obj", "-o", "b.png", *SIZE), "inspect": ("a.obj",), "smooth": ("a.obj", "-o", "b.obj"), "check": ("a.obj",),
+        verbs = {"render": ("a.obj", "-o", "b.png", *SIZE), "inspect": ("a.obj",), "smooth": ("a.obj", "-o", "b.obj"), "convert": ("a.obj", "-o", "b.glb"), "check": ("a.obj",),
                  "explain": ("a.obj", "--pixel", "3,3", *SIZE), "stages": ("a.obj", "-o", "stages", *SIZE), "compare": ("a.png", "a.png"),
                  "join-windows": ("a.png", "-o", "c.png"), "bake": ("a.obj", "a.obj", "-o", "d.png", "--size", "32"),
                  "bench": ("smooth", "--triangles", "200", "--repetitions", "1")}
@@ -425,7 +425,7 @@ class CommandLine(program.Case):
         for words in ("rakelight helmet.glb -o helmet.png", "models/ -o", "--as-one", "--up +Z", "-o -", "--background white", "cloud.ply", "smooth knight.glb",
                       "--check --max-seam", "rakelight compare", "rakelight explain"):
             self.assertIn(words, text.partition("Examples:")[2])
-        for verb in ("render", "inspect", "smooth", "bench", "explain", "stages", "compare", "check", "join-windows", "bake", "radiosity", "view"):
+        for verb in ("render", "inspect", "smooth", "convert", "bench", "explain", "stages", "compare", "check", "join-windows", "bake", "radiosity", "view"):
             self.assertIn(f"  {verb} ", text)
 
     def test_the_documentation_is_what_the_program_says(self):
