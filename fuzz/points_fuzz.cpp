@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "io/ply/read_off.h"
 #include "io/ply/read_ply.h"
 #include "io/read_xyz.h"
 #include "prepare/splat_points.h"
@@ -24,6 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     // A folder that does not exist: no texture is ever found.
     try_reading(
         [&](Context& context) { return io::ply::read_ply_bytes(bytes, "no_such_folder/fuzz.ply", {}, context); });
+    try_reading([&](Context& context) { return io::ply::read_off_text(bytes, "no_such_folder/fuzz.off", context); });
     try_reading([&](Context& context) { return io::read_xyz_text(bytes, "no_such_folder/fuzz.xyz", context); });
     return 0;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/name_table.h"
+#include "fbx_smoothing.h"
 #include "io/import/stream_format.h"
 
 namespace rakelight::import_helper {
@@ -59,7 +60,8 @@ private:
 };
 
 std::vector<PartSource> list_parts(const aiScene& scene);
-Part convert_part(const aiMesh& mesh, const PartSource& source, const Format& format, JointTable& joints);
+Part convert_part(const aiMesh& mesh, const PartSource& source, const Format& format, const FbxSmoothing& smoothing,
+                  JointTable& joints);
 void note_dropped(const aiScene& scene, Document& out);  ///< what list_parts and convert_part leave out
 
 void convert_surfaces(const aiScene& scene, const Format& format, Document& out);

@@ -21,11 +21,15 @@ bool in_range(const aiMesh& mesh, const aiFace& face) {
                                         [&](unsigned i) { return i < mesh.mNumVertices; });
 }
 
-void convert_faces(const aiMesh& mesh, std::uint32_t topology, bool with_hint, Part& part) {
+void convert_faces(const aiMesh& mesh, std::uint32_t topology, bool with_hint, const MeshSmoothing& groups,
+                   Part& part) {
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
         const aiFace& face = mesh.mFaces[f];
         if (topology_of(face) != topology || !in_range(mesh, face)) continue;
         part.indices.insert(part.indices.end(), face.mIndices, face.mIndices + face.mNumIndices);
+        if (topology == 0 && !groups.masks.empty()) part.smoothing.push_back(groups.masks[face.mIndices[0]]);
+        for (unsigned k = 0; k < 3 && topology == 0 && !groups.fans.empty(); ++k)
+            part.smoothing_hint.push_back(groups.fans[face.mIndices[k]]);
         if (!with_hint) continue;
         for (unsigned k = 0; k < 3; ++k) part.smoothing_hint.push_back(to_vec3(mesh.mNormals[face.mIndices[k]]));
     }
@@ -140,13 +144,15 @@ std::vector<PartSource> list_parts(const aiScene& scene) {
     return parts;
 }
 
-Part convert_part(const aiMesh& mesh, const PartSource& source, const Format& format, JointTable& joints) {
+Part convert_part(const aiMesh& mesh, const PartSource& source, const Format& format, const FbxSmoothing& smoothing,
+                  JointTable& joints) {
     Part part;
     part.name = text(mesh.mName);
     part.topology = source.topology;
     part.surface = mesh.mMaterialIndex;
     convert_vertices(mesh, format, joints, part);
-    convert_faces(mesh, source.topology, format.hint_normals && mesh.HasNormals() && source.topology == 0, part);
+    convert_faces(mesh, source.topology, format.hint_normals && mesh.HasNormals() && source.topology == 0,
+                  smoothing.of(mesh), part);
     convert_quads(mesh, part);
     join_equal_vertices(part);
     return part;

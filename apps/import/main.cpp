@@ -16,9 +16,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include <rakelight/tools/current_error.h>
+#include <rakelight/tools/file_ending.h>
 
 #include "convert.h"
 #include "folder_io.h"
@@ -110,7 +113,25 @@ const aiScene& read(Assimp::Importer& importer, const Options& options, const Fo
     return *scene;
 }
 
-void send_scene(const aiScene& scene, const Format& format, Writer& writer) {
+/// Smoothing groups count where Assimp found no normals.
+FbxSmoothing smoothing_of(const std::string& file, const aiScene& scene, Document& document) {
+    const auto lacks_normals = [](const aiMesh* mesh) { return mesh->HasFaces() && !mesh->HasNormals(); };
+    if (std::none_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes, lacks_normals)) return {};
+    bool is_read = true;
+    FbxSmoothing smoothing;
+    try {
+        std::ifstream in(file, std::ios::binary);
+        const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+        smoothing = FbxSmoothing(read_fbx_geometries(std::as_bytes(std::span(bytes))));
+        is_read = !smoothing.has_unknown_kinds();
+    } catch (const std::exception&) {  // what Assimp could read is shown without
+        is_read = false;
+    }
+    if (!is_read) document.notes.push_back({1, {}, "smoothing groups that cannot be read are left out"});
+    return smoothing;
+}
+
+void send_scene(const aiScene& scene, const Options& options, const Format& format, Writer& writer) {
     const std::vector<PartSource> parts = list_parts(scene);
     if (parts.empty()) throw Error(ErrorCode::bad_file, "nothing to draw: the file holds no triangle, line or point");
     std::vector<std::vector<std::uint32_t>> parts_of_mesh(scene.mNumMeshes);
@@ -127,10 +148,12 @@ void send_scene(const aiScene& scene, const Format& format, Writer& writer) {
     convert_lamps_and_views(scene, nodes, document);
     convert_motions(scene, nodes, document);
     note_dropped(scene, document);
+    const FbxSmoothing smoothing =
+        format.ending == "fbx" ? smoothing_of(options.file, scene, document) : FbxSmoothing();
     writer.value(Head{magic, version, std::uint32_t(Kind::scene)});
     transfer(writer, document);
     for (const PartSource& source : parts) {
-        Part part = convert_part(*scene.mMeshes[source.mesh], source, format, joints);
+        Part part = convert_part(*scene.mMeshes[source.mesh], source, format, smoothing, joints);
         if (part.surface >= scene.mNumMaterials) part.surface = nothing;
         transfer(writer, part);
     }
@@ -150,7 +173,7 @@ int run(const Options& options) {
         // Never taken down: the end of the process does it faster and cannot crash.
         auto* importer = new Assimp::Importer;
         const Format format = format_of(options.file);
-        send_scene(read(*importer, options, format), format, writer);
+        send_scene(read(*importer, options, format), options, format, writer);
         output.flush();
         _exit(0);
     } catch (...) {
@@ -167,10 +190,7 @@ int run(const Options& options) {
 
 Format format_of(const std::string& path) {
     Format format;
-    const std::size_t dot = path.rfind('.');
-    if (dot != std::string::npos) format.ending = path.substr(dot + 1);
-    for (char& c : format.ending)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    format.ending = file_ending(path);
     const std::string& e = format.ending;
     format.file_normals = e == "fbx" || e == "dae" || e == "x";
     format.hint_normals = e == "3ds" || e == "ase";

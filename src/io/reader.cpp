@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <new>
 #include <span>
 #include <string_view>
 #include <utility>
+
+#include <rakelight/tools/file_ending.h>
 
 #include "base/left_out.h"
 #include "io/content_kind.h"
@@ -18,6 +19,7 @@
 #include "io/gltf/read_gltf.h"
 #include "io/obj/read_obj.h"
 #include "io/plain_text.h"
+#include "io/ply/read_off.h"
 #include "io/ply/read_ply.h"
 #include "io/read_xyz.h"
 #include "scene/scene_tools.h"
@@ -25,7 +27,7 @@
 namespace rakelight::io {
 namespace {
 
-enum class Reader : std::uint8_t { gltf, obj, ply, xyz, import_helper };
+enum class Reader : std::uint8_t { gltf, obj, ply, off, xyz, import_helper };
 
 struct Format {
     std::string_view ending, name;
@@ -38,6 +40,7 @@ constexpr Format formats[] = {
     {"glb", "GLB", Reader::gltf, true},
     {"obj", "OBJ", Reader::obj, false},
     {"ply", "PLY", Reader::ply, false},
+    {"off", "OFF", Reader::off, false},
     {"xyz", "XYZ", Reader::xyz, false},
     {"pts", "PTS", Reader::xyz, false},
 #if RL_IMPORT
@@ -47,7 +50,6 @@ constexpr Format formats[] = {
     {"ase", "ASE", Reader::import_helper, false},
     {"blend", "Blend", Reader::import_helper, true},
     {"stl", "STL", Reader::import_helper, false},
-    {"off", "OFF", Reader::import_helper, false},
     {"x", "X", Reader::import_helper, false},
 #endif
 };
@@ -56,15 +58,6 @@ const Format* format_of(std::string_view ending) {
     for (const Format& f : formats)
         if (f.ending == ending) return &f;
     return nullptr;
-}
-
-/// The part after the last dot of the file name, ASCII letters in lower case.
-std::string ending_of(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    if (!ending.empty()) ending.erase(0, 1);
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    return ending;
 }
 
 constexpr std::size_t head_bytes = 64;  ///< that content_kind() looks at
@@ -97,13 +90,13 @@ bool may_hold(const Format& format, const ContentKind& kind) {
 
 /// Endings of formats that the import helper would read.
 bool is_left_out(const std::string& ending) {
-    constexpr std::array<std::string_view, 8> endings{"fbx", "dae", "3ds", "ase", "blend", "stl", "off", "x"};
+    constexpr std::array<std::string_view, 7> endings{"fbx", "dae", "3ds", "ase", "blend", "stl", "x"};
     return !RL_IMPORT && std::ranges::find(endings, ending) != endings.end();
 }
 
 /// @param head  the first bytes of the file
 const Format& choose_format(const std::string& path, std::span<const std::byte> head, Context& context) {
-    const std::string ending = ending_of(path);
+    const std::string ending = file_ending(path);
     const ContentKind kind = content_kind(head);
     if (ending == "max") refuse_max();
     if (head.empty()) throw Error(ErrorCode::bad_file, "the file is empty");
@@ -139,6 +132,8 @@ Scene read_as(const Format& format, const std::string& path, const ReadOptions& 
             return read_obj(path, options, context);
         case Reader::ply:
             return read_ply(path, options, context);
+        case Reader::off:
+            return read_off(path, options, context);
         case Reader::xyz:
             return read_xyz(path, options, context);
         case Reader::import_helper:
@@ -158,6 +153,8 @@ Scene read_as(const Format& format, const std::string& path, Bytes bytes, const 
             return obj::read_obj_text(PlainText(text_of(bytes), path, context).view(), path, options, context);
         case Reader::ply:
             return ply::read_ply_bytes(text_of(bytes), path, options, context);
+        case Reader::off:
+            return ply::read_off_text(text_of(bytes), path, context);
         case Reader::xyz:
             return read_xyz_text(text_of(bytes), path, context);
         case Reader::import_helper:
@@ -184,10 +181,10 @@ Scene read_valid(const std::string& path, Context& context, const Read& read) {
 
 }  // namespace
 
-bool has_model_ending(const std::string& path) { return format_of(ending_of(path)) != nullptr; }
+bool has_model_ending(const std::string& path) { return format_of(file_ending(path)) != nullptr; }
 
 const char* length_unit(const std::string& path) {
-    const Format* const format = format_of(ending_of(path));
+    const Format* const format = format_of(file_ending(path));
     return format && !format->has_meters ? "units" : "m";
 }
 

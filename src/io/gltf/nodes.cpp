@@ -54,6 +54,34 @@ void Nodes::read() {
         stack.pop_back();
         place(next, stack);
     }
+    say_what_other_scenes_show();
+}
+
+void Nodes::say_what_other_scenes_show() const {
+    const Value& root = document().root();
+    std::uint64_t unplaced = 0;  // nodes with meshes
+    std::vector<bool> is_seen(scene_of_.size(), false);
+    std::vector<std::uint32_t> stack;
+    const auto add = [&](const Value& list) {
+        for (const std::uint32_t node : indices_of(list))
+            if (node < is_seen.size() && !is_seen[node]) is_seen[node] = true, stack.push_back(node);
+    };
+    try {
+        for (std::uint32_t s = 0; s < document().count(scene_kind); ++s)
+            add(document().element(scene_kind, s, root).list("nodes"));
+        while (!stack.empty()) {
+            const std::uint32_t number = stack.back();
+            const Value node = document().element(node_kind, number, root);
+            stack.pop_back();
+            unplaced += scene_of_[number] == no_index && node.has("mesh");
+            add(node.list("children"));
+        }
+    } catch (const Error&) {  // what is not read may be broken
+    }
+    if (unplaced > 0)
+        document().remark(Remark::dropped, {},
+                          format_text("only the default scene is read: {} node{} with a mesh {} in other scenes alone",
+                                      unplaced, unplaced == 1 ? "" : "s", unplaced == 1 ? "is" : "are"));
 }
 
 void Nodes::place(const Waiting& waiting, std::vector<Waiting>& stack) {

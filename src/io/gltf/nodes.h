@@ -33,6 +33,7 @@ private:
     std::vector<Waiting> roots();
     void place(const Waiting& waiting, std::vector<Waiting>& stack);
     void attach_mesh(const Value& source, std::uint32_t node);
+    void say_what_other_scenes_show() const;
     void add_instances(const Value& source, const Value& extension, std::uint32_t node);
     const Document& document() const { return accessors_.document(); }
 

@@ -82,6 +82,8 @@ void detail::add_meshes(import_stream::Import& import, const std::string& path, 
         if (had_tangents && mesh.tangents.empty())
             context.report().add(Remark::dropped, path, "mesh '" + one_line(mesh.name, 60) + "'",
                                  "the file's tangents contain zeros and are recomputed");
+        mesh.smoothing = block(std::move(part.smoothing));
+        if (!mesh.smoothing.empty()) mesh.smoothing_kind = SmoothingKind::masks;
         mesh.smoothing_hint = block(std::move(part.smoothing_hint));
         mesh.polygons = block(std::move(part.polygons));
         for (auto& set : part.texcoords) mesh.texcoords.push_back(block(v_down(std::move(set))));

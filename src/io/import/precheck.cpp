@@ -86,9 +86,8 @@ void check_x(const Suspect& s) {
 }
 
 void check_before_import(const std::string& ending, const Suspect& s) {
-    static constexpr std::array<std::pair<std::string_view, void (*)(const Suspect&)>, 8> checks = {
+    static constexpr std::array<std::pair<std::string_view, void (*)(const Suspect&)>, 7> checks = {
         {{"stl", check_stl},
-         {"off", check_off},
          {"3ds", check_3ds},
          {"ase", check_ase},
          {"blend", check_blend},

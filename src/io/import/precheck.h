@@ -20,7 +20,6 @@ struct Suspect {
 };
 
 void check_stl(const Suspect& s);
-void check_off(const Suspect& s);
 void check_3ds(const Suspect& s);
 void check_ase(const Suspect& s);
 void check_blend(const Suspect& s);

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// STL and OFF: what the header promises against what the file holds.
-#include <array>
-#include <charconv>
+// STL: what the header promises against what the file holds.
 #include <cstdint>
 #include <cstring>
 #include <string_view>
-#include <vector>
 
 #include "base/format_text.h"
 #include "io/import/precheck.h"
@@ -18,25 +15,6 @@ std::string_view text_of(const Suspect& s) { return {reinterpret_cast<const char
 std::uint64_t count_of(std::string_view text, std::string_view word) {
     std::uint64_t n = 0;
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + word.size())) ++n;
-    return n;
-}
-
-/// Cuts the next word off; empty at the end.
-std::string_view next_word(std::string_view& rest) {
-    const std::size_t begin = rest.find_first_not_of(" \t\r\n");
-    if (begin == std::string_view::npos) return rest = {};
-    const std::size_t end = std::min(rest.find_first_of(" \t\r\n", begin), rest.size());
-    const std::string_view word = rest.substr(begin, end - begin);
-    rest.remove_prefix(end);
-    return word;
-}
-
-std::uint64_t to_count(std::string_view word, const char* what) {
-    std::uint64_t n = 0;
-    const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), n);
-    if (problem != std::errc() || end != word.data() + word.size() || n > (1ull << 40))
-        throw Error(ErrorCode::bad_file,
-                    "the number of " + std::string(what) + " is '" + one_line(std::string(word), 40) + "'");
     return n;
 }
 
@@ -86,26 +64,6 @@ void check_stl(const Suspect& s) {
         throw Error(ErrorCode::bad_file,
                     "not an STL file (neither text beginning with 'solid' nor the size of a binary one)");
     check_ascii_stl(s);
-}
-
-void check_off(const Suspect& s) {
-    std::string_view rest = text_of(s);
-    const auto next_uncommented = [&rest] {
-        for (std::string_view word = next_word(rest);; word = next_word(rest)) {
-            if (!word.starts_with('#')) return word;
-            rest.remove_prefix(std::min(rest.find('\n'), rest.size()));
-        }
-    };
-    const std::string_view key = next_uncommented();
-    if (!key.ends_with("OFF")) throw Error(ErrorCode::bad_file, "not an OFF file (it does not begin with 'OFF')");
-    std::string_view word = next_uncommented();
-    if (word == "BINARY")
-        throw Error(ErrorCode::bad_file, "binary OFF files are not supported", {}, "export text OFF or PLY");
-    const std::uint64_t vertices = to_count(word, "vertices"), faces = to_count(next_uncommented(), "faces");
-    if (vertices * 6 > rest.size() + 1) too_few("vertices", vertices, vertices * 6, rest.size());
-    if (faces * 2 > rest.size() + 1) too_few("faces", faces, faces * 2, rest.size());
-    if (vertices == 0 || faces == 0)
-        throw Error(ErrorCode::bad_file, "nothing to draw: the file holds no vertex or no face");
 }
 
 }  // namespace rakelight::io

@@ -3,6 +3,8 @@
 #include <map>
 #include <span>
 
+#include <rakelight/tools/file_ending.h>
+
 #include "io/file.h"
 #include "io/import/collada_cameras.h"
 #include "io/import/helper_process.h"
@@ -14,13 +16,6 @@
 
 namespace rakelight::io {
 namespace {
-
-std::string ending_of(const std::string& path) {
-    const std::size_t dot = path.rfind('.');
-    std::string ending = dot == std::string::npos ? "" : path.substr(dot + 1);
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-    return ending;
-}
 
 /// Address space of the helper: three quarters of what the data of files may take, for Assimp holds its own copy beside ours.
 std::uint64_t helper_memory(const MemoryBudget& budget) { return budget.limit() / 4 * 3; }
@@ -40,11 +35,18 @@ struct Checked {
 
 Checked checked(const std::string& path, std::span<const std::byte> bytes, const ReadOptions& options,
                 Context& context) {
-    Checked out{.ending = ending_of(path), .limits = {}, .cameras = {}};
+    Checked out{.ending = file_ending(path), .limits = {}, .cameras = {}};
     check_before_import(out.ending, {bytes, path, context.report()});
     out.limits = {seconds_for(bytes.size(), options), helper_memory(context.memory()), options.allow_outside};
     if (out.ending == "dae") out.cameras = collada_cameras(bytes);
     return out;
+}
+
+/// Blender changes its files with each version, and Assimp knows the old ones: whatever is wrong, there is a way around it.
+Error advised(const Error& e, const std::string& path) {
+    if (file_ending(path) != "blend" || e.code() != ErrorCode::bad_file || !e.advice().empty())
+        return e.with_file(path);
+    return Error(e.code(), e.reason(), e.place(), "export glTF from Blender: File > Export > glTF 2.0").with_file(path);
 }
 
 /// @param file  what the helper reads, with the same ending as `path`
@@ -66,7 +68,7 @@ Scene read_with_import_helper(const std::string& path, const ReadOptions& option
         const Checked known = checked(path, *read_file(path, context), options, context);
         return import_file(path, path, known, options, context);
     } catch (const Error& e) {
-        throw e.with_file(path);
+        throw advised(e, path);
     }
 }
 
@@ -77,7 +79,7 @@ Scene read_with_import_helper(const std::string& path, const Bytes& bytes, const
         const TemporaryFile file("model." + known.ending, *bytes);
         return import_file(path, file.path(), known, options, context);
     } catch (const Error& e) {
-        throw e.with_file(path);
+        throw advised(e, path);
     }
 }
 

@@ -19,7 +19,7 @@ namespace rakelight::io::import_stream {
 static_assert(std::endian::native == std::endian::little, "the stream is written by memcpy");
 
 inline constexpr std::uint64_t magic = 0x31504D4954474B52;  // "RKGTIMP1"
-inline constexpr std::uint32_t version = 3;                 // both programs come from one build; raise at every change
+inline constexpr std::uint32_t version = 4;                 // both programs come from one build; raise at every change
 inline constexpr std::uint64_t end_mark = 0x444E45504D49474B;  // the last eight bytes: nothing was lost
 inline constexpr std::uint32_t nothing = 0xFFFFFFFF;           // "no such element" of every index
 
@@ -142,6 +142,7 @@ struct Part {
     std::vector<std::uint32_t> indices;        ///< [3T], [2L] or [P]
     std::vector<vec3> normals;                 ///< [V] or empty
     std::vector<vec4> tangents;                ///< [V] or empty
+    std::vector<std::uint32_t> smoothing;      ///< [T] masks of groups, or empty
     std::vector<vec3> smoothing_hint;          ///< [3T] or empty
     std::vector<std::uint32_t> polygons;       ///< [T] or empty: as Mesh::polygons
     std::vector<std::vector<vec2>> texcoords;  ///< v up
@@ -276,6 +277,7 @@ void transfer(Io& io, Part& p) {
     io.array(p.indices);
     io.array(p.normals);
     io.array(p.tangents);
+    io.array(p.smoothing);
     io.array(p.smoothing_hint);
     io.array(p.polygons);
     io.arrays(p.texcoords);

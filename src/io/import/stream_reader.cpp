@@ -85,6 +85,7 @@ void check_part(const Part& p, const Document& d) {
     const auto fits = [v](std::size_t n) { return n == 0 || n == v; };
     require(fits(p.normals.size()) && fits(p.tangents.size()) && fits(p.colors.size()) && fits(p.influences.size()),
             "size of a vertex array");
+    require(p.smoothing.empty() || (p.topology == 0 && p.smoothing.size() == i / 3), "size of a list of groups");
     require(p.polygons.empty() || (p.topology == 0 && p.polygons.size() == i / 3), "size of a triangle array");
     require(p.smoothing_hint.empty() || (p.topology == 0 && p.smoothing_hint.size() == i), "size of a corner array");
     require(p.texcoords.size() <= most_texcoord_sets, "number of texture coordinate sets");

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <rakelight/tools/words.h>
+
 #include "io/obj/obj_lines.h"
 #include "io/obj/obj_numbers.h"
 #include "io/obj/polygon.h"
@@ -108,8 +110,8 @@ private:
     void smoothing(Tokens words) {
         Token word;
         std::uint32_t group = 0;
-        if (words.next(word) && word.text != "off") {
-            const auto number = parse_integer(word.text);
+        if (words.next(word) && !same_word("off", word.text)) {
+            const auto number = same_word("on", word.text) ? std::int64_t(1) : parse_integer(word.text);
             if (number && *number >= 0 && *number < std::int64_t(no_index))
                 group = std::uint32_t(*number);
             else

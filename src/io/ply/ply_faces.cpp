@@ -15,7 +15,7 @@ template <class T>
 void make_room(std::vector<T>& array, std::size_t more, MemoryCharge& charge) {
     if (array.capacity() - array.size() >= more) return;
     const std::size_t before = array.capacity(), capacity = std::max(2 * before, array.size() + more);
-    charge.grow(capacity * sizeof(T), "the faces of a PLY file");
+    charge.grow(capacity * sizeof(T), "the faces of a file");
     array.reserve(capacity);
     charge.shrink(before * sizeof(T));
 }
@@ -115,20 +115,11 @@ private:
     }
 
     void add() {
-        triangles_.clear();
-        if (corners_.size() == 3) {
-            triangles_ = {0, 1, 2};
-        } else {
-            places_.clear();
-            const std::uint64_t work = corners_.size() * obj::polygon_bytes;
-            out_.charge.grow(work, "a polygon of a PLY file");
-            for (const std::uint32_t c : corners_) places_.push_back(vertices_.position(c));
-            obj::triangulate(places_, triangles_);
-            out_.charge.shrink(work);
+        values_.clear(), triangles_.clear();
+        for (const std::uint32_t k : cutter_.cut(corners_, vertices_, out_.charge)) {
+            if (has_values_) values_.push_back(value_of(k));
+            triangles_.push_back(corners_[k]);
         }
-        values_.clear();
-        for (std::size_t k = 0; k < triangles_.size() && has_values_; ++k) values_.push_back(value_of(triangles_[k]));
-        for (std::uint32_t& k : triangles_) k = corners_[k];
         out_.add(triangles_, values_);
     }
 
@@ -151,7 +142,7 @@ private:
     std::vector<CornerValue> values_;  ///< of `triangles_`
     bool has_values_ = false;          ///< of this element's faces
     std::vector<float> uvs_;
-    std::vector<dvec3> places_;
+    PolygonCutter cutter_;
     ColorColumns columns_;
     vec4 color_{0, 0, 0, 1};   ///< of the face, as the file has it
     std::size_t first_value_;  ///< of this element, in the values of all
@@ -159,6 +150,22 @@ private:
 };
 
 }  // namespace
+
+std::span<const std::uint32_t> PolygonCutter::cut(std::span<const std::uint32_t> corners, const VertexTable& vertices,
+                                                  MemoryCharge& charge) {
+    triangles_.clear();
+    if (corners.size() == 3) {
+        triangles_ = {0, 1, 2};
+        return triangles_;
+    }
+    places_.clear();
+    const std::uint64_t work = corners.size() * obj::polygon_bytes;
+    charge.grow(work, "a polygon");
+    for (const std::uint32_t c : corners) places_.push_back(vertices.position(c));
+    obj::triangulate(places_, triangles_);
+    charge.shrink(work);
+    return triangles_;
+}
 
 void Faces::add(std::span<const std::uint32_t> corners, std::span<const CornerValue> own) {
     const std::size_t before = triangles.size() / 3, after = before + corners.size() / 3;

@@ -33,6 +33,18 @@ struct Faces {
     void add(std::span<const std::uint32_t> corners, std::span<const CornerValue> values);
 };
 
+/// Cuts polygons into triangles.
+class PolygonCutter {
+public:
+    /// @param corners  [n] vertices, n >= 3  @return [3 (n - 2)] numbers of corners, until the next call
+    std::span<const std::uint32_t> cut(std::span<const std::uint32_t> corners, const VertexTable& vertices,
+                                       MemoryCharge& charge);
+
+private:
+    std::vector<std::uint32_t> triangles_;
+    std::vector<dvec3> places_;
+};
+
 /// Reads the faces. Those with fewer than 3 corners, or with vertex numbers out of range, are left out with a remark.
 /// @param takes_colors  vertices have none
 void read_faces(Cursor& cursor, const Element& element, Format format, const VertexTable& vertices, bool takes_colors,

@@ -37,6 +37,19 @@ TEST(GltfNodes, OnlyTheDefaultSceneIsRead) {
     EXPECT_EQ(file.load().nodes.size(), 1u);
 }
 
+TEST(GltfNodes, WhatOtherScenesShowIsSaid) {
+    GltfFile file;
+    file.triangle();
+    file.root["scenes"] = {{{"nodes", {0}}}, {{"nodes", {0, 1}}}, {{"nodes", {3}}}};
+    file.root["nodes"] = {{{"mesh", 0}}, {{"children", {2}}}, {{"mesh", 0}}, {{"mesh", 0}}, {{"mesh", 0}}};
+    Context some({.threads = 1}), none({.threads = 1});
+    EXPECT_EQ(file.load(some).nodes.size(), 1u);
+    EXPECT_TRUE(is_said(some, Remark::dropped, "only the default scene is read: 2 nodes with a mesh are in other"));
+    file.root["scenes"] = {{{"nodes", {0, 1}}}, {{"nodes", {0}}}};
+    EXPECT_EQ(file.load(none).nodes.size(), 3u);
+    EXPECT_FALSE(is_said(none, Remark::dropped, "only the default scene"));
+}
+
 TEST(GltfNodes, WithoutScenesAllRootsAreShown) {
     GltfFile file;
     file.triangle();

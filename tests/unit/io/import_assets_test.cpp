@@ -51,7 +51,7 @@ std::vector<Row> index_rows() {
         if (cells.size() < 4) continue;
         std::string ending = std::filesystem::path(cells[0]).extension().string();
         for (char& c : ending) c = char(std::tolower(c));
-        if (std::string(" .fbx .dae .3ds .ase .blend .stl .off .x ").find(" " + ending + " ") == std::string::npos ||
+        if (std::string(" .fbx .dae .3ds .ase .blend .stl .x ").find(" " + ending + " ") == std::string::npos ||
             ending.empty())
             continue;
         Row row{folder + "/" + cells[0], 0, 0, cells[3].find("cannot") != std::string::npos};

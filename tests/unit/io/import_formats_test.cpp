@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Small files of our own through the real helper: formats without an asset, odd names, textures, limits.
+#include <cstring>
 #include <numbers>
 
 #include "import_support.h"
@@ -15,10 +16,12 @@ namespace {
 
 using ImportFormats = ImportTest;
 
-constexpr const char* off_square = "OFF\n4 1 0\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n4 0 1 2 3\n";
+constexpr const char* stl_square =
+    "solid square\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 2 1 0\nendloop\nendfacet\n"
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 1 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid square\n";
 
-TEST_F(ImportFormats, OffPolygonsBecomeTriangles) {
-    const Outcome outcome = read_import(write("square.off", off_square));
+TEST_F(ImportFormats, StlTrianglesShareVertices) {
+    const Outcome outcome = read_import(write("square.stl", stl_square));
     ASSERT_TRUE(outcome.scene) << outcome.what();
     EXPECT_EQ(triangle_count(*outcome.scene), 2u);
     EXPECT_EQ(outcome.scene->meshes[0].positions.size(), 4u);
@@ -28,16 +31,16 @@ TEST_F(ImportFormats, OffPolygonsBecomeTriangles) {
 
 TEST_F(ImportFormats, NamesThatLookLikeOptionsAreNames) {
     const auto here = std::filesystem::current_path();
-    write("--memory.off", off_square);
-    write("-", off_square);
+    write("--memory.stl", stl_square);
+    write("-", stl_square);
     std::filesystem::current_path(folder_.path());
-    const Outcome outcome = read_import("--memory.off");
+    const Outcome outcome = read_import("--memory.stl");
     std::filesystem::current_path(here);
     EXPECT_TRUE(outcome.scene) << outcome.what();
 }
 
 TEST_F(ImportFormats, NamesWithSpacesQuotesAndUmlautsAreNames) {
-    const Outcome outcome = read_import(write("a b/it's \"\xC3\xA4\" $(x).off", off_square));
+    const Outcome outcome = read_import(write("a b/it's \"\xC3\xA4\" $(x).stl", stl_square));
     EXPECT_TRUE(outcome.scene) << outcome.what();
 }
 
@@ -131,10 +134,10 @@ TEST_F(ImportFormats, MemoryBeyondTheLimitIsOneClearError) {
 #if defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "the helper's address space has no limit";
 #endif
-    std::string big = "OFF\n60000 20000 0\n";
-    for (int i = 0; i < 60000; ++i) big += "1 2 3\n";
-    for (int i = 0; i < 20000; ++i) big += "3 0 1 2\n";
-    const Outcome outcome = read_import(write("big.off", big), {}, {.threads = 1, .max_memory = 600000});
+    constexpr std::uint32_t triangles = 11000;
+    std::string big(84 + 50 * triangles, ' ');
+    std::memcpy(big.data() + 80, &triangles, 4);
+    const Outcome outcome = read_import(write("big.stl", big), {}, {.threads = 1, .max_memory = 600000});
     ASSERT_TRUE(outcome.error);
     EXPECT_EQ(outcome.error->code(), ErrorCode::bad_file) << outcome.what();
 }

@@ -11,7 +11,7 @@ bool is_ours(const std::string& name) {
     std::string ending = std::filesystem::path(name).extension().string();
     for (char& c : ending) c = char(std::tolower(c));
     return !ending.empty() &&
-           std::string(" .fbx .dae .3ds .ase .blend .stl .off .x ").find(" " + ending + " ") != std::string::npos;
+           std::string(" .fbx .dae .3ds .ase .blend .stl .x ").find(" " + ending + " ") != std::string::npos;
 }
 
 bool is_generated(const std::string& name) {

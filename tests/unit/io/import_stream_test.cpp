@@ -19,6 +19,7 @@ Part quad() {
     p.normals.assign(4, {0, 0, 1});
     p.texcoords = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
     p.smoothing_hint.assign(6, {0, 0, 1});
+    p.smoothing = {1, 2};
     p.polygons.assign(2, 0);
     p.influences.resize(4);
     p.influences[0].weights[0] = 1;
@@ -76,6 +77,7 @@ TEST(ImportStream, WhatIsWrittenIsRead) {
     EXPECT_EQ(got.parts[0].indices, want.indices);
     EXPECT_EQ(got.parts[0].texcoords, want.texcoords);
     EXPECT_EQ(got.parts[0].smoothing_hint, want.smoothing_hint);
+    EXPECT_EQ(got.parts[0].smoothing, want.smoothing);
     EXPECT_EQ(got.parts[0].polygons, want.polygons);
     EXPECT_EQ(got.parts[0].shapes[0].name, "smile");
     EXPECT_EQ(got.document.surfaces[0].links[0].path, "a.png");
@@ -111,6 +113,7 @@ TEST(ImportStream, SizesThatDoNotFitAreRefused) {
     expect_refused("tangents", [](Document&, Part& p) { p.tangents.resize(3); });
     expect_refused("texcoords", [](Document&, Part& p) { p.texcoords[0].resize(5); });
     expect_refused("triangle array", [](Document&, Part& p) { p.polygons.resize(3); });
+    expect_refused("list of groups", [](Document&, Part& p) { p.smoothing.resize(3); });
     expect_refused("hint", [](Document&, Part& p) { p.smoothing_hint.resize(5); });
     expect_refused("shape", [](Document&, Part& p) { p.shapes[0].positions.resize(3); });
     expect_refused("values", [](Document& d, Part&) { d.motions[0].tracks[0].values.pop_back(); });
