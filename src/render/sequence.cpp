@@ -6,6 +6,7 @@
 #include <new>
 
 #include <rakelight/picture_parts.h>
+#include <rakelight/tools/file_ending.h>
 #include <rakelight/validate.h>
 
 #include "io/file.h"
@@ -37,10 +38,15 @@ bool moves_materials(const Scene& scene) {
     });
 }
 
+/// Then materials are changed as they are at the moment of a picture, as in a single one.
+bool changes_materials(const PictureRequest& request) {
+    return !(request.materials == MaterialOverrides{}) || request.preset != Preset::none || request.coloring.is_on;
+}
+
 /// The picture is there: whole and, where that can be seen by a glance at the file, as large as it shall be.
 bool is_there(const PictureRequest& request) {
     const std::string& path = request.output;
-    if (!path.ends_with(".png")) return io::is_regular_file(path);
+    if (file_ending(path) != "png") return io::is_regular_file(path);
     const std::optional<io::PngHeader> header = io::header_of_whole_png(path);
     const Window window = whole_window(request.settings);
     return header && header->width == std::uint32_t(window.width) && header->height == std::uint32_t(window.height) &&
@@ -110,7 +116,7 @@ void Sequence::begin() {
     const Scene first = scene_at(loaded_, plan_.clips_at(plan_.begin_s()));
     apply_look(first, request_, context_);
     request_.coloring = completed(first, request_.coloring);
-    is_asked_at_moments_ = moves_materials(loaded_) && !(request_.materials == MaterialOverrides{});
+    is_asked_at_moments_ = moves_materials(loaded_) && changes_materials(request_);
     if (!is_asked_at_moments_) asked_ = with_splats(as_requested(loaded_, request_, context_), request_, context_);
     const Scene asked = asked_scene_at(plan_.begin_s(), context_);
     check_drawable(asked);
@@ -148,7 +154,7 @@ void Sequence::draw_picture(SequenceFrame frame, const PictureRequest& request, 
     result.channel_range = channel_range_of(views_->bounds(), camera);
     count_parts(scenes_.current(), result);
     result.prepare_ms = clock_.lap_ms();
-    const bool is_color_alone = request.settings.channels == 0 && request.output.ends_with(".png");
+    const bool is_color_alone = request.settings.channels == 0 && file_ending(request.output) == "png";
     Pixels color;
     if (is_color_alone)
         draw_to_memory(session_, camera, request, result, color, context);
@@ -158,7 +164,7 @@ void Sequence::draw_picture(SequenceFrame frame, const PictureRequest& request, 
     if (drawn_ == 0) remark_extremes(scenes_.posed(context), request, result, context.report());
     ++drawn_;
     if (is_color_alone)
-        writer.write(std::move(frame), std::move(color), comment_of(request.settings));
+        writer.write(std::move(frame), std::move(color), request.settings);
     else
         writer.add(std::move(frame));
 }

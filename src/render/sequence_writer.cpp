@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "io/image_io.h"
+#include "render/draw_to_memory.h"
+#include "render/picture_steps.h"
 #include "render/stopwatch.h"
 
 namespace rakelight {
@@ -23,9 +25,11 @@ void SequenceWriter::add(SequenceFrame frame) {
     while (!pending_.empty() && !pending_.front().write_ms.valid()) take_first();
 }
 
-void SequenceWriter::write(SequenceFrame frame, Pixels pixels, std::string comment) {
+void SequenceWriter::write(SequenceFrame frame, Pixels pixels, const RenderSettings& settings) {
+    const Window window = whole_window(settings);
     io::OutputTarget target(frame.picture.output);
-    target.comment = std::move(comment);
+    target.comment = comment_of(settings);
+    target.place = {window.x, window.y, settings.width, settings.height};
     auto work = [target = std::move(target), pixels = std::make_shared<const Pixels>(std::move(pixels))] {
         const Stopwatch watch;
         io::write_image(target, *pixels);

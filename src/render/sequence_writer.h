@@ -21,8 +21,9 @@ public:
 
     /// A picture whose file exists.
     void add(SequenceFrame frame);
-    /// @param comment  into the file @throws Error failed: this or an earlier one cannot be written
-    void write(SequenceFrame frame, Pixels pixels, std::string comment);
+    /// @param settings  that it was drawn by: which part of the whole it is @throws Error failed: this or an earlier one cannot be
+    ///                  written
+    void write(SequenceFrame frame, Pixels pixels, const RenderSettings& settings);
     /// Waits until all pictures are complete. @throws Error as write()
     void finish();
     /// The same where something else has failed already.

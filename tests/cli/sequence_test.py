@@ -37,6 +37,26 @@ def write_clip(path, seconds=1.0):
     models.write_glb(path, {**models.triangle_gltf([{"mesh": 0}]), "accessors": accessors, "bufferViews": views, "animations": [animation]}, binary)
 
 
+def write_shine(path):
+    """A triangle, turned a little to the light, whose roughness and color change within a second."""
+    points = struct.pack("<9f", -0.4, -0.4, 0, 0.4, -0.4, 0, 0, 0.4, 0.05)
+    times, rough, colors = struct.pack("<2f", 0, 1), struct.pack("<2f", 0.9, 0.2), struct.pack("<8f", 0.2, 0.4, 0.8, 1, 0.8, 0.2, 0.1, 1)
+    binary, views = b"", []
+    for part in (points, times, rough, colors):
+        views.append({"buffer": 0, "byteOffset": len(binary), "byteLength": len(part)})
+        binary += part
+    accessors = [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-0.4, -0.4, 0], "max": [0.4, 0.4, 0.05]},
+                 {"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]},
+                 {"bufferView": 2, "componentType": 5126, "count": 2, "type": "SCALAR"}, {"bufferView": 3, "componentType": 5126, "count": 2, "type": "VEC4"}]
+    target = lambda name: {"path": "pointer", "extensions": {"KHR_animation_pointer": {"pointer": "/materials/0/pbrMetallicRoughness/" + name}}}  # noqa: E731
+    animation = {"samplers": [{"input": 1, "output": 2}, {"input": 1, "output": 3}],
+                 "channels": [{"sampler": 0, "target": target("roughnessFactor")}, {"sampler": 1, "target": target("baseColorFactor")}]}
+    tree = models.triangle_gltf([{"mesh": 0}])
+    tree["meshes"][0]["primitives"][0]["material"] = 0
+    models.write_glb(path, {**tree, "accessors": accessors, "bufferViews": views, "animations": [animation], "extensionsUsed": ["KHR_animation_pointer"],
+                            "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.2, 0.4, 0.8, 1], "metallicFactor": 0, "roughnessFactor": 0.9}}]}, binary)
+
+
 def chunks(path):
     """[(kind, data)] of a PNG or APNG file, with checked sums."""
     data, at, found = pathlib.Path(path).read_bytes(), 8, []
@@ -74,6 +94,33 @@ class Sequences(Case):
         self.assertEqual(self.pictures("parts"), whole)
         self.render("-o", "alone.png", "--fps", "10", "--frames", "5")
         self.assertEqual((self.folder / "alone.0005.png").read_bytes(), whole["0005.png"])
+
+    def test_windows_of_frames_are_joined_as_those_of_pictures(self):
+        for kind, looks in (("png", ((), ("--background", "transparent"))), ("exr", ((),))):
+            for options in looks:
+                with self.subTest(kind=kind, options=options):
+                    common = ("--fps", "2", "--frames", "0:1", *options)
+                    self.render("-o", f"whole{{frame}}.{kind}", *common)
+                    for name, window in (("left", "0,0,40,48"), ("right", "40,0,24,48")):
+                        self.render("-o", f"{name}{{frame}}.{kind}", "--window", window, *common)
+                    for frame in ("0", "1"):
+                        joined = self.run_program("join-windows", f"left{frame}.{kind}", f"right{frame}.{kind}", "-o", f"joined{frame}.{kind}")
+                        self.assertEqual(joined.code, 0, joined.err)
+                        self.assertEqual((self.folder / f"joined{frame}.{kind}").read_bytes(), (self.folder / f"whole{frame}.{kind}").read_bytes())
+        self.render("-o", "single.png", "--animation-time", "0", "--animation-index", "0", "--window", "40,0,24,48", "--background", "transparent")
+        self.assertEqual((self.folder / "single.png").read_bytes(), (self.folder / "right0.png").read_bytes())
+
+    def test_a_frame_of_animated_materials_is_the_picture_of_its_moment(self):
+        """Whatever the request changes materials to: the change comes after the clip."""
+        write_shine(self.folder / "shine.glb")
+        for options in (("--preset", "fixed-function"), (), ("--lighting", "blinn-phong"), ("--preset", "fixed-function", "--engine", "trace")):
+            with self.subTest(options=options):
+                light = ("--camera-position", "0,0,2", "--camera-focal-point", "0,0,0", "--light", "directional:0,-0.05,-1", *options)
+                self.render("-o", "f{frame}.png", "--fps", "2", "--frames", "0:2", *light, model="shine.glb")
+                for frame, time_s in ((0, "0"), (1, "0.5"), (2, "1")):
+                    self.render("-o", "s.png", "--animation-index", "0", "--animation-time", time_s, *light, model="shine.glb")
+                    self.assertEqual((self.folder / f"f{frame}.png").read_bytes(), (self.folder / "s.png").read_bytes(), frame)
+                self.assertEqual(len({(self.folder / f"f{frame}.png").read_bytes() for frame in range(3)}), 3)
 
     def test_the_default_look_is_one_for_all(self):
         for options in ((), ("--turntable", "8")):
