@@ -58,7 +58,7 @@ ConvertedFile convert_file(const std::string& input, const std::string& output, 
         copy(model, context);
     } else {
         SmoothedFile written;
-        finish_rewrite(model, model.before, {}, written, context);
+        finish_rewrite(model, model.before, {.keep_unused = true}, written, context);
         result.is_copy = model.way == RewriteWay::gltf_in_place && file_ending(input) == file_ending(output);
     }
     outputs.commit();

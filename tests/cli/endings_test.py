@@ -71,8 +71,8 @@ class Endings(program.Case):
     def test_reports(self):
         self.same("explain", "parts.obj", *SIZE, "--pixel", "24,16", "-o", "@e.json")
         json.loads((self.folder / "LARGE/e.JSON").read_text())
-        self.both("inspect", "parts.obj", "--report", "@r.xml", "--report", "@r.html", *SIZE)
-        self.both("smooth", "parts.obj", "--preview", "@s.html", *SIZE)
+        self.both("inspect", "parts.obj", "--report", "@r.xml", "--report", "@r.html", "--max-seam", "180", *SIZE)
+        self.both("smooth", "parts.obj", "--preview", "@s.html")
         self.both("stages", "parts.obj", *SIZE, "--single-file", "-o", "@stages.html")
         self.run_program("render", "builtin:plane", *SIZE, "-o", "a.png")
         self.both("compare", "a.png", "a.png", "-o", "@page.html")

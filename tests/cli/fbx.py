@@ -5,6 +5,10 @@ import struct
 import zlib
 
 
+class Id(int):
+    """64 bits in binary files."""
+
+
 class Array:
     def __init__(self, kind, values):
         self.kind, self.values = kind, values
@@ -21,7 +25,7 @@ def as_text(tree, depth=0):
             a = properties[0]
             lines.append(f"{pad}{name}: *{len(a.values)} {{\n{pad}\ta: {','.join(repr(v) for v in a.values)}\n{pad}}}")
             continue
-        words = ", ".join('"' + p + '"' if isinstance(p, str) else repr(p) for p in properties)
+        words = ", ".join('"' + p + '"' if isinstance(p, str) else repr(float(p)) if isinstance(p, float) else str(int(p)) for p in properties)
         lines.append(f"{pad}{name}: {words}" + (" {\n" + as_text(children, depth + 1) + pad + "}" if children else ""))
     return "\n".join(lines) + "\n"
 
@@ -35,7 +39,7 @@ def binary_property(p, is_packed):
         words = p.split("::")
         text = (words[1] + "\0\1" + words[0]).encode() if len(words) == 2 else p.encode()
         return b"S" + struct.pack("<I", len(text)) + text
-    return b"D" + struct.pack("<d", p) if isinstance(p, float) else b"L" + struct.pack("<q", p) if p > 999 else b"I" + struct.pack("<i", p)
+    return b"D" + struct.pack("<d", p) if isinstance(p, float) else b"L" + struct.pack("<q", p) if isinstance(p, Id) else b"I" + struct.pack("<i", p)
 
 
 def binary_nodes(tree, at, is_packed, word):
@@ -79,10 +83,10 @@ def barrel(smoothing, mapping="ByPolygon", edges=None, materials=None, sides=12,
     p = lambda name, kind, label, value: node("P", name, kind, label, "", value)  # noqa: E731
     axes = [p(n, "int", "Integer", v) for n, v in (("UpAxis", 1), ("UpAxisSign", 1), ("FrontAxis", 2), ("FrontAxisSign", 1), ("CoordAxis", 0), ("CoordAxisSign", 1))]
     settings = node("GlobalSettings", children=[node("Version", 1000), node("Properties70", children=axes + [p("UnitScaleFactor", "double", "Number", 100.0)])])
-    objects = [node("Geometry", 1000, "Geometry::g", "Mesh", children=inside), node("Model", 2000, "Model::barrel", "Mesh", children=[node("Version", 232)])]
-    links = [node("C", "OO", 2000, 0), node("C", "OO", 1000, 2000)]
+    objects = [node("Geometry", Id(1000), "Geometry::g", "Mesh", children=inside), node("Model", Id(2000), "Model::barrel", "Mesh", children=[node("Version", 232)])]
+    links = [node("C", "OO", Id(2000), Id(0)), node("C", "OO", Id(1000), Id(2000))]
     for m in sorted(set(materials)):
-        objects.append(node("Material", 3000 + m, f"Material::m{m}", "", children=[node("Version", 102), node("ShadingModel", "phong")]))
-        links.append(node("C", "OO", 3000 + m, 2000))
+        objects.append(node("Material", Id(3000 + m), f"Material::m{m}", "", children=[node("Version", 102), node("ShadingModel", "phong")]))
+        links.append(node("C", "OO", Id(3000 + m), Id(2000)))
     return [node("FBXHeaderExtension", children=[node("FBXHeaderVersion", 1003), node("FBXVersion", 7400)]), settings,
             node("Objects", children=objects), node("Connections", children=links)]

@@ -26,10 +26,11 @@ def edges_of(hard):
 class Groups(program.Case):
     def corner_normals(self, model, *options):
         """{(point 0..11, side 0..11): normals} of a barrel's corners after `smooth`, in the plane of the rings."""
-        result = self.run_program("smooth", model, "-o", "out.obj", *options)
+        result = self.run_program("smooth", model, "-o", "out.glb", *options)
         if "built without" in result.err:
             self.skipTest("this build reads no FBX")
         self.assertEqual(result.code, 0, result.err)
+        self.assertEqual(self.run_program("convert", "out.glb", "-o", "out.obj").code, 0)  # triangles
         corners, found = reader.obj_corners(self.folder / "out.obj"), {}
         for t in range(0, len(corners), 3):
             numbers = [round(math.degrees(math.atan2(p[1], p[0])) / 30) % SIDES for p, _ in corners[t:t + 3]]
@@ -50,7 +51,7 @@ class Groups(program.Case):
     def test_groups_of_polygons(self):
         for form in ("text", "plain", "packed", "wide"):
             for smoothing, hard in ((TWO, {0, 6}), ([0] * SIDES, set(range(SIDES))), ([4] * SIDES, set()),
-                                    ([1] * 3 + [3] * 3 + [2] * 6, {0}), ([1 << 31] * 6 + [1] * 6, {0, 6})):
+                                    ([1] * 3 + [3] * 3 + [2] * 6, {0}), ([-1 << 31] * 6 + [1] * 6, {0, 6})):
                 with self.subTest(form=form, smoothing=smoothing):
                     fbx.write(self.folder / "a.fbx", fbx.barrel(smoothing), form)
                     self.check(self.corner_normals("a.fbx"), hard)
@@ -115,7 +116,7 @@ class Groups(program.Case):
         _, _, channels, rows = program.png(self.folder / "c.png")
         pixel = lambda x, y: tuple(rows[y][channels * x:channels * x + 3])  # noqa: E731
         self.assertEqual((pixel(40, 36), pixel(24, 28)), ((255, 0, 0), (0, 0, 255)))
-        self.assertFalse([r for r in json.loads(result.out)["rows"][0]["remarks"] if r["kind"] == "dropped"])
+        self.assertFalse([r for r in json.loads(result.out)["rows"][0]["remarks"] if r.get("kind", r.get("remark")) == "dropped"])
         if FIELD.is_dir():
             self.assertEqual((FIELD / "face_colors.off").read_text(), (self.folder / "c.off").read_text())
 

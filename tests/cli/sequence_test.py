@@ -107,8 +107,6 @@ class Sequences(Case):
                         joined = self.run_program("join-windows", f"left{frame}.{kind}", f"right{frame}.{kind}", "-o", f"joined{frame}.{kind}")
                         self.assertEqual(joined.code, 0, joined.err)
                         self.assertEqual((self.folder / f"joined{frame}.{kind}").read_bytes(), (self.folder / f"whole{frame}.{kind}").read_bytes())
-        self.render("-o", "single.png", "--animation-time", "0", "--animation-index", "0", "--window", "40,0,24,48", "--background", "transparent")
-        self.assertEqual((self.folder / "single.png").read_bytes(), (self.folder / "right0.png").read_bytes())
 
     def test_a_frame_of_animated_materials_is_the_picture_of_its_moment(self):
         """Whatever the request changes materials to: the change comes after the clip."""

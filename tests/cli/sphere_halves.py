@@ -27,24 +27,17 @@ def unit(v):
     return tuple(x / length for x in v)
 
 
-def own_normals(points, faces):
-    """Area-weighted over this half alone: wrong at the cut."""
-    sums = [[0.0, 0.0, 0.0] for _ in points]
-    for face in faces:
-        p, q, r = (points[c] for c in face)
-        u, v = [b - a for a, b in zip(p, q)], [b - a for a, b in zip(p, r)]
-        n = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
-        for c in face:
-            for k in range(3):
-                sums[c][k] += n[k]
-    return [unit(s) for s in sums]
+def own_normals(points, side):
+    """Those of the sphere, but at the cut tilted by 10 degrees away from the other half, as a half that is smoothed by itself has them."""
+    tilt = side * math.tan(math.radians(10))
+    return [unit((x, y, tilt)) if z == 0 else unit((x, y, z)) for x, y, z in points]
 
 
 def write_glb(path, side, node=None, local=lambda p: p, normals=True):
     """@param node  the placement; local: from the world into the node's space (a rigid motion)"""
     points, faces = half(side)
     placed = [local(p) for p in points]
-    directions = own_normals(placed, faces)
+    directions = [local(n) for n in own_normals(points, side)]
     binary = b"".join(struct.pack("<3f", *p) for p in placed) + b"".join(struct.pack("<3f", *n) for n in directions)
     first = len(binary)
     binary += b"".join(struct.pack("<3H", *f) for f in faces)
@@ -67,7 +60,7 @@ def write_glb(path, side, node=None, local=lambda p: p, normals=True):
 
 def write_obj(path, side):
     points, faces = half(side)
-    lines = ["# one half"] + [f"v {x!r} {y!r} {z!r}" for x, y, z in points] + [f"vn {x!r} {y!r} {z!r}" for x, y, z in own_normals(points, faces)]
+    lines = ["# one half"] + [f"v {x!r} {y!r} {z!r}" for x, y, z in points] + [f"vn {x!r} {y!r} {z!r}" for x, y, z in own_normals(points, side)]
     path.write_text("\n".join(lines + ["f " + " ".join(f"{c + 1}//{c + 1}" for c in f) for f in faces]) + "\n")
 
 

@@ -141,8 +141,10 @@ private:
         const double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);  // coordinates fit in float: no overflow
         const bool is_unusable = is_bad || !(length > 1e-30);
         if (is_unusable) remarks_.add(Issue::bad_normal, line);
+        // Unit to the rounding of floats: what was written with all digits keeps its bits.
+        const double scale = std::fabs(length - 1) <= 0x1p-23 ? 1 : length;
         data_.normals[normals_++] =
-            is_unusable ? vec3{} : vec3{float(v.x / length), float(v.y / length), float(v.z / length)};
+            is_unusable ? vec3{} : vec3{float(v.x / scale), float(v.y / scale), float(v.z / scale)};
     }
 
     void color(const Numbers& n, std::uint64_t line) {

@@ -97,8 +97,8 @@ public:
         say_what_is_lost();
         const std::string library = library_name(path_);
         has_floats_ = floats_hold_positions();
-        const std::string materials = scene_.materials.empty() ? "" : library_text();
         write_embedded();
+        const std::string materials = scene_.materials.empty() ? "" : library_text();
         OutputFile model(path_);
         std::string text;
         if (!materials.empty()) text = "mtllib " + library + "\n";
