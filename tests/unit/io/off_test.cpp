@@ -25,8 +25,8 @@ struct ReadOff {
     }
     const Mesh& mesh() const { return scene.meshes.at(0); }
     /// Of a triangle's corner.
-    vec4 color(std::size_t corner) const { return mesh().colors.at(mesh().indices.at(corner)); }
-    vec3 position(std::size_t corner) const { return mesh().positions.at(mesh().indices.at(corner)); }
+    vec4 color(std::size_t corner) const { return mesh().colors[mesh().indices[corner]]; }
+    vec3 position(std::size_t corner) const { return mesh().positions[mesh().indices[corner]]; }
     bool says(const std::string& part) {
         const auto entries = context.report().entries();
         return std::ranges::any_of(entries,
@@ -90,10 +90,10 @@ TEST(ReadOff, HeadersNameWhatVerticesHave) {
         "STCNOFF\n3 1 0\n0 0 0  0 0 1  255 0 0 255  0.25 0.75\n1 0 0  0 0 1  0 255 0 255  1 0\n"
         "0 1 0  0 0 1  0 0 255 255  0 1\n3 0 1 2\n");
     ASSERT_EQ(off.error, "");
-    EXPECT_EQ(off.mesh().normals.at(1), (vec3{0, 0, 1}));
+    EXPECT_EQ(off.mesh().normals[1], (vec3{0, 0, 1}));
     expect_color(off.color(0), {1, 0, 0});
     expect_color(off.color(2), {0, 0, 1});
-    EXPECT_EQ(off.mesh().texcoords.at(0).at(0), (vec2{0.25f, 0.25f}));
+    EXPECT_EQ(off.mesh().texcoords.at(0)[0], (vec2{0.25f, 0.25f}));
     const ReadOff colors("COFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2 9 9 9\n");
     ASSERT_EQ(colors.error, "");
     expect_color(colors.color(1), {0, 1, 0});
