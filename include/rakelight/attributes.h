@@ -111,8 +111,8 @@ struct AttributeMesh {
     /// here.
     std::span<const vec3> smoothing_hint{};
     dmat4 to_world{};  ///< object -> world, affine; det < 0 mirrors
-    /// [V] or empty. Nonzero: the vertex is locked, so it keeps its entry of `normals`. `normals` must then not be
-    /// empty. A vertex with a zero or non-finite normal is not locked.
+    /// [V] or empty. Not 0: locked, the vertex keeps its entry of `normals` (not empty), unless that is zero or
+    /// not finite. 2: authored, the other vertices of its corner group get the mean of such normals, not the faces'.
     std::span<const std::uint8_t> locked{};
     /// [m] object space, >= 0: the quantization step of the positions; 0: not quantized. A quantized position may be
     /// off by half a step on each axis. So for the automatic AttributeOptions::weld_distance, the rounding error of

@@ -98,9 +98,12 @@ struct InconsistentPair {
 struct SeamTotals {
     std::uint64_t positions = 0, continuous = 0, joined = 0;  ///< as in BorderSummary, each position once
     AngleSummary before{}, after{};
-    double seam_deg = 0;      ///< largest seam
-    std::uint64_t pairs = 0;  ///< number of BorderSummary
-    /// Positions that more than 8 meshes share. Only 8 of these meshes are paired: the 7 with the normals farthest
+    double seam_deg = 0;  ///< largest seam
+    /// Zero and non-finite normals of the file at vertices of triangles. They count as missing, so they are computed for
+    /// the angles `before`. 0 if the normals of the file are not used.
+    std::uint64_t missing_normals = 0;
+    std::uint64_t pairs = 0;  ///< examined pairs of objects
+    /// Positions that more than 8 objects share. Only 8 of these objects are paired: the 7 with the normals farthest
     /// from the mean normal, and the one with the nearest normal.
     std::uint64_t crowded_positions = 0;
     std::uint64_t pairings_left_out = 0;   ///< pairs at crowded positions that were not examined
@@ -229,7 +232,8 @@ RL_API std::string proposal_text(const Inspection& inspection);
 /// Quality limits of a model. max_seam_deg needs InspectOptions::borders, all other limits need
 /// InspectOptions::surfaces. Seams along matched borders count like seams at shared positions.
 struct CheckLimits {
-    /// [degrees] Absent: not checked. Allow for the error of 8-bit normals, which is up to half a degree.
+    /// [degrees] Absent: not checked. Allow for the error of 8-bit normals, which is up to half a degree. Below 180, a
+    /// zero or non-finite normal (SeamTotals::missing_normals) violates the limit: no angle can be measured there.
     std::optional<double> max_seam_deg = 1;
     /// true: the requirement is checked. Meaning of each: docs/inspect.md.
     bool no_degenerate = false, no_t_junctions = false, no_non_manifold = false, consistent_winding = false,

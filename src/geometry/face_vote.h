@@ -69,6 +69,13 @@ inline bool is_locked(const AttributeMesh& mesh, std::uint32_t vertex) {
            !(mesh.normals[vertex] == vec3{});
 }
 
+/// The value of AttributeMesh::locked of normals that authors made.
+constexpr std::uint8_t authored_lock = 2;
+/// Whether the vertex keeps its normal and gives it to the others of its corner group.
+inline bool is_authored(const AttributeMesh& mesh, std::uint32_t vertex) {
+    return is_locked(mesh, vertex) && mesh.locked[vertex] == authored_lock;
+}
+
 /// Weights of the three corners of a face; `area2`: twice its area in world space.
 template <CornerWeight weight>
 inline dvec3 corner_weights(const Placement& placement, const FaceCorners& face, double area2) {

@@ -296,12 +296,32 @@ VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const 
     return sums;
 }
 
+/// The normals of a group's authored members, with the weights of their faces: what the group gets instead of `voted`.
+/// Equal ones are taken as they are. `voted` where there are none, or where they point to the other side or cancel.
+static dvec3 authored_or(dvec3 voted, std::span<const std::uint32_t> members, const VoteSums& sums,
+                         const Topology& topology, const AttributeInput& input) {
+    dvec3 first, sum;
+    double weight = 0;
+    bool are_equal = true;
+    for (const std::uint32_t row : members) {
+        const std::uint32_t v = topology.source_of(input, row), m = input.mesh_of_vertex(v);
+        if (!is_authored(input.meshes[m], v - input.vertex_base[m])) continue;
+        const dvec3 given = given_normal(input.placements[m], input.meshes[m].normals[v - input.vertex_base[m]]);
+        if (weight == 0) first = given;
+        are_equal = are_equal && given == first;
+        sum += given * sums.normals[row].weight;
+        weight += sums.normals[row].weight;
+    }
+    if (!(weight > 0) || has_cancelled({sum, weight}) || !(dot(sum, voted) > 0)) return voted;
+    return are_equal ? first * weight : sum;
+}
+
 void sum_groups(VoteSums& sums, const VertexGroups& groups, const Topology& topology, const AttributeInput& input,
                 const AttributeOptions& options, Context& context) {
     constexpr std::size_t step = 1u << 13;
-    const bool skips_locked =
-        !options.locked_vote &&
+    const bool has_locked =
         std::any_of(input.meshes.begin(), input.meshes.end(), [](const AttributeMesh& m) { return !m.locked.empty(); });
+    const bool skips_locked = has_locked && !options.locked_vote;
     const auto has_no_say = [&](std::uint32_t vertex) {
         if (!skips_locked) return false;
         const std::uint32_t v = topology.source_of(input, vertex), m = input.mesh_of_vertex(v);
@@ -329,6 +349,7 @@ void sum_groups(VoteSums& sums, const VertexGroups& groups, const Topology& topo
                 cancelled[c].push_back(std::uint32_t(g));
                 continue;
             } else {
+                if (has_locked) normal = authored_or(normal, members, sums, topology, input);
                 for (const std::uint32_t v : members) {
                     sums.normals[v].normal = normal;
                     sums.normals[v].weight = weight;

@@ -45,7 +45,8 @@ VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const 
 
 /// Adds the rows of each group together and gives the sum to every member: normals as they are; tangents only among members of
 /// one handedness whose own tangents lie within 45 degrees of one another in the normal's plane (connected pairs). Groups
-/// whose normals cancel are listed and left as they are.
+/// whose normals cancel are listed and left as they are. Where members have authored normals, on the side of the sum, these
+/// are summed instead.
 void sum_groups(VoteSums& sums, const VertexGroups& groups, const Topology& topology, const AttributeInput& input,
                 const AttributeOptions& options, Context& context);
 

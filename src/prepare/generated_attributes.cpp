@@ -42,12 +42,13 @@ void recompute_attributes(const GeneratedAttributes& made, Scene& posed, Context
         const Mesh& mesh = posed.meshes[made.numbers[i]];
         // Vertices keep their indices; split ones are appended.
         meshes[i].positions = mesh.positions.span().first(meshes[i].positions.size());
+        if (!meshes[i].normals.empty()) meshes[i].normals = mesh.normals.span().first(meshes[i].positions.size());
         const Shown& by = shown[made.numbers[i]];
         const std::uint32_t node = by.uses == 1 ? by.node : made.nodes[i];
         meshes[i].to_world = (made.in_world[i] ? world[node] : dmat4{}) * translation(mesh.origin);
     }
     std::vector<MeshAttributes> results = accumulate(made.plan, meshes, context);
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
+    for (std::size_t i = 0; i < made.computed; ++i) {
         Mesh& mesh = posed.meshes[made.numbers[i]];
         if (!is_touched[i] || shown[made.numbers[i]].uses != 1 || results[i].normals.size() != mesh.positions.size())
             continue;

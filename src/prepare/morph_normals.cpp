@@ -31,10 +31,10 @@ std::vector<MorphPose> movements_of(const Scene& scene, std::span<const std::uin
     return movements;
 }
 
-std::vector<vec3> moved(const Block<vec3>& positions, const Block<vec3>& offsets) {
+std::vector<vec3> moved(const Block<vec3>& vectors, const Block<vec3>& offsets) {
     std::vector<vec3> result;
-    result.reserve(positions.size());
-    for (std::size_t v = 0; v < positions.size(); ++v) result.push_back(positions[v] + offsets[v]);
+    result.reserve(vectors.size());
+    for (std::size_t v = 0; v < vectors.size(); ++v) result.push_back(vectors[v] + offsets[v]);
     return result;
 }
 
@@ -87,11 +87,13 @@ std::vector<TargetDirections> target_directions(const Scene& scene, std::span<co
     for (const MorphPose& movement : poses) {
         context.throw_if_cancelled();
         std::vector<AttributeMesh> pose(meshes.begin(), meshes.end());
-        std::vector<std::vector<vec3>> positions;
-        positions.reserve(movement.targets.size());  // the spans point into it
+        std::vector<std::vector<vec3>> moved_arrays;
+        moved_arrays.reserve(2 * movement.targets.size());  // the spans point into it
         for (const auto& [i, t] : movement.targets) {
             const Mesh& mesh = scene.meshes[numbers[i]];
-            pose[i].positions = positions.emplace_back(moved(mesh.positions, mesh.targets[t].positions));
+            pose[i].positions = moved_arrays.emplace_back(moved(mesh.positions, mesh.targets[t].positions));
+            if (!pose[i].locked.empty() && !mesh.targets[t].normals.empty())
+                pose[i].normals = moved_arrays.emplace_back(moved(mesh.normals, mesh.targets[t].normals));
         }
         const std::vector<MeshAttributes> posed = accumulate(plan, pose, context);
         for (const auto& [i, t] : movement.targets) {

@@ -3,7 +3,10 @@
 
 #include <string>
 
+#include <rakelight/seams.h>
+
 #include "base/format_text.h"
+#include "prepare/missing_normals.h"
 #include "prepare/split_vertices.h"
 
 namespace rakelight {
@@ -41,6 +44,31 @@ void set_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number,
                    "normals and tangents of morph targets do not fit the new ones and are left out");
 }
 
+/// The mesh with the normals of its gaps: split vertices are appended, all that the file has stays. Tangents at gaps are
+/// made perpendicular.
+/// @param directions  target directions of the new normals, or null
+Mesh with_gaps_filled(const Mesh& source, MeshAttributes&& made, const TargetDirections* directions, Context& context) {
+    Mesh mesh = source;
+    split_vertices(mesh, std::move(made.indices), made.source_vertex, context);
+    std::vector<std::uint32_t> gaps;
+    for (std::uint32_t v = 0; v < mesh.normals.size(); ++v)
+        if (!is_normal(mesh.normals[v])) gaps.push_back(v);
+    const auto with_gaps = [&](auto& block, const auto& value_at) {
+        if (block.empty()) return;
+        std::vector values(block.begin(), block.end());
+        for (const std::uint32_t v : gaps) values[v] = value_at(v);
+        block = std::move(values);
+    };
+    with_gaps(mesh.normals, [&](std::uint32_t v) { return made.normals[v]; });
+    const Block<vec4> tangents = mesh.tangents;
+    with_gaps(mesh.tangents,
+              [&](std::uint32_t v) { return turned_tangent(tangents[v], mesh.normals[v], mesh.normals[v]); });
+    for (std::size_t t = 0; directions && t < mesh.targets.size(); ++t)
+        if (!directions->normals[t].empty())
+            with_gaps(mesh.targets[t].normals, [&](std::uint32_t v) { return directions->normals[t][v]; });
+    return mesh;
+}
+
 }  // namespace
 
 Mesh with_attributes(const Mesh& source, MeshAttributes&& attributes, bool new_normals, Context& context) {
@@ -69,7 +97,6 @@ ResultPlacer::ResultPlacer(Scene& scene, const SmoothRequest& request, const Smo
 }
 
 void ResultPlacer::place(Computed& computed) {
-    const bool new_normals = request_.attributes.normals;
     std::vector<std::uint32_t> placed(computed.attributes.size(), no_index);  // the mesh that shows each result
     for (std::size_t i = 0; i < s_.instances.size(); ++i) {
         const std::size_t r = s_.result_of[i];
@@ -79,13 +106,21 @@ void ResultPlacer::place(Computed& computed) {
         } else if (placed[r] != no_index) {
             variants_.place(s_.instances[i], with_arrays_of(scene_.meshes[placed[r]], source(number)));
         } else {
-            if (!keeps_bitangents(source(number))) computed.attributes[r].bitangents = {};
-            Mesh mesh = with_attributes(source(number), std::move(computed.attributes[r]), new_normals, context_);
-            set_target_directions(scene_, mesh, number, new_normals,
-                                  computed.targets.empty() ? nullptr : &computed.targets[r], context_.report());
-            placed[r] = variants_.place(s_.instances[i], std::move(mesh));
+            TargetDirections* const targets = computed.targets.empty() ? nullptr : &computed.targets[r];
+            placed[r] = variants_.place(s_.instances[i], made_mesh(number, computed.attributes[r], targets));
         }
     }
+}
+
+Mesh ResultPlacer::made_mesh(std::uint32_t number, MeshAttributes& made, TargetDirections* targets) {
+    const Mesh& from = source(number);
+    const bool new_normals = request_.attributes.normals;
+    if (new_normals && request_.only_missing && !from.normals.empty())
+        return with_gaps_filled(from, std::move(made), targets, context_);
+    if (!keeps_bitangents(from)) made.bitangents = {};
+    Mesh mesh = with_attributes(from, std::move(made), new_normals, context_);
+    set_target_directions(scene_, mesh, number, new_normals, targets, context_.report());
+    return mesh;
 }
 
 bool ResultPlacer::keeps_bitangents(const Mesh& mesh) const {

@@ -32,6 +32,7 @@ public:
 
 private:
     const Mesh& source(std::uint32_t number);
+    Mesh made_mesh(std::uint32_t number, MeshAttributes& made, TargetDirections* targets);
     bool keeps_bitangents(const Mesh& mesh) const;
 
     Scene& scene_;

@@ -60,8 +60,9 @@ bool needs_tangents(const Scene& scene, const Mesh& mesh) {
 }
 
 /// Whether any triangle has texture area; stops at the first one.
-bool spans_texture(const Mesh& mesh, std::uint32_t set) {
-    const Block<vec2>& uv = mesh.texcoords[set];
+bool spans_texture(const Mesh& mesh, const TangentCoordinates& coordinates) {
+    if (inverse(coordinates.matrix) == UvMatrix{0, 0, 0, 0}) return false;
+    const Block<vec2>& uv = mesh.texcoords[coordinates.set];
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
         const vec2 a = uv[mesh.indices[3 * t]], b = uv[mesh.indices[3 * t + 1]], c = uv[mesh.indices[3 * t + 2]];
         if (double(b.x - a.x) * double(c.y - a.y) != double(c.x - a.x) * double(b.y - a.y)) return true;
@@ -106,9 +107,10 @@ const char* fault_of_coordinates(const Scene& scene, const Mesh& mesh, Bump want
         return "the normal map is not used: the mesh has no texture coordinates for it";
     const bool coats = has_coat_map(m) && !lacks_coat_coordinates(scene, mesh);
     if (!heights && !normals && !coats && !stretched) return nullptr;
-    const std::uint32_t set = tangent_set(scene, mesh, TangentNeed::where_needed);
-    if (set == no_index) return "bumps and stretched highlights have no direction: the mesh has no texture coordinates";
-    if (!mesh.tangents.empty() || spans_texture(mesh, set)) return nullptr;
+    const TangentCoordinates coordinates = tangent_coordinates(scene, mesh, TangentNeed::where_needed);
+    if (!coordinates.exist())
+        return "bumps and stretched highlights have no direction: the mesh has no texture coordinates";
+    if (!mesh.tangents.empty() || spans_texture(mesh, coordinates)) return nullptr;
     return heights   ? "no triangle has an area in the height map: tangents have no direction"
            : normals ? "no triangle has an area in the normal map: tangents have no direction"
                      : "no triangle has an area in the texture: tangents have no direction";
@@ -263,13 +265,14 @@ public:
     }
 
 private:
-    /// Missing normals, one pass per scope: all meshes with scope model are smoothed together.
+    /// Missing normals, one pass per scope: all meshes with scope model are smoothed together, first, while the normals
+    /// beside them are those of the file.
     Scene with_normals(Scene scene, std::vector<GeneratedAttributes>* made) const {
         SmoothRequest request = request_;
         request.made = made;
         if (is_published(request.kept_tangents))
             request.tangents = TangentNeed::none;  // add_missing_tangents() makes them
-        for (const Scope scope : {Scope::face, Scope::object, Scope::model}) {
+        for (const Scope scope : {Scope::model, Scope::object, Scope::face}) {
             request.attributes.scope = scope;
             scene = paid(smooth_meshes(std::move(scene), request, context_));
         }

@@ -23,9 +23,9 @@ void repair_positions(Mesh& mesh, std::vector<Finding>& findings);
 /// (`is_textured`).
 void repair_texcoords(Mesh& mesh, bool is_textured, std::vector<Finding>& findings);
 
-/// Normalizes normals of the file. If all are zero or non-finite, the array is dropped; single ones are recomputed from
-/// all faces of the mesh at their places.
-void repair_normals(Mesh& mesh, std::vector<Finding>& findings, Context& context);
+/// Normalizes normals of the file. If all are zero or non-finite, the array is dropped; single ones become zero, for
+/// smooth_meshes() to make them.
+void repair_normals(Mesh& mesh, std::vector<Finding>& findings);
 
 /// Normalizes tangents of the file. The array is dropped without normals, or if one is zero, non-finite or parallel to
 /// its normal, or its w is not +1 or -1.

@@ -2,9 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/attributes.h>
-
 #include "math/linear.h"
+#include "prepare/missing_normals.h"
 #include "prepare/repair.h"
 
 namespace rakelight {
@@ -20,8 +19,6 @@ struct DirectionCheck {
     float off_unit = 0;      ///< largest | |v|^2 - 1 | of the others
 };
 
-bool is_broken(vec3 v) { return !is_finite(v) || (v.x == 0 && v.y == 0 && v.z == 0); }
-
 template <class T>
 vec3 direction(const T& v) {
     return {v.x, v.y, v.z};
@@ -35,7 +32,7 @@ DirectionCheck check_directions(const Block<T>& block) {
         const float off = std::fabs(dot(d, d) - 1);
         if (off <= 2 * unit_tolerance) {
             check.off_unit = std::max(check.off_unit, off);
-        } else if (is_broken(d)) {
+        } else if (!is_normal(d)) {
             ++check.broken;
         } else {
             check.off_unit = std::isfinite(off) ? std::max(check.off_unit, off) : std::numeric_limits<float>::max();
@@ -44,25 +41,12 @@ DirectionCheck check_directions(const Block<T>& block) {
     return check;
 }
 
-/// Replaces broken normals by those of the smooth surface at their vertex; +Z where there is none.
-void fill_broken(const Mesh& mesh, std::vector<vec3>& normals, Context& context) {
-    AttributeMesh surface;
-    surface.positions = mesh.positions;
-    surface.indices = mesh.indices;
-    AttributeOptions options;
-    options.crease_angle_rad = pi;  // no vertex splits: numbers stay
-    options.tangents = false;
-    options.weld_distance = 0;
-    const MeshAttributes computed = compute_attributes({&surface, 1}, options, context).front();
-    for (std::size_t v = 0; v < normals.size(); ++v)
-        if (is_broken(normals[v])) normals[v] = computed.normals[v];
-}
-
 /// Whether any tangent is parallel to its normal within 0.06 degrees.
 bool has_parallel_tangents(const Mesh& mesh) {
     constexpr double min_sine = 1e-3;
     for (std::size_t v = 0; v < mesh.tangents.size(); ++v) {
         const dvec3 n = cast<double>(mesh.normals[v]), t = cast<double>(mesh.tangents[v].xyz());
+        if (n == dvec3{}) continue;  // to be made
         const dvec3 across = cross(n, t);
         if (!(dot(across, across) > min_sine * min_sine * dot(n, n) * dot(t, t))) return true;
     }
@@ -104,21 +88,17 @@ void repair_texcoords(Mesh& mesh, bool is_textured, std::vector<Finding>& findin
     }
 }
 
-void repair_normals(Mesh& mesh, std::vector<Finding>& findings, Context& context) {
+void repair_normals(Mesh& mesh, std::vector<Finding>& findings) {
     const DirectionCheck check = check_directions(mesh.normals);
     if (check.broken == 0 && check.off_unit <= 2 * unit_tolerance) return;
-    if (check.broken == mesh.normals.size()) {
-        findings.push_back({Remark::warning, "the normals are all zero or not finite: computed instead"});
-        mesh.normals = {};
-        return;
-    }
-    std::vector<vec3> normals(mesh.normals.begin(), mesh.normals.end());
-    if (check.broken > 0) {
-        findings.push_back({Remark::warning, "normals that are zero or not finite were replaced by computed ones"});
-        fill_broken(mesh, normals, context);
-    }
+    const NormalGaps gaps = drop_if_all_gaps(mesh, findings);
+    if (mesh.normals.empty()) return;
     report_lengths("normals", check.off_unit, findings);
-    for (vec3& n : normals) n = cast<float>(normalize_or(cast<double>(n), dvec3{0, 0, 1}));
+    std::vector<vec3> normals(mesh.normals.begin(), mesh.normals.end());
+    for (std::size_t v = 0; v < normals.size(); ++v) {
+        const bool is_gap = !gaps.at.empty() && gaps.at[v] != 0;
+        normals[v] = cast<float>(normalize_or(cast<double>(normals[v]), dvec3{0, 0, is_gap ? 0.0 : 1.0}));
+    }
     mesh.normals = std::move(normals);
 }
 

@@ -86,7 +86,7 @@ Scene repair_scene(Scene scene, NormalSource source, Context& context) {
         }
         repair_positions(mesh, findings[i]);
         repair_texcoords(mesh, is_textured(scene, mesh), findings[i]);
-        repair_normals(mesh, findings[i], context);
+        repair_normals(mesh, findings[i]);
         repair_tangents(mesh, findings[i]);
     });
     for (std::size_t i = 0; i < numbers.size(); ++i)

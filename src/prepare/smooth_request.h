@@ -7,17 +7,16 @@
 #include <rakelight/scene.h>
 
 #include "prepare/generated_attributes.h"
+#include "prepare/tangent_coordinates.h"
 
 namespace rakelight {
-
-/// Which meshes get tangents: those whose material has a normal or height texture, or all with texture coordinates.
-enum class TangentNeed : std::uint8_t { none, where_needed, everywhere };
 
 struct SmoothRequest {
     AttributeOptions attributes;  ///< `tangents` is overridden by TangentNeed
     TangentNeed tangents = TangentNeed::where_needed;
-    bool only_missing = false;  ///< skip meshes with normals
-    bool groups = true;         ///< use smoothing groups of the file; with `source` by normal_rule()
+    /// Keep normals that exist, and make those that are missing (NormalGaps): at borders as the kept ones are.
+    bool only_missing = false;
+    bool groups = true;  ///< use smoothing groups of the file; with `source` by normal_rule()
     /// Set: only meshes whose normal_rule() has attributes.scope, with their own crease angles.
     std::optional<NormalSource> source;
     bool every_scope = false;     ///< with `source`: all meshes, over attributes.scope
@@ -28,10 +27,6 @@ struct SmoothRequest {
     TangentMode kept_tangents =
         TangentMode::mikktspace;  ///< for add_missing_tangents(), overrides attributes.tangent_mode
 };
-
-/// The texture coordinate set for a mesh's tangents: that of the normal texture, else of the height texture, else
-/// (`everywhere`) the first one. no_index: no tangents, or no such coordinates.
-std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentNeed need);
 
 /// New normals (and tangents by the need) for the drawn triangle meshes. The scene must be valid.
 Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context);

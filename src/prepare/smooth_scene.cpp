@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <string>
 
 #include "base/format_text.h"
@@ -10,6 +11,7 @@
 #include "geometry/mesh_islands.h"
 #include "math/linear.h"
 #include "prepare/bind_pose.h"
+#include "prepare/missing_normals.h"
 #include "prepare/moving_placements.h"
 #include "prepare/normal_rule.h"
 #include "prepare/place_results.h"
@@ -24,28 +26,64 @@
 namespace rakelight {
 namespace {
 
-AttributeMesh attribute_mesh(const Scene& scene, const Instance& instance, const dmat4& place,
-                             const SmoothRequest& request) {
-    const Mesh& mesh = scene.meshes[instance.mesh];
-    AttributeMesh out;
-    out.object = instance.node;
-    out.positions = mesh.positions;
-    out.indices = mesh.indices;
-    const std::uint32_t set = tangent_set(scene, mesh, request.tangents);
-    if (set != no_index) out.texcoords = mesh.texcoords[set];
-    if (!request.attributes.normals) out.normals = mesh.normals;
-    NormalRule rule{.groups = request.groups};
-    if (request.source) rule = normal_rule(scene, mesh, *request.source);
-    out.crease_angle_rad = rule.crease_angle_rad;
-    if (rule.groups && request.attributes.normals) {
+/// The inputs of group() with the arrays into which they point.
+struct Inputs {
+    std::vector<AttributeMesh> meshes;
+    std::vector<std::uint32_t> numbers;      ///< [meshes] their meshes
+    std::vector<Block<vec2>> texcoords;      ///< [meshes]
+    std::vector<Block<std::uint8_t>> locks;  ///< [meshes]
+
+    void add(const Scene& scene, const Instance& instance, const dmat4& place, const SmoothRequest& request,
+             Block<std::uint8_t> locked = {}) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        numbers.push_back(instance.mesh);
+        locks.push_back(std::move(locked));
+        texcoords.push_back(locks.back().empty()
+                                ? tangent_texcoords(mesh, tangent_coordinates(scene, mesh, request.tangents))
+                                : Block<vec2>{});  // its tangents are kept, too
+        AttributeMesh& out = meshes.emplace_back();
+        out.object = instance.node;
+        out.positions = mesh.positions;
+        out.indices = mesh.indices;
+        out.texcoords = texcoords.back();
+        out.locked = locks.back();
+        if (!request.attributes.normals || !out.locked.empty()) out.normals = mesh.normals;
+        out.to_world = place * translation(mesh.origin);
+        out.position_step = mesh.position_step;
+        set_rule(out, scene, mesh, request);
+    }
+
+private:
+    static void set_rule(AttributeMesh& out, const Scene& scene, const Mesh& mesh, const SmoothRequest& request) {
+        NormalRule rule{.groups = request.groups};
+        if (request.source) rule = normal_rule(scene, mesh, *request.source);
+        out.crease_angle_rad = rule.crease_angle_rad;
+        if (!rule.groups || !request.attributes.normals) return;
         out.smoothing = mesh.smoothing;
         if (!mesh.smoothing.empty())
             out.group_kind = mesh.smoothing_kind == SmoothingKind::masks ? GroupKind::masks : GroupKind::numbers;
         out.smoothing_hint = mesh.smoothing_hint;
     }
-    out.to_world = place * translation(mesh.origin);
-    out.position_step = mesh.position_step;
-    return out;
+};
+
+/// Of a selection; meshes of several placements share their locks.
+Inputs inputs_of(const Scene& scene, const SmoothSelection& s, const std::vector<dmat4>& world,
+                 const SmoothRequest& request) {
+    Inputs in;
+    const std::vector<Instance> instances = s.inputs();
+    in.meshes.reserve(instances.size()), in.numbers.reserve(instances.size());
+    std::map<std::uint32_t, Block<std::uint8_t>> locks;
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        const Mesh& mesh = scene.meshes[instances[i].mesh];
+        Block<std::uint8_t> locked;
+        if (request.only_missing && request.attributes.normals && !mesh.normals.empty()) {
+            Block<std::uint8_t>& known = locks[instances[i].mesh];
+            if (known.empty()) known = authored_locks(mesh.normals);
+            locked = known;
+        }
+        in.add(scene, instances[i], s.in_world[i] ? world[instances[i].node] : dmat4{}, request, std::move(locked));
+    }
+    return in;
 }
 
 /// Charges results, because their size depends on the number of instances in the file.
@@ -79,31 +117,37 @@ AttributeOptions options_for(const SmoothRequest& request, const std::vector<Att
     return options;
 }
 
-/// [computed] whether skinned or morphed.
-std::vector<bool> moving(const Scene& scene, const SmoothSelection& s) {
+/// [inputs] whether skinned or morphed.
+std::vector<bool> moving(const Scene& scene, const std::vector<Instance>& inputs) {
     std::vector<bool> result;
-    for (const std::size_t i : s.computed) {
-        const Mesh& mesh = scene.meshes[s.instances[i].mesh];
-        result.push_back(!mesh.targets.empty() || follows_skin(scene, scene.nodes[s.instances[i].node], mesh));
+    for (const Instance& instance : inputs) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        result.push_back(!mesh.targets.empty() || follows_skin(scene, scene.nodes[instance.node], mesh));
     }
     return result;
 }
 
 /// In two steps, and stores the first; GeneratedAttributes::numbers are set later.
-Computed compute_to_keep(const Scene& scene, const SmoothSelection& s, std::vector<AttributeMesh> meshes,
-                         const AttributeOptions& options, std::vector<GeneratedAttributes>& made, Context& context) {
+Computed compute_to_keep(const Scene& scene, const SmoothSelection& s, Inputs in, const AttributeOptions& options,
+                         std::vector<GeneratedAttributes>& made, Context& context) {
     Computed computed;
-    const AttributePlan plan = group(meshes, options, context);
-    computed.attributes = accumulate(plan, meshes, context);
+    const AttributePlan plan = group(in.meshes, options, context);
+    computed.attributes = accumulate(plan, in.meshes, context);
     std::vector<std::uint32_t> islands = geometry::mesh_islands(plan);
-    made.push_back({.plan = plan, .meshes = std::move(meshes), .islands = std::move(islands)});
+    made.push_back({.plan = plan,
+                    .meshes = std::move(in.meshes),
+                    .computed = s.computed.size(),
+                    .texcoords = std::move(in.texcoords),
+                    .locks = std::move(in.locks),
+                    .islands = std::move(islands)});
     GeneratedAttributes& kept = made.back();
-    for (const std::size_t i : s.computed) {
-        kept.sources.push_back(scene.meshes[s.instances[i].mesh]);
-        kept.nodes.push_back(s.instances[i].node);
+    const std::vector<Instance> inputs = s.inputs();
+    for (const Instance& instance : inputs) {
+        kept.sources.push_back(scene.meshes[instance.mesh]);
+        kept.nodes.push_back(instance.node);
     }
     kept.in_world = s.in_world;
-    kept.moves = moving(scene, s);
+    kept.moves = moving(scene, inputs);
     return computed;
 }
 
@@ -161,23 +205,6 @@ void note_creases(const Scene& scene, const SmoothRequest& request, const std::v
 
 }  // namespace
 
-std::uint32_t tangent_set(const Scene& scene, const Mesh& mesh, TangentNeed need) {
-    if (need == TangentNeed::none) return no_index;
-    const auto has = [&](std::uint32_t set) { return set < mesh.texcoords.size() && !mesh.texcoords[set].empty(); };
-    if (mesh.material != no_index) {
-        const Material& m = scene.materials[mesh.material];
-        const MetallicRoughnessParameters& p = m.metallic_roughness;
-        for (const TextureUse* use :
-             {&m.normal_texture, &m.height_texture, &p.clearcoat_normal_texture, &p.anisotropy_texture})
-            if (*use) return has(use->texcoord_set) ? use->texcoord_set : no_index;
-        if (needs_tangents(m)) need = TangentNeed::everywhere;
-    }
-    if (need == TangentNeed::everywhere)
-        for (std::uint32_t set = 0; set < mesh.texcoords.size(); ++set)
-            if (has(set)) return set;
-    return no_index;
-}
-
 Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context) {
     const std::vector<dmat4> world = bind_pose_matrices(scene);
     const SmoothSelection s = select_instances(scene, request, world);
@@ -186,20 +213,17 @@ Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context)
     Computed computed;
     bool keeps_plan = false;
     {
-        std::vector<AttributeMesh> meshes;
-        numbers.reserve(s.computed.size()), meshes.reserve(s.computed.size());
-        for (std::size_t r = 0; r < s.computed.size(); ++r) {
-            const Instance& instance = s.instances[s.computed[r]];
-            numbers.push_back(instance.mesh);
-            meshes.push_back(attribute_mesh(scene, instance, s.in_world[r] ? world[instance.node] : dmat4{}, request));
-        }
-        check_memory(meshes, context);
-        note_creases(scene, request, meshes, context.report());
-        const AttributeOptions options = options_for(request, meshes);
-        keeps_plan = request.made && options.normals && std::ranges::any_of(moving(scene, s), std::identity());
-        computed = keeps_plan ? compute_to_keep(scene, s, std::move(meshes), options, *request.made, context)
-                              : compute(scene, numbers, meshes, options, context);
+        Inputs in = inputs_of(scene, s, world, request);
+        numbers = in.numbers;
+        check_memory(in.meshes, context);
+        note_creases(scene, request, in.meshes, context.report());
+        const AttributeOptions options = options_for(request, in.meshes);
+        keeps_plan = request.made && options.normals && std::ranges::any_of(moving(scene, s.inputs()), std::identity());
+        computed = keeps_plan ? compute_to_keep(scene, s, std::move(in), options, *request.made, context)
+                              : compute(scene, numbers, in.meshes, options, context);
     }
+    numbers.resize(s.computed.size());
+    computed.attributes.resize(s.computed.size());
     check_split(scene, numbers, computed.attributes, context);
     report_faults(scene, numbers, computed.attributes, request.attributes, context.report());
     if (request.attributes.normals) warn_of_parting_vertices(scene, s.instances, world, context);
@@ -207,8 +231,8 @@ Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context)
     placer.place(computed);
     placer.report();
     if (keeps_plan)
-        for (const std::size_t i : s.computed)
-            request.made->back().numbers.push_back(scene.nodes[s.instances[i].node].meshes[s.instances[i].slot]);
+        for (const Instance& instance : s.inputs())
+            request.made->back().numbers.push_back(scene.nodes[instance.node].meshes[instance.slot]);
     return scene;
 }
 
@@ -236,9 +260,8 @@ Scene add_published_tangents(Scene scene, const SmoothRequest& request, Context&
 Scene add_missing_tangents(Scene scene, const SmoothRequest& request, Context& context) {
     if (request.tangents == TangentNeed::none) return scene;
     if (is_published(request.kept_tangents)) return add_published_tangents(std::move(scene), request, context);
-    std::vector<std::uint32_t> numbers;
     std::vector<bool> seen(scene.meshes.size(), false);
-    std::vector<AttributeMesh> meshes;
+    Inputs in;
     SmoothRequest only = request;
     only.attributes.normals = false;
     only.attributes.tangent_mode = request.kept_tangents;
@@ -247,17 +270,17 @@ Scene add_missing_tangents(Scene scene, const SmoothRequest& request, Context& c
         const Mesh& mesh = scene.meshes[instance.mesh];
         if (seen[instance.mesh] || mesh.normals.empty() || !mesh.tangents.empty()) continue;
         seen[instance.mesh] = true;
-        if (tangent_set(scene, mesh, only.tangents) == no_index) continue;
-        meshes.push_back(attribute_mesh(scene, instance, dmat4{}, only));
-        meshes.back().object = instance.mesh;
-        numbers.push_back(instance.mesh);
+        if (!tangent_coordinates(scene, mesh, only.tangents).exist()) continue;
+        in.add(scene, instance, dmat4{}, only);
+        in.meshes.back().object = instance.mesh;
     }
-    if (meshes.empty()) return scene;
-    check_memory(meshes, context);
-    std::vector<MeshAttributes> results = compute_attributes(meshes, options_for(only, meshes), context);
-    report_faults(scene, numbers, results, only.attributes, context.report());
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        scene.meshes[numbers[i]] = with_attributes(scene.meshes[numbers[i]], std::move(results[i]), false, context);
+    if (in.meshes.empty()) return scene;
+    check_memory(in.meshes, context);
+    std::vector<MeshAttributes> results = compute_attributes(in.meshes, options_for(only, in.meshes), context);
+    report_faults(scene, in.numbers, results, only.attributes, context.report());
+    for (std::size_t i = 0; i < in.numbers.size(); ++i)
+        scene.meshes[in.numbers[i]] =
+            with_attributes(scene.meshes[in.numbers[i]], std::move(results[i]), false, context);
     return scene;
 }
 
@@ -272,7 +295,7 @@ Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Contex
     if (request.tangents != TangentNeed::none) {
         if (!options.attributes.normals && !options.only_missing)
             for (Mesh& mesh : out.meshes)
-                if (tangent_set(out, mesh, request.tangents) != no_index) mesh.tangents = {};  // to be recomputed
+                if (tangent_coordinates(out, mesh, request.tangents).exist()) mesh.tangents = {};  // to be recomputed
         out = add_missing_tangents(std::move(out), request, context);
     }
     charge_new_arrays(out, unpaid_arrays(scene), context);

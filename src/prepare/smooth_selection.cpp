@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "prepare/missing_normals.h"
 #include "prepare/normal_rule.h"
 
 #include "math/linear.h"
@@ -40,7 +41,8 @@ std::vector<std::uint32_t> first_alike(const Scene& scene, const SmoothRequest& 
             const bool moves_alone = request.made && !mesh.influences.empty();  // see GeneratedAttributes
             if (first[m] == m && !moves_alone && have_same_arrays(mesh, other) &&
                 mesh.normal_choice == other.normal_choice &&
-                tangent_set(scene, mesh, request.tangents) == tangent_set(scene, other, request.tangents))
+                tangent_coordinates(scene, mesh, request.tangents) ==
+                    tangent_coordinates(scene, other, request.tangents))
                 first[m] = c;
         }
         if (first[m] == m && candidates.size() < searched) candidates.push_back(m);
@@ -71,15 +73,56 @@ std::vector<std::uint32_t> alike_nodes(const Scene& scene, const std::vector<std
     return alike;
 }
 
-/// Tangents for normals of the file are averaged over the model.
+/// Tangents for normals of the file are averaged over the model; gaps in them are closed over the model.
 bool is_of_scope(const Scene& scene, const Mesh& mesh, const SmoothRequest& request) {
     if (!request.source || request.every_scope) return true;
+    if (request.only_missing && !mesh.normals.empty()) return request.attributes.scope == Scope::model;
     const NormalRule rule = normal_rule(scene, mesh, *request.source);
     const bool is_kept = !request.attributes.normals && rule.keeps_given && rule.scope == Scope::face;
     return (is_kept ? Scope::model : rule.scope) == request.attributes.scope;
 }
 
+/// [meshes] Whether their normals are to be made, all or some of them.
+std::vector<bool> wanting(const Scene& scene, const std::vector<Instance>& drawn, const SmoothRequest& request) {
+    std::vector<bool> wants(scene.meshes.size(), false), seen(scene.meshes.size(), false);
+    for (const Instance& instance : drawn) {
+        if (seen[instance.mesh]) continue;
+        seen[instance.mesh] = true;
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        if (!request.attributes.normals)
+            wants[instance.mesh] = !mesh.normals.empty() && !request.only_missing;
+        else
+            wants[instance.mesh] = !request.only_missing || lacks_normals(mesh);
+    }
+    return wants;
+}
+
+/// The drawn instances whose normals are kept: over the model all of them, else those of nodes that have a computed one.
+void add_beside(SmoothSelection& s, const Scene& scene, const std::vector<Instance>& drawn,
+                const std::vector<bool>& wants, const SmoothRequest& request) {
+    const Scope scope = request.attributes.scope;
+    if (!request.only_missing || !request.attributes.normals || request.every_scope || scope == Scope::face) return;
+    std::vector<char> place(scene.nodes.size(), scope == Scope::model ? 'w' : '-');  // of a node's computed ones
+    for (std::size_t r = 0; r < s.computed.size(); ++r)
+        place[s.instances[s.computed[r]].node] = s.in_world[r] ? 'w' : 'o';
+    for (const Instance& instance : s.computed.empty() ? std::vector<Instance>{} : drawn) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        if (wants[instance.mesh] || mesh.normals.empty() || place[instance.node] == '-') continue;
+        if (request.source && !normal_rule(scene, mesh, *request.source).keeps_given) continue;
+        s.beside.push_back(instance);
+        s.in_world.push_back(place[instance.node] == 'w');
+    }
+}
+
 }  // namespace
+
+std::vector<Instance> SmoothSelection::inputs() const {
+    std::vector<Instance> all;
+    all.reserve(computed.size() + beside.size());
+    for (const std::size_t i : computed) all.push_back(instances[i]);
+    all.insert(all.end(), beside.begin(), beside.end());
+    return all;
+}
 
 bool is_similarity(const dmat4& m) {
     const dvec3 a = m[0].xyz(), b = m[1].xyz(), c = m[2].xyz();
@@ -90,12 +133,11 @@ bool is_similarity(const dmat4& m) {
 
 SmoothSelection select_instances(const Scene& scene, const SmoothRequest& request, const std::vector<dmat4>& world) {
     SmoothSelection s;
-    for (const Instance& instance : drawn_instances(scene)) {
-        const Mesh& mesh = scene.meshes[instance.mesh];
-        if ((mesh.normals.empty() ? request.attributes.normals : !request.only_missing) &&
-            is_of_scope(scene, mesh, request))
+    const std::vector<Instance> drawn = drawn_instances(scene);
+    const std::vector<bool> wants = wanting(scene, drawn, request);
+    for (const Instance& instance : drawn)
+        if (wants[instance.mesh] && is_of_scope(scene, scene.meshes[instance.mesh], request))
             s.instances.push_back(instance);
-    }
     const Scope scope = request.attributes.scope;
     std::vector<bool> even(scene.nodes.size(), false);
     if (scope != Scope::model)
@@ -123,6 +165,7 @@ SmoothSelection select_instances(const Scene& scene, const SmoothRequest& reques
             s.result_of.push_back(*shared);
         }
     }
+    add_beside(s, scene, drawn, wants, request);
     return s;
 }
 

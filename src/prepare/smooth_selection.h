@@ -15,7 +15,13 @@ struct SmoothSelection {
     std::vector<Instance> instances;
     std::vector<std::size_t> result_of;  ///< [instances] into `computed`
     std::vector<std::size_t> computed;   ///< into `instances`
-    std::vector<bool> in_world;          ///< [computed] at its place in the world, else about its own origin
+    /// Placements whose normals are kept, and which those that are made may meet.
+    std::vector<Instance> beside;
+    /// [computed, then beside] at its place in the world, else about its own origin
+    std::vector<bool> in_world;
+
+    /// [computed, then beside]
+    std::vector<Instance> inputs() const;
 };
 
 /// Moves, turns, mirrors and scales evenly (to nine digits), so that angles stay.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/uv_matrix.h"
 #include "shading/choices.h"
 
 namespace rakelight::shading {
@@ -21,13 +22,19 @@ std::int32_t steps(int wanted, int least) { return std::clamp(wanted, least, 102
 
 /// What one width of the texture along tangent and bitangent is in texture coordinates. Texels are taken as square on
 /// the surface, as normal maps take them. v counts down, the bitangent points up.
-void set_scales(const UvTransform& map, double aspect, ReliefFactors& out) {
-    const double along_u = std::sqrt(double(map.uu) * map.uu + double(map.vu) * map.vu);
-    const double along_v = std::sqrt(double(map.uv) * map.uv + double(map.vv) * map.vv);
-    out.to_uv[0] = along_u > 0 ? float(1 / along_u) : 0;
-    out.to_uv[1] = along_v > 0 ? float(-aspect / along_v) : 0;
-    out.to_map[0][0] = map.uu * out.to_uv[0], out.to_map[0][1] = map.uv * out.to_uv[1];
-    out.to_map[1][0] = map.vu * out.to_uv[0], out.to_map[1][1] = map.vv * out.to_uv[1];
+/// @param map      of the height texture
+/// @param tangent  of the texture to whose coordinates tangents belong; nothing moves where it maps all to a line
+void set_scales(const UvMatrix& map, const UvMatrix& tangent, double aspect, ReliefFactors& out) {
+    const UvMatrix to_uv = inverse(tangent);
+    const UvMatrix to_map = map == tangent && !(to_uv == UvMatrix{0, 0, 0, 0}) ? UvMatrix{} : map * to_uv;
+    const double along_u = std::sqrt(to_map.uu * to_map.uu + to_map.vu * to_map.vu);
+    const double along_v = std::sqrt(to_map.uv * to_map.uv + to_map.vv * to_map.vv);
+    const double per_u = along_u > 0 ? 1 / along_u : 0, per_v = along_v > 0 ? -aspect / along_v : 0;
+    const auto put = [&](const UvMatrix& m, float(&rows)[2][2]) {
+        rows[0][0] = float(m.uu * per_u), rows[0][1] = float(m.uv * per_v);
+        rows[1][0] = float(m.vu * per_u), rows[1][1] = float(m.vv * per_v);
+    };
+    put(to_uv, out.to_uv), put(to_map, out.to_map);
 }
 
 }  // namespace
@@ -58,7 +65,7 @@ ReliefFactors relief_of(const DrawList& list, const Draw& draw, const RenderSett
     out.refinement_steps = std::min(steps(r.refinement_steps, 0), 32);
     out.self_shadow = r.self_shadow && bump != Bump::height;
     out.limit_silhouette = r.limit_silhouette && bump != Bump::height;
-    set_scales(uv_transform(texture_roles()[role_height].in(m)), aspect, out);
+    set_scales(uv_matrix(m.height_texture.transform), tangent_matrix(m), aspect, out);
     return out;
 }
 

@@ -11,8 +11,8 @@ struct ReliefFactors {
     float depth;        ///< [widths of the texture] from height 0 to 1
     float level;        ///< 0..1: the height that lies in the polygon
     int32_t holds_depth, min_steps, max_steps, refinement_steps, self_shadow, limit_silhouette;
-    float to_uv[2];      ///< change of u and v for one width along the tangent and along the bitangent
-    float to_map[2][2];  ///< rows: the same of the map's own coordinates, behind the slot's transform
+    float to_uv[2][2];   ///< rows: change of u and of v for one width along the tangent and along the bitangent
+    float to_map[2][2];  ///< the same of the map's own coordinates, behind the slot's transform
 };
 
 /// Light from the environment, without its pictures.

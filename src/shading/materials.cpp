@@ -7,6 +7,7 @@
 #include "math/functions.h"
 #include "math/linear.h"
 #include "scene/scene_tools.h"
+#include "scene/uv_matrix.h"
 #include "shading/refraction.h"
 
 namespace rakelight::shading {
@@ -100,9 +101,9 @@ MaterialFactors material_factors(const Material& m) {
 }
 
 UvTransform uv_transform(const TextureUse& use) {
-    const double c = math::cos(use.transform.rotation_rad), s = math::sin(use.transform.rotation_rad);
-    const vec2 scale = use.transform.scale, offset = use.transform.offset;
-    return {float(c * scale.x), float(s * scale.y), float(-s * scale.x), float(c * scale.y), offset.x, offset.y};
+    const UvMatrix m = uv_matrix(use.transform);
+    const vec2 offset = use.transform.offset;
+    return {float(m.uu), float(m.uv), float(m.vu), float(m.vv), offset.x, offset.y};
 }
 
 bool is_identity(const UvTransform& t) {

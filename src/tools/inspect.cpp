@@ -15,6 +15,7 @@
 #include "io/reader.h"
 #include "math/linear.h"
 #include "prepare/bind_pose.h"
+#include "prepare/missing_normals.h"
 #include "prepare/pose_scene.h"
 #include "prepare/prepare.h"
 #include "scene/scene_tools.h"
@@ -65,7 +66,9 @@ ObjectSummary summarize(const Scene& scene, std::uint32_t number) {
         const Mesh& mesh = scene.meshes[index];
         count(object, mesh);
         add_material(object, materials, scene, mesh.material);
-        normals.add(!mesh.normals.empty());
+        const NormalGaps gaps = normal_gaps(mesh);
+        normals.add(!mesh.normals.empty() && gaps.count == 0);
+        if (gaps.count > 0 && !gaps.is_all) normals.add(true);
         tangents.add(!mesh.tangents.empty());
         texcoords.add(!mesh.texcoords.empty());
         colors.add(!mesh.colors.empty());
@@ -209,6 +212,9 @@ void look_at_borders(Inspection& result, const Scene& scene, const Surfaces& sur
     if (measures) look_at_matched_borders(result, surfaces, normals, options, context);
     if (proposes) propose_border_distance(result, surfaces, normals.before, options, context);
     result.shared_positions = result.seams.positions;
+    for (std::size_t i = 0; i < surfaces.meshes.size(); ++i)
+        if (surfaces.rules[i].keeps_given)
+            result.seams.missing_normals += normal_gaps(surfaces.meshes[i].normals, surfaces.meshes[i].indices).count;
     result.seams.normals_before = name_of_source(surfaces);
     result.seams.normals_after = name_of_smoothing(surfaces, options);
     const geometry::CreaseRange creases =

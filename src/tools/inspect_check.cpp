@@ -61,6 +61,14 @@ std::string count_failure(const Inspection& i, std::initializer_list<Count> coun
                        more(others - 1, "object"));
 }
 
+/// Normals without a direction, where seams of less than half a turn are asked about.
+std::string missing_failure(const Inspection& i, double limit_deg) {
+    if (i.seams.missing_normals == 0 || !(limit_deg < 180)) return {};
+    using S = SurfaceSummary;
+    const std::string where = count_failure(i, {&S::zero_normals, &S::non_finite_normals}, "zero or non-finite normal");
+    return where.empty() ? format_text("{} zero or non-finite normals", i.seams.missing_normals) : where;
+}
+
 std::string t_junction_failure(const Inspection& i) {
     std::string text = count_failure(i, {&SurfaceSummary::t_junctions}, "T-junction");
     if (!text.empty()) text += ", the first at " + text_of(i.t_junction_places.front().position);
@@ -131,7 +139,11 @@ std::vector<CheckFailure> check_limits(const Inspection& i, const CheckLimits& l
         if (!wanted) return;
         if (std::string message = find(); !message.empty()) failures.push_back({limit, std::move(message)});
     };
-    add(limits.max_seam_deg.has_value(), "max-seam", [&] { return seam_failure(i, *limits.max_seam_deg); });
+    add(limits.max_seam_deg.has_value(), "max-seam", [&] {
+        const std::string missing = limits.unit_normals ? "" : missing_failure(i, *limits.max_seam_deg);
+        const std::string seam = seam_failure(i, *limits.max_seam_deg);
+        return missing.empty() || seam.empty() ? missing + seam : missing + "; " + seam;
+    });
     add(limits.no_degenerate, "no-degenerate",
         [&] { return count_failure(i, {&S::degenerate_faces}, "degenerate face"); });
     add(limits.no_t_junctions, "no-t-junctions", [&] { return t_junction_failure(i); });

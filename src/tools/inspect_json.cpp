@@ -151,6 +151,7 @@ Json json_of(const SeamTotals& s) {
             {"pairs", s.pairs},
             {"crowded_positions", s.crowded_positions},
             {"pairings_left_out", s.pairings_left_out},
+            {"missing_normals", s.missing_normals},
             {"inconsistent_edges", s.inconsistent_edges}};
 }
 

@@ -27,7 +27,10 @@ std::uint64_t fault_count(const SurfaceSummary& s) {
 
 std::vector<std::string> seams_lines(const Inspection& i) {
     const SeamTotals& s = i.seams;
-    std::vector<std::string> lines = {counted(i.shared_positions, "position") + " shared by meshes"};
+    std::vector<std::string> lines = {counted(i.shared_positions, "position") + " shared by objects"};
+    if (s.missing_normals > 0)
+        lines.push_back(counted(s.missing_normals, "normal") +
+                        " missing in the file (zero or not finite), computed for these angles");
     if (i.shared_positions == 0) return lines;
     lines[0] += format_text(", {} continuous (normals: {}), {} once {} at {}{} degrees", s.continuous, s.normals_before,
                             s.joined, s.normals_after, number(s.crease_angle_deg),

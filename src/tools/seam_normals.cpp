@@ -5,16 +5,17 @@
 #include <set>
 
 #include "base/format_text.h"
+#include "prepare/missing_normals.h"
 
 namespace rakelight {
 namespace {
 
 /// Makes the normals of some of the parts.
-/// @param meshes  [parts] of those
+/// @param meshes  [parts] of those; only the first `count` get them
 /// @param number_of  (i) -> the part that meshes[i] is
 template <class NumberOf>
-void make_normals(std::vector<PartNormals>& normals, std::span<const AttributeMesh> meshes, Scope scope,
-                  const InspectOptions& options, Context& context, const NumberOf& number_of) {
+void make_normals(std::vector<PartNormals>& normals, std::span<const AttributeMesh> meshes, std::size_t count,
+                  Scope scope, const InspectOptions& options, Context& context, const NumberOf& number_of) {
     std::uint64_t bytes = 0;
     for (const AttributeMesh& m : meshes)
         bytes += m.positions.size() * sizeof(vec3) + m.indices.size() * sizeof(std::uint32_t);
@@ -26,11 +27,28 @@ void make_normals(std::vector<PartNormals>& normals, std::span<const AttributeMe
     attributes.weld_distance = options.weld_distance;
     attributes.tangents = false;
     std::vector<MeshAttributes> made = compute_attributes(meshes, attributes, context);
-    for (std::size_t i = 0; i < made.size(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         PartNormals& part = normals[number_of(i)];
         part.made = std::move(made[i].normals);
         part.indices = std::move(made[i].indices);
     }
+}
+
+/// The part as a mesh whose normals are made: but for gaps, those of the file are locked.
+AttributeMesh part_to_make(const Surfaces& surfaces, std::uint32_t part, Block<std::uint8_t>& locks) {
+    AttributeMesh mesh = surfaces.meshes[part];
+    const NormalRule& rule = surfaces.rules[part];
+    if (!rule.groups) mesh.smoothing = {}, mesh.smoothing_hint = {}, mesh.group_kind = GroupKind::none;
+    if (rule.keeps_given && !mesh.normals.empty()) locks = authored_locks(mesh.normals);
+    mesh.locked = locks;
+    return mesh;
+}
+
+/// Whether the part's normals are used as they are.
+bool is_given(const Surfaces& surfaces, std::uint32_t part) {
+    const AttributeMesh& mesh = surfaces.meshes[part];
+    return surfaces.rules[part].keeps_given && !mesh.normals.empty() &&
+           normal_gaps(mesh.normals, mesh.indices).count == 0;
 }
 
 /// A part's positions with those that its made normals split.
@@ -59,23 +77,23 @@ void join_parts(std::vector<PartNormals>& normals, const Surfaces& surfaces, con
 std::vector<PartNormals> normals_before(const Surfaces& surfaces, const InspectOptions& options, Context& context) {
     std::vector<PartNormals> normals(surfaces.meshes.size());
     std::vector<std::uint32_t> missing[3];  // by scope
-    for (std::size_t i = 0; i < surfaces.meshes.size(); ++i) {
-        const NormalRule& rule = surfaces.rules[i];
-        if (rule.keeps_given && !surfaces.meshes[i].normals.empty())
-            normals[i].given = surfaces.meshes[i].normals;
+    std::vector<std::uint32_t> given;
+    for (std::uint32_t i = 0; i < surfaces.meshes.size(); ++i) {
+        if (is_given(surfaces, i))
+            normals[i].given = surfaces.meshes[i].normals, given.push_back(i);
         else
-            missing[std::size_t(rule.scope)].push_back(std::uint32_t(i));
+            missing[std::size_t(surfaces.rules[i].scope)].push_back(i);
     }
     for (const Scope scope : {Scope::face, Scope::object, Scope::model}) {
-        const std::vector<std::uint32_t>& parts = missing[std::size_t(scope)];
+        std::vector<std::uint32_t>& parts = missing[std::size_t(scope)];
         if (parts.empty()) continue;
+        const std::size_t count = parts.size();  // those that are made; over the model the given ones lie beside them
+        if (scope == Scope::model) parts.insert(parts.end(), given.begin(), given.end());
         std::vector<AttributeMesh> meshes;
+        std::vector<Block<std::uint8_t>> locks(parts.size());
         meshes.reserve(parts.size());
-        for (const std::uint32_t i : parts) {
-            AttributeMesh& m = meshes.emplace_back(surfaces.meshes[i]);
-            if (!surfaces.rules[i].groups) m.smoothing = {}, m.smoothing_hint = {}, m.group_kind = GroupKind::none;
-        }
-        make_normals(normals, meshes, scope, options, context, [&](std::size_t i) { return parts[i]; });
+        for (std::size_t i = 0; i < parts.size(); ++i) meshes.push_back(part_to_make(surfaces, parts[i], locks[i]));
+        make_normals(normals, meshes, count, scope, options, context, [&](std::size_t i) { return parts[i]; });
     }
     join_parts(normals, surfaces, options, context);
     return normals;
@@ -128,15 +146,21 @@ static bool keeps_authored(const Surfaces& surfaces, const InspectOptions& optio
 std::vector<PartNormals> normals_after(const Surfaces& surfaces, const InspectOptions& options, Context& context) {
     if (keeps_authored(surfaces, options)) return normals_before(joined_surfaces(surfaces), options, context);
     std::vector<PartNormals> normals(surfaces.meshes.size());
-    make_normals(normals, surfaces.meshes, Scope::model, options, context, [](std::size_t i) { return i; });
+    make_normals(normals, surfaces.meshes, surfaces.meshes.size(), Scope::model, options, context,
+                 [](std::size_t i) { return i; });
     return normals;
+}
+
+/// Any is one: files may hold zeros.
+static bool has_given(const AttributeMesh& mesh) {
+    return !mesh.normals.empty() && !normal_gaps(mesh.normals, mesh.indices).is_all;
 }
 
 static std::string name_of_unjoined(const Surfaces& surfaces) {
     std::size_t missing = 0;
     std::set<Scope> scopes;
     for (std::size_t i = 0; i < surfaces.meshes.size(); ++i) {
-        if (surfaces.rules[i].keeps_given && !surfaces.meshes[i].normals.empty()) continue;
+        if (surfaces.rules[i].keeps_given && has_given(surfaces.meshes[i])) continue;
         ++missing;
         scopes.insert(surfaces.rules[i].scope);
     }

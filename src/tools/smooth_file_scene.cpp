@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "prepare/missing_normals.h"
 #include "prepare/repair_borders.h"
 #include "prepare/repair_seams.h"
 #include "prepare/smooth_request.h"
@@ -131,15 +132,17 @@ void check(const SmoothFileOptions& options) {
 
 }  // namespace
 
-SmoothedScene smooth_for_file(const Scene& scene, const SmoothFileOptions& options, Context& context) {
+SmoothedScene smooth_for_file(const Scene& given, const SmoothFileOptions& options, Context& context) {
     check(options);
+    const bool is_replaced = options.authored == AuthoredNormals::replaced;
+    const Scene scene = is_replaced ? given : without_useless_normals(given, context.report());
     SharedCharge charge = share(MemoryCharge(context.memory(), table_bytes(scene), "the smoothed scene"));
-    const bool keeps = options.authored == AuthoredNormals::seams && has_normals(scene);
+    const bool keeps = !is_replaced && has_normals(scene);
     SmoothedScene out =
         keeps ? repaired(scene, options, context) : SmoothedScene{with_new_normals(scene, options, false, context)};
     if (options.border_distance > 0) join_near_borders(out, options, context);
     if (options.bitangents) out.scene = with_bitangents(std::move(out.scene), options, context);
-    charge_new_arrays(out.scene, unpaid_arrays(scene), context);
+    charge_new_arrays(out.scene, unpaid_arrays(given), context);
     out.scene.charges.push_back(std::move(charge));
     return out;
 }

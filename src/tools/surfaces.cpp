@@ -5,7 +5,7 @@
 
 #include "math/linear.h"
 #include "prepare/bind_pose.h"
-#include "prepare/smooth_request.h"
+#include "prepare/tangent_coordinates.h"
 
 namespace rakelight {
 namespace {
@@ -38,8 +38,8 @@ Surfaces collect_surfaces(const Scene& scene, std::span<const std::uint32_t> obj
         m.positions = mesh.positions;
         m.indices = mesh.indices;
         m.normals = mesh.normals;
-        const std::uint32_t set = tangent_set(scene, mesh, TangentNeed::everywhere);
-        if (set != no_index) m.texcoords = mesh.texcoords[set];
+        out.texcoords.push_back(tangent_texcoords(mesh, tangent_coordinates(scene, mesh, TangentNeed::everywhere)));
+        m.texcoords = out.texcoords.back();
         m.smoothing = mesh.smoothing;
         if (!mesh.smoothing.empty())
             m.group_kind = mesh.smoothing_kind == SmoothingKind::masks ? GroupKind::masks : GroupKind::numbers;

@@ -13,11 +13,12 @@
 namespace rakelight {
 
 /// Part i is one placement of one mesh, skinned ones in bind pose. AttributeMesh::object counts in the list of objects.
-/// The arrays are the scene's.
+/// The arrays are the scene's, but for texture coordinates that a transform changes.
 struct Surfaces {
     std::vector<Instance> parts;
-    std::vector<AttributeMesh> meshes;  ///< [parts] with the file's normals, texture coordinates and smoothing groups
-    std::vector<NormalRule> rules;      ///< [parts] by which the normals of a picture come about
+    std::vector<AttributeMesh> meshes;   ///< [parts] with the file's normals, texture coordinates and smoothing groups
+    std::vector<Block<vec2>> texcoords;  ///< [parts] behind their transforms
+    std::vector<NormalRule> rules;       ///< [parts] by which the normals of a picture come about
 };
 
 /// Whether any part has normals of its own, and its rule keeps them.

@@ -32,7 +32,8 @@ inline lit::Relief relief_of(const shading::ReliefFactors& r) {
     out.technique = r.technique;
     out.fewest_layers = r.min_steps, out.most_layers = r.max_steps, out.bisections = r.refinement_steps;
     out.depth = real(r.depth);
-    out.to_uv = vec2(real(r.to_uv[0]), real(r.to_uv[1]));
+    out.to_uv_u = vec2(real(r.to_uv[0][0]), real(r.to_uv[0][1]));
+    out.to_uv_v = vec2(real(r.to_uv[1][0]), real(r.to_uv[1][1]));
     out.to_map_u = vec2(real(r.to_map[0][0]), real(r.to_map[0][1]));
     out.to_map_v = vec2(real(r.to_map[1][0]), real(r.to_map[1][1]));
     return out;

@@ -254,10 +254,9 @@ private:
         if (f_.relief == shading::relief_none) return;
         const shading::ReliefFactors r =
             shading::relief_of(p_.list, draw_, p_.settings, double(height_->width) / height_->height);
-        const float relief[4] = {r.depth, r.level, r.to_uv[0], r.to_uv[1]};
-        const float to_map[4] = {r.to_map[0][0], r.to_map[0][1], r.to_map[1][0], r.to_map[1][1]};
-        std::copy_n(relief, 4, state_.numbers.relief);
-        std::copy_n(to_map, 4, state_.numbers.relief_to_map);
+        state_.numbers.relief[0] = r.depth, state_.numbers.relief[1] = r.level;
+        std::copy_n(&r.to_uv[0][0], 4, state_.numbers.relief_to_uv);
+        std::copy_n(&r.to_map[0][0], 4, state_.numbers.relief_to_map);
         state_.numbers.height_levels = float(height_->level_count);
         f_.holds_depth = r.holds_depth;
         f_.fewest_layers = r.min_steps, f_.most_layers = r.max_steps, f_.bisections = r.refinement_steps;

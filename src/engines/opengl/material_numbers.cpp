@@ -73,6 +73,7 @@ std::vector<Number> make_numbers() {
                                RL_OWN(mean_roughness),
                                RL_OWN(mask_cutoff),
                                RL_OWN(relief),
+                               RL_OWN(relief_to_uv),
                                RL_OWN(relief_to_map),
                                RL_OWN(height_levels)};
 #undef RL_FACTOR

@@ -16,7 +16,8 @@ struct MaterialNumbers {
     shading::MaterialFactors factors{};
     float mean_roughness = 1;  ///< with the mean of its map
     float mask_cutoff = -1;
-    float relief[4]{};  ///< depth, level, to_uv
+    float relief[2]{};  ///< depth, level
+    float relief_to_uv[4]{};
     float relief_to_map[4]{};
     float height_levels = 1;
     float body_thickness = 0;             ///< [m] in the world, without its map
@@ -24,7 +25,7 @@ struct MaterialNumbers {
     float offset[texture_role_count][2]{};
 };
 
-inline constexpr int material_vectors = 28 + 2 * texture_role_count;  ///< at most
+inline constexpr int material_vectors = 29 + 2 * texture_role_count;  ///< at most
 using PackedMaterial = std::array<float, 4 * material_vectors>;
 
 PackedMaterial pack(const MaterialNumbers& numbers);

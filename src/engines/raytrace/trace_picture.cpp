@@ -10,6 +10,7 @@
 #include "engines/raytrace/media.h"
 #include "math/linear.h"
 #include "scene/splat_mesh.h"
+#include "scene/uv_matrix.h"
 #include "shading/lights.h"
 #include "shading/shading_choice.h"
 
@@ -86,10 +87,14 @@ void make_path_job(HitJob& job) {
 }
 
 /// @param eye  about the middle of the ray scene
-ShapeView shape_view(const PlacedShape* placed, vec3 eye) {
+ShapeView shape_view(const PlacedShape* placed, const Material& material, vec3 eye) {
     ShapeView view{};
     view.kind = shape_none;
     if (!placed) return view;
+    // dP/du' = (vv dP/du - vu dP/dv) / determinant
+    const UvMatrix m = tangent_matrix(material);
+    const double determinant = m.uu * m.vv - m.uv * m.vu, sign = determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
+    view.tangent_uv[0] = float(m.vv * sign), view.tangent_uv[1] = float(-m.vu * sign);
     const ExactShape& s = placed->shape;
     view.kind = std::int32_t(s.kind);
     view.radius = float(s.radius), view.tube_radius = float(s.tube_radius), view.height = float(s.height);
@@ -131,7 +136,7 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
         job.mesh = cpu_shading::make_mesh_view(list.scene.meshes[draw.mesh], frames_.back());
         set_rows(to_eye_.back(), job.to_eye);
         job.is_of_splats = is_of_splats(list.scene.meshes[draw.mesh]);
-        job.shape = shape_view(rays.shape_of(d), eye_);
+        job.shape = shape_view(rays.shape_of(d), list.scene_material(list.material(draw)), eye_);
         culling_.push_back(shading::culling_of(list, draw, settings));
         job.front_is_negative = culling_.back().front_is_negative;
         if (shading[d] == Shading::unlit) job.unlit = 1;

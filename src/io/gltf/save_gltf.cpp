@@ -100,8 +100,24 @@ private:
             const ComponentType type = storage_.is_kept(a, name) ? storage_.stored(a, name) : ComponentType::f32;
             return x == y || all(x, y, [&](float p, float q) { return p == stored_value(q, type); });
         };
+        const auto same_offsets = [&](std::uint32_t t, const char* name, const auto& x, const auto& y) {
+            return all(
+                x, y, [&, type = storage_.stored(a, t, name)](float p, float q) { return p == stored_value(q, type); });
+        };
         return same_corners(a, b) && same("NORMAL", a.normals, b.normals) && same("TANGENT", a.tangents, b.tangents) &&
-               has_bitangents_of(a, b);
+               has_bitangents_of(a, b) && all_targets(a, b, same_offsets);
+    }
+
+    /// same(target, name, offsets, offsets); those that are not new are the file's own, or there are none.
+    static bool all_targets(const Mesh& a, const Mesh& b, const auto& same) {
+        for (std::uint32_t t = 0; t < std::min(a.targets.size(), b.targets.size()); ++t) {
+            const MorphTarget &x = a.targets[t], &y = b.targets[t];
+            if (!y.normals.empty() && !(x.normals == y.normals) && !same(t, "NORMAL", x.normals, y.normals))
+                return false;
+            if (!y.tangents.empty() && !(x.tangents == y.tangents) && !same(t, "TANGENT", x.tangents, y.tangents))
+                return false;
+        }
+        return true;
     }
 
     /// What is there differs from what was computed by the rounding of sums in another order, or of numbers to their
@@ -111,8 +127,13 @@ private:
             const double slack = rounding + (storage_.is_kept(a, name) ? half_step(storage_.stored(a, name)) : 0);
             return x == y || all(x, y, [&](float p, float q) { return std::fabs(double(p) - double(q)) <= slack; });
         };
+        const auto same_offsets = [&](std::uint32_t t, const char* name, const auto& x, const auto& y) {
+            return all(x, y, [slack = rounding + half_step(storage_.stored(a, t, name))](float p, float q) {
+                return std::fabs(double(p) - double(q)) <= slack;
+            });
+        };
         return same_corners(a, b) && same("NORMAL", a.normals, b.normals) && same("TANGENT", a.tangents, b.tangents) &&
-               has_bitangents_of(a, b);
+               has_bitangents_of(a, b) && all_targets(a, b, same_offsets);
     }
 
     void list(const MeshVersion& version, std::uint32_t mesh) {

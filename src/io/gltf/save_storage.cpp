@@ -94,13 +94,20 @@ DirectionStorage::DirectionStorage(const Accessors& accessors, const Scene& scen
     if (any_small && !are_turned_alike(scene)) small_normals_ = small_tangents_ = false;
 }
 
-ComponentType DirectionStorage::stored(const Mesh& mesh, const char* semantic) const {
-    const Value primitive = primitive_of(accessors_.document(), mesh), attributes = primitive.object("attributes");
+static ComponentType stored_in(const Accessors& accessors, const Value& attributes, const char* semantic) {
     if (!attributes.has(semantic)) return ComponentType::f32;
-    const Elements e = accessors_.description(attributes.required_index(semantic),
-                                              {semantic, components(3) | components(4), float_or_small}, primitive);
+    const Elements e = accessors.description(attributes.required_index(semantic),
+                                             {semantic, components(3) | components(4), float_or_small}, attributes);
     const bool is_signed = e.type == ComponentType::i8 || e.type == ComponentType::i16;
     return is_signed && e.normalized ? e.type : ComponentType::f32;
+}
+
+ComponentType DirectionStorage::stored(const Mesh& mesh, const char* semantic) const {
+    return stored_in(accessors_, primitive_of(accessors_.document(), mesh).object("attributes"), semantic);
+}
+
+ComponentType DirectionStorage::stored(const Mesh& mesh, std::uint32_t target, const char* semantic) const {
+    return stored_in(accessors_, primitive_of(accessors_.document(), mesh).list("targets").element(target), semantic);
 }
 
 ComponentType DirectionStorage::wanted(const Mesh& mesh, const char* semantic) const {

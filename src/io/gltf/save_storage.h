@@ -31,6 +31,8 @@ public:
 
     /// @param semantic  "NORMAL" or "TANGENT"  @return i8, i16, or f32 for all else and where there is none
     ComponentType stored(const Mesh& mesh, const char* semantic) const;
+    /// The same of a morph target's offsets.
+    ComponentType stored(const Mesh& mesh, std::uint32_t target, const char* semantic) const;
     ComponentType wanted(const Mesh& mesh, const char* semantic) const;
     /// Both are the same integers: what was computed need only be within half a step of what is there.
     bool is_kept(const Mesh& mesh, const char* semantic) const;

@@ -14,7 +14,8 @@ struct Relief {
     int most_layers;
     int bisections;
     real depth;        // [widths of the texture] from height 0 to 1
-    vec2 to_uv;        // change of u and v for one width along the tangent and along the bitangent
+    vec2 to_uv_u;      // change of u for one width along the tangent and along the bitangent; then of v
+    vec2 to_uv_v;
     vec2 to_map_u;     // the same of the map's own u, behind the transform of its slot; then of its v
     vec2 to_map_v;
 };
@@ -48,7 +49,7 @@ RL_FN vec2 relief_to_map(RL_IN(Relief) r, vec2 d)
 
 RL_FN vec2 relief_to_uv(RL_IN(Relief) r, vec2 d)
 {
-    return vec2(r.to_uv.x * d.x, r.to_uv.y * d.y);
+    return vec2(r.to_uv_u.x * d.x + r.to_uv_u.y * d.y, r.to_uv_v.x * d.x + r.to_uv_v.y * d.y);
 }
 
 // Texture coordinates of another set (from pixel to pixel to_dx, to_dy) move as far on the screen as those of the map's set.

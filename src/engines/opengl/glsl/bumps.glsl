@@ -26,7 +26,7 @@ Frame frame_at(Point p)
 }
 
 #if RL_RELIEF != RL_RELIEF_NONE
-// m_relief: depth, level, and what one width is along tangent and bitangent in the mesh's coordinates; m_relief_to_map.
+// m_relief: depth, level; what one width along tangent and bitangent is in the mesh's coordinates and in the map's.
 Relief relief()
 {
     Relief r;
@@ -35,7 +35,8 @@ Relief relief()
     r.most_layers = RL_MOST_LAYERS;
     r.bisections = RL_BISECTIONS;
     r.depth = m_relief.x;
-    r.to_uv = m_relief.zw;
+    r.to_uv_u = m_relief_to_uv.xy;
+    r.to_uv_v = m_relief_to_uv.zw;
     r.to_map_u = m_relief_to_map.xy;
     r.to_map_v = m_relief_to_map.zw;
     return r;

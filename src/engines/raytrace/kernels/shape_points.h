@@ -118,7 +118,10 @@ inline vec3 shape_normal(const HitJob& job, const ShapePoint& s) { return cpu::t
 /// 0 where the mesh has none, as of triangles.
 inline vec3 shape_tangent(const HitJob& job, const ShapePoint& s) {
     if (job.mesh.tangents == nullptr) return vec3(real(0.0f));
-    return safe_normalize_or(cpu::transformed(job.mesh.linear, s.du), vec3(real(0.0f)));
+    const float along_u = job.shape.tangent_uv[0], along_v = job.shape.tangent_uv[1];
+    vec3 t = s.du * real(along_u);
+    if (along_v != 0.0f) t = t * s.per_v + s.dv * (s.per_u * real(along_v));  // dP/du = du / per_u
+    return safe_normalize_or(cpu::transformed(job.mesh.linear, t), vec3(real(0.0f)));
 }
 
 /// All vertices of the shape's triangles have the same.

@@ -74,6 +74,7 @@ struct ShapeView {
     int32_t kind;  ///< ShapeNumber
     float radius, tube_radius, height, width, depth;
     float to_object[3][4];  ///< rows: about the eye -> object space
+    float tangent_uv[2];    ///< how much of dP/du and of dP/dv tangents have: of texture coordinates behind a transform
 };
 enum ShapeNumber : int32_t { shape_none = -1, shape_sphere, shape_cylinder, shape_cone, shape_torus, shape_plane };
 /// Faces of shapes, instead of triangles.

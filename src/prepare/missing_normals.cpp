@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prepare/missing_normals.h"
+
+#include <algorithm>
+
+#include "geometry/face_vote.h"
+#include "math/linear.h"
+#include "prepare/variants.h"
+#include "scene/validate_parts.h"
+
+namespace rakelight {
+
+bool is_normal(vec3 v) { return is_finite(v) && !(v == vec3{}); }
+
+NormalGaps normal_gaps(std::span<const vec3> normals, std::span<const std::uint32_t> indices) {
+    NormalGaps gaps;
+    if (std::all_of(normals.begin(), normals.end(), is_normal)) return gaps;
+    gaps.at.assign(normals.size(), 0);
+    bool has_normals = false;
+    for (const std::uint32_t v : indices) {
+        if (is_normal(normals[v]))
+            has_normals = true;
+        else if (gaps.at[v] == 0)
+            gaps.at[v] = 1, ++gaps.count;
+    }
+    gaps.is_all = gaps.count > 0 && !has_normals;
+    if (gaps.count == 0) gaps.at.clear();
+    return gaps;
+}
+
+NormalGaps normal_gaps(const Mesh& mesh) { return normal_gaps(mesh.normals, mesh.indices); }
+
+bool lacks_normals(const Mesh& mesh) { return mesh.normals.empty() || normal_gaps(mesh).count > 0; }
+
+NormalGaps drop_if_all_gaps(Mesh& mesh, std::vector<Finding>& findings) {
+    NormalGaps gaps = normal_gaps(mesh);
+    if (gaps.is_all) {
+        findings.push_back({Remark::warning, "the normals are all zero or not finite: computed instead"});
+        mesh.normals = {};
+    } else if (gaps.count > 0) {
+        findings.push_back({Remark::warning, "normals that are zero or not finite were replaced by computed ones"});
+    }
+    return gaps;
+}
+
+Scene without_useless_normals(Scene scene, Report& report) {
+    std::vector<bool> seen(scene.meshes.size(), false);
+    for (const Instance& instance : drawn_instances(scene)) {
+        if (seen[instance.mesh]) continue;
+        seen[instance.mesh] = true;
+        std::vector<Finding> findings;
+        drop_if_all_gaps(scene.meshes[instance.mesh], findings);
+        for (const Finding& f : findings)
+            report.add(f.remark, scene.source, Place{"mesh", instance.mesh, scene.meshes[instance.mesh].name}.text(),
+                       f.message);
+    }
+    return scene;
+}
+
+Block<std::uint8_t> authored_locks(std::span<const vec3> normals) {
+    std::vector<std::uint8_t> locks;
+    locks.reserve(normals.size());
+    for (const vec3 n : normals) locks.push_back(is_normal(n) ? geometry::authored_lock : 0);
+    return locks;
+}
+
+}  // namespace rakelight
