@@ -153,7 +153,8 @@ static Relief relief_of(const ReliefCase& c) {
     r.technique = techniques[c.march];
     r.fewest_layers = c.min_steps, r.most_layers = c.max_steps, r.bisections = c.refinements;
     r.depth = real(c.depth);
-    r.to_uv = vec2(real(1.0f), real(1.0f));
+    r.to_uv_u = vec2(real(1.0f), real(0.0f));
+    r.to_uv_v = vec2(real(0.0f), real(1.0f));
     r.to_map_u = vec2(real(1.0f), real(0.0f));
     r.to_map_v = vec2(real(0.0f), real(1.0f));
     return r;

@@ -115,7 +115,8 @@ RL_FN Relief any_relief(int technique, vec3 ka, vec3 kd)
     r.most_layers = 12;
     r.bisections = 6;
     r.depth = 0.1f * kd.x;
-    r.to_uv = vec2(1.0f + ka.x, -1.0f - ka.y);
+    r.to_uv_u = vec2(1.0f + ka.x, kd.x);
+    r.to_uv_v = vec2(kd.x, -1.0f - ka.y);
     r.to_map_u = vec2(1.0f + ka.x, ka.z);
     r.to_map_v = vec2(ka.z, 1.0f + ka.y);
     return r;

@@ -116,8 +116,7 @@ TEST(Repair, ComputesNormalsWhereAllAreBroken) {
 TEST(Repair, ReplacesSingleBrokenNormalsByThoseOfTheFacesAround) {
     Context context;
     const vec3 tilted{0.6f, 0, 0.8f};
-    const Scene out = repair_scene(scene_of({with_normals({tilted, {nan_f, 0, 0}, {0, 0, 0}, tilted})}),
-                                   NormalSource::automatic, context);
+    const Scene out = prepare_scene(scene_of({with_normals({tilted, {nan_f, 0, 0}, {0, 0, 0}, tilted})}), {}, context);
     EXPECT_EQ(out.meshes[0].normals[0], tilted);
     EXPECT_EQ(out.meshes[0].normals[1], (vec3{0, 0, 1}));
     EXPECT_EQ(out.meshes[0].normals[2], (vec3{0, 0, 1}));
@@ -136,7 +135,7 @@ TEST(Repair, BrokenNormalsAtASeamAreThoseOfBothSides) {
     for (const std::size_t v : {1u, 6u}) normals[v] = {0, 0, 0};
     mesh.normals = normals;
     Context context;
-    const Mesh after = repair_scene(scene_of({mesh}), NormalSource::automatic, context).meshes[0];
+    const Mesh after = prepare_scene(scene_of({mesh}), {}, context).meshes[0];
     EXPECT_EQ(after.positions.size(), 8u);
     EXPECT_EQ(after.normals[1], after.normals[6]);
     EXPECT_NEAR(after.normals[1].x, std::sin(radians(20)), 0.02);

@@ -132,8 +132,8 @@ TEST(DrawChoices, AReliefIsAsDeepAsItsMapAndSteppedWithinWhatAPictureCanBeWaited
     EXPECT_EQ(r.max_steps, 1024);
     EXPECT_EQ(r.min_steps, 1024);
     EXPECT_EQ(r.refinement_steps, 32);
-    EXPECT_FLOAT_EQ(r.to_uv[0], 0.25f);
-    EXPECT_FLOAT_EQ(r.to_uv[1], -1.0f);  // v down, twice as many widths a height, half of them by the scale
+    EXPECT_FLOAT_EQ(r.to_uv[0][0], 0.25f);
+    EXPECT_FLOAT_EQ(r.to_uv[1][1], -1.0f);  // v down, twice as many widths a height, half of them by the scale
     EXPECT_FLOAT_EQ(r.to_map[0][0], 1.0f);
     EXPECT_FLOAT_EQ(r.to_map[1][1], -2.0f);
     EXPECT_EQ(relief_of(made.list, made.draw(0), {.bump = Bump::normal}, 2).technique, relief_none);
