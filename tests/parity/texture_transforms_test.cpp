@@ -9,9 +9,9 @@
 #include <vector>
 
 #include <rakelight/motion.h>
+#include <rakelight/render.h>
 #include <rakelight/session.h>
 
-#include "render/engines.h"
 #include "scene/scene_tools.h"
 #include "support/scene_builder.h"
 #include "support/shared.h"

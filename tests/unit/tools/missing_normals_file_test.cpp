@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files in which normals are missing: zeros and numbers that are none, parts without normals beside parts with, morph targets
 // whose normals do not move. What smooth_file() writes, and what inspect() and check_limits() say before and after.
+#include <gtest/gtest.h>
+
 #include <cmath>
+#include <limits>
+
+#include <rakelight/tools/inspection_report.h>
 
 #include "io/glb_writer.h"
 #include "math/linear.h"
@@ -115,7 +120,9 @@ TEST_F(MissingNormalsFile, ZerosAreMadeSaidAndAFault) {
     after = out();
     for (std::size_t v = 0; v < 10; ++v) {
         EXPECT_LT(degrees_from_exact(after.meshes[1], v), 1e-3);
-        if (v != 4 && v != 5) EXPECT_EQ(after.meshes[1].normals[v], exact[v]);
+        if (v != 4 && v != 5) {
+            EXPECT_EQ(after.meshes[1].normals[v], exact[v]);
+        }
     }
     EXPECT_TRUE(check_limits(inspect(after, {}, context_), {}).empty());
 }
@@ -137,7 +144,9 @@ TEST_F(MissingNormalsFile, PlyAndObjAreWrittenWithMadeNormals) {
         smooth_file(file, to, {}, context_);
         for (const Mesh& mesh : load(to, {}, context_).meshes)
             for (std::size_t v = 0; v < mesh.normals.size(); ++v)
-                if (std::fabs(mesh.positions[v].x) < 0.71f) EXPECT_LT(degrees_from_exact(mesh, v), 0.05) << name;
+                if (std::fabs(mesh.positions[v].x) < 0.71f) {
+                    EXPECT_LT(degrees_from_exact(mesh, v), 0.05) << name;
+                }
     }
 }
 
