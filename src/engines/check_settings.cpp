@@ -6,6 +6,7 @@
 
 #include "base/enumerators.h"
 #include "base/format_text.h"
+#include "engines/shader_text.h"
 #include "math/linear.h"
 
 namespace rakelight {
@@ -103,6 +104,7 @@ void check_numbers(const RenderSettings& s) {
     require(s.naive_limit >= 0, "naive-limit", "must be 0 or more");
     const char* const fault = fault_of(s.relief);
     require(!fault, "bump", fault ? fault : "");
+    require(std::isfinite(s.shader_time_s), "", "the time of the shaders is not finite");
 }
 
 }  // namespace
@@ -111,6 +113,7 @@ void check_settings(const RenderSettings& settings) {
     check_size(settings);
     check_words(settings);
     check_numbers(settings);
+    check_shaders(settings);
 }
 
 void check_camera(const Camera& camera, std::size_t nodes, CameraUse use) {

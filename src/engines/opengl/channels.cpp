@@ -131,4 +131,16 @@ void ChannelTarget::read(Output group, std::uint32_t channels, dvec3 eye, Channe
     check_gl("data channels");
 }
 
+std::array<vec4, 4> ChannelTarget::user_terms() const {
+    std::array<vec4, 4> terms;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, float_frame_.name());
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+        glReadBuffer(GLenum(GL_COLOR_ATTACHMENT0 + i));
+        glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, &terms[i]);
+    }
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    check_gl("terms of a lighting text");
+    return terms;
+}
+
 }  // namespace rakelight::opengl

@@ -22,6 +22,8 @@ public:
     /// The channels of the group, as the engine's sinks take them.
     /// @param eye  that positions are about
     void read(Output group, std::uint32_t channels, dvec3 eye, ChannelArrays& to) const;
+    /// The first pixel of what Output::user_terms has drawn.
+    std::array<vec4, 4> user_terms() const;
 
 private:
     int width_ = 0, height_ = 0;

@@ -95,13 +95,14 @@ private:
         f_.model = shading::reflection_model(shading::lighting_of(p_.list, draw_, p_.settings));
         f_.is_user = !p_.settings.lighting_text.empty();
         if (f_.is_user)
-            f_.model = shading::reflects_lambert;  // what surrounds it: the environment, flat and Gouraud shading
+            f_.model = shading::reflects_phong;  // k_a, k_d, k_s and the exponent, and what the environment adds
         f_.form = shading::reflection_form(specular_form_of(material_, p_.settings.specular_form));
         f_.horizon = p_.settings.specular_horizon;
         f_.ward_form = shading::ward_number(shading::ward_form_of(material_, p_.settings.ward_form));
         f_.has_scattering = p_.settings.multiple_scattering;
-        f_.has_classical_sum = f_.model == shading::reflects_phong || f_.model == shading::reflects_blinn_phong ||
-                               (f_.model == shading::reflects_lambert && !f_.is_metallic && !f_.is_user);
+        f_.has_classical_sum =
+            !f_.is_user && (f_.model == shading::reflects_phong || f_.model == shading::reflects_blinn_phong ||
+                            (f_.model == shading::reflects_lambert && !f_.is_metallic));
         f_.has_environment = p_.has_environment;
         f_.has_light_around = p_.has_environment || shading::has_ambient_light(p_.list.scene);
         if (f_.model != shading::reflects_pbr || !f_.is_metallic) return;
@@ -150,8 +151,8 @@ private:
         f_.has_parallel_viewer = p_.view.orthographic || p_.settings.viewer_at_infinity;
         f_.is_sampled = f_.output == Output::color && p_.settings.samples > 1 ? p_.settings.samples : 0;
         if (f_.output == Output::directions) f_.orthogonalize = p_.settings.orthogonalize;
-        f_.is_screen_linear = p_.settings.interpolation == AttributeInterpolation::screen && !p_.view.orthographic;
-        f_.is_cut = f_.is_screen_linear && f_.output != Output::shadow && reaches_out(draw_, p_.view);
+        f_.is_screen_linear = p_.settings.interpolation == AttributeInterpolation::screen;
+        f_.has_vertex_shader = !p_.settings.vertex_text.empty();
     }
 
     void set_lit_at() {
@@ -200,8 +201,9 @@ private:
     void set_vertices(bool wants_triangles) {
         f_.has_corner_frames = f_.has_bumps && (f_.tangent_space == shading::space_vertex ||
                                                 f_.tangent_space == shading::space_transposed);
-        const bool reads_tangents = f_.has_bumps || f_.is_anisotropic || f_.model == shading::reflects_ward ||
-                                    f_.has(role_clearcoat_normal) || f_.output == Output::directions;
+        const bool reads_tangents = f_.has_bumps || f_.is_anisotropic || f_.is_user ||
+                                    f_.model == shading::reflects_ward || f_.has(role_clearcoat_normal) ||
+                                    f_.output == Output::directions;
         const bool reads_normals = f_.output != Output::shadow && f_.output != Output::count;
         f_.from_triangles = wants_triangles || f_.lit_at == lit_at_faces || f_.is_cut ||
                             (reads_normals && (mesh_.normals.empty() || state_.against)) || f_.has_corner_frames;
@@ -212,7 +214,7 @@ private:
         f_.has_bitangents = f_.has_bumps && f_.has(role_normal) && !mesh_.bitangents.empty();
         f_.tangents_are_sound = reads_tangents && !mesh_.tangents.empty();
         f_.has_colors = !mesh_.colors.empty() && factors().vertex_colors;
-        f_.has_texcoords = f_.maps != 0 || f_.output == Output::places;
+        f_.has_texcoords = f_.maps != 0 || f_.is_user || f_.output == Output::places;
         if (!f_.from_triangles) return;
         set_mesh_features(mesh_, f_);
     }

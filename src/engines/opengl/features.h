@@ -11,7 +11,7 @@
 namespace rakelight::opengl {
 
 /// What a program writes.
-enum class Output : std::int32_t { color, shadow, sky, numbers, directions, places, terms, count };
+enum class Output : std::int32_t { color, shadow, sky, numbers, directions, places, terms, count, user_terms };
 
 // Field, its word in the text.
 #define RL_OPENGL_FEATURES(X)                         \
@@ -31,6 +31,7 @@ enum class Output : std::int32_t { color, shadow, sky, numbers, directions, plac
     X(is_metallic, "IS_METALLIC")                     \
     X(is_unlit, "IS_UNLIT")                           \
     X(is_user, "IS_USER")                             \
+    X(has_vertex_shader, "HAS_VERTEX_SHADER")         \
     X(has_classical_sum, "HAS_CLASSICAL_SUM")         \
     X(has_emission, "HAS_EMISSION")                   \
     X(paints_last, "PAINTS_LAST")                     \

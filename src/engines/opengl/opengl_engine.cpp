@@ -77,6 +77,11 @@ public:
         renderer_->remark_order(context);
         return stats;
     }
+    std::vector<std::array<vec4, 4>> user_terms(int x, int y, Context& context) {
+        std::vector<std::array<vec4, 4>> terms;
+        thread_.call([&] { terms = renderer_->user_terms(x, y, context); });
+        return terms;
+    }
 
 private:
     /// What is drawn and read at once, from the top.
@@ -133,6 +138,10 @@ private:
 }  // namespace
 
 std::unique_ptr<Engine> make_engine() { return std::make_unique<OpenGlEngine>(); }
+
+std::vector<std::array<vec4, 4>> user_terms(Engine& engine, int x, int y, Context& context) {
+    return dynamic_cast<OpenGlEngine&>(engine).user_terms(x, y, context);
+}
 
 std::unique_ptr<Engine> make_gpu_engine(std::string& why) {
     try {

@@ -96,6 +96,7 @@ void PictureDrawer::begin() const {
 }
 
 bool PictureDrawer::is_outside(std::uint32_t number) const {
+    if (!state_.settings.vertex_text.empty()) return false;  // its vertices may be anywhere
     const shading::Draw& draw = state_.list.draws[number];
     const dmat4 to_clip = camera_to_clip_ * (state_.view.world_to_camera * draw.to_world);
     const Bounds box{cast<double>(draw.low), cast<double>(draw.high)};
@@ -138,6 +139,8 @@ void PictureDrawer::set_picture(const Program& p) const {
         rows[12] = state_.behind->last_level;
         glUniform4fv(p.behind_view, 4, rows);
     }
+    tools_.programs.set_uniforms(p);
+    if (p.term_light >= 0) glUniform1i(p.term_light, term_light_);
     if (p.fog >= 0) {
         const shading::FogFactors fog = shading::fog_factors(state_.list.scene.fog);
         const float numbers[8] = {fog.color[0], fog.color[1], fog.color[2], 0, fog.start, fog.end, fog.density, 0};
@@ -251,6 +254,7 @@ void PictureDrawer::draw_marks(const shading::Draw& draw, const Mark& mark, Outp
     features.from_triangles = 1;
     features.is_parallel = state_.view.orthographic;
     features.has_colors = mark.has_vertex_colors;
+    features.has_vertex_shader = !state_.settings.vertex_text.empty();
     set_mesh_features(mesh, features);
     const Program& program = tools_.programs.of_marks(features);
     glUseProgram(program.name.name());

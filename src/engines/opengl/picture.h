@@ -75,6 +75,8 @@ public:
     /// Whether a draw's box is outside of what is drawn.
     bool is_outside(std::uint32_t number) const;
     void set_map_texels(float texels) { map_texels_ = texels; }
+    /// Whose terms Output::user_terms shows.
+    void set_term_light(int number) { term_light_ = number; }
 
 private:
     void set_picture(const Program& program) const;
@@ -88,6 +90,7 @@ private:
     dmat4 camera_to_clip_;  ///< of the pixels that are drawn
     std::uint64_t number_;  ///< of this picture
     float map_texels_ = 0;
+    int term_light_ = 0;
 };
 
 }  // namespace rakelight::opengl

@@ -195,7 +195,7 @@ const PoseStore::Program& PoseStore::program_of(const PoseFeatures& features) {
     std::vector<const char*> caught = {"v_position"};
     if (features.has_normals) caught.push_back("v_normal");
     if (features.has_tangents) caught.push_back("v_tangent");
-    program.name = link_program(pose_text(features, driver_), {}, caught);
+    program.name = link_program(pose_text(features, driver_), caught);
     const GLuint name = program.name.name();
     program.pose = glGetUniformLocation(name, "rl_pose");
     glUseProgram(name);

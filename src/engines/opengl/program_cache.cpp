@@ -49,8 +49,8 @@ std::string hexadecimal(std::uint64_t number) {
 ProgramCache::ProgramCache(const Driver& driver, const ProgramText& text) {
     const std::filesystem::path in = driver.has_program_binaries ? folder() : std::filesystem::path();
     if (in.empty()) return;
-    const std::uint64_t a = hash_of(text.pixels, hash_of(text.vertices, hash_of(driver.identity)));
-    const std::uint64_t b = hash_of(driver.identity, hash_of(text.vertices, hash_of(text.pixels)));
+    const std::uint64_t a = hash_of(text.pixels.text, hash_of(text.vertices.text, hash_of(driver.identity)));
+    const std::uint64_t b = hash_of(driver.identity, hash_of(text.vertices.text, hash_of(text.pixels.text)));
     file_ = in / (hexadecimal(a) + hexadecimal(b) + ".bin");
 }
 

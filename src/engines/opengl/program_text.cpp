@@ -14,16 +14,19 @@ namespace rakelight::opengl {
 namespace {
 
 /// A stage as it grows; every file begins with its number for the compiler's messages.
-class StageText {
+class StageMaker {
 public:
-    explicit StageText(std::vector<std::string>& files) : files_(files) {}
-    void add(const std::string& lines) { text_ += lines; }
-    void add_file(const std::string& path) { add_text(path, embedded_text(path)); }
-    void add_text(const std::string& name, std::string_view text) {
-        text_ += "#line 1 " + std::to_string(files_.size()) + "\n";
-        files_.push_back(name);
-        text_.append(text);
-        text_ += "\n";
+    void add(const std::string& lines) { stage_.text += lines; }
+    void add_file(const std::string& path) {
+        stage_.files.all.push_back({path});
+        add_numbered(stage_.files.all.size() - 1, embedded_text(path));
+    }
+    /// A text of the user's. @param is_main  it is file 0
+    void add_user(const std::string& name, const ShaderText& text, bool is_main) {
+        if (!is_main) stage_.files.all.emplace_back();
+        const std::size_t number = is_main ? 0 : stage_.files.all.size() - 1;
+        stage_.files.all[number] = {name, text.last_line};
+        add_numbered(number, text.body);
     }
     void add_lighting() {
         for (const char* const path : {"math/prelude.glsl", "lighting/maps.glsl", "lighting/albedo_tables.glsl"})
@@ -36,11 +39,16 @@ public:
             if (!line.empty() && line[0] != '#') add_file("lighting/" + std::string(line));
         }
     }
-    std::string take() { return std::move(text_); }
+    StageText take() { return std::move(stage_); }
 
 private:
-    std::vector<std::string>& files_;
-    std::string text_;
+    void add_numbered(std::size_t number, std::string_view text) {
+        stage_.text += "#line 1 " + std::to_string(number) + "\n";
+        stage_.text.append(text);
+        stage_.text += "\n";
+    }
+
+    StageText stage_;
 };
 
 std::string version_of(const Driver& driver) {
@@ -123,19 +131,65 @@ const char* main_of(Output output) {
             return "engines/opengl/glsl/shadow_main.glsl";
         case Output::sky:
             return "engines/opengl/glsl/sky_main.glsl";
+        case Output::user_terms:
+            return "engines/opengl/glsl/user_terms_main.glsl";
         default:
             return "engines/opengl/glsl/channels_main.glsl";
     }
 }
 
+std::string declaration(const std::string& qualifiers, const ShaderVariable& v) {
+    return qualifiers + v.type + " " + v.name + (v.count > 0 ? "[" + std::to_string(v.count) + "]" : "") + ";\n";
+}
+
+/// Terms of a lighting of the user's: globals, 0 for each light; RL_TERM_0 to 3 for glsl/user_terms_main.glsl.
+std::string term_declarations(const std::vector<ShaderVariable>& terms) {
+    std::string globals, cleared, shown;
+    for (std::size_t i = 0; i < 4; ++i) {
+        std::string value = "vec4(0.0)";
+        if (i < terms.size()) {
+            const ShaderVariable& v = terms[i];
+            globals += declaration("", v);
+            cleared += " " + v.name + " = " + v.type + "(0.0);";
+            value = "vec4(" + v.name;
+            for (int k = v.components(); k < 4; ++k) value += ", 0.0";
+            value += ")";
+        }
+        shown += "#define RL_TERM_" + std::to_string(i) + " " + value + "\n";
+    }
+    return globals + "void clear_terms() {" + cleared + " }\n" + shown;
+}
+
+/// What texts of the user's declare: shader_text.h.
+std::string user_declarations(const Features& f, const UserShaders& user) {
+    if (f.is_user == 0 && f.has_vertex_shader == 0) return {};
+    std::string text = "uniform highp float rl_time;\n";
+    for (const ShaderVariable& v : user.uniforms) text += declaration("uniform highp ", v);
+    for (const ShaderVariable& v : user.passed)
+        if (f.has_vertex_shader != 0) text += declaration("RL_ATTRIBUTE RL_VARYING ", v);
+    return f.is_user != 0 ? text + term_declarations(user.terms) : text;
+}
+
 /// What both stages begin with.
-void begin(StageText& stage, const Features& f, const Driver& driver, const UserLighting& user, bool is_vertex) {
+void begin(StageMaker& stage, const Features& f, const Driver& driver, const UserShaders& user, bool is_vertex) {
     stage.add(version_of(driver) + definitions_of(f) + qualifiers(f, driver, is_vertex) + numbers_of(f));
     stage.add_lighting();
     stage.add(material_text());
     stage.add_file("engines/opengl/glsl/frame_uniforms.glsl");
-    if (f.is_user) stage.add_text(user.name, user.text);
+    // What functions of pixels alone can do stays away from vertices that are not lit.
+    const bool calls_lighting = f.is_user != 0 && (!is_vertex || f.lit_at != lit_at_pixels);
+    stage.add(std::string("#define RL_CALLS_LIGHTING ") + (calls_lighting ? "1\n" : "0\n"));
+    stage.add(user_declarations(f, user));
+    if (f.is_user != 0) stage.add_file("engines/opengl/glsl/user.glsl");
+    const bool is_main = !is_vertex || f.has_vertex_shader == 0;
+    if (calls_lighting) stage.add_user(user.lighting_name, user.lighting, is_main);
     stage.add_file("engines/opengl/glsl/points.glsl");
+}
+
+/// Vertices, and what the user's shader makes of them.
+void add_vertices(StageMaker& stage, const Features& f, const UserShaders& user) {
+    stage.add_file("engines/opengl/glsl/vertices.glsl");
+    if (f.has_vertex_shader != 0) stage.add_user(user.vertex_name, user.vertex, true);
 }
 
 }  // namespace
@@ -146,16 +200,17 @@ std::string_view embedded_text(std::string_view path) {
     throw Error(ErrorCode::failed, "the program lacks its text " + std::string(path));
 }
 
-ProgramText program_text(const Features& f, const Driver& driver, const UserLighting& user) {
-    ProgramText out;
-    StageText vertices(out.files), pixels(out.files);
+ProgramText program_text(const Features& f, const Driver& driver, const UserShaders& user) {
+    ProgramText out{.has_vertex_shader = f.has_vertex_shader != 0};
+    StageMaker vertices, pixels;
     if (f.output == Output::sky) {
         vertices.add(version_of(driver));
         vertices.add_file("engines/opengl/glsl/screen_vertex.glsl");
     } else {
         begin(vertices, f, driver, user, true);
-        for (const char* const name : {"varyings", "vertices", "vertex_main"})
-            vertices.add_file(std::string("engines/opengl/glsl/") + name + ".glsl");
+        vertices.add_file("engines/opengl/glsl/varyings.glsl");
+        add_vertices(vertices, f, user);
+        vertices.add_file("engines/opengl/glsl/vertex_main.glsl");
     }
     begin(pixels, f, driver, user, false);
     for (const char* const name : {"varyings", "texels"})
@@ -174,7 +229,7 @@ ProgramText program_text(const Features& f, const Driver& driver, const UserLigh
 
 ProgramText screen_text(const Driver& driver, const std::string& text) {
     ProgramText out;
-    StageText vertices(out.files), pixels(out.files);
+    StageMaker vertices, pixels;
     vertices.add(version_of(driver));
     vertices.add_file("engines/opengl/glsl/screen_vertex.glsl");
     pixels.add(version_of(driver) + text);
@@ -184,7 +239,7 @@ ProgramText screen_text(const Driver& driver, const std::string& text) {
 
 ProgramText display_text(const Driver& driver, int tone) {
     ProgramText out = screen_text(driver, {});
-    StageText pixels(out.files);
+    StageMaker pixels;
     pixels.add(version_of(driver) + "#define RL_SHOWS_CODES " + (tone < 0 ? "1\n" : "0\n") + "#define RL_TONE " +
                std::to_string(tone) + "\n");
     pixels.add_file("math/prelude.glsl");
@@ -195,27 +250,36 @@ ProgramText display_text(const Driver& driver, int tone) {
     return out;
 }
 
-ProgramText mark_text(const Features& f, const Driver& driver) {
-    ProgramText out;
-    StageText vertices(out.files), pixels(out.files);
-    for (StageText* const stage : {&vertices, &pixels}) {
-        stage->add(version_of(driver) + definitions_of(f) + numbers_of(f) + "#define RL_IS_VERTEX " +
-                   (stage == &vertices ? "1\n" : "0\n") + "#define RL_IS_REVERSED " +
-                   (driver.has_reversed_depth ? "1\n" : "0\n") + "#define RL_OUTPUT_COLOR " +
-                   std::to_string(int(Output::color)) +
-                   "\n#define RL_CONSTANT flat\nuniform vec3 rl_view_direction;\nuniform vec4 rl_ray[3];\n");
-        stage->add_file("math/prelude.glsl");
-        if (stage == &vertices) stage->add_file("engines/opengl/glsl/vertices.glsl");
-        stage->add_file("engines/opengl/glsl/marks_main.glsl");
+/// Of lines and points: both stages, and what a vertex shader of the user's needs beside.
+static void begin_marks(StageMaker& stage, const Features& f, const Driver& driver, const UserShaders& user,
+                        bool is_vertex) {
+    stage.add(version_of(driver) + definitions_of(f) + numbers_of(f) + "#define RL_IS_VERTEX " +
+              (is_vertex ? "1\n" : "0\n") + "#define RL_IS_REVERSED " + (driver.has_reversed_depth ? "1\n" : "0\n") +
+              "#define RL_OUTPUT_COLOR " + std::to_string(int(Output::color)) + "\n#define RL_CONSTANT flat\n");
+    if (f.has_vertex_shader == 0 || !is_vertex) {
+        stage.add("uniform vec3 rl_view_direction;\nuniform vec4 rl_ray[3];\n");
+        return stage.add_file("math/prelude.glsl");
     }
+    stage.add_lighting();
+    stage.add_file("engines/opengl/glsl/frame_uniforms.glsl");
+    stage.add("#define RL_ATTRIBUTE\n#define RL_VARYING out\n" + user_declarations(f, user));
+}
+
+ProgramText mark_text(const Features& f, const Driver& driver, const UserShaders& user) {
+    ProgramText out{.has_vertex_shader = f.has_vertex_shader != 0};
+    StageMaker vertices, pixels;
+    begin_marks(vertices, f, driver, user, true);
+    add_vertices(vertices, f, user);
+    begin_marks(pixels, f, driver, user, false);
+    for (StageMaker* const stage : {&vertices, &pixels}) stage->add_file("engines/opengl/glsl/marks_main.glsl");
     out.vertices = vertices.take(), out.pixels = pixels.take();
     return out;
 }
 
 ProgramText line_text(const Driver& driver) {
     ProgramText out;
-    StageText vertices(out.files), pixels(out.files);
-    for (StageText* const stage : {&vertices, &pixels}) {
+    StageMaker vertices, pixels;
+    for (StageMaker* const stage : {&vertices, &pixels}) {
         stage->add(version_of(driver) + "#define RL_IS_VERTEX " + (stage == &vertices ? "1\n" : "0\n") +
                    "#define RL_IS_REVERSED " + (driver.has_reversed_depth ? "1\n" : "0\n"));
         stage->add_file("engines/opengl/glsl/lines_main.glsl");
@@ -226,7 +290,7 @@ ProgramText line_text(const Driver& driver) {
 
 ProgramText pose_text(const PoseFeatures& f, const Driver& driver) {
     ProgramText out;
-    StageText vertices(out.files), pixels(out.files);
+    StageMaker vertices, pixels;
     const auto define = [](const char* word, int value) {
         return std::string("#define ") + word + " " + std::to_string(value) + "\n";
     };
@@ -239,18 +303,22 @@ ProgramText pose_text(const PoseFeatures& f, const Driver& driver) {
     return out;
 }
 
-std::string with_file_names(const std::string& log, const std::vector<std::string>& files) {
-    // "12:34(5): error: ..." (Mesa) and "12(34) : error ..." (NVIDIA): file, line
-    static const std::regex place(R"((^|\n)(ERROR: |WARNING: )?(\d+)[:(](\d+))");
-    std::string out;
-    auto from = log.cbegin();
-    for (std::sregex_iterator at(log.begin(), log.end(), place), end; at != end; ++at) {
-        out.append(from, (*at)[0].first);
-        const std::size_t number = std::strtoul((*at)[3].str().c_str(), nullptr, 10);
-        out += (*at)[1].str() + (number < files.size() ? files[number] : (*at)[3].str()) + ":" + (*at)[4].str();
-        from = (*at)[0].second;
+std::string named_fault(const std::string& log, const TextFiles& files) {
+    // "12:34(5): error: ..." (Mesa) and "12(34) : error ..." (NVIDIA): file, line; warnings may stand before
+    static const std::regex fault(R"((^|\n)(?:ERROR: )?(\d+)[:(](\d+)\)?([^\n]*))");
+    std::smatch match, first;
+    for (auto from = log.cbegin(); std::regex_search(from, log.cend(), match, fault); from = match.suffix().first) {
+        const std::string words = match[4].str();
+        const bool is_error = words.find("rror") != words.npos || match[0].str().find("ERROR") != words.npos;
+        if (first.empty() || is_error) first = match;
+        if (is_error) break;
     }
-    return out.append(from, log.cend());
+    if (first.empty()) return log.substr(0, log.find('\n'));
+    const std::size_t number = std::strtoul(first[2].str().c_str(), nullptr, 10);
+    std::string line = first[3].str();
+    TextFiles::File file = number < files.all.size() ? files.all[number] : TextFiles::File{};
+    if (file.last_line == 0 && files.all[0].last_line > 0) file = files.all[0], line = std::to_string(file.last_line);
+    return file.name + ":" + line + first[4].str();
 }
 
 }  // namespace rakelight::opengl

@@ -10,14 +10,15 @@
 namespace rakelight::opengl {
 namespace {
 
-/// @param log  what the driver says, with files' names. Programs without a text of the user's compile: so it is at fault.
-[[noreturn]] void fail(const std::string& log, const UserLighting& user) {
-    const std::string words = log.substr(0, log.find('\n'));
-    if (!user.text.empty())
-        throw Error(ErrorCode::bad_file, "the lighting of " + user.name + " does not compile: " + words, {},
-                    "see docs/opengl.md")
-            .about("lighting");
-    throw Error(ErrorCode::failed, "the OpenGL driver refuses a shader: " + words, {}, "render with engine soft");
+/// Programs without a text of the user's compile: so it is at fault.
+/// @param words  what the driver says, in one line
+[[noreturn]] void fail(const std::string& words, const std::string& user, bool is_vertex) {
+    if (user.empty())
+        throw Error(ErrorCode::failed, "the OpenGL driver refuses a shader: " + words, {}, "render with engine soft");
+    throw Error(ErrorCode::bad_file,
+                (is_vertex ? "the vertex shader of " : "the lighting of ") + user + " does not compile: " + words, {},
+                "see docs/user-shaders.md")
+        .about(is_vertex ? "vertex-shader" : "lighting");
 }
 
 class Shader {
@@ -53,11 +54,14 @@ bool is_linked(GLuint program) {
     return good != 0;
 }
 
-void compile(GLuint program, const ProgramText& text, const UserLighting& user,
-             std::span<const char* const> caught = {}) {
-    const Shader vertices(GL_VERTEX_SHADER, text.vertices), pixels(GL_FRAGMENT_SHADER, text.pixels);
-    for (const Shader* const shader : {&vertices, &pixels})
-        if (!shader->is_good()) fail(with_file_names(shader->log(), text.files), user);
+void compile(GLuint program, const ProgramText& text, std::span<const char* const> caught = {}) {
+    // Pixels first: the vertices may have the lighting's text, too.
+    const Shader pixels(GL_FRAGMENT_SHADER, text.pixels.text), vertices(GL_VERTEX_SHADER, text.vertices.text);
+    if (!pixels.is_good()) fail(named_fault(pixels.log(), text.pixels.files), text.pixels.user(), false);
+    if (!vertices.is_good()) {
+        const bool is_vertex = text.has_vertex_shader;
+        fail(named_fault(vertices.log(), text.vertices.files), text.vertices.user(), is_vertex);
+    }
     glAttachShader(program, vertices.name());
     glAttachShader(program, pixels.name());
     if (!caught.empty())
@@ -69,7 +73,9 @@ void compile(GLuint program, const ProgramText& text, const UserLighting& user,
     std::string words(4096, '\0');
     GLsizei length = 0;
     glGetProgramInfoLog(program, GLsizei(words.size()), &length, words.data());
-    fail(words.substr(0, std::size_t(length)), user);
+    words = words.substr(0, std::size_t(length));
+    words = words.substr(0, words.find('\n'));
+    fail(words, text.has_vertex_shader ? text.vertices.user() : text.pixels.user(), text.has_vertex_shader);
 }
 
 /// Names of uniforms -> places; samplers -> units.
@@ -123,39 +129,70 @@ void find_places(Program& program, const Driver& driver, const Features& feature
 
 }  // namespace
 
-GlProgram link_program(const ProgramText& text, const UserLighting& user, std::span<const char* const> caught) {
+GlProgram link_program(const ProgramText& text, std::span<const char* const> caught) {
     GlProgram program;
-    compile(program.get(), text, user, caught);
+    compile(program.get(), text, caught);
     return program;
 }
 
-std::unique_ptr<Program> Programs::make_of(const ProgramText& text, const Features& features,
-                                           const UserLighting& user) const {
+std::unique_ptr<Program> Programs::make_of(const ProgramText& text, const Features& features) const {
     auto program = std::make_unique<Program>();
     const GLuint name = program->name.get();
     const ProgramCache cache(driver_, text);
     if (!cache.load(name) || !is_linked(name)) {
         cache.prepare(name);
-        compile(name, text, user);
+        compile(name, text);
         cache.store(name);
     }
     find_places(*program, driver_, features);
+    if (features.is_user == 0 && features.has_vertex_shader == 0) return program;
+    program->time = glGetUniformLocation(name, "rl_time");
+    program->term_light = glGetUniformLocation(name, "rl_term_light");
+    for (const ShaderVariable& u : user_.uniforms)
+        program->uniforms.push_back(glGetUniformLocation(name, u.name.c_str()));
     return program;
 }
 
 std::unique_ptr<Program> Programs::make(const Features& features) const {
-    const UserLighting user = features.is_user ? user_ : UserLighting{};
-    return make_of(program_text(features, driver_, user), features, user);
+    return make_of(program_text(features, driver_, user_), features);
 }
 
 std::unique_ptr<Program> Programs::make_marks(const Features& features) const {
-    return make_of(mark_text(features, driver_), features, {});
+    return make_of(mark_text(features, driver_, user_), features);
 }
 
-void Programs::set_user(UserLighting user) {
-    if (user.text == user_.text && user.name == user_.name) return;
-    user_ = std::move(user);
-    std::erase_if(programs_, [](const auto& entry) { return entry.first.is_user != 0; });
+bool Programs::set_user(const RenderSettings& s) {
+    const RenderSettings& old = settings_;
+    const bool is_lighting_new = s.lighting_text != old.lighting_text || s.lighting_name != old.lighting_name;
+    const bool is_vertex_new = s.vertex_text != old.vertex_text || s.vertex_name != old.vertex_name;
+    const bool has_new_values = s.uniforms != old.uniforms || s.shader_time_s != old.shader_time_s;
+    if (!is_lighting_new && !is_vertex_new && !has_new_values) return false;
+    user_ = user_shaders_of(s);
+    if (is_lighting_new || is_vertex_new)
+        for (Table* const table : {&programs_, &marks_})
+            std::erase_if(*table, [](const auto& of) { return of.first.is_user + of.first.has_vertex_shader != 0; });
+    settings_ = s;
+    return is_vertex_new || (has_new_values && user_.has_vertex());
+}
+
+void Programs::set_uniforms(const Program& program) const {
+    if (program.time >= 0) glUniform1f(program.time, float(settings_.shader_time_s));
+    for (std::size_t i = 0; i < program.uniforms.size(); ++i) {
+        const GLint place = program.uniforms[i];
+        const ShaderVariable& u = user_.uniforms[i];
+        const float* const v = u.value.data();
+        if (place < 0) continue;
+        if (u.type == "int")
+            glUniform1i(place, GLint(v[0]));
+        else if (u.components() == 1)
+            glUniform1fv(place, 1, v);
+        else if (u.components() == 2)
+            glUniform2fv(place, 1, v);
+        else if (u.components() == 3)
+            glUniform3fv(place, 1, v);
+        else
+            glUniform4fv(place, 1, v);
+    }
 }
 
 }  // namespace rakelight::opengl

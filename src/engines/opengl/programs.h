@@ -26,13 +26,14 @@ struct Program {
           cut = -1;
     GLint behind_unit = -1;             ///< of transmissive materials alone
     mutable std::uint64_t picture = 0;  ///< whose numbers it has been given
-    std::vector<GLint> map_unit;        ///< [texture_role_count] -1: it has none
+    GLint time = -1, term_light = -1;
+    std::vector<GLint> uniforms;  ///< [UserShaders::uniforms] of the user's shaders
+    std::vector<GLint> map_unit;  ///< [texture_role_count] -1: it has none
 };
 
 /// A program of two texts. @param caught  what transform feedback catches of the vertices, a buffer each
 /// @throws Error failed: it does not compile
-GlProgram link_program(const ProgramText& text, const UserLighting& user = {},
-                       std::span<const char* const> caught = {});
+GlProgram link_program(const ProgramText& text, std::span<const char* const> caught = {});
 
 class Programs {
 public:
@@ -42,8 +43,12 @@ public:
     const Program& of(const Features& features) { return find(features, programs_, &Programs::make); }
     /// Of lines and points.
     const Program& of_marks(const Features& features) { return find(features, marks_, &Programs::make_marks); }
-    /// Another lighting model of the user's: programs with the one before are dropped.
-    void set_user(UserLighting user);
+    /// Shaders of the user's and their values: programs with other texts are dropped.
+    /// @return whether vertices are elsewhere than before
+    /// @throws Error as user_shaders_of()
+    bool set_user(const RenderSettings& settings);
+    /// Those of the user's, of the program that is in use.
+    void set_uniforms(const Program& program) const;
     std::size_t count() const { return programs_.size(); }
 
 private:
@@ -56,10 +61,11 @@ private:
     }
     std::unique_ptr<Program> make(const Features& features) const;
     std::unique_ptr<Program> make_marks(const Features& features) const;
-    std::unique_ptr<Program> make_of(const ProgramText& text, const Features& features, const UserLighting& user) const;
+    std::unique_ptr<Program> make_of(const ProgramText& text, const Features& features) const;
 
     const Driver& driver_;
-    UserLighting user_;
+    UserShaders user_;
+    RenderSettings settings_;  ///< of user_
     Table programs_, marks_;
 };
 

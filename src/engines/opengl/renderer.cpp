@@ -111,7 +111,7 @@ void Renderer::begin_picture(const Camera& camera, const RenderSettings& setting
     dropped_maps_ = dropped_of_ = 0;
     seen_.assign(list_.draws.size(), false);
     meter_.reset();
-    programs_.set_user({settings.lighting_name, settings.lighting_text});
+    if (programs_.set_user(settings)) maps_.clear();
     view_ = shading::picture_camera_of(list_, camera, settings);
     pose_measured_meshes(context);
     shading_ = shading::choose_shading(list_, settings, view_, context);
@@ -133,7 +133,8 @@ std::vector<Renderer::KeptMaps> Renderer::draw_shadow_maps(const RenderSettings&
     }
     if (maps.empty()) return maps;
     const std::vector<ShadowAtlas::Place> places = shadows_.reserve(faces, settings.shadow_size);
-    const RenderSettings of_map = shading::map_settings(settings.shadow_size);
+    RenderSettings of_map = shading::map_settings(settings.shadow_size);
+    of_map.vertex_text = settings.vertex_text;
     for (std::size_t m = 0; m < maps.size(); ++m) {
         maps[m].place = places[m];
         for (std::size_t f = 0; f < maps[m].cameras.size(); ++f) {
@@ -275,7 +276,23 @@ void Renderer::draw_channel_group(const PictureDrawer& drawer, const PictureStat
         drawer.draw(d, draw_state(state, d, group, wants_triangles));
     }
     glDisable(GL_BLEND);
-    if (Marks::are_in(list_, settings_)) marks_.draw_channels(drawer, state, group, target_, far_depth());
+    if (group != Output::user_terms && Marks::are_in(list_, settings_))
+        marks_.draw_channels(drawer, state, group, target_, far_depth());
+}
+
+std::vector<std::array<vec4, 4>> Renderer::user_terms(int x, int y, Context& context) {
+    constexpr int most_lights = 8;
+    channel_target_.reserve(1, 1);
+    const PictureState state = picture_state();
+    const PictureTools with = tools();
+    std::vector<std::array<vec4, 4>> terms;
+    for (int light = 0; light < std::min(lights_.count(), most_lights); ++light) {
+        PictureDrawer drawer(with, state, {x, y, 1, 1});
+        drawer.set_term_light(light);
+        draw_channel_group(drawer, state, Output::user_terms, false, context);
+        terms.push_back(channel_target_.user_terms());
+    }
+    return terms;
 }
 
 void Renderer::draw_channels(Window pixels, ChannelArrays& to, Context& context) {

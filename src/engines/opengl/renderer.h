@@ -63,6 +63,8 @@ public:
     void remark_order(Context& context) const;
     /// Data channels of a part of the picture, which are filled. After its colors.
     void draw_channels(Window pixels, ChannelArrays& to, Context& context);
+    /// What the lighting text of the picture declares as terms, light by light, at a pixel. After its colors.
+    std::vector<std::array<vec4, 4>> user_terms(int x, int y, Context& context);
     shading::PictureCamera picture_camera_of(const Camera& camera, const RenderSettings& settings) const {
         return shading::picture_camera_of(list_, camera, settings);
     }

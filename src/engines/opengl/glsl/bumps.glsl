@@ -84,14 +84,23 @@ vec3 slope_vector(Point p, Bumps b)
 }
 #endif
 
+// The normal map's vector in (tangent, bitangent, normal), not unit.
+vec3 mapped_vector(Point p)
+{
+#if RL_USES_NORMAL_MAP
+    return decode_mapped(normal_texel(p).xyz, RL_NORMALS_ARE_SCALED != 0 ? m_normal_scale : 1.0, RL_CENTERED_NORMALS, RL_GREEN_DOWN);
+#else
+    return vec3(0.0, 0.0, 1.0);
+#endif
+}
+
 // The normal that the maps give, on the side that is lit.
 vec3 normal_of_maps(Point p, Bumps b)
 {
 #if RL_RELIEF == RL_RELIEF_HEIGHT || (RL_RELIEF != RL_RELIEF_NONE && !RL_USES_NORMAL_MAP)
     return sloped_normal(b.frame, slope_vector(p, b));
 #elif RL_USES_NORMAL_MAP
-    vec3 mapped = decode_mapped(normal_texel(p).xyz, RL_NORMALS_ARE_SCALED != 0 ? m_normal_scale : 1.0, RL_CENTERED_NORMALS, RL_GREEN_DOWN);
-    return mapped_normal(b.frame, mapped, int(RL_TANGENT_SPACE == RL_SPACE_WORLD));
+    return mapped_normal(b.frame, mapped_vector(p), int(RL_TANGENT_SPACE == RL_SPACE_WORLD));
 #else
     return b.frame.normal * b.frame.side;
 #endif

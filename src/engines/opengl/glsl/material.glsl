@@ -91,7 +91,7 @@ vec4 anisotropy_at(Point p)
 void set_widths(Point p, inout MaterialSurface s)
 {
     set_even_widths(s);
-    if (RL_MODEL == RL_WARD && m_ward_alpha.x > 0.0) {
+    if ((RL_MODEL == RL_WARD || RL_IS_USER != 0) && m_ward_alpha.x > 0.0) {
         set_ward_widths(s, m_ward_alpha);
     } else if (RL_IS_METALLIC != 0 && m_anisotropy > 0.0) {
         apply_anisotropy(s, m_anisotropy, anisotropy_at(p));
@@ -132,6 +132,18 @@ LightTerms terms_from_behind_at(Point p, MaterialSurface s)
 }
 #endif
 
+// A lighting of the user's has the numbers of all models: k_a, k_d, k_s and the exponent in s.base, as Phong takes them; beside
+// them the widths of microfacets, and Oren-Nayar's terms.
+void set_for_user(Point p, MaterialTexels t, BaseColor base, inout MaterialSurface s)
+{
+    set_slopes(base.color.xyz, s);
+    s.scattering = vec3(0.0);
+    s.albedo = 1.0;
+    s.albedo_mean = 1.0;
+    s.sheen_albedo = 0.0;
+    set_classical_sum(p, t, base, s.base);
+}
+
 // All of a surface but its directions and what depends on them.
 void set_material(Point p, MaterialTexels t, BaseColor base, inout MaterialSurface s)
 {
@@ -153,7 +165,9 @@ void set_material(Point p, MaterialTexels t, BaseColor base, inout MaterialSurfa
         set_slopes(s.base.diffuse, s);
     }
     set_layers(p, s);
-    if (RL_MODEL != RL_PBR) {
+    if (RL_IS_USER != 0) {
+        set_for_user(p, t, base, s);
+    } else if (RL_MODEL != RL_PBR) {
         s.base.ambient = s.base.ambient * t.occlusion;
     }
 #endif
@@ -186,7 +200,7 @@ vec3 finish_surface(Point p, MaterialTexels t, vec3 even, vec3 emission, inout M
         set_split_sum(s, plain_maps(), metallic_f90(metallic_roughness_at(p, t)), t.occlusion);
     }
 #endif
-#if RL_MODEL == RL_WARD || RL_IS_ANISOTROPIC
+#if RL_MODEL == RL_WARD || RL_IS_ANISOTROPIC || RL_IS_USER
     set_axes(p, s);
 #endif
 #if RL_MODEL == RL_PBR

@@ -138,6 +138,9 @@ void find_surface(inout Pixel x)
     vec3 even = x.bumps.frame.normal * x.bumps.frame.side;
     set_normals(x.surface, normal_of_maps(x.point, x.bumps), even, RL_BUMP_TERMS);
     x.surface.base.v = viewer_at(x.bumps.frame, x.point.position);
+#if RL_IS_USER
+    set_lit_point(x.point.position, vec4(x.point.texcoords[0].uv, x.point.texcoords[1].uv), mapped_vector(x.point), x.point.side);
+#endif
     x.emission = finish_surface(x.point, texels, even, x.emission, x.surface);
 #else
     x.surface.base.n = normal_of_maps(x.point, x.bumps);
@@ -199,6 +202,9 @@ LightTerms terms_of_light(Pixel x, int i, vec3 plane)
 {
     LightSample light = light_sample(i, x.point.position);
     light.l = light_direction_at(x.bumps.frame, i, light.l);
+#if RL_IS_USER
+    rl_point.light = i;
+#endif
     float seen = relief_shadow_of(x.bumps, i, light.l);
 #if RL_HAS_SHADOWS
     seen = seen * shadow_of(i, x.point.position, plane);

@@ -40,7 +40,8 @@ void set_slopes(vec3 facet_color, inout MaterialSurface s) { set_oren_nayar(s, m
 // One light's terms; `seen`, 0..1: how much of it reaches the surface.
 LightTerms material_terms(MaterialSurface s, LightSample light, float seen, MaterialTraits t)
 {
-#if RL_IS_USER
+#if RL_CALLS_LIGHTING
+    clear_terms();
     LightTerms terms = user_terms(s, light);
     terms.diffuse = terms.diffuse * seen;
     terms.specular = terms.specular * seen;
@@ -85,7 +86,12 @@ LightTerms light_of_vertex(vec3 position, vec3 normal)
 {
     MaterialSurface s = surface_of_vertex(position, normal);
     LightTerms sum = no_terms();
+#if RL_IS_USER
+    set_lit_point(position, vec4(0.0), vec3(0.0, 0.0, 1.0), 1.0);
+#define RL_ADD_VERTEX_LIGHT(i) rl_point.light = i; sum = both_terms(sum, material_terms(s, light_sample(i, position), 1.0, traits(0)));
+#else
 #define RL_ADD_VERTEX_LIGHT(i) sum = both_terms(sum, material_terms(s, light_sample(i, position), 1.0, traits(0)));
+#endif
 #if RL_LIGHTS_ARE_NEAR
     RL_EACH_LIGHT(RL_ADD_VERTEX_LIGHT)
 #else

@@ -14,7 +14,7 @@ void find_triangle(int number, out Vertex corner[3], out vec3 position[3])
 }
 
 // Of the plane, on its front: DrawFrame::corners().
-vec3 front_normal(vec3 position[3]) { return safe_normalize(cross(position[1] - position[0], position[2] - position[0]) * rl_object[10].x); }
+vec3 front_normal(vec3 position[3]) { return safe_normalize(cross(position[1] - position[0], position[2] - position[0]) * mirror()); }
 
 // All of a plane is seen from one side: that of the eye.
 vec3 seen_normal(vec3 position[3])
@@ -30,6 +30,12 @@ vec3 seen_normal(vec3 position[3])
 void hand_on_triangle(Vertex all[3], vec3 position[3])
 {
     v_face_normal = seen_normal(position);
+    int k = corner - 3 * number;
+    v_barycentric = vec3(float(k == 0), float(k == 1), float(k == 2));
+    v = all[k];
+#if RL_HAS_VERTEX_SHADER
+    v = fetch_corner(corner);  // again: what it hands on is of this corner
+#endif
 #if RL_HAS_CORNER_FRAMES
     for (int i = 0; i < 3; ++i) {
         v_corner_position[i] = position[i];
@@ -55,11 +61,16 @@ Vertex this_vertex()
     v.position = a_position;
     v.normal = a_normal;
     v.tangent = a_tangent;
+    v.bitangent = vec3(0.0);
 #if RL_HAS_BITANGENTS
     v.bitangent = a_bitangent;
 #endif
     v.texcoords = vec4(a_texcoords0, a_texcoords1);
     v.color = a_color;
+#if RL_HAS_VERTEX_SHADER
+    user_vertex(v);
+#endif
+#endif
     return v;
 }
 #endif
@@ -217,7 +228,8 @@ void main()
     v_w = gl_Position.w;
     weight = v_w;
 #endif
-    hand_on_vertex(v, vec3(float(k == 0), float(k == 1), float(k == 2)), weight);
+#if RL_HAS_TANGENTS
+    v_tangent = vec4(tangent_in_world(v.tangent.xyz), v.tangent.w * mirror());
 #endif
 #if RL_HAS_NORMALS && RL_FROM_TRIANGLES && !RL_MESH_NORMALS
     v_normal = front_normal(position) * weight;

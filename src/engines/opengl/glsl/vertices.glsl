@@ -14,6 +14,10 @@ struct Vertex {
     vec4 color;
 };
 
+#if RL_HAS_VERTEX_SHADER
+void user_vertex(inout Vertex v);  // the user's
+#endif
+
 #if RL_FROM_TRIANGLES
 uniform highp usampler2D rl_indices;   // of vertices, RL_FETCH_WIDTH a row; behind them a bit a triangle: LitSide::against
 uniform highp sampler2D rl_vertices;   // RL_VERTEX_TEXELS a vertex
@@ -55,7 +59,14 @@ Vertex fetch_vertex(int number)
     return v;
 }
 
-Vertex fetch_corner(int corner) { return fetch_vertex(int(texelFetch(rl_indices, fetch_place(corner), 0).x)); }
+Vertex fetch_corner(int corner)
+{
+    Vertex v = fetch_vertex(int(texelFetch(rl_indices, fetch_place(corner), 0).x));
+#if RL_HAS_VERTEX_SHADER
+    user_vertex(v);
+#endif
+    return v;
+}
 
 int is_against(int triangle)
 {
@@ -74,8 +85,27 @@ layout(location = 5) in vec4 a_color;
 layout(location = 6) in vec3 a_bitangent;
 #endif
 
+// 1; -1 where the object is mirrored: then frames of the world are left-handed where the object's are right-handed.
+float mirror() { return rl_object[10].x; }
 vec3 by_rows(int first, vec4 v) { return vec3(dot(rl_object[first], v), dot(rl_object[first + 1], v), dot(rl_object[first + 2], v)); }
 vec3 to_eye(vec3 position) { return by_rows(4, vec4(position, 1.0)); }
 vec4 to_clip(vec3 position) { return vec4(by_rows(0, vec4(position, 1.0)), dot(rl_object[3], vec4(position, 1.0))); }
 vec3 tangent_in_world(vec3 tangent) { return safe_normalize_or(by_rows(4, vec4(tangent, 0.0)), vec3(0.0)); }
 vec3 normal_in_world(vec3 normal) { return safe_normalize(by_rows(7, vec4(normal, 0.0))); }
+
+#if RL_HAS_VERTEX_SHADER
+// For vertex shaders of the user's: the lights, and vectors to them and to the viewer, not unit. position: to_eye().
+int light_count()
+{
+#if RL_LIGHTS_ARE_NEAR
+    return RL_LIGHT_COUNT_KNOWN;
+#else
+    return rl_light_count.x;
+#endif
+}
+vec3 vector_to_light(int i, vec3 position)
+{
+    return vertex_to_light(position, light_texel(i, 0).xyz, light_texel(i, 1).xyz, int((light_kind(i) & 3) == RL_DIRECTIONAL_LIGHT));
+}
+vec3 vector_to_viewer(vec3 position) { return vertex_to_viewer(position, rl_view_direction, RL_PARALLEL_VIEWER); }
+#endif
