@@ -72,6 +72,12 @@ constexpr Entry entries[] = {
     {shading, "lighting", "MODEL",
      "Lighting model: auto (default), lambert, phong, blinn-phong, oren-nayar, oren-nayar-full (with interreflection), "
      "ward, pbr (metallic-roughness GGX); engine gl also: FILE.glsl, which defines user_terms()"},
+    {shading, "vertex-shader", "FILE",
+     "Engine gl: a GLSL file that defines user_vertex(), which moves vertices and hands values to the lighting of a "
+     "file"},
+    {shading, "uniform", "NAME=VALUE",
+     "The value of a uniform that a GLSL file of --lighting or --vertex-shader declares: a number, or 2 to 4 numbers "
+     "separated by commas for a vector; may be repeated"},
     {shading, "specular", "FORM",
      "Specular term of Phong and Blinn-Phong: auto (default), textbook, normalized (conserves energy)"},
     {shading, "specular-horizon", "on|off", "No highlight where the light is below the surface (default on)"},

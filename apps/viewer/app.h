@@ -15,13 +15,13 @@
 #include "background.h"
 #include "gizmo.h"
 #include "input.h"
-#include "lighting_file.h"
 #include "load_model.h"
 #include "materials.h"
 #include "motion_times.h"
 #include "painter.h"
 #include "panels.h"
 #include "settings_file.h"
+#include "shader_files.h"
 #include "window.h"
 
 namespace rakelight::viewer {
@@ -118,7 +118,7 @@ private:
     void take_model(const std::shared_ptr<const Model>& model, bool keeps_look);
     void step_file(int by);
     void watch_file();
-    void watch_lighting();
+    void watch_shaders();
     void watch_from_now();
     std::string carry_to(const Model& model);
     void write_file(const std::string& title, std::function<std::string(Context&)> work);
@@ -159,7 +159,7 @@ private:
     std::vector<std::shared_ptr<GlPainter>> lost_gl_;  ///< painters may hold them still; they end in this thread
     std::uint64_t gl_pictures_ = 0;                    ///< shown
     std::uint64_t moments_ = 0;                        ///< that were played
-    LightingFile lighting_file_;
+    ShaderFiles shader_files_;
     std::shared_ptr<const Model> model_;
     std::size_t file_ = 0;
     struct FileList {

@@ -58,15 +58,18 @@ Marks App::marks(const View& view) const {
             .scale = double(window_->scale())};
 }
 
-/// Reads the file of a lighting model again when it has changed.
-void App::watch_lighting() {
+/// Reads the files of shaders again when they have changed.
+void App::watch_shaders() {
     try {
-        const std::string file = active().look.request.settings.lighting_name;
-        const std::optional<std::string> text = lighting_file_.changed(file);
-        if (!text) return;
-        for (View& view : views_)
-            if (view.look.request.settings.lighting_name == file) view.look.request.settings.lighting_text = *text;
-        say("read " + one_line(file, 100) + " again");
+        const RenderSettings seen = active().look.request.settings;
+        const std::optional<ShaderFiles::Texts> texts = shader_files_.changed(seen);
+        if (!texts) return;
+        for (View& view : views_) {
+            RenderSettings& s = view.look.request.settings;
+            if (s.lighting_name == seen.lighting_name) s.lighting_text = texts->lighting;
+            if (s.vertex_name == seen.vertex_name) s.vertex_text = texts->vertex;
+        }
+        say("read " + one_line(seen.lighting_name.empty() ? seen.vertex_name : seen.lighting_name, 100) + " again");
     } catch (const Error& error) {
         report(error);
     }

@@ -92,7 +92,7 @@ void App::step_file(int by) {
 /// Loads the file again when it, or one that it names, has changed and then been left alone for a while.
 void App::watch_file() {
     last_watch_ = Clock::now();
-    watch_lighting();
+    watch_shaders();
     for (const View& view : views_) watched_files_.add(files_of(view.look));
     if (file_ < start_.files.size() && !loader_.is_running() && watched_files_.has_changed()) load_current(true);
 }

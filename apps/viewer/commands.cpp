@@ -128,7 +128,7 @@ void set_lighting(PictureRequest& request) {
                                 Lighting::oren_nayar, Lighting::oren_nayar_full, Lighting::ward,  Lighting::pbr};
     RenderSettings& s = request.settings;
     s.lighting = s.lighting_text.empty() ? next(all, s.lighting) : Lighting::automatic;
-    s.lighting_name.clear(), s.lighting_text.clear();
+    s.lighting_name.clear(), s.lighting_text.clear(), s.uniforms.clear();
 }
 
 void set_wireframe(RenderSettings& s) {

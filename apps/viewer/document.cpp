@@ -16,6 +16,7 @@ PictureRequest request_of(const Look& look, int width, int height) {
     request.settings.window = {};
     request.settings.channels = 0;
     if (request.motion.is_set() && look.time_s) request.motion.time_s = look.time_s;
+    if (request.motion.is_set()) request.settings.shader_time_s = request.motion.time_s.value_or(0);
     if (look.eye) place(request.view, *look.eye, look.world_up);
     if (look.lights) {
         request.default_lights = request.studio_lights = false;

@@ -74,8 +74,28 @@ void draw_lines(RenderSettings& s) {
     slide("point size", s.point_size, 1, 32, "%.1f px");
 }
 
-void draw_rays(Look& look) {
-    PictureRequest& r = look.request;
+/// The values of the uniforms that GLSL files declare.
+void draw_uniforms(RenderSettings& s) {
+    std::vector<DeclaredUniform> all;
+    try {
+        all = declared_uniforms(s);
+    } catch (const Error&) {
+        return;  // the picture says why
+    }
+    for (DeclaredUniform& u : all) {
+        std::vector<float>& values = u.uniform.values;
+        const float step = u.is_integer ? 1.0f : 0.01f;
+        const bool is_moved =
+            ImGui::DragScalarN(u.uniform.name.c_str(), ImGuiDataType_Float, values.data(), int(values.size()), step,
+                               nullptr, nullptr, u.is_integer ? "%.0f" : "%.3f");
+        if (!is_moved) continue;
+        for (float& value : values) value = u.is_integer ? std::round(value) : value;
+        std::erase_if(s.uniforms, [&](const ShaderUniform& old) { return old.name == u.uniform.name; });
+        s.uniforms.push_back(u.uniform);
+    }
+}
+
+void draw_rays(PictureRequest& r) {
     constexpr Word<RayMethod> words[] = {{"whitted", RayMethod::automatic},
                                          {"cast", RayMethod::cast},
                                          {"path", RayMethod::path},
@@ -98,9 +118,13 @@ void draw_shading_panel(PanelView& view) {
     }
     draw_channels(view);
     if (choose("shading", shading_words, s.shading)) s.material_shading = false, s.shading_rules.clear();
-    if (choose("lighting", lighting_words, s.lighting)) s.lighting_name.clear(), s.lighting_text.clear();
+    if (choose("lighting", lighting_words, s.lighting))
+        s.lighting_name.clear(), s.lighting_text.clear(), s.uniforms.clear();
     if (!s.lighting_name.empty())
         ImGui::TextWrapped("replaced by: %s", one_line(display_path(s.lighting_name), 100).c_str());
+    if (!s.vertex_name.empty())
+        ImGui::TextWrapped("vertex shader: %s", one_line(display_path(s.vertex_name), 100).c_str());
+    draw_uniforms(s);
     choose("specular", specular_form_words, s.specular_form);
     constexpr Word<int> sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}};
     if (r.engine == "trace") draw_rays(view.look);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engines/shader_text.h"
 #include "math/color.h"
 #include "math/functions.h"
 #include "render/look.h"
@@ -28,8 +29,7 @@ Frame small_picture(const RenderSettings& of, Session& session, const Camera& ca
     settings.height = std::max(1, int(std::lround(of.height * scale)));
     settings.window = {};
     settings.channels = 0;
-    settings.lighting_name.clear(),
-        settings.lighting_text.clear();  // engine soft draws it for the viewer, without GLSL
+    drop_shaders(settings);  // engine soft draws it for the viewer
     settings.samples = 1;
     settings.shadows = false;
     settings.background = {0, 0, 0, 0};

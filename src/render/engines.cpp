@@ -70,7 +70,9 @@ std::string beyond(const EngineCapabilities& can, const RenderSettings& s) {
     require(can.ambient_occlusion || !s.ambient_occlusion, "find ambient occlusion: engine soft does");
     require(can.rays || s.colors, "draw without colors");
     require(can.user_lighting || s.lighting_text.empty(),
-            "use lighting from a GLSL file, " + one_line(s.lighting_name, 80));
+            "use lighting from a GLSL file, " + one_line(s.lighting_name, 80) + ": engine gl does");
+    require(can.user_lighting || s.vertex_text.empty(),
+            "use a vertex shader from a GLSL file, " + one_line(s.vertex_name, 80) + ": engine gl does");
     return first;
 }
 

@@ -210,6 +210,7 @@ namespace {
 template <class Draw>
 PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session, Context& context, const Draw& draw) {
     PictureResult result{.file = request.input, .output = request.output};
+    if (request.motion.time_s) request.settings.shader_time_s = *request.motion.time_s;
     warn_of_unused(request, context.report());
     Stopwatch watch;
     context.progress("prepare", 0);

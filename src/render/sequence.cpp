@@ -182,6 +182,7 @@ void Sequence::draw_frame(std::int64_t number, SequenceWriter& writer) {
         request = request_;
         request.output = frame.picture.output;
     }
+    request.settings.shader_time_s = plan_.shader_time_of(number);
     frame.picture.load_ms = drawn_ == 0 ? load_ms_ : 0;
     draw_picture(std::move(frame), request, writer, drawn_ == 0 ? context_ : quiet_);
 }

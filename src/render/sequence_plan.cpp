@@ -101,6 +101,10 @@ double SequencePlan::time_of(std::int64_t frame) const {
     return std::min(begin_s_ + passed, end_s_);
 }
 
+double SequencePlan::shader_time_of(std::int64_t frame) const {
+    return has_clip() ? time_of(frame) : double(frame) / fps_;
+}
+
 double SequencePlan::angle_of(std::int64_t frame) const { return turns_ > 0 ? 2 * pi * double(frame) / turns_ : 0; }
 
 std::vector<ClipTime> SequencePlan::clips_at(double time_s) const {

@@ -20,6 +20,8 @@ public:
     std::vector<std::int64_t> frames() const;
     /// [s] of the clip
     double time_of(std::int64_t frame) const;
+    /// [s] RenderSettings::shader_time_s: that of the clip; of a turntable without one since its first picture
+    double shader_time_of(std::int64_t frame) const;
     /// [rad] How far the camera has orbited to the left: the model turns to the right.
     double angle_of(std::int64_t frame) const;
     /// Clips at a moment.

@@ -38,9 +38,14 @@ void check_place(const RenderSettings& s, PixelPlace pixel) {
                                                   pixel.y, s.width, s.height));
 }
 
-/// One pixel; `out` has the engine.
-void explain_pixel(ExplainedPixel& out, PixelPlace pixel, const PictureRequest& request, Context& context) {
+/// One pixel; `out` has the engine. @param shaders  null: there are none
+void explain_pixel(ExplainedPixel& out, PixelPlace pixel, const PictureRequest& request, ShaderTerms* shaders,
+                   Context& context) {
     out.pixel = out.engine->explain(pixel.x, pixel.y, context);
+    if (shaders) {
+        out.shaded = shaders->at(pixel.x, pixel.y, context);
+        out.pixel.color = out.shaded->color;
+    }
     if (out.pixel.layers.empty()) out.nearest = raster::nearest_visible(*out.engine, pixel.x, pixel.y, context);
     if (out.pixel.has_marks)
         context.report().add(Remark::warning, request.input, {},
@@ -57,7 +62,8 @@ Explained explained(PictureRequest request, std::span<const PixelPlace> pixels, 
     try {
         for (const PixelPlace pixel : pixels) check_place(request.settings, pixel);  // before anything is loaded
         const PictureRequest asked = request;
-        const std::shared_ptr<const raster::Inspection> engine = open(request);
+        std::unique_ptr<ShaderTerms> shaders;
+        const std::shared_ptr<const raster::Inspection> engine = open(request, &shaders);
         const RenderSettings& s = request.settings;
         const bool follows_rays = s.method != RayMethod::cast && s.max_depth > 0;
         if (request.engine == "trace" && (follows_rays || s.shadows))
@@ -71,7 +77,7 @@ Explained explained(PictureRequest request, std::span<const PixelPlace> pixels, 
             out->file = request.input;
             out->engine = engine;
             out->look = look_choices(asked, request, *engine);
-            explain_pixel(*out, pixel, request, context);
+            explain_pixel(*out, pixel, request, shaders.get(), context);
             all.push_back(std::move(out));
         }
         return all;
@@ -86,7 +92,9 @@ Explained explained(PictureRequest request, std::span<const PixelPlace> pixels, 
 
 std::vector<std::shared_ptr<const ExplainedPixel>> explain(const PictureRequest& request,
                                                            std::span<const PixelPlace> pixels, Context& context) {
-    return explained(request, pixels, context, [&](PictureRequest& looked) { return open_engine(looked, context); });
+    return explained(request, pixels, context, [&](PictureRequest& looked, std::unique_ptr<ShaderTerms>* shaders) {
+        return open_engine(looked, context, shaders);
+    });
 }
 
 std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int x, int y, Context& context) {
@@ -97,9 +105,9 @@ std::shared_ptr<const ExplainedPixel> explain(const PictureRequest& request, int
 std::shared_ptr<const ExplainedPixel> explain(const Scene& scene, const PictureRequest& request, int x, int y,
                                               Context& context) {
     const PixelPlace pixel{x, y};
-    return explained(request, {&pixel, 1}, context, [&](PictureRequest& looked) {
+    return explained(request, {&pixel, 1}, context, [&](PictureRequest& looked, std::unique_ptr<ShaderTerms>* shaders) {
         Scene asked = asked_for_engine(scene, looked, context);
-        return open_engine(std::move(asked), looked, context);
+        return open_engine(std::move(asked), looked, context, shaders);
     })[0];
 }
 

@@ -250,6 +250,11 @@ Json pixel_json(const ExplainedPixel& e) {
     out["exposure_ev"] = double(e.tone.exposure_ev);
     for (const CoveringTriangle& t : p.triangles) out["triangles"].push_back(triangle_json(e, t));
     for (const ShadedLayer& layer : p.layers) out["layers"].push_back(layer_json(e, layer));
+    if (!e.shaded) return out;
+    for (Json& layer : out["layers"])
+        for (const char* const of_soft : {"lights", "parts_around", "color", "before", "after", "samples"})
+            layer.erase(of_soft);
+    out["shaders"] = shaded_json(*e.shaded);
     return out;
 }
 

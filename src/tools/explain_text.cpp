@@ -303,10 +303,11 @@ std::string layer_text(const ExplainedPixel& e, const ShadedLayer& layer, std::s
                        ", vertices " + digits(t.vertex[0]) + " " + digits(t.vertex[1]) + " " + digits(t.vertex[2]) +
                        "\n";
     text += "  material " + name_or_number(n.material, n.material_index) + " (" + material_model(e, layer) + ")";
-    if (!layer.is_unlit) text += std::string(", ") + reflection_model(layer) + form_text(layer);
+    if (!layer.is_unlit && !e.shaded) text += std::string(", ") + reflection_model(layer) + form_text(layer);
     text += "\n";
     if (e.pixel.samples.size() > 1) text += shaded_at_text(layer);
     text += place_text(e, layer) + maps_text(e, layer) + surface_text(e, layer);
+    if (e.shaded) return text;
     for (std::size_t i = 0; i < layer.lights.size(); ++i)
         text += light_text(e, layer, layer.lights[i], layer.parts[i], i);
     text += corners_text(e, layer) + around_text(layer) + sum_text(layer);
@@ -346,6 +347,7 @@ std::string to_text(const ExplainedPixel& e) {
     text += "\n";
     if (!p.triangles.empty()) text += triangles_text(e) + planes_text(e);
     for (std::size_t i = 0; i < p.layers.size(); ++i) text += layer_text(e, p.layers[i], i);
+    if (e.shaded) return text + shaded_text(*e.shaded) + code_text(e);
     if (p.samples.size() > 1 && !p.layers.empty()) text += samples_text(e);
     return text + code_text(e) + conclusion_text(e);
 }

@@ -8,6 +8,7 @@
 #include <rakelight/explain.h>
 
 #include "engines/raster/inspect/inspection.h"
+#include "render/shader_terms.h"
 #include "shading/text_numbers.h"
 #include "tools/report_json.h"
 
@@ -24,6 +25,7 @@ struct ExplainedPixel {
     std::vector<LookChoice> look;                      ///< in the order of docs/default-look.md; empty: a plain picture
     raster::PixelExplanation pixel;
     std::optional<raster::PixelExplanation> nearest;  ///< if no surface is visible: the nearest pixel where one is
+    std::optional<ShadedPixel> shaded;                ///< by shaders of the user's; `pixel` then has their color
     ToneSettings tone;
     vec4 displayed;  ///< linear, with exposure and tone curve, as it is encoded
     std::vector<std::uint8_t> codes;
@@ -75,6 +77,10 @@ std::string picture_of_map(const ExplainedPixel& e, const raster::ShadedLayer& l
 
 /// The maps that a layer read, as text; empty where it has none.
 std::string maps_text(const ExplainedPixel& e, const raster::ShadedLayer& layer);
+
+/// What shaders of the user's make of the pixel; lines.
+std::string shaded_text(const ShadedPixel& shaded);
+Json shaded_json(const ShadedPixel& shaded);
 
 /// "classical", "metallic_roughness" or "unlit"
 const char* material_model(const ExplainedPixel& e, const raster::ShadedLayer& layer);

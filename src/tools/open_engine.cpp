@@ -5,6 +5,7 @@
 #include <rakelight/validate.h>
 
 #include "engines/check_settings.h"
+#include "engines/shader_text.h"
 #include "render/look.h"
 #include "render/picture_steps.h"
 
@@ -33,7 +34,27 @@ Scene asked_for_engine(const Scene& scene, PictureRequest& request, Context& con
     return looked_as_asked(scene, request, context);
 }
 
-std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, PictureRequest& request, Context& context) {
+namespace {
+
+/// Engine gl for what soft leaves out.
+void open_shaders(const ReadyScene& ready, PictureRequest& request, Context& context,
+                  std::unique_ptr<ShaderTerms>* shaders) {
+    if (!has_shaders(request.settings)) return;
+    if (request.engine != "gl" && request.engine != "auto")
+        throw Error(ErrorCode::usage, "engine " + one_line(request.engine, 40) + " cannot use shaders from GLSL files",
+                    {}, "'engine' gl does")
+            .naming({"engine"});
+    if (!shaders)
+        return context.report().add(Remark::warning, request.input, {},
+                                    "shaders from GLSL files are left out: what is shown is the built-in lighting");
+    if (request.motion.time_s) request.settings.shader_time_s = *request.motion.time_s;
+    *shaders = std::make_unique<ShaderTerms>(scene_of(*ready.prepared), ready.camera, request.settings, context);
+}
+
+}  // namespace
+
+std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, PictureRequest& request, Context& context,
+                                                      std::unique_ptr<ShaderTerms>* shaders) {
     context.progress("prepare", 0);
     const ReadyScene ready = ready_scene(std::move(loaded), request, context);
     if (request.look != Look::plain) {
@@ -42,13 +63,15 @@ std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, PictureReque
         adjust_to_picture(request, session, ready.camera, context);
     }
     separate_background(request.settings, request.tone);
+    open_shaders(ready, request, context, shaders);
     return std::make_unique<const raster::Inspection>(scene_of(*ready.prepared), ready.camera, request.settings,
                                                       context);
 }
 
-std::unique_ptr<const raster::Inspection> open_engine(PictureRequest& request, Context& context) {
+std::unique_ptr<const raster::Inspection> open_engine(PictureRequest& request, Context& context,
+                                                      std::unique_ptr<ShaderTerms>* shaders) {
     Scene loaded = load_for_engine(request, context);
-    return open_engine(std::move(loaded), request, context);
+    return open_engine(std::move(loaded), request, context, shaders);
 }
 
 }  // namespace rakelight

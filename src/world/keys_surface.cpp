@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys of shading: lighting models, bumps, shadows.
+#include <cmath>
+#include <limits>
+
 #include "base/format_text.h"
 #include "world/key_fields.h"
 #include "world/lighting_text.h"
@@ -33,7 +36,7 @@ void read_lighting(PictureRequest& r, Words w) {
         s.lighting = values::word("lighting", w[0], lighting_words);
         return;
     }
-    s.lighting_text = read_lighting_text(w[0]);
+    s.lighting_text = read_shader_file(w[0], "lighting", "user_terms");
     s.lighting_name = w[0];
 }
 
@@ -43,8 +46,54 @@ Written write_lighting(const PictureRequest& r) {
     return name_in(lighting_words, r.settings.lighting);
 }
 
+void read_vertex_shader(PictureRequest& r, Words w) {
+    r.settings.vertex_text = read_shader_file(w[0], "vertex-shader", "user_vertex");
+    r.settings.vertex_name = w[0];
+}
+
+Written write_vertex_shader(const PictureRequest& r) {
+    return r.settings.vertex_name.empty() ? Written{} : Written{r.settings.vertex_name};
+}
+
+/// NAME=NUMBER, NAME=NUMBER,NUMBER,...
+ShaderUniform uniform_of(const std::string& word) {
+    const std::size_t equals = word.find('=');
+    if (equals == word.npos || equals == 0)
+        throw values::wrong("uniform", "'" + one_line(word, 60) + "' needs a name and '=' with numbers",
+                            "write for example height=0.1 or tint=1,0.5,0");
+    ShaderUniform u{.name = word.substr(0, equals)};
+    const std::string_view numbers = std::string_view(word).substr(equals + 1);
+    const std::size_t count = values::split(numbers, ',').size();
+    if (count > 4) throw values::wrong("uniform", "'" + one_line(u.name, 60) + "' has more than 4 numbers");
+    for (const double value : values::numbers("uniform", numbers, count)) {
+        if (std::fabs(value) > double(std::numeric_limits<float>::max()))
+            throw values::wrong("uniform", "the value of '" + one_line(u.name, 60) + "' is too large for a float");
+        u.values.push_back(float(value));
+    }
+    return u;
+}
+
+void read_uniforms(PictureRequest& r, Words w) {
+    if (w.size() > max_uniforms)
+        throw values::wrong("uniform", format_text("there may be {} values, not {}", max_uniforms, w.size()));
+    r.settings.uniforms.clear();
+    for (const std::string& word : w) r.settings.uniforms.push_back(uniform_of(word));
+}
+
+Written write_uniforms(const PictureRequest& r) {
+    Written all;
+    for (const ShaderUniform& u : r.settings.uniforms) {
+        std::string numbers;
+        for (const float value : u.values) numbers += (numbers.empty() ? "" : ",") + text_of_float(value);
+        all.push_back(u.name + "=" + numbers);
+    }
+    return all;
+}
+
 constexpr RenderKey table[] = {
     {"lighting", Kind::value, read_lighting, write_lighting},
+    {"vertex-shader", Kind::file, read_vertex_shader, write_vertex_shader},
+    {"uniform", Kind::list, read_uniforms, write_uniforms},
     RL_WORD_KEY("specular", r.settings.specular_form, specular_form_words),
     RL_SWITCH_KEY("specular-horizon", r.settings.specular_horizon),
     RL_WORD_KEY("ward-form", r.settings.ward_form, ward_form_words),

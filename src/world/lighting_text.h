@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// User-defined lighting models in GLSL files.
+// User-defined shaders in GLSL files.
 #pragma once
 #include <string>
 #include <string_view>
@@ -9,7 +9,9 @@ namespace rakelight {
 /// Whether a value of the key `lighting` is a file: "*.glsl".
 bool is_lighting_file(std::string_view word);
 
-/// @throws Error not_found; bad_file: more than 1 MiB, or user_terms() is not defined; both about `lighting`
-std::string read_lighting_text(const std::string& path);
+/// @param key       of [render], which errors are about
+/// @param function  that the text must define
+/// @throws Error not_found; bad_file: more than max_shader_bytes, or `function` is not there
+std::string read_shader_file(const std::string& path, const std::string& key, const std::string& function);
 
 }  // namespace rakelight

@@ -5,6 +5,7 @@
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"
+#include "engines/shader_text.h"
 #include "world/key_fields.h"
 
 namespace rakelight {
@@ -160,6 +161,7 @@ void read_render_keys(std::span<const WorldValue> values, PictureRequest& to) {
     check_bitangents(to);
     check_subdivision(given);
     check_coloring(to, given);
+    check_shaders(to.settings);
     if (given.has("animation-index") && given.has("animation-name")) exclude("animation-index", "animation-name");
 }
 
@@ -190,6 +192,7 @@ Light comparable(Light light) {
 /// Removes fields without a key, and rounding of words, from a comparison.
 PictureRequest comparable(PictureRequest r) {
     r.input.clear(), r.output.clear(), r.load = {};
+    r.settings.shader_time_s = 0;
     for (vec4* const color : {&r.settings.background, &r.settings.line_color})
         if (color->w == 0 || color->w == 1) *color = {0, 0, 0, color->w};
     if (r.materials.color) r.materials.color = vec3{};

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The GLSL files of the settings `lighting` and `vertex-shader`, read again when they change.
+#pragma once
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <rakelight/engine.h>
+
+namespace rakelight::viewer {
+
+class ShaderFiles {
+public:
+    struct Texts {
+        std::string lighting, vertex;
+    };
+    /// To be called now and then. @param settings  name the files
+    /// @return the texts of both, once one has changed and then stayed the same for a call
+    /// @throws Error not_found, bad_file, usage: once for each change
+    std::optional<Texts> changed(const RenderSettings& settings);
+
+private:
+    struct Watched {
+        std::string file;
+        std::filesystem::file_time_type read_time{}, changed_time{};
+        bool has_changed(const std::string& now);
+    };
+    std::array<Watched, 2> watched_;
+};
+
+}  // namespace rakelight::viewer
