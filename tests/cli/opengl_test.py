@@ -50,6 +50,51 @@ class OpenGl(program.Case):
         self.check_refused(self.draw("--lighting", "green.glsl", engine="soft"), 2, "engine soft cannot", "green.glsl")
         self.check_refused(self.draw("--lighting", "missing.glsl"), 3, "missing.glsl")
 
+    def test_a_fault_is_named_by_the_users_file_and_line(self):
+        self.require_opengl()
+        self.write("bad.glsl", LIGHTING.replace("vec3(0.0f, 1.0f, 0.0f)", "foo(3)"))
+        self.check_refused(self.draw("--lighting", "bad.glsl"), 4, "--lighting", "bad.glsl:4")
+        self.write("open.glsl", LIGHTING.replace("}", ""))
+        self.check_refused(self.draw("--lighting", "open.glsl"), 4, "open.glsl", "line 2", "'{' is not closed")
+        self.write("move.glsl", "void user_vertex(inout Vertex v)\n{\n    v.position = foo(3);\n}\n")
+        self.check_refused(self.draw("--vertex-shader", "move.glsl"), 4, "--vertex-shader", "move.glsl:3")
+
+    def test_uniforms_have_the_values_that_are_given(self):
+        self.require_opengl()
+        self.write("tint.glsl", "uniform vec3 tint = vec3(0.0, 1.0, 0.0);\n" + LIGHTING.replace("vec3(0.0f, 1.0f, 0.0f)", "tint"))
+        for uniforms, color in (((), (0, 255, 0)), (("--uniform", "tint=1,0,1"), (255, 0, 255))):
+            self.assertEqual(self.draw("--lighting", "tint.glsl", *uniforms).code, 0)
+            self.assertEqual(tuple(png(self.folder / "a.png")[3][24][96:99]), color)
+        for word, reason in (("tnit=1,0,0", "did you mean 'tint'?"), ("tint=1", "needs 3 numbers"), ("tint=1,0,inf", "not 3 numbers"),
+                             ("tint", "needs a name and '='"), ("tint=1,0,1e39", "too large")):
+            self.check_refused(self.draw("--lighting", "tint.glsl", "--uniform", word), 2, "--uniform", reason)
+        self.check_refused(self.draw("--uniform", "tint=1,0,0"), 2, "--uniform", "no GLSL text", "--vertex-shader")
+        self.check_refused(self.draw("--vertex-shader", "tint.glsl", engine="soft"), 4, "does not define user_vertex()")
+
+    def test_the_time_of_a_sequence_animates_a_lighting(self):
+        self.require_opengl()
+        self.write("time.glsl", LIGHTING.replace("vec3(0.0f, 1.0f, 0.0f)", "vec3(rl_time)"))
+        result = self.run_program("a.obj", "-o", "f{frame}.png", "--turntable", "6", "--fps", "4", "--frames", "0:2", "--resolution", "64,48",
+                                  "--look", "plain", "--engine", "gl", "--light", "directional:0,0,-1", "--lighting", "time.glsl", RAKELIGHT_GL_CACHE="off")
+        self.assertEqual(result.code, 0, result.err)
+        lit = [max(row[i] for row in png(self.folder / f"f{k}.png")[3] for i in range(0, len(row), 3)) for k in range(3)]
+        background = lit[0]  # black but for that
+        self.assertEqual(lit[1:], [max(background, 137), max(background, 188)], "0.25 and 0.5 as sRGB codes")
+
+    def test_explain_prints_the_terms_that_a_lighting_declares(self):
+        self.require_opengl()
+        self.write("terms.glsl", "out vec2 mine;\n" + LIGHTING.replace("    return", "    mine += vec2(light.attenuation, 7.5f);\n    return"))
+        arguments = ("explain", "a.obj", "--pixel", "32,24", "--resolution", "64,48", "--engine", "gl", "--lighting", "terms.glsl",
+                     "--light", "directional:0,0,-1", "--light", "ambient:1,1,1")
+        text = self.run_program(*arguments, RAKELIGHT_GL_CACHE="off")
+        self.assertEqual(text.code, 0, text.err)
+        for words in ("Lighting by terms.glsl", "light 0 mine", "7.5"):
+            self.assertIn(words, text.out)
+        row = json.loads(self.run_program(*arguments, "--json", RAKELIGHT_GL_CACHE="off").out)["rows"][0]
+        self.assertEqual(row["shaders"]["diffuse"], [0, 2, 0])
+        self.assertEqual([(t["light"], t["name"], t["value"]) for t in row["shaders"]["terms"]], [(0, "mine", [1, 7.5]), (1, "mine", [1, 7.5])])
+        self.check_refused(self.run_program(*[a if a != "gl" else "soft" for a in arguments]), 2, "engine soft cannot use shaders")
+
     def test_what_the_engine_cannot_do_is_refused_before_anything_is_drawn(self):
         self.require_opengl()
         (self.folder / "a.png").unlink()

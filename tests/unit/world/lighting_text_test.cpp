@@ -70,5 +70,60 @@ TEST(LightingText, AWorldNamesItFromItsFolderAndNotBeyond) {
     EXPECT_EQ(error.code(), ErrorCode::bad_file) << error.what();
 }
 
+constexpr const char* moving =
+    "uniform float height;\nuniform vec3 tint = vec3(1.0);\nvoid user_vertex(inout Vertex v) {}\n";
+
+PictureRequest read_uniforms(const test::TemporaryFolder& folder, std::vector<std::string> words) {
+    PictureRequest request;
+    const std::vector<WorldValue> values{{.key = "vertex-shader", .words = {folder.file("move.glsl")}},
+                                         {.key = "uniform", .words = std::move(words)}};
+    read_render_keys(values, request);
+    return request;
+}
+
+TEST(UniformKey, TakesNumbersAndVectorsByName) {
+    const test::TemporaryFolder folder;
+    folder.write("move.glsl", moving);
+    const PictureRequest request = read_uniforms(folder, {"height=1.5e-3", "tint=1,-0.5,0"});
+    ASSERT_EQ(request.settings.uniforms.size(), 2u);
+    EXPECT_EQ(request.settings.uniforms[0], (ShaderUniform{"height", {1.5e-3f}}));
+    EXPECT_EQ(request.settings.uniforms[1], (ShaderUniform{"tint", {1, -0.5f, 0}}));
+    EXPECT_EQ(request.settings.vertex_text, moving);
+}
+
+TEST(UniformKey, WhatDoesNotFitIsOneLineAboutIt) {
+    const test::TemporaryFolder folder;
+    folder.write("move.glsl", moving);
+    for (const char* const word : {"height", "=1", "height=", "height=high", "height=1,", "height=inf", "height=nan",
+                                   "height=1e39", "height=1,2", "tint=1", "tint=1,2,3,4,5", "hieght=1"}) {
+        const Error error = test::error_of([&] { read_uniforms(folder, {word}); });
+        EXPECT_EQ(error.code(), ErrorCode::usage) << word;
+        EXPECT_EQ(error.setting(), "uniform") << word;
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    }
+    EXPECT_EQ(test::error_of([&] { read_uniforms(folder, {"height=1", "height=2"}); }).setting(), "uniform");
+    EXPECT_EQ(test::error_of([&] { read_uniforms(folder, std::vector<std::string>(65, "height=1")); }).setting(),
+              "uniform");
+}
+
+TEST(UniformKey, AWorldGivesValuesAndNamesTheFileFromItsFolder) {
+    const test::TemporaryFolder folder;
+    folder.write("move.glsl", moving);
+    const std::string world = folder.write("a.scene.toml",
+                                           "[[primitive]]\ntype = \"plane\"\n[render]\nvertex-shader = \"move.glsl\"\n"
+                                           "uniform = [\"height=0.5\", \"tint=0,0,1\"]\n");
+    Context context;
+    const RenderSettings settings = request_of_world(world, {}, context).settings;
+    EXPECT_EQ(settings.vertex_text, moving);
+    ASSERT_EQ(settings.uniforms.size(), 2u);
+    EXPECT_EQ(settings.uniforms[1], (ShaderUniform{"tint", {0, 0, 1}}));
+    const std::string wrong = folder.write(
+        "b.scene.toml",
+        "[[primitive]]\ntype = \"plane\"\n[render]\nvertex-shader = \"move.glsl\"\nuniform = [\"width=0.5\"]\n");
+    const Error error = test::error_of([&] { request_of_world(wrong, {}, context); });
+    EXPECT_EQ(error.code(), ErrorCode::bad_file);
+    EXPECT_NE(error.place().find("line 5"), std::string::npos) << error.what();
+}
+
 }  // namespace
 }  // namespace rakelight

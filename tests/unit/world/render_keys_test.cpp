@@ -11,6 +11,7 @@
 
 #include <rakelight/request.h>
 
+#include "support/shared.h"
 #include "support/thrown_error.h"
 
 namespace rakelight {
@@ -70,6 +71,8 @@ const std::map<std::string, std::vector<std::string>> examples = {
     {"point-size", {"0.1"}},
     {"line-color", {"0.25,0.5,1"}},
     {"lighting", {"oren-nayar"}},
+    {"vertex-shader", {(test::source_dir() / "examples/shaders/waves.vertex.glsl").string()}},
+    {"uniform", {"height=0.25", "speed=-2"}},
     {"specular", {"normalized"}},
     {"specular-horizon", {"off"}},
     {"ward-form", {"duer"}},
@@ -170,6 +173,7 @@ std::vector<WorldValue> with_company(const std::string& key) {
     std::vector<WorldValue> values = {value(key, examples.at(key))};
     if (key.starts_with("coloring-") || key == "colormap" || key == "bar")
         values.push_back(value("scalar-coloring", {"on"}));
+    if (key == "uniform") values.push_back(value("vertex-shader", examples.at("vertex-shader")));
     if (key == "bitangents") values.push_back(value("tangents", {"published"}));
     if (key == "channel-files") values.push_back(value("channels", {"depth"}));
     if (key.starts_with("subdivide-") && key != "subdivide-edge") values.push_back(value("subdivide", {"1"}));
