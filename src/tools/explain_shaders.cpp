@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What shaders of the user's make of a pixel: the terms that a lighting returns, and those that it declares.
+#include <nlohmann/json.hpp>
+
+#include <rakelight/error.h>
 #include <rakelight/linear.h>
 
 #include "tools/explain_values.h"
