@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include <rakelight/compare.h>
+#include <rakelight/tools/draw_alike.h>
 #include <rakelight/tools/file_ending.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/values.h>

@@ -95,7 +95,8 @@ void draw_uniforms(RenderSettings& s) {
     }
 }
 
-void draw_rays(PictureRequest& r) {
+void draw_rays(Look& look) {
+    PictureRequest& r = look.request;
     constexpr Word<RayMethod> words[] = {{"whitted", RayMethod::automatic},
                                          {"cast", RayMethod::cast},
                                          {"path", RayMethod::path},

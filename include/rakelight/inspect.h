@@ -102,8 +102,8 @@ struct SeamTotals {
     /// Zero and non-finite normals of the file at vertices of triangles. They count as missing, so they are computed for
     /// the angles `before`. 0 if the normals of the file are not used.
     std::uint64_t missing_normals = 0;
-    std::uint64_t pairs = 0;  ///< examined pairs of objects
-    /// Positions that more than 8 objects share. Only 8 of these objects are paired: the 7 with the normals farthest
+    std::uint64_t pairs = 0;  ///< number of BorderSummary
+    /// Positions that more than 8 meshes share. Only 8 of these meshes are paired: the 7 with the normals farthest
     /// from the mean normal, and the one with the nearest normal.
     std::uint64_t crowded_positions = 0;
     std::uint64_t pairings_left_out = 0;   ///< pairs at crowded positions that were not examined

@@ -2,8 +2,8 @@
 // Explanations, inspections, files written: what the program's JSON says, as text that the package reads.
 #include <pybind11/stl.h>
 
-#include <rakelight/explain.h>
 #include <rakelight/convert_file.h>
+#include <rakelight/explain.h>
 #include <rakelight/inspect.h>
 #include <rakelight/motion.h>
 #include <rakelight/picture.h>

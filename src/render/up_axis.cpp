@@ -60,6 +60,25 @@ SideShares side_shares(const Scene& scene, const Bounds& box) {
 
 }  // namespace
 
+namespace {
+
+/// @param axis  1: Y, 2: Z
+bool stands_on_lowest(std::size_t axis, const Scene& scene, const Bounds& box) {
+    const dvec3 size = box.high - box.low;
+    const std::size_t other = 3 - axis;  // beside X
+    if (!(size.x > 0 && size[other] > 0 && size[axis] >= least_height * std::max(size.x, size[other]))) return false;
+    if (triangle_count(scene) < least_triangles) return false;
+    const SideShares share = side_shares(scene, box);
+    double others = 0;
+    for (std::size_t s = 0; s < 6; ++s)
+        if (s != 2 * axis) others = std::max(others, share[s]);
+    return share[2 * axis] >= least_share && share[2 * axis] >= least_ratio * others;
+}
+
+}  // namespace
+
+bool is_z_up_format(const std::string& path) { return file_ending(path) == "stl"; }
+
 bool has_no_up_axis(const std::string& path) {
     constexpr const char* such[] = {"stl", "ply", "obj", "off", "xyz", "pts"};
     return std::ranges::find(such, file_ending(path)) != std::end(such);

@@ -27,7 +27,7 @@ std::uint64_t fault_count(const SurfaceSummary& s) {
 
 std::vector<std::string> seams_lines(const Inspection& i) {
     const SeamTotals& s = i.seams;
-    std::vector<std::string> lines = {counted(i.shared_positions, "position") + " shared by objects"};
+    std::vector<std::string> lines = {counted(i.shared_positions, "position") + " shared by meshes"};
     if (s.missing_normals > 0)
         lines.push_back(counted(s.missing_normals, "normal") +
                         " missing in the file (zero or not finite), computed for these angles");

@@ -15,6 +15,7 @@
 #include "io/obj/write_obj.h"
 #include "io/ply_writer.h"
 #include "io/same_attributes.h"
+#include "prepare/missing_normals.h"
 #include "world/placed_in_world.h"
 
 namespace rakelight {
@@ -36,6 +37,9 @@ Change change_of(const Block<T>& before, const Block<T>& after) {
     return before.empty() ? Change::made : after.empty() ? Change::removed : Change::turned;
 }
 
+/// Whether any is one: files may hold zeros.
+bool has_normals(const Mesh& mesh) { return !mesh.normals.empty() && !normal_gaps(mesh).is_all; }
+
 /// @param before  the mesh that `after` came from
 SmoothedMesh describe(const Mesh& before, const Mesh& after, bool changed, bool is_repair) {
     SmoothedMesh m;
@@ -48,11 +52,11 @@ SmoothedMesh describe(const Mesh& before, const Mesh& after, bool changed, bool 
     }
     m.vertices_split = after.positions.size() - before.positions.size();
     if (is_repair) {
-        m.normals = change_of(before.normals, after.normals);
+        m.normals = has_normals(before) ? change_of(before.normals, after.normals) : Change::made;
         m.tangents = change_of(before.tangents, after.tangents);
         return m;
     }
-    m.normals = change_of(!before.normals.empty(), !after.normals.empty(), true);
+    m.normals = change_of(has_normals(before), !after.normals.empty(), true);
     m.tangents = change_of(!before.tangents.empty(), !after.tangents.empty(), true);
     return m;
 }

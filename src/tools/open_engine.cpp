@@ -36,14 +36,10 @@ Scene asked_for_engine(const Scene& scene, PictureRequest& request, Context& con
 
 namespace {
 
-/// Engine gl for what soft leaves out.
+/// Engine gl for what soft leaves out, whichever the request names.
 void open_shaders(const ReadyScene& ready, PictureRequest& request, Context& context,
                   std::unique_ptr<ShaderTerms>* shaders) {
     if (!has_shaders(request.settings)) return;
-    if (request.engine != "gl" && request.engine != "auto")
-        throw Error(ErrorCode::usage, "engine " + one_line(request.engine, 40) + " cannot use shaders from GLSL files",
-                    {}, "'engine' gl does")
-            .naming({"engine"});
     if (!shaders)
         return context.report().add(Remark::warning, request.input, {},
                                     "shaders from GLSL files are left out: what is shown is the built-in lighting");

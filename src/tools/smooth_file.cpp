@@ -4,14 +4,9 @@
 #include <algorithm>
 
 #include "io/beside.h"
-#include "io/file.h"
-#include "io/glb_writer.h"
-#include "io/gltf/save_gltf.h"
-#include "io/obj/rewrite_normals.h"
-#include "io/obj/write_obj.h"
-#include "io/ply_writer.h"
-#include "io/same_attributes.h"
-#include "prepare/missing_normals.h"
+#include "io/held_outputs.h"
+#include "scene/merge_scenes.h"
+#include "tools/model_rewrite.h"
 #include "tools/smooth_file_scene.h"
 #include "world/placed_in_world.h"
 
@@ -60,73 +55,13 @@ MergedScene merged(const std::vector<ModelRewrite>& models, Context& context) {
     return merge_scenes(parts, context);
 }
 
-/// Whether any is one: files may hold zeros.
-bool has_normals(const Mesh& mesh) { return !mesh.normals.empty() && !normal_gaps(mesh).is_all; }
-
-/// @param before  the mesh that `after` came from
-SmoothedMesh describe(const Mesh& before, const Mesh& after, bool changed, bool is_repair) {
-    SmoothedMesh m;
-    m.name = before.name;
-    m.vertices = before.positions.size();
-    if (!changed) {  // what the file has stays, and it is what was computed
-        m.normals = before.normals.empty() ? Change::none : Change::kept;
-        m.tangents = before.tangents.empty() ? Change::none : Change::kept;
-        return m;
-    }
-    m.vertices_split = after.positions.size() - before.positions.size();
-    if (is_repair) {
-        m.normals = has_normals(before) ? change_of(before.normals, after.normals) : Change::made;
-        m.tangents = change_of(before.tangents, after.tangents);
-        return m;
-    }
-    m.normals = change_of(has_normals(before), !after.normals.empty(), true);
-    m.tangents = change_of(!before.tangents.empty(), !after.tangents.empty(), true);
-    return m;
-}
-
-/// [meshes of `after`] the mesh of `before`, by the nodes that show them.
-std::vector<std::uint32_t> shown_before(const Scene& before, const Scene& after) {
-    std::vector<std::uint32_t> origin(after.meshes.size(), no_index);
-    for (std::size_t n = 0; n < after.nodes.size(); ++n)
-        for (std::size_t slot = 0; slot < after.nodes[n].meshes.size(); ++slot)
-            origin[after.nodes[n].meshes[slot]] = before.nodes[n].meshes[slot];
-    return origin;
-}
-
-void describe_all(const Scene& before, const Scene& after, SmoothedFile& result) {
-    const std::vector<std::uint32_t> origin = shown_before(before, after);
-    for (std::size_t i = 0; i < origin.size(); ++i)
-        if (origin[i] != no_index)
-            result.meshes.push_back(
-                describe(before.meshes[origin[i]], after.meshes[i], result.changed, result.seams.has_value()));
-}
-
-void save_as_gltf(const Scene& before, const Scene& after, const SmoothFileOptions& options, SmoothedFile& result,
-                  Context& context) {
-    const io::GltfSaveOptions save{
-        {.allow_outside = options.load.allow_outside}, options.keep_instances, options.keep_unused};
-    const io::GltfSaveResult done = io::save_gltf(result.file, before, after, result.output, save, context);
-    result.changed = done.changed;
-    result.meshes_added = done.meshes_added;
-    const std::vector<std::uint32_t> origin = shown_before(before, after);
-    for (const io::SavedPrimitive& p : done.primitives) {
-        if (origin[p.scene_mesh] == no_index) continue;
-        SmoothedMesh m = describe(before.meshes[origin[p.scene_mesh]], after.meshes[p.scene_mesh], p.changed,
-                                  result.seams.has_value());
-        m.mesh = p.mesh;
-        m.primitive = p.primitive;
-        result.meshes.push_back(std::move(m));
-    }
-}
-
-/// A PLY file has these normals at every corner; how its vertices are numbered does not count.
-bool has_these_normals(const Scene& before, const Scene& after) {
-    const auto same = [](const Mesh& a, const Mesh& b) {
-        if (a.topology != Topology::triangles) return true;
-        if (a.indices.size() != b.indices.size() || (a.normals.empty() && !a.indices.empty())) return false;
-        for (std::size_t c = 0; c < a.indices.size(); ++c)
-            if (!io::is_near(a.normals[a.indices[c]], b.normals[b.indices[c]])) return false;
-        return true;
+/// One model's scene with the meshes that it has in the smoothed whole. Copies of meshes follow the meshes of all models there.
+Scene part_of(const Scene& whole, const Scene& before, const MergeOffsets& at, std::size_t all_meshes) {
+    Scene part = before;
+    const auto taken = [&](std::uint32_t mesh, std::uint32_t was) {
+        Mesh out = whole.meshes[mesh];
+        out.material = before.meshes[was].material;
+        return out;
     };
     for (std::size_t m = 0; m < before.meshes.size(); ++m)
         part.meshes[m] = taken(std::uint32_t(at.meshes + m), std::uint32_t(m));

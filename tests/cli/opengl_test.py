@@ -68,7 +68,7 @@ class OpenGl(program.Case):
         for word, reason in (("tnit=1,0,0", "did you mean 'tint'?"), ("tint=1", "needs 3 numbers"), ("tint=1,0,inf", "not 3 numbers"),
                              ("tint", "needs a name and '='"), ("tint=1,0,1e39", "too large")):
             self.check_refused(self.draw("--lighting", "tint.glsl", "--uniform", word), 2, "--uniform", reason)
-        self.check_refused(self.draw("--uniform", "tint=1,0,0"), 2, "--uniform", "no GLSL text", "--vertex-shader")
+        self.check_refused(self.draw("--uniform", "tint=1,0,0"), 2, "--uniform", "no GLSL text", "vertex-shader")
         self.check_refused(self.draw("--vertex-shader", "tint.glsl", engine="soft"), 4, "does not define user_vertex()")
 
     def test_the_time_of_a_sequence_animates_a_lighting(self):
@@ -84,7 +84,7 @@ class OpenGl(program.Case):
     def test_explain_prints_the_terms_that_a_lighting_declares(self):
         self.require_opengl()
         self.write("terms.glsl", "out vec2 mine;\n" + LIGHTING.replace("    return", "    mine += vec2(light.attenuation, 7.5f);\n    return"))
-        arguments = ("explain", "a.obj", "--pixel", "32,24", "--resolution", "64,48", "--engine", "gl", "--lighting", "terms.glsl",
+        arguments = ("explain", "a.obj", "--pixel", "32,24", "--resolution", "64,48", "--lighting", "terms.glsl",
                      "--light", "directional:0,0,-1", "--light", "ambient:1,1,1")
         text = self.run_program(*arguments, RAKELIGHT_GL_CACHE="off")
         self.assertEqual(text.code, 0, text.err)
@@ -93,7 +93,6 @@ class OpenGl(program.Case):
         row = json.loads(self.run_program(*arguments, "--json", RAKELIGHT_GL_CACHE="off").out)["rows"][0]
         self.assertEqual(row["shaders"]["diffuse"], [0, 2, 0])
         self.assertEqual([(t["light"], t["name"], t["value"]) for t in row["shaders"]["terms"]], [(0, "mine", [1, 7.5]), (1, "mine", [1, 7.5])])
-        self.check_refused(self.run_program(*[a if a != "gl" else "soft" for a in arguments]), 2, "engine soft cannot use shaders")
 
     def test_what_the_engine_cannot_do_is_refused_before_anything_is_drawn(self):
         self.require_opengl()

@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "shading/guard_band.h"
+
 using namespace rakelight;
 using namespace rakelight::raster;
 
@@ -122,8 +124,8 @@ TEST(Clip, TenThousandRandomTrianglesStayInsideAndKeepTheirPlane) {
         for (std::size_t i = 0; i < count; ++i) {
             EXPECT_GT(out[i].w, 0);
             const dvec2 p = view.screen(out[i]);
-            EXPECT_LT(std::fabs(p.x), guard_band_px * 1.01);
-            EXPECT_LT(std::fabs(p.y), guard_band_px * 1.01);
+            EXPECT_LT(std::fabs(p.x), shading::guard_band_px * 1.01);
+            EXPECT_LT(std::fabs(p.y), shading::guard_band_px * 1.01);
         }
     }
 }

@@ -30,12 +30,6 @@ vec3 seen_normal(vec3 position[3])
 void hand_on_triangle(Vertex all[3], vec3 position[3])
 {
     v_face_normal = seen_normal(position);
-    int k = corner - 3 * number;
-    v_barycentric = vec3(float(k == 0), float(k == 1), float(k == 2));
-    v = all[k];
-#if RL_HAS_VERTEX_SHADER
-    v = fetch_corner(corner);  // again: what it hands on is of this corner
-#endif
 #if RL_HAS_CORNER_FRAMES
     for (int i = 0; i < 3; ++i) {
         v_corner_position[i] = position[i];
@@ -69,7 +63,6 @@ Vertex this_vertex()
     v.color = a_color;
 #if RL_HAS_VERTEX_SHADER
     user_vertex(v);
-#endif
 #endif
     return v;
 }
@@ -154,7 +147,7 @@ void hand_on_vertex(Vertex v, vec3 own, float weight)
     RL_PUT(v_normal, normal_in_world(v.normal));
 #endif
 #if RL_HAS_TANGENTS
-    RL_PUT(v_tangent, vec4(tangent_in_world(v.tangent.xyz), v.tangent.w * rl_object[10].x));
+    RL_PUT(v_tangent, vec4(tangent_in_world(v.tangent.xyz), v.tangent.w * mirror()));
 #endif
 #if RL_HAS_BITANGENTS
     RL_PUT(v_bitangent, tangent_in_world(v.bitangent));
@@ -208,6 +201,9 @@ void main()
     find_triangle(number, all, position);
     hand_on_triangle(all, position);
     Vertex v = all[k];
+#if RL_HAS_VERTEX_SHADER
+    v = fetch_corner(place);  // again: what it hands on is of this corner
+#endif
 #else
     int k = 0;
     Vertex v = this_vertex();
@@ -228,8 +224,7 @@ void main()
     v_w = gl_Position.w;
     weight = v_w;
 #endif
-#if RL_HAS_TANGENTS
-    v_tangent = vec4(tangent_in_world(v.tangent.xyz), v.tangent.w * mirror());
+    hand_on_vertex(v, vec3(float(k == 0), float(k == 1), float(k == 2)), weight);
 #endif
 #if RL_HAS_NORMALS && RL_FROM_TRIANGLES && !RL_MESH_NORMALS
     v_normal = front_normal(position) * weight;
