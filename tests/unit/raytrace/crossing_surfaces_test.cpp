@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "engines/raster/raster_engine.h"
@@ -69,11 +70,32 @@ std::vector<std::size_t> met_at(const Scene& scene, double px, double py) {
     return order;
 }
 
-/// Close beside a sample of the pixel are other triangles or another order: rounding decides.
+/// [pixels] All lies in front of the eye.
+dvec2 projected(vec3 p) {
+    const double scale = height / 2.0 / (std::tan(radians(22.5)) * (3 - double(p.z)));
+    return {width / 2.0 + double(p.x) * scale, height / 2.0 - double(p.y) * scale};
+}
+
+/// [pixels] From the edges of a triangle: of one that is thinner than a step, none is met beside a sample.
+double edge_distance(const Mesh& mesh, dvec2 place) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+        const dvec2 a = projected(mesh.positions[k]), edge = projected(mesh.positions[(k + 1) % 3]) - a;
+        const double length2 = edge.x * edge.x + edge.y * edge.y;
+        const dvec2 to = place - a;
+        const double t = length2 > 0 ? std::clamp((to.x * edge.x + to.y * edge.y) / length2, 0.0, 1.0) : 0;
+        nearest = std::min(nearest, std::hypot(to.x - t * edge.x, to.y - t * edge.y));
+    }
+    return nearest;
+}
+
+/// Close beside a sample of the pixel are an edge, other triangles or another order: rounding decides.
 bool is_at_edge(const Scene& scene, std::size_t pixel, int samples) {
     constexpr double step = 0.02;
     for (const shading::SamplePosition p : shading::sample_positions(samples)) {
         const double px = double(pixel % width) + 0.5 + p.x / 16.0, py = double(pixel / width) + 0.5 + p.y / 16.0;
+        for (const Mesh& mesh : scene.meshes)
+            if (edge_distance(mesh, {px, py}) < step) return true;
         const std::vector<std::size_t> here = met_at(scene, px, py);
         for (const dvec2 d : {dvec2{-step, -step}, {step, -step}, {-step, step}, {step, step}})
             if (met_at(scene, px + d.x, py + d.y) != here) return true;

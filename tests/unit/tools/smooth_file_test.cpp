@@ -11,7 +11,7 @@
 #include "io/glb_writer.h"
 #include "smooth_file_support.h"
 #include "tools/smooth_file_scene.h"
-#include "tools/smooth_file_world.h"
+#include "world/placed_in_world.h"
 
 namespace rakelight {
 namespace {
