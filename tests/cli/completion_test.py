@@ -32,7 +32,7 @@ done
 
 # Types of values that are no words of a list: numbers, files, names in the model, ...
 OPEN_TYPES = {"N", "S", "F", "R", "A", "D", "B", "E", "G", "P", "T", "V", "X", "M", "PX", "DB", "EV", "DEG", "SIZE", "SHARE", "VALUE", "MIN,MAX", "W,H", "X,Y", "X,Y,Z", "X,Y,W,H", "A-B",
-              "FILE", "DIR", "PICTURE", "PLACE", "COLOR", "SPEC", "KEY=VALUE", "AXIS"}
+              "FILE", "DIR", "PICTURE", "PLACE", "COLOR", "SPEC", "KEY=VALUE", "NAME=VALUE", "AXIS"}
 OPEN_OPTIONS = {"--scalars", "--animation-name", "--format"}  # names in the model, and endings of files
 REFUSALS = r"unknown word|unknown channel|is not one of|is not built in"
 
