@@ -179,7 +179,7 @@ int smooth_as_one(const Run& run, const std::vector<InputRequest>& inputs, std::
             continue;
         }
         rows[i].result = std::move(results[i]);
-        print_note(summary(*rows[i].result), run.loudness);
+        print_message(summary(*rows[i].result), run.loudness);
     }
     return code;
 }
@@ -199,7 +199,7 @@ int smooth_each(const Run& run, const std::vector<InputRequest>& inputs, std::ve
         worst = std::max(worst, code);
     }
     if (inputs.size() > 1 && !run.given.has("preview"))
-        print_note("each file was smoothed by itself; --as-one also joins the borders between them", run.loudness);
+        print_message("each file was smoothed by itself; --as-one also joins the borders between them", run.loudness);
     return worst;
 }
 

@@ -3,6 +3,10 @@
 
 #include "shell_words.h"
 
+#include <algorithm>
+
+#include <rakelight/version.h>
+
 namespace rakelight::viewer {
 namespace {
 
@@ -29,6 +33,13 @@ PictureRequest with_key(const PictureRequest& request, const std::string& key, c
     return changed;
 }
 
+/// @throws Error usage: this build has no such engine
+void require_engine(const std::string& name) {
+    const std::vector<std::string> all = build_info().engines;
+    if (name != "auto" && std::ranges::find(all, name) == all.end())
+        throw Error(ErrorCode::usage, "there is no engine '" + one_line(name, 40) + "'");
+}
+
 }  // namespace
 
 std::string setting_text(const PictureRequest& request, const std::string& key) {
@@ -40,12 +51,14 @@ std::string setting_text(const PictureRequest& request, const std::string& key) 
 
 void set_setting(Look& look, const std::string& key, const std::string& text) {
     PictureRequest changed = with_key(look.request, key, text);
-    if (key == "engine")
+    if (key == "engine") {
+        require_engine(changed.engine);
         choose_engine(changed.engine, look);
-    else if (key == "method")
+    } else if (key == "method") {
         choose_method(changed.settings.method, look);
-    else
+    } else {
         look.request = std::move(changed);
+    }
 }
 
 }  // namespace rakelight::viewer

@@ -47,7 +47,7 @@ Scene with_environment(Scene scene, const PictureRequest& request, Context& cont
     }
     Environment environment = scene.environment.value_or(Environment{.is_light = false, .is_background = false});
     if (!request.hdri_file.empty()) environment.image = environment_file(request.hdri_file, context);
-    const bool is_file_alone = !request.hdri_file.empty() && !scene.environment && !request.hdri_skybox;
+    const bool is_file_alone = !request.hdri_file.empty() && !scene.environment && !request.hdri_skybox.value_or(false);
     environment.is_light =
         request.hdri_ambient.value_or(environment.is_light || request.studio_lights || is_file_alone);
     environment.is_background = request.hdri_skybox.value_or(environment.is_background);

@@ -39,10 +39,10 @@ TEST(WindowBands, AGapIsAnErrorThatNamesItsWindow) {
     const auto advice = [](std::vector<Window> windows) {
         return error_of([&] { band_at(windows, 0, 10, 8); }).advice();
     };
-    EXPECT_EQ(advice({{1, 0, 9, 8}}), "render them with --window 0,0,1,8");
-    EXPECT_EQ(advice({{0, 0, 4, 8}, {6, 0, 4, 8}}), "render them with --window 4,0,2,8");
-    EXPECT_EQ(advice({{0, 0, 4, 8}, {4, 5, 6, 3}}), "render them with --window 4,0,6,5");
-    EXPECT_EQ(advice({}), "render them with --window 0,0,10,8");
+    EXPECT_EQ(advice({{1, 0, 9, 8}}), "render them with 'window' 0,0,1,8");
+    EXPECT_EQ(advice({{0, 0, 4, 8}, {6, 0, 4, 8}}), "render them with 'window' 4,0,2,8");
+    EXPECT_EQ(advice({{0, 0, 4, 8}, {4, 5, 6, 3}}), "render them with 'window' 4,0,6,5");
+    EXPECT_EQ(advice({}), "render them with 'window' 0,0,10,8");
 }
 
 class JoinWindows : public testing::Test {
@@ -123,7 +123,7 @@ TEST_F(JoinWindows, WhatMakesNoPictureIsOneErrorAndNoFile) {
         EXPECT_FALSE(std::filesystem::exists(folder.file("out.png")));
     };
     refused({}, "no window", ErrorCode::usage);
-    refused({{left}}, "no window covers columns 40 to 60 of rows 0 to 46; render them with --window 40,0,21,47");
+    refused({{left}}, "no window covers columns 40 to 60 of rows 0 to 46; render them with 'window' 40,0,21,47");
     refused({{left}, {foreign}}, "is a window of a picture of 61 x 50 pixels, not of 61 x 47");
     refused({{left}, {deep}}, "is PNG of 3 channels with 16 bits");
     refused({{left}, {other}}, "is EXR of B,G,R");
