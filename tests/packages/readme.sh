@@ -24,7 +24,7 @@ run() { echo "\$ $1"; bash -c "$1" >/root/log 2>&1 </dev/null || { tail -n 40 /r
 is_png() { [ "$(head -c 4 "$1" | tail -c 3)" = PNG ]; }
 if [ -e /root/.ccache ]; then
     run 'apt-get update && apt-get install ccache'
-    export CCACHE_DIR=/root/.ccache CCACHE_BASEDIR=/work CCACHE_NOHASHDIR=1
+    export CCACHE_DIR=/root/.ccache CCACHE_BASEDIR=$(dirname "$PWD") CCACHE_NOHASHDIR=1
 fi
 size
 if [ "${1:-}" = configure ]; then
@@ -45,8 +45,8 @@ done
 run './dev demo'
 is_png build/demo/spot-head.png && is_png build/demo/head.png
 cp build/demo/*.png "$OUT"
-mkdir /work/place
-cd /work/place
+mkdir ../place
+cd ../place
 cp ../rakelight/data/spot/spot_slab5.glb parts.glb
 while read -r line; do run "$line"; done <"$GIVEN/four"
 is_png parts.png
