@@ -156,7 +156,7 @@ def run_command(root, program, command, wrong):
                 provide(root, folder, word)
             elif word.endswith("/"):  # a folder of models
                 provide(root, folder, word + "model.obj")
-            elif option.startswith("--texture-") or option in ("--height-map", "--hdri-file") or re.fullmatch(r"[\w./-]+\.(glb|gltf|obj|fbx|dae|stl|ply|3ds|ase|blend|off|x|scene\.toml)", word):
+            elif option.startswith("--texture-") or option in ("--height-map", "--hdri-file", "--vertex-shader") or word.endswith(".glsl") or re.fullmatch(r"[\w./-]+\.(glb|gltf|obj|fbx|dae|stl|ply|3ds|ase|blend|off|x|scene\.toml)", word):
                 is_missing |= not provide(root, folder, word)
         if source:
             provide(root, folder, source)
