@@ -140,8 +140,9 @@ largest.)";
 inline constexpr const char* smooth_footer =
     R"(Normals of the file are kept, except where parts meet: there they are joined across
 edges up to the crease angle. Hard edges within a part are kept, and so are those
-between two parts where both were authored hard. Everything but normals and tangents is
-kept: names, extras, animations, images, and compression where no normal changes. One
+between two parts where both were authored hard. Files whose open borders fit together
+are smoothed as one model, each into its own output. Everything but normals and tangents
+is kept: names, extras, animations, images, and compression where no normal changes. One
 line says how many normals turned, and by how much at most; --quiet leaves it out. A
 second run changes nothing.
 
@@ -149,7 +150,7 @@ Examples:
   rakelight smooth parts.glb -o smooth.glb
   rakelight smooth models/ -o fixed/
       Each model of a folder, under its name.
-  rakelight smooth head.glb body.glb --as-one -o fixed/
+  rakelight smooth head.glb body.glb -o fixed/
       The seam between two files too: fixed/head.glb and fixed/body.glb.
   rakelight smooth parts.glb --preview look.html
       Heat maps of the seams before and after; no model is written.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <numeric>
 #include <system_error>
 
 #include <rakelight/compare.h>
@@ -38,7 +40,8 @@ Command smooth_command() {
     std::vector<Option> input = apps::input_options();
     Option as_one = apps::find(input, "as-one");
     as_one.help =
-        "Smooth all files as one model, each in its own coordinates: borders between files are joined too. Each "
+        "Smooth all files as one model, each in its own coordinates. Default: those whose open borders fit together. "
+        "Each "
         "file is written to its own output, all of them or none";
     keep.help = "glTF: keep instances sharing one mesh even where they touch different objects";
     return {
@@ -88,7 +91,9 @@ Command smooth_command() {
                flag},
               keep},
              apps::without(apps::input_options(), {"format", "as-one"}),
-             {as_one},
+             {as_one,
+              {"apart", "Input", "",
+               "Smooth each file by itself, even where open borders of several files fit together", flag}},
              apps::common_options()})};
 }
 
@@ -155,52 +160,79 @@ SmoothedFile smooth_input(const Run& run, const PictureRequest& request, const S
     return preview_smooth(request.input, place, options, request.view, request.settings, c);
 }
 
-/// All inputs as one model. @return the exit code
-int smooth_as_one(const Run& run, const std::vector<InputRequest>& inputs, std::vector<SmoothedFileRow>& rows) {
+using Rows = std::map<std::size_t, SmoothedFileRow>;  ///< by their input
+using Inputs = std::vector<InputRequest>;
+using Group = std::vector<std::size_t>;  ///< inputs that are smoothed as one model, ascending
+
+/// [inputs] the first input of the same model. Where the files cannot be compared, each is a model of its own.
+std::vector<std::uint32_t> models_of(const Run& run, const Inputs& inputs) {
+    std::vector<std::uint32_t> first(inputs.size(), 0);
+    if (run.given.has("as-one")) return first;
+    std::iota(first.begin(), first.end(), 0u);
+    if (inputs.size() < 2 || run.given.has("apart") || run.given.has("preview")) return first;
+    std::vector<std::string> files;
+    for (const InputRequest& input : inputs) files.push_back(input.picture.input);
+    Context context({.threads = run.threads, .max_memory = run.max_memory});
+    const CancelOnInterrupt guard(context, files.front());
+    try {
+        return files_cut_apart(files, smooth_options(run, inputs.front().picture), context);
+    } catch (const Error& error) {
+        context.throw_if_cancelled();
+        print_message("open borders of the files are not compared: " + std::string(error.what()), run.loudness);
+        return first;
+    }
+}
+
+std::vector<Group> groups_of(const Run& run, const Inputs& inputs) {
+    const std::vector<std::uint32_t> first = models_of(run, inputs);
+    std::vector<Group> groups(inputs.size());
+    for (std::size_t i = 0; i < inputs.size(); ++i) groups[first[i]].push_back(i);
+    std::erase_if(groups, [](const Group& g) { return g.empty(); });
+    return groups;
+}
+
+/// Several inputs as one model. @return the exit code
+int smooth_as_one(const Run& run, const Inputs& inputs, const Group& group, Rows& rows) {
     std::vector<FileToSmooth> files;
     std::string title;
-    for (const InputRequest& input : inputs) {
-        files.push_back({input.picture.input, input.picture.output});
-        title += (title.empty() ? "" : " + ") + input.picture.input;
-        rows.emplace_back().file = input.picture.input;
+    for (const std::size_t i : group) {
+        const PictureRequest& request = inputs[i].picture;
+        files.push_back({request.input, request.output});
+        title += (title.empty() ? "" : " + ") + request.input;
+        rows[i].file = request.input;
     }
-    *run.files = {.of = 1};
     SmoothedFileRow all;
     std::vector<SmoothedFile> results;
     const int code = run_file(run, title, all, [&](Context& context) {
-        for (const InputRequest& input : inputs)
-            if (input.error) throw *input.error;
-        results = smooth_files(files, smooth_options(run, inputs.front().picture), context);
+        for (const std::size_t i : group)
+            if (inputs[i].error) throw *inputs[i].error;
+        results = smooth_files(files, smooth_options(run, inputs[group.front()].picture), context);
     });
-    rows.front().remarks = all.remarks, rows.front().remarks_left_out = all.remarks_left_out;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
+    SmoothedFileRow& front = rows[group.front()];
+    front.remarks = all.remarks, front.remarks_left_out = all.remarks_left_out;
+    if (code == 0 && !run.given.has("as-one"))
+        print_message(title + ": open borders fit together, smoothed as one model (--apart: each by itself)",
+                      run.loudness);
+    for (std::size_t k = 0; k < group.size(); ++k) {
+        SmoothedFileRow& row = rows[group[k]];
         if (code != 0) {
-            rows[i].error = all.error;
+            row.error = all.error;
             continue;
         }
-        rows[i].result = std::move(results[i]);
-        print_message(summary(*rows[i].result), run.loudness);
+        row.result = std::move(results[k]);
+        print_message(summary(*row.result), run.loudness);
     }
     return code;
 }
 
-/// Each input by itself. @return the exit code
-int smooth_each(const Run& run, const std::vector<InputRequest>& inputs, std::vector<SmoothedFileRow>& rows) {
-    int worst = 0;
-    for (const InputRequest& input : inputs) {
-        const PictureRequest& request = input.picture;
-        if (CancelOnInterrupt::happened()) break;
-        SmoothedFileRow& row = rows.emplace_back();
-        row.file = request.input;
-        const int code = run_input(run, input, row, [&](Context& c) {
-            row.result = smooth_input(run, request, smooth_options(run, request), c);
-        });
-        if (code == 0) print_message(summary(*row.result), run.loudness);
-        worst = std::max(worst, code);
-    }
-    if (inputs.size() > 1 && !run.given.has("preview"))
-        print_message("each file was smoothed by itself; --as-one also joins the borders between them", run.loudness);
-    return worst;
+/// @return the exit code
+int smooth_alone(const Run& run, const InputRequest& input, SmoothedFileRow& row) {
+    const PictureRequest& request = input.picture;
+    row.file = request.input;
+    const int code = run_input(
+        run, input, row, [&](Context& c) { row.result = smooth_input(run, request, smooth_options(run, request), c); });
+    if (code == 0) print_message(summary(*row.result), run.loudness);
+    return code;
 }
 
 }  // namespace
@@ -208,13 +240,24 @@ int smooth_each(const Run& run, const std::vector<InputRequest>& inputs, std::ve
 int run_smooth(const Run& given) {
     if (std::ranges::any_of(given.inputs, [](const std::string& file) { return file.starts_with("standard input"); }))
         throw Error(ErrorCode::usage, "smooth takes files, not standard input", {}, "write the model to a file first");
+    if (given.given.has("as-one") && given.given.has("apart"))
+        throw Error(ErrorCode::usage, "--as-one and --apart exclude each other");
     const Run run = with_output(given);
     (void)smooth_options(run, run.picture);  // what is wrong for all is reported once
-    const std::vector<InputRequest> inputs = picture_requests(run);
-    std::vector<SmoothedFileRow> rows;
-    const bool is_one = run.given.has("as-one") && inputs.size() > 1;
-    const int worst = is_one ? smooth_as_one(run, inputs, rows) : smooth_each(run, inputs, rows);
-    if (run.is_json) print_data(to_json(rows));
+    const Inputs inputs = picture_requests(run);
+    const std::vector<Group> groups = groups_of(run, inputs);
+    *run.files = {.of = groups.size()};
+    Rows rows;
+    int worst = 0;
+    for (const Group& group : groups) {
+        if (CancelOnInterrupt::happened()) break;
+        const std::size_t first = group.front();
+        worst = std::max(worst, group.size() > 1 ? smooth_as_one(run, inputs, group, rows)
+                                                 : smooth_alone(run, inputs[first], rows[first]));
+    }
+    std::vector<SmoothedFileRow> in_order;
+    for (auto& [input, row] : rows) in_order.push_back(std::move(row));
+    if (run.is_json) print_data(to_json(in_order));
     return worst;
 }
 

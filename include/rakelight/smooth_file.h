@@ -88,6 +88,15 @@ struct FileToSmooth {
 RL_API std::vector<SmoothedFile> smooth_files(std::span<const FileToSmooth> files, const SmoothFileOptions& options,
                                               Context& context);
 
+/// Which files hold pieces of one surface: an open edge of one file is an open edge of another one, in world space, and
+/// their faces lie on opposite sides of it. So variants of one model, and models that only touch, are apart. An edge of
+/// three files or more does not count, because it is not clear which two belong together. Reads all files, one at a
+/// time; a file that cannot be read is apart.
+/// @return [files] the index of the first file of the same surface; its own index if there is none before it
+/// @throws Error bad_file: over the memory budget; failed: cancelled
+RL_API std::vector<std::uint32_t> files_cut_apart(std::span<const std::string> files, const SmoothFileOptions& options,
+                                                  Context& context);
+
 /// Output of a preview.
 struct PreviewPlace {
     std::string page{};  ///< an .html file

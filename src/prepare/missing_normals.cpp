@@ -6,6 +6,7 @@
 #include "geometry/face_vote.h"
 #include "math/linear.h"
 #include "prepare/variants.h"
+#include "scene/charge_arrays.h"
 #include "scene/validate_parts.h"
 
 namespace rakelight {
@@ -43,18 +44,28 @@ NormalGaps drop_if_all_gaps(Mesh& mesh, std::vector<Finding>& findings) {
     return gaps;
 }
 
-Scene without_useless_normals(Scene scene, Report& report) {
+std::optional<Scene> without_useless_normals(const Scene& scene, Context& context) {
+    std::optional<Scene> out;
     std::vector<bool> seen(scene.meshes.size(), false);
     for (const Instance& instance : drawn_instances(scene)) {
-        if (seen[instance.mesh]) continue;
-        seen[instance.mesh] = true;
+        const std::uint32_t number = instance.mesh;
+        if (seen[number] || scene.meshes[number].normals.empty()) continue;
+        seen[number] = true;
+        if (normal_gaps(scene.meshes[number]).count == 0) continue;
+        Mesh mesh = scene.meshes[number];
         std::vector<Finding> findings;
-        drop_if_all_gaps(scene.meshes[instance.mesh], findings);
+        drop_if_all_gaps(mesh, findings);
         for (const Finding& f : findings)
-            report.add(f.remark, scene.source, Place{"mesh", instance.mesh, scene.meshes[instance.mesh].name}.text(),
-                       f.message);
+            context.report().add(f.remark, scene.source, Place{"mesh", number, mesh.name}.text(), f.message);
+        if (!mesh.normals.empty()) continue;
+        if (!out) {
+            SharedCharge charge = share(MemoryCharge(context.memory(), table_bytes(scene), "the scene"));
+            out = scene;
+            out->charges.push_back(std::move(charge));
+        }
+        out->meshes[number] = std::move(mesh);
     }
-    return scene;
+    return out;
 }
 
 Block<std::uint8_t> authored_locks(std::span<const vec3> normals) {

@@ -2,9 +2,11 @@
 // Vertices without a normal: those of meshes without normals, and those whose normal is zero or not finite.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include <rakelight/context.h>
 #include <rakelight/scene.h>
 
 #include "prepare/repair.h"
@@ -28,8 +30,9 @@ bool lacks_normals(const Mesh& mesh);
 
 /// Drops normals of which all are gaps; said in `findings`, as single gaps are.
 NormalGaps drop_if_all_gaps(Mesh& mesh, std::vector<Finding>& findings);
-/// Of all drawn triangle meshes; said in the report.
-Scene without_useless_normals(Scene scene, Report& report);
+/// Of all drawn triangle meshes; said in the report. Absent: each of them has normals of use, or none.
+/// @throws Error bad_file: over the memory budget
+std::optional<Scene> without_useless_normals(const Scene& scene, Context& context);
 
 /// [V] AttributeMesh::locked of a mesh's normals: what is a normal is authored.
 Block<std::uint8_t> authored_locks(std::span<const vec3> normals);

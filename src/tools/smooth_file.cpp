@@ -5,6 +5,7 @@
 
 #include "io/beside.h"
 #include "io/held_outputs.h"
+#include "scene/charge_arrays.h"
 #include "scene/merge_scenes.h"
 #include "tools/model_rewrite.h"
 #include "tools/smooth_file_scene.h"
@@ -49,7 +50,6 @@ void choose_weld_distance(const std::vector<ModelRewrite>& models, AttributeOpti
 }
 
 MergedScene merged(const std::vector<ModelRewrite>& models, Context& context) {
-    if (models.size() == 1) return {models[0].before, {MergeOffsets{}}};
     std::vector<ScenePart> parts;
     for (const ModelRewrite& model : models) parts.push_back({model.before, {}, false, false});
     return merge_scenes(parts, context);
@@ -88,8 +88,9 @@ std::vector<SmoothedFile> smooth_files(std::span<const FileToSmooth> files, cons
     SmoothFileOptions smoothing = options;
     choose_weld_distance(models, smoothing.attributes);
     context.progress("smooth", 0);
-    const MergedScene whole = merged(models, context);
-    const auto [after, seams, borders] = smooth_for_file(whole.scene, smoothing, context);
+    const std::optional<MergedScene> joined = models.size() > 1 ? std::optional(merged(models, context)) : std::nullopt;
+    const Scene& whole = joined ? joined->scene : models[0].before;
+    const auto [after, seams, borders] = smooth_for_file(whole, smoothing, context);
     std::vector<SmoothedFile> results;
     io::HeldOutputs outputs;
     for (std::size_t i = 0; i < models.size(); ++i) {
@@ -97,10 +98,10 @@ std::vector<SmoothedFile> smooth_files(std::span<const FileToSmooth> files, cons
         SmoothedFile& result = results.emplace_back();
         result.file = model.input, result.output = model.output;
         result.seams = seams, result.borders = borders;
-        finish_rewrite(
-            model,
-            models.size() == 1 ? after : part_of(after, model.before, whole.offsets[i], whole.scene.meshes.size()),
-            options, result, context);
+        std::optional<Scene> part;
+        const MemoryCharge charge(context.memory(), joined ? table_bytes(model.before) : 0, "the smoothed scene");
+        if (joined) part = part_of(after, model.before, joined->offsets[i], whole.meshes.size());
+        finish_rewrite(model, part ? *part : after, options, result, context);
     }
     outputs.commit();
     return results;

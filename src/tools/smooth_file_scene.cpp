@@ -135,7 +135,8 @@ void check(const SmoothFileOptions& options) {
 SmoothedScene smooth_for_file(const Scene& given, const SmoothFileOptions& options, Context& context) {
     check(options);
     const bool is_replaced = options.authored == AuthoredNormals::replaced;
-    const Scene scene = is_replaced ? given : without_useless_normals(given, context.report());
+    const std::optional<Scene> cleaned = is_replaced ? std::nullopt : without_useless_normals(given, context);
+    const Scene& scene = cleaned ? *cleaned : given;
     SharedCharge charge = share(MemoryCharge(context.memory(), table_bytes(scene), "the smoothed scene"));
     const bool keeps = !is_replaced && has_normals(scene);
     SmoothedScene out =

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""`rakelight smooth A B --as-one`: the seam between two files is closed, each is written to its own output, both or none.
+"""`rakelight smooth A B`: the seam between two files is closed, each is written to its own output, both or none.
 
   smooth_together_test.py PROGRAM [unittest arguments]"""
 import json
@@ -39,9 +39,9 @@ class SmoothTogether(program.Case):
 
     def test_normals_at_the_cut_are_those_of_the_sphere(self):
         self.assertGreater(self.largest_error(self.folder / "head.glb"), 5)
-        self.fine("smooth", "head.glb", "body.glb", "-o", "alone/")
+        self.fine("smooth", "head.glb", "body.glb", "--apart", "-o", "alone/")
         self.assertGreater(self.largest_error(self.folder / "alone/head.glb"), 5)
-        self.fine("smooth", "head.glb", "body.glb", "--as-one", "-o", "out/")
+        self.fine("smooth", "head.glb", "body.glb", "-o", "out/")
         for name in ("head.glb", "body.glb"):
             self.assertLess(self.largest_error(self.folder / "out" / name), 1e-4)
             before, after = (sphere.read_glb(self.folder / folder / name) for folder in (".", "out"))
@@ -119,10 +119,31 @@ class SmoothTogether(program.Case):
         self.assertEqual(["error" in row for row in json.loads(failed.out)["rows"]], [True, True])
         self.assertFalse((self.folder / "two").exists())
 
-    def test_without_the_option_a_note_names_it(self):
-        note = "--as-one also joins the borders between them"
-        self.assertIn(note, self.fine("smooth", "head.glb", "body.glb", "-o", "out/", "-v").err)
-        self.assertNotIn(note, self.fine("smooth", "head.glb", "-o", "out/", "-v").err)
+    def test_a_line_says_what_belongs_together(self):
+        note = "head.glb + body.glb: open borders fit together, smoothed as one model (--apart: each by itself)"
+        self.assertIn(note, self.fine("smooth", "head.glb", "body.glb", "-o", "out/").err)
+        self.assertNotIn("fit together", self.fine("smooth", "head.glb", "body.glb", "--as-one", "-o", "out/").err)
+        self.assertNotIn("fit together", self.fine("smooth", "head.glb", "-o", "out/").err)
+        self.assertNotIn("fit together", self.fine("smooth", "head.glb", "body.glb", "-o", "out/", "--quiet").err)
+        self.check_refused(self.run_program("smooth", "head.glb", "body.glb", "--as-one", "--apart", "-o", "out/"), 2, "--as-one and --apart exclude each other")
+
+    def test_others_are_smoothed_by_themselves(self):
+        sphere.write_glb(self.folder / "far.glb", -1, {"translation": [5, 0, 0]})
+        (self.folder / "broken.glb").write_bytes(b"glTF\2\0\0\0")
+        done = self.run_program("smooth", "broken.glb", "far.glb", "head.glb", "body.glb", "-o", "out/", "--json")
+        self.assertEqual(done.code, 4, done.err)
+        rows = json.loads(done.out)["rows"]
+        self.assertEqual([row["file"] for row in rows], ["broken.glb", "far.glb", "head.glb", "body.glb"])
+        self.assertEqual(["error" in row for row in rows], [True, False, False, False])
+        self.assertEqual((self.folder / "out/far.glb").read_bytes(), (self.folder / "far.glb").read_bytes())
+        for name in ("head.glb", "body.glb"):
+            self.assertLess(self.largest_error(self.folder / "out" / name), 1e-4)
+
+    def test_of_variants_none_is_chosen(self):
+        (self.folder / "variant.glb").write_bytes((self.folder / "head.glb").read_bytes())
+        self.fine("smooth", "head.glb", "variant.glb", "body.glb", "-o", "out/")
+        for name in ("head.glb", "variant.glb", "body.glb"):
+            self.assertEqual((self.folder / "out" / name).read_bytes(), (self.folder / name.replace("variant", "head")).read_bytes())
 
     def test_a_preview_shows_both(self):
         self.fine("smooth", "head.glb", "body.glb", "--as-one", "--preview", "p.html")
