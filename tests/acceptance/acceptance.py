@@ -219,9 +219,9 @@ def grid_gltf(path, nodes, side, skins=0):
 
 
 def check_memory(program):
-    """Small files that ask for much: at their peak they take what files may ask for and 400 MiB for the program at most."""
-    # 400: a million meshes of one triangle also cost what malloc adds to each of their arrays, which nobody charges.
-    seconds, most, million = 600, GIB * 1024 + 400, 1000000
+    """Small files that ask for much: at their peak they take what files may ask for and 200 MiB for the program at most."""
+    # 200: a million meshes of one triangle also cost what malloc adds to each of their arrays, which nobody charges.
+    seconds, most, million = 300, GIB * 1024 + 200, 1000000
     if SANITIZED:
         return []
     wrong = []

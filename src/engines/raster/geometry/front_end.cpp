@@ -16,7 +16,7 @@
 namespace rakelight::raster {
 namespace {
 
-void add_stats(RenderStats& sum, const RenderStats& part) {
+void add(RenderStats& sum, const TriangleCounts& part) {
     sum.culled_back += part.culled_back;
     sum.culled_degenerate += part.culled_degenerate;
     sum.culled_outside += part.culled_outside;
@@ -159,7 +159,7 @@ Binned set_up_and_bin(FrontEnd& front, const TileGrid& grid, Binned&& used, Cont
     context.throw_if_cancelled();
     front.culled_by_side.assign(front.list.draws.size(), 0);
     for (std::size_t c = 0; c < ranges.size(); ++c) {
-        add_stats(front.stats, memory.chunks[c].stats);
+        add(front.stats, memory.chunks[c].counts);
         front.culled_by_side[ranges[c].draw] |= memory.chunks[c].hides_in_window;
     }
     const RunPlaces places = list_tiles(binned, ranges, grid.count());

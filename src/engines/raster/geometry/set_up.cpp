@@ -54,13 +54,13 @@ bool touches(const ScreenTriangle& s, int tx, int ty) {
 class ChunkSetUp {
 public:
     ChunkSetUp(FrontEnd& front, const TileGrid& grid, const ChunkRange& range, RowBlocks& blocks, SetUpScratch& scratch,
-               RenderStats& stats)
+               TriangleCounts& counts)
         : front_(front),
           grid_(grid),
           range_(range),
           blocks_(blocks),
           s_(scratch),
-          stats_(stats),
+          counts_(counts),
           draw_(front.list.draws[range.draw]),
           mesh_(front.list.scene.meshes[draw_.mesh]),
           culling_(shading::culling_of(front.list, draw_, front.settings)),
@@ -115,9 +115,9 @@ private:
         job.rows = rows;
         job.tiles = s_.tiles.data();
         const std::int32_t passed = front_.kernels.set_up(&job);
-        stats_.culled_back += job.culled_back;
-        stats_.culled_degenerate += job.culled_degenerate;
-        stats_.culled_outside += job.culled_outside;
+        counts_.culled_back += job.culled_back;
+        counts_.culled_degenerate += job.culled_degenerate;
+        counts_.culled_outside += job.culled_outside;
         hides_in_window_ = job.hides_in_window != 0;
         return passed;
     }
@@ -136,7 +136,7 @@ private:
         const ClipVertex v[3] = {clip[index[0]], clip[index[1]], clip[index[2]]};
         ClipVertex polygon[max_clipped_vertices];
         const std::size_t count = clip_triangle(v, planes, volume_, polygon);
-        ++stats_.clipped;
+        ++counts_.clipped;
         for (std::size_t k = 2; k < count; ++k) {
             const ScreenVertex piece[3] = {snap_to_screen(map_, polygon[0]), snap_to_screen(map_, polygon[k - 1]),
                                            snap_to_screen(map_, polygon[k])};
@@ -150,11 +150,11 @@ private:
                                   std::int64_t(corner[2].x - corner[0].x) * (corner[1].y - corner[0].y);
         const bool is_back = (area < 0) != culling_.front_is_negative;
         if (area == 0) {
-            ++stats_.culled_degenerate;
+            ++counts_.culled_degenerate;
             return;
         }
         if (is_back ? culling_.back : culling_.front) {
-            ++stats_.culled_back;
+            ++counts_.culled_back;
             const Box hidden = box_of({corner[0].x, corner[1].x, corner[2].x}, {corner[0].y, corner[1].y, corner[2].y},
                                       grid_.window, reach_);
             hides_in_window_ |= hidden.left <= hidden.right && hidden.top <= hidden.bottom;
@@ -173,7 +173,7 @@ private:
         s.is_large = x_high - x_low >= small_extent || y_high - y_low >= small_extent;
         const Box box = box_of(s, grid_.window, reach_);
         if (box.left > box.right || box.top > box.bottom) {
-            ++stats_.culled_outside;
+            ++counts_.culled_outside;
             return;
         }
         has_large_ |= s.is_large;
@@ -193,7 +193,7 @@ private:
             for (int tx = first_x; tx <= last_x; ++tx)
                 if (is_in_one || touches(*row, tx, ty))
                     enter(std::uint32_t((ty - grid_.first_y) * grid_.columns + tx - grid_.first_x), row);
-        ++(s_.entry_count > before ? stats_.drawn : stats_.culled_outside);
+        ++(s_.entry_count > before ? counts_.drawn : counts_.culled_outside);
         const std::uint64_t bytes = new_bytes_ + s_.entry_count * entry_bytes;
         if (bytes - told_bytes_ > 1 << 20) front_.memory.add(bytes - std::exchange(told_bytes_, bytes));
     }
@@ -210,7 +210,7 @@ private:
             if (count[tiles[i]]++ == 0) s_.touched.push_back(tiles[i]);
         }
         s_.entry_count += i - begin;
-        stats_.drawn += i - begin;
+        counts_.drawn += std::uint32_t(i - begin);
         return i;
     }
 
@@ -229,7 +229,7 @@ private:
     const ChunkRange& range_;
     RowBlocks& blocks_;
     SetUpScratch& s_;
-    RenderStats& stats_;
+    TriangleCounts& counts_;
     const Draw& draw_;
     const Mesh& mesh_;
     shading::Culling culling_;
@@ -274,8 +274,8 @@ ScreenTriangle* RowBlocks::take() {
 
 void set_up_chunk(FrontEnd& front, const TileGrid& grid, const ChunkRange& range, RowBlocks& blocks,
                   SetUpScratch& scratch, ChunkTriangles& out) {
-    out.stats = {};
-    ChunkSetUp set_up(front, grid, range, blocks, scratch, out.stats);
+    out.counts = {};
+    ChunkSetUp set_up(front, grid, range, blocks, scratch, out.counts);
     set_up.run();
     sort_by_tile(scratch, out);
     out.hides_in_window = set_up.hides_in_window();

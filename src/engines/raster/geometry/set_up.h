@@ -24,12 +24,17 @@ struct ChunkRun {
     bool has_large;
 };
 
+/// What became of the triangles of a chunk; as in RenderStats.
+struct TriangleCounts {
+    std::uint32_t culled_back = 0, culled_degenerate = 0, culled_outside = 0, clipped = 0, drawn = 0;
+};
+
 /// What comes of a chunk: its triangles tile by tile, in each of them in the order of the scene.
 struct ChunkTriangles {
     std::vector<const ScreenTriangle*> sorted;
     std::vector<ChunkRun> runs;
     bool hides_in_window = false;  ///< FrontEnd::culled_by_side
-    RenderStats stats;
+    TriangleCounts counts;
 };
 
 /// Memory for the rows of a picture, in blocks that threads take; the next picture uses them again. Thread-safe.
