@@ -8,7 +8,7 @@
 namespace rakelight {
 
 /// Transformed by the cofactor matrix, negated for mirroring matrices; unit. Under the identity, unit normals stay
-/// bit-identical.
+/// bit-identical. One that is zero or not finite is none, and becomes zero.
 class PlacedNormals {
 public:
     explicit PlacedNormals(const dmat4& place)
@@ -17,6 +17,7 @@ public:
           is_identity_(upper_left(place) == upper_left(dmat4{})) {}
     vec3 operator()(vec3 normal) const {
         const dvec3 n = cast<double>(normal);
+        if (!is_finite(n) || n == dvec3{}) return {};
         if (is_identity_ && std::fabs(dot(n, n) - 1) < 1e-6) return normal;
         return cast<float>(normalize_or(turn_ * n * sign_, dvec3{0, 0, 1}));
     }

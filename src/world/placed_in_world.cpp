@@ -7,7 +7,6 @@
 #include "io/position_origin.h"
 #include "math/linear.h"
 #include "prepare/bind_pose.h"
-#include "prepare/missing_normals.h"
 #include "scene/placed_normal.h"
 
 namespace rakelight {
@@ -50,8 +49,7 @@ Mesh placed(const Mesh& mesh, const dmat4& place, dvec3 origin, Context& context
     std::vector<vec3> positions(mesh.positions.size()), normals(mesh.normals.size());
     for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = cast<float>(in_world(mesh, v, place) - origin);
     const PlacedNormals turn(place);
-    for (std::size_t v = 0; v < normals.size(); ++v)
-        normals[v] = is_normal(mesh.normals[v]) ? turn(mesh.normals[v]) : vec3{};
+    for (std::size_t v = 0; v < normals.size(); ++v) normals[v] = turn(mesh.normals[v]);
     out.origin = origin;
     out.positions = {std::move(positions), charge.split(mesh.positions.size() * sizeof(vec3))};
     out.normals = {std::move(normals), std::move(charge)};

@@ -175,8 +175,7 @@ private:
         if (!read_corners(words, Issue::face_syntax)) return;
         if (corners_.size() < 3) return remark(Issue::face_short);
         bool has_normals = true;
-        for (const Corner& c : corners_)
-            has_normals = has_normals && c.normal != no_index && !(data_.normals[c.normal] == vec3{});
+        for (const Corner& c : corners_) has_normals = has_normals && c.normal != no_index;
         if (!has_normals)
             for (Corner& c : corners_) c.normal = no_index;
         cut();

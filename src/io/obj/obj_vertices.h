@@ -40,7 +40,7 @@ struct VertexData {
     std::vector<vec4> colors;             ///< [positions] or empty; linear RGBA, white where a vertex has none
     std::vector<std::uint8_t> has_color;  ///< [colors] 1 or 0
     std::vector<vec2> texcoords;          ///< v down, finite
-    std::vector<vec3> normals;            ///< unit; (0, 0, 0) where the file's is unusable
+    std::vector<vec3> normals;            ///< unit; (0, 0, 0), which is none, where the file's is zero or not finite
     MemoryCharge charge;
 };
 

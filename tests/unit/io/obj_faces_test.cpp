@@ -158,7 +158,7 @@ TEST_F(ObjFaces, SmoothingGroupsAreKeptForEachTriangle) {
 }
 
 TEST_F(ObjFaces, FacesWithoutNormalsBecomeAMeshOfTheirOwn) {
-    const Scene s = load(square + "vn 0 0 1\nvn 0 0 0\nf 1//1 2//1 3//1\nf 1 2 4\nf 1//2 3//2 4//2\nf 1//1 2 3//1\n");
+    const Scene s = load(square + "vn 0 0 1\nf 1//1 2//1 3//1\nf 1 2 4\nf 1//9 3//1 4//1\nf 1//1 2 3//1\n");
     ASSERT_EQ(s.meshes.size(), 2u);
     EXPECT_EQ(s.nodes.size(), 1u);
     EXPECT_EQ(s.meshes[0].triangle_count(), 1u);
@@ -166,7 +166,16 @@ TEST_F(ObjFaces, FacesWithoutNormalsBecomeAMeshOfTheirOwn) {
     EXPECT_FALSE(s.meshes[0].normals.empty());
     EXPECT_TRUE(s.meshes[1].normals.empty());
     EXPECT_EQ(remark("only some faces")->remark, Remark::changed);
-    EXPECT_EQ(remark("a normal has zero length")->place, "line 6");
+}
+
+TEST_F(ObjFaces, OnlyCornersWithAZeroOrNonFiniteNormalHaveNone) {
+    for (const char* none : {"0 0 0", "nan 0 0", "0 inf 0", "1e39 0 0", "1 0"}) {
+        const Scene s = load(square + "vn 0 0 1\nvn " + none + "\nf 1//1 2//1 3//2\nf 1//1 3//1 4//1\n");
+        ASSERT_EQ(s.meshes.size(), 1u) << none;
+        const std::vector<vec3> normals(s.meshes[0].normals.begin(), s.meshes[0].normals.end());
+        EXPECT_EQ(normals, (std::vector<vec3>{{0, 0, 1}, {0, 0, 1}, {}, {0, 0, 1}, {0, 0, 1}})) << none;
+        EXPECT_EQ(remark("a normal has zero length")->place, "line 6") << none;
+    }
 }
 
 TEST_F(ObjFaces, NumbersThatCannotBeReadAreNaNAndReported) {

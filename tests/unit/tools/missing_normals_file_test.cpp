@@ -3,13 +3,18 @@
 // whose normals do not move. What smooth_file() writes, and what inspect() and check_limits() say before and after.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
+#include <rakelight/convert_file.h>
 #include <rakelight/tools/inspection_report.h>
 
+#include "base/format_text.h"
 #include "io/glb_writer.h"
 #include "math/linear.h"
+#include "tools/shortest_digits.h"
 #include "unit/prepare/meshes.h"
 #include "unit/tools/smooth_file_support.h"
 
@@ -60,6 +65,11 @@ protected:
     const TemporaryFolder folder_;
     Context context_;
 };
+
+/// The vertex of `before` at the same position: OBJ files number by first use.
+std::size_t vertex_before(const Mesh& before, vec3 position) {
+    return std::size_t(std::ranges::find(before.positions, position) - before.positions.begin());
+}
 
 double degrees_from_exact(const Mesh& mesh, std::size_t v) {
     const vec3 p = mesh.positions[v];
@@ -125,6 +135,85 @@ TEST_F(MissingNormalsFile, ZerosAreMadeSaidAndAFault) {
         }
     }
     EXPECT_TRUE(check_limits(inspect(after, {}, context_), {}).empty());
+}
+
+/// The scene as an OBJ file; at some vertices of the parts after the first, `none` is written for the normal.
+std::string obj_text(const Scene& scene, std::initializer_list<std::size_t> without, const char* none) {
+    std::string text;
+    std::size_t before = 1;
+    for (const Node& node : scene.nodes) {
+        const Mesh& mesh = scene.meshes[node.meshes[0]];
+        text += "o " + node.name + "\n";
+        for (const vec3 p : mesh.positions) text += format_text("v {} {} {}\n", digits(p.x), digits(p.y), digits(p.z));
+        for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
+            const vec3 n = mesh.normals[v];
+            const bool is_none = before > 1 && std::ranges::find(without, v) != without.end();
+            text += is_none ? format_text("vn {}\n", none)
+                            : format_text("vn {} {} {}\n", digits(n.x), digits(n.y), digits(n.z));
+        }
+        for (std::size_t c = 0; c < mesh.indices.size(); ++c) {
+            const std::size_t corner = before + mesh.indices[c];
+            text += format_text("{}{}//{}", c % 3 == 0 ? "f " : " ", corner, corner) + (c % 3 == 2 ? "\n" : "");
+        }
+        before += mesh.positions.size();
+    }
+    return text;
+}
+
+/// The rule of ZerosAreMadeSaidAndAFault, and the normals beside the missing ones keep their bits.
+TEST_F(MissingNormalsFile, ZerosInObjFilesAreMadeSaidAndAFault) {
+    const Scene exact = roof(true);
+    for (const char* none : {"0 0 0", "nan 0 0"}) {
+        const std::string file = (folder_.path() / "in.obj").string();
+        write(file, obj_text(exact, {4, 5}, none));
+        const Inspection i = inspect(load(file, {}, context_), {}, context_);
+        EXPECT_EQ(i.seams.missing_normals, 2u) << none;
+        const std::vector<CheckFailure> failures = check_limits(i, {});
+        ASSERT_EQ(failures.size(), 1u) << none;
+        EXPECT_NE(failures[0].message.find("2 zero or non-finite normals in 'right'"), std::string::npos);
+
+        EXPECT_TRUE(smooth_file(file, file, {}, context_).changed);
+        const Scene after = load(file, {}, context_);
+        EXPECT_TRUE(check_limits(inspect(after, {}, context_), {}).empty()) << none;
+        for (std::size_t m = 0; m < 2; ++m)
+            for (std::size_t v = 0; v < after.meshes[m].normals.size(); ++v) {
+                EXPECT_LT(degrees_from_exact(after.meshes[m], v), 1e-3) << none << ' ' << v;
+                const std::size_t was = vertex_before(exact.meshes[m], after.meshes[m].positions[v]);
+                if (m == 0 || (was != 4 && was != 5)) {
+                    EXPECT_EQ(after.meshes[m].normals[v], exact.meshes[m].normals[was]);
+                }
+            }
+        const std::string once = bytes_of(file);
+        EXPECT_FALSE(smooth_file(file, file, {}, context_).changed) << none;
+        EXPECT_EQ(bytes_of(file), once);
+    }
+}
+
+/// What is no normal becomes none in any format.
+TEST_F(MissingNormalsFile, ConvertedZerosStayMissing) {
+    Scene scene = roof(true);
+    std::vector<vec3> normals(scene.meshes[1].normals.begin(), scene.meshes[1].normals.end());
+    normals[4] = normals[5] = {};
+    scene.meshes[1].normals = normals;
+    const std::string file = written(scene);
+    for (const char* name : {"a.obj", "a.ply", "a.gltf"}) {
+        const std::string to = (folder_.path() / name).string();
+        convert_file(file, to, {}, context_);
+        EXPECT_EQ(inspect(load(to, {}, context_), {}, context_).seams.missing_normals, 2u) << name;
+    }
+}
+
+TEST_F(MissingNormalsFile, ObjFilesOfZerosAloneGetNormals) {
+    const std::string file = (folder_.path() / "in.obj").string();
+    write(file, obj_text(roof(true), {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, "0 0 0"));
+    EXPECT_EQ(inspect(load(file, {}, context_), {}, context_).seams.missing_normals, 10u);
+    EXPECT_EQ(smooth_file(file, file, {}, context_).meshes[1].normals, SmoothedMesh::Change::made);
+    const Mesh right = load(file, {}, context_).meshes[1];
+    for (std::size_t v = 0; v < right.positions.size(); ++v)
+        if (right.positions[v].x < 0.71f) {  // the open end leans
+            EXPECT_LT(degrees_from_exact(right, v), 1e-3) << v;
+        }
+    EXPECT_FALSE(smooth_file(file, file, {}, context_).changed);
 }
 
 TEST_F(MissingNormalsFile, NormalsThatAreNotKeptAreNotMissed) {
