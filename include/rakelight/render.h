@@ -39,8 +39,8 @@ RL_API Frame render(const Scene& scene, const RenderSettings& settings, Context&
 /// @throws Error usage: unknown ending, exposure out of range; failed: the file cannot be written
 RL_API void save(const Frame& frame, const std::string& path, const ToneSettings& tone = {}, vec4 behind = {});
 
-/// Writes a scene: .glb and .gltf store everything that glTF can express, .obj what stands in the world with its
-/// materials, .ply only triangles. The case of the ending does not count. The report lists what is lost.
+/// Writes a scene: .glb and .gltf store all that glTF can express, .obj what stands in the world with its materials,
+/// .ply only triangles. Y is up in glTF and OBJ: a scene whose `source` is an STL file is turned. The report lists losses.
 /// @throws Error usage: another ending; bad_file: an invalid scene (see validate()), or nothing to write; failed: the
 ///         file cannot be written
 RL_API void save(const Scene& scene, const std::string& path, Context& context);

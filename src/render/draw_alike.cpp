@@ -18,11 +18,26 @@
 #include "shading/lights.h"
 #include "world/coloring.h"
 #include "world/scene_of_request.h"
+#include "world/z_up.h"
 
 namespace rakelight {
 namespace {
 
 bool has_light(const Scene& scene) { return !scene.lights.empty() || scene.environment; }
+
+bool states_up(const PictureRequest& request) { return names(request, "up") || request.view.world_up.has_value(); }
+
+/// One up axis for both scenes, unless it is given: an STL file has the coordinates of a file whose format leaves the axis open; beside
+/// one with Y up it is turned.
+void share_up_axis(Scene& a, PictureRequest& of_a, Scene& b, PictureRequest& of_b) {
+    if (states_up(of_a) || states_up(of_b)) return;
+    const bool has_a = is_z_up(a.source, of_a.load.joined), has_b = is_z_up(b.source, of_b.load.joined);
+    if (has_a == has_b) return;
+    const bool is_open = up_axis(has_a ? b.source : a.source) == UpAxis::open;
+    if (!is_open) (has_a ? a : b) = with_y_up(std::move(has_a ? a : b));
+    for (PictureRequest* const request : {&of_a, &of_b})
+        if (!request->view.up) request->view.world_up = is_open ? dvec3{0, 0, 1} : dvec3{0, 1, 0};
+}
 
 /// A scene without light gets that of the other one.
 void share_light(Scene& to, const Scene& from) {
@@ -127,7 +142,6 @@ void choose_for_both(const Scene& all, PictureRequest& a, PictureRequest& b, Con
     apply_look(all, b, quiet);  // the same remarks
     if (a.coloring == b.coloring) a.coloring = b.coloring = completed(all, a.coloring);
     if (!view) return;
-    if (!a.view.world_up) a.view.world_up = b.view.world_up;  // of a format
     const double aspect = double(a.settings.width) / double(a.settings.height);
     a.view = b.view = view_through(valid::choose_camera(all, a.view, aspect, context), a.view.world_up);
 }
@@ -147,6 +161,7 @@ Scene loaded_with_clips(PictureRequest& request, Context& context) {
 
 std::pair<Pixels, Pixels> draw_alike(PictureRequest a, PictureRequest b, Context& context) {
     Scene scene_a = loaded_with_clips(a, context), scene_b = loaded_with_clips(b, context);
+    share_up_axis(scene_a, a, scene_b, b);
     share_light(scene_a, scene_b), share_light(scene_b, scene_a);
     choose_for_both(both(scene_a, scene_b, context), a, b, context);
     std::pair<Pixels, Pixels> pictures;

@@ -16,6 +16,7 @@
 #include "render/picture_steps.h"
 #include "render/rows.h"
 #include "world/placed_in_world.h"
+#include "world/z_up.h"
 
 namespace rakelight {
 Scene smooth(const Scene& scene, const AttributeOptions& options, Context& context) {
@@ -75,8 +76,9 @@ void save(const Scene& scene, const std::string& path, Context& context) {
     try {
         validate(scene);
         const std::string ending = file_ending(path);
-        if (ending == "glb" || ending == "gltf") return io::write_glb(scene, path, context);
-        if (ending == "obj") return io::write_obj(placed_in_world(scene, true, context), path, context);
+        const auto upright = [&] { return is_z_up(scene.source) ? with_y_up(scene) : scene; };
+        if (ending == "glb" || ending == "gltf") return io::write_glb(upright(), path, context);
+        if (ending == "obj") return io::write_obj(placed_in_world(upright(), true, context), path, context);
         if (ending == "ply") return io::write_ply(scene, path, context);
         throw Error(ErrorCode::usage, "a scene cannot be written with the ending '" + one_line(ending, 40) + "'", {},
                     "use .glb, .gltf, .obj or .ply");

@@ -17,6 +17,7 @@
 #include "scene/scene_tools.h"
 #include "world/coloring.h"
 #include "world/scene_of_request.h"
+#include "world/z_up.h"
 
 namespace rakelight {
 namespace {
@@ -74,16 +75,31 @@ void advise_up(const Scene& scene, PictureRequest& request, bool is_z_up, Contex
             "the model looks as if " + axis + " were up: " + why + "; 'up' +" + axis + " turns it upright", {"up"});
 }
 
+/// STL files beside models with Y up keep their coordinates. @return whether there are such
+bool warn_of_lying(const std::string& path, const PictureRequest& request, Context& context) {
+    std::vector<std::string> files = request.load.joined;
+    files.insert(files.begin(), path);
+    const auto lying = std::ranges::find(files, UpAxis::z, up_axis);
+    if (lying == files.end()) return false;
+    context.report().add(Remark::warning, *lying, "",
+                         "the STL file has Z up and lies on its side beside models with Y up; 'up' +Z turns all of "
+                         "them, rotation_deg = [-90, 0, 0] in a world file turns the STL file",
+                         {"up"});
+    return true;
+}
+
 /// STL files have Z up in any look. @param scene  as loaded
 void take_up_axis(const Scene& scene, PictureRequest& request, Context& context) {
     if (names(request, {"up", "camera-view-up"}) || request.view.up || request.view.world_up) return;
-    const auto& joined = request.load.joined;
-    const bool is_z_up = is_z_up_format(request.input) && std::ranges::all_of(joined, is_z_up_format);
-    if (is_z_up) {
+    const std::string& path = scene.source.empty() ? request.input : scene.source;
+    const bool has_z_up = is_z_up(path, request.load.joined);
+    if (has_z_up) {
         request.view.world_up = dvec3{0, 0, 1};
         note(context, request, "STL files do not say which axis is up: Z is used; see 'up'", {"up"});
+    } else if (warn_of_lying(path, request, context)) {
+        return;
     }
-    if (request.look != Look::plain && has_no_up_axis(request.input)) advise_up(scene, request, is_z_up, context);
+    if (request.look != Look::plain && has_no_up_axis(path)) advise_up(scene, request, has_z_up, context);
 }
 
 /// Metallic-roughness materials are lit by the studio, unless a light is given.

@@ -9,6 +9,7 @@
 
 #include "math/linear.h"
 #include "scene/scene_tools.h"
+#include "world/z_up.h"
 
 namespace rakelight {
 namespace {
@@ -77,12 +78,7 @@ bool stands_on_lowest(std::size_t axis, const Scene& scene, const Bounds& box) {
 
 }  // namespace
 
-bool is_z_up_format(const std::string& path) { return file_ending(path) == "stl"; }
-
-bool has_no_up_axis(const std::string& path) {
-    constexpr const char* such[] = {"stl", "ply", "obj", "off", "xyz", "pts"};
-    return std::ranges::find(such, file_ending(path)) != std::end(such);
-}
+bool has_no_up_axis(const std::string& path) { return up_axis(path) != UpAxis::y || file_ending(path) == "obj"; }
 
 std::string why_z_is_up(const Scene& scene) {
     const Bounds box = world_bounds(scene);

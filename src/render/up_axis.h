@@ -10,9 +10,6 @@ namespace rakelight {
 /// Whether files of that name have no up axis: STL, PLY, OBJ, OFF and lists of points.
 bool has_no_up_axis(const std::string& path);
 
-/// Whether Z is up in files of that name unless somebody says otherwise: STL (docs/z-up-scans.md).
-bool is_z_up_format(const std::string& path);
-
 /// Why the model looks as if +Z were up, for people; empty: it does not, or it is unclear. Reported only if one of the
 /// six sides of its box differs from the others:
 /// - it is at least a quarter as high in z as it is wide, and stands on a flat base: triangles that face along Z lie in the lowest 1 % of z, their areas fill at least a quarter of that

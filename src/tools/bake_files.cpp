@@ -13,6 +13,7 @@
 #include "io/output_place.h"
 #include "scene/scene_tools.h"
 #include "tools/report_json.h"
+#include "world/z_up.h"
 
 #include <rakelight/tools/file_ending.h>
 #include <rakelight/tools/rows.h>
@@ -101,7 +102,7 @@ void write_model(const BakeRequest& request, const BakeResult& baked, Context& c
             material.centered_normals = material.green_down = false;
         }
     }
-    io::write_glb(scene, request.model, context);
+    io::write_glb(is_z_up(request.low) ? with_y_up(std::move(scene)) : scene, request.model, context);
 }
 
 }  // namespace

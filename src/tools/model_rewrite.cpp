@@ -17,6 +17,7 @@
 #include "io/same_attributes.h"
 #include "prepare/missing_normals.h"
 #include "world/placed_in_world.h"
+#include "world/z_up.h"
 
 namespace rakelight {
 namespace {
@@ -126,6 +127,16 @@ bool write_ply(const ModelRewrite& model, const Scene& after, Context& context) 
     return is_changed;
 }
 
+/// glTF has Y up, and most programs with Z up turn the OBJ files that they write. PLY files keep coordinates.
+void say_where_up_is(const ModelRewrite& model, Report& report) {
+    if (model.way == RewriteWay::new_ply)
+        report.add(Remark::warning, model.output, {},
+                   "Z is up, as in the STL file; pictures of PLY files have Y up, and 'up' +Z shows it upright",
+                   {"up"});
+    else
+        report.add(Remark::changed, model.output, {}, "Y is up: the model was turned, because STL files have Z up");
+}
+
 }  // namespace
 
 bool is_one_file(const std::string& input, const LoadOptions& load) {
@@ -159,6 +170,7 @@ ModelRewrite begin_rewrite(const std::string& input, const std::string& wanted, 
             io::read_scene(input, {.allow_outside = options.allow_outside, .keep_obj = &model.kept}, context);
     else
         model.before = load(input, options, context);
+    model.has_z_up = is_z_up(model.before.source, options.joined);
     if (model.way == RewriteWay::new_obj || model.way == RewriteWay::new_ply)
         model.before = placed_in_world(model.before, model.way == RewriteWay::new_obj, context);
     return model;
@@ -168,6 +180,7 @@ void finish_rewrite(const ModelRewrite& model, const Scene& after, const SmoothF
                     SmoothedFile& result, Context& context) {
     context.throw_if_cancelled();
     context.progress("write", 0);
+    if (model.has_z_up) say_where_up_is(model, context.report());
     std::shared_ptr<const io::KeptObj> kept = model.kept;
     result.changed = true;
     switch (model.way) {
@@ -179,10 +192,10 @@ void finish_rewrite(const ModelRewrite& model, const Scene& after, const SmoothF
                                         {.allow_outside = model.load.allow_outside, .keep_obj = &kept}, context);
             break;
         case RewriteWay::new_gltf:
-            io::write_glb(after, model.output, context);
+            io::write_glb(model.has_z_up ? with_y_up(after) : after, model.output, context);
             break;
         case RewriteWay::new_obj:
-            io::write_obj(after, model.output, context);
+            io::write_obj(model.has_z_up ? with_y_up(after) : after, model.output, context);
             break;
         case RewriteWay::new_ply:
             result.changed = write_ply(model, after, context);

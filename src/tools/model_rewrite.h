@@ -25,6 +25,7 @@ struct ModelRewrite {
     RewriteWay way;
     LoadOptions load;
     Scene before;                               ///< with world positions where the output has no placements
+    bool has_z_up = false;                      ///< glTF and OBJ outputs are turned
     std::shared_ptr<const io::KeptObj> kept{};  ///< obj_in_place: the lines that are written back
 };
 

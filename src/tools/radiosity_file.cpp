@@ -14,6 +14,7 @@
 #include "render/look.h"
 #include "render/picture_steps.h"
 #include "tools/report_json.h"
+#include "world/z_up.h"
 
 namespace rakelight {
 
@@ -61,7 +62,8 @@ RadiosityFile radiosity_file(const PictureRequest& asked, const std::optional<Li
     const Scene out = lightmap ? lightmapped(ready, request, *lightmap, result, context) : scene_of(*ready.prepared);
     context.throw_if_cancelled();
     context.progress("write", 0);
-    io::write_glb(out, result.output, context);
+    const bool is_turned = is_z_up(request.input, request.load.joined) && request.view.world_up == dvec3{0, 0, 1};
+    io::write_glb(is_turned ? with_y_up(out) : out, result.output, context);
     return result;
 }
 

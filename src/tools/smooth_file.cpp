@@ -38,6 +38,8 @@ std::vector<ModelRewrite> begin_all(std::span<const FileToSmooth> files, const S
             throw error.with_file(file.input);
         }
     check_outputs(models);
+    if (!std::ranges::all_of(models, &ModelRewrite::has_z_up))  // one model: what is turned fits no more
+        for (ModelRewrite& model : models) model.has_z_up = false;
     return models;
 }
 

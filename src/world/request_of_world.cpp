@@ -149,6 +149,7 @@ WorldRequest request_of(std::vector<WorldValue> render, const std::string& path,
     world.picture.settings.material_shading = !sets_shading(overrides.values);
     std::vector<std::string>& overridden = world.picture.load.overridden;
     overridden.insert(overridden.end(), taking.overridden.begin(), taking.overridden.end());
+    if (has(overrides.values, "up")) overridden.emplace_back("up");  // also where the file has none
     return world;
 }
 

@@ -121,6 +121,42 @@ class Convert(program.Case):
         self.assertEqual(pictures[0], pictures[1])
         self.assertEqual(pictures[0], pictures[2])
 
+    def stl(self):
+        """A wedge of 4 by 1 by 2 on the plane z = 0."""
+        p = [(0, 0, 0), (4, 0, 0), (0, 1, 0), (4, 1, 0), (0, 0, 2), (0, 1, 2)]
+        faces = ((0, 2, 3), (0, 3, 1), (0, 4, 5), (0, 5, 2), (0, 1, 4), (2, 5, 3), (1, 3, 5), (1, 5, 4))
+        text = "".join("facet normal 0 0 0\nouter loop\n" + "".join("vertex %d %d %d\n" % p[i] for i in face) + "endloop\nendfacet\n" for face in faces)
+        self.write("wedge.stl", "solid wedge\n" + text + "endsolid wedge\n")
+
+    def test_what_is_made_of_an_stl_file_looks_like_it(self):
+        self.stl()
+        if "built without" in self.run_program("inspect", "wedge.stl").err:
+            self.skipTest("this build reads no STL")
+        size = ("--resolution", "96,72", "--lighting", "lambert", "--light", "studio", "--color", "#c04020")  # no format stores materials as STL does
+
+        def picture(name, *options):
+            self.assertEqual(self.run_program(name, "-o", "picture.png", *size, *options).code, 0)
+            return program.png(self.folder / "picture.png")
+
+        def difference(a, b):
+            return max(abs(x - y) for row, other in zip(a[3], b[3]) for x, y in zip(row, other))
+
+        wanted = picture("wedge.stl")
+        for verb in ("convert", "smooth"):
+            for kind in ("glb", "gltf", "obj"):
+                with self.subTest(verb=verb, kind=kind):
+                    result = self.run_program(verb, "wedge.stl", "-o", "a." + kind)
+                    self.assertIn("the model was turned", result.err)
+                    self.assertLessEqual(difference(picture("a." + kind), wanted), 1)
+                    self.assertEqual(self.run_program("compare", "wedge.stl", "a." + kind, "--max-error", "1/255", *size).code, 0)
+            self.assertIn("--up +Z shows it upright", self.run_program(verb, "wedge.stl", "-o", "a.ply").err)
+            self.assertLessEqual(difference(picture("a.ply", "--up", "+Z"), wanted), 1)
+        self.assertGreater(difference(picture("wedge.stl", "--up", "+Y"), wanted), 10)
+        self.write("w.scene.toml", '[[model]]\nfile = "wedge.stl"\n')
+        lies = "lies on its side"
+        self.assertIn(lies, self.run_program("w.scene.toml", "-o", "w.png", *size).err)
+        self.assertNotIn(lies, self.run_program("w.scene.toml", "-o", "w.png", "--up", "+Z", *size).err)
+
     def test_a_file_that_is_there_is_not_overwritten_by_a_texture(self):
         self.textured()
         self.convert("square.obj", "-o", "a.glb")

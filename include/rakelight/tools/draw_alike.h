@@ -13,6 +13,8 @@ namespace rakelight {
 /// Draws two scenes into memory, for a comparison. Both get one look, one camera and one exposure, which are chosen for
 /// both scenes together. Settings that a request gives apply to its scene (PictureRequest::given_keys).
 /// - The camera is the first of scene a, else the first of scene b, else a fitted one that shows both.
+/// - If only one scene is of an STL file, which has Z up, it is turned to Y up; PLY, OFF and lists of points beside it
+///   are drawn with Z up instead.
 /// - If only one scene has lights or an environment, these light the other scene too.
 /// - The look is plain if one of the requests has the plain look.
 /// The output and the data channels of the requests are ignored.

@@ -12,7 +12,7 @@ namespace rakelight::io {
 /// coordinates (v up), and smoothing groups where there are no normals. Materials go to NAME.mtl beside it: colors, and
 /// textures by their paths as seen from there. Textures inside of the model become files NAME.N.png, ... beside it.
 /// What OBJ cannot store (tangents, skins, clips, lights, cameras) is reported.
-/// @param scene  placed in the world: nodes without matrices (placed_in_world())
+/// @param scene  placed in the world (placed_in_world()); nodes may turn it from there
 /// @throws Error bad_file: nothing to write; failed: cannot write
 void write_obj(const Scene& scene, const std::string& path, Context& context);
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/z_up.h"
+
+#include <algorithm>
+
+#include <rakelight/tools/file_ending.h>
+
+#include "math/linear.h"
+#include "scene/scene_tools.h"
+
+namespace rakelight {
+
+UpAxis up_axis(const std::string& path) {
+    constexpr const char* open[] = {"ply", "off", "xyz", "pts"};
+    const std::string ending = file_ending(path);
+    if (ending == "stl") return UpAxis::z;
+    return std::ranges::find(open, ending) != std::end(open) ? UpAxis::open : UpAxis::y;
+}
+
+bool is_z_up(const std::string& path, std::span<const std::string> joined) {
+    const auto is_such = [](const std::string& file) { return up_axis(file) == UpAxis::z; };
+    return is_such(path) && std::ranges::all_of(joined, is_such);
+}
+
+Scene with_y_up(Scene scene) {
+    constexpr dmat4 turn{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}}};
+    const std::vector<dmat4> world = world_matrices(scene);
+    for (std::size_t n = 0; n < scene.nodes.size(); ++n)
+        if (scene.nodes[n].parent == no_index) scene.nodes[n].local.matrix = turn * world[n];
+    for (Light& light : scene.lights) {
+        if (light.node != no_index) continue;
+        light.position = transform_point(turn, light.position);
+        light.direction = transform_direction(turn, light.direction);
+    }
+    for (Camera& camera : scene.cameras)
+        if (camera.node == no_index) camera.to_world = turn * camera.to_world;
+    if (scene.environment) scene.environment->up = transform_direction(turn, scene.environment->up);
+    return scene;
+}
+
+}  // namespace rakelight

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Models with Z up, beside formats and scenes with Y up (docs/z-up-scans.md).
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include <rakelight/scene.h>
+
+namespace rakelight {
+
+/// The axis that is up in a file.
+/// - `y`: the format says so, or its reader turns the model. Also OBJ: most programs with Z up turn what they write.
+/// - `z`: STL.
+/// - `open`: PLY, OFF and lists of points. They have the coordinates of the program that wrote them, and are shown with
+///   Y up.
+enum class UpAxis : std::uint8_t { y, z, open };
+
+/// By the ending of the name.
+UpAxis up_axis(const std::string& path);
+
+/// Whether Z is up in what load() makes of files: in all of them.
+/// @param joined  LoadOptions::joined
+bool is_z_up(const std::string& path, std::span<const std::string> joined = {});
+
+/// Turns a scene with Z up: X stays, Z becomes Y. Meshes keep their numbers; their nodes, lights and cameras turn. Every number is exact.
+Scene with_y_up(Scene scene);
+
+}  // namespace rakelight
