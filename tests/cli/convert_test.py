@@ -121,6 +121,19 @@ class Convert(program.Case):
         self.assertEqual(pictures[0], pictures[1])
         self.assertEqual(pictures[0], pictures[2])
 
+    def test_textures_that_obj_has_no_place_for_are_said(self):
+        self.textured()
+        self.convert("square.obj", "-o", "a.gltf")
+        self.assertNotIn("cannot store", self.convert("a.gltf", "-o", "b.obj").err)
+        path = self.folder / "a.gltf"
+        tree = json.loads(path.read_text())
+        tree["materials"][0]["pbrMetallicRoughness"]["metallicRoughnessTexture"] = tree["materials"][0]["occlusionTexture"] = {"index": 0}
+        path.write_text(json.dumps(tree))
+        for verb in ("convert", "smooth"):
+            result = self.run_program(verb, "a.gltf", "-o", verb + ".obj")
+            self.assertEqual(result.code, 0, result.err)
+            self.assertEqual(result.err.count("OBJ cannot store textures of occlusion, metallic roughness"), 1, result.err)
+
     def stl(self):
         """A wedge of 4 by 1 by 2 on the plane z = 0."""
         p = [(0, 0, 0), (4, 0, 0), (0, 1, 0), (4, 1, 0), (0, 0, 2), (0, 1, 2)]

@@ -22,6 +22,7 @@
 #include "io/position_origin.h"
 #include "math/color.h"
 #include "math/linear.h"
+#include "scene/material_table.h"
 #include "scene/placed_normal.h"
 #include "scene/scene_tools.h"
 
@@ -78,6 +79,22 @@ std::vector<const TextureUse*> written_maps(const Material& m) {
     return maps;
 }
 
+/// What the textures that library_text() leaves out are for: "metallic roughness, occlusion".
+std::string lost_roles(const Scene& scene) {
+    std::string names;
+    for (const TextureRole& role : texture_roles()) {
+        const auto is_lost = [&](const Material& m) {
+            const std::vector<const TextureUse*> written = written_maps(m);
+            const TextureUse& use = role.in(m);
+            return use && role.is_shown_by(m) && std::ranges::find(written, &use) == written.end();
+        };
+        if (!std::ranges::any_of(scene.materials, is_lost)) continue;
+        names += (names.empty() ? "" : ", ") + std::string(role.name);
+    }
+    std::ranges::replace(names, '_', ' ');
+    return names;
+}
+
 /// By the content, as readers decide.
 std::string picture_ending(std::span<const std::byte> bytes) {
     const std::string_view name = content_kind(bytes).name;
@@ -124,8 +141,8 @@ public:
     }
 
 private:
-    void lost(const char* what) {
-        context_.report().add(Remark::dropped, scene_.source, {}, std::string("OBJ cannot store ") + what);
+    void lost(const std::string& what) {
+        context_.report().add(Remark::dropped, scene_.source, {}, "OBJ cannot store " + what);
     }
 
     /// Where they do not, positions are written as doubles.
@@ -163,6 +180,7 @@ private:
         if (!scene_.skins.empty() || !scene_.animations.empty())
             lost("skins and animations: the bind pose was written");
         if (!scene_.cameras.empty() || !scene_.lights.empty()) lost("cameras and lights");
+        if (const std::string roles = lost_roles(scene_); !roles.empty()) lost("textures of " + roles);
     }
 
     void put_mesh(std::string& text, const Mesh& mesh, const dmat4& place) {
