@@ -139,7 +139,7 @@ def _per_vertex(values: Any, vertices: NDArray[Any]) -> NDArray[Any] | None:
 def _with_surface(mesh: Mesh, thing: object, dropped: list[str]) -> Mesh:
     """With the colors and the texture of a mesh of another library. Vertices are split where corners have their own."""
     vertices, faces = np.asarray(mesh.vertices), np.asarray(mesh.faces)
-    surface = surface_of(thing, len(vertices), len(faces))
+    surface = surface_of(thing, len(vertices), len(faces), mesh.uv is not None)
     where = f"mesh '{mesh.name}'" if mesh.name else "a mesh"
     dropped += [f"{where}: not taken over: {what}" for what in surface.dropped]
     mesh = replace(mesh, colors=surface.colors, color=surface.color, texture=surface.texture)

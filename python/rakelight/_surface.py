@@ -65,18 +65,21 @@ def _pixels(image: Any) -> NDArray[np.uint8] | None:
     return array if array.dtype == np.uint8 and array.ndim in (2, 3) and array.size > 0 else None
 
 
-def _take_texture(image: Any, found: Surface) -> None:
+def _take_texture(image: Any, has_uv: bool, found: Surface) -> None:
     if image is None:
+        return
+    if not has_uv:
+        found.dropped.append("its texture, because it has no texture coordinates")
         return
     found.texture = _pixels(image)
     if found.texture is None:
         found.dropped.append("its texture is no picture of 8 bits")
 
 
-def _of_material(material: Any, found: Surface) -> None:
+def _of_material(material: Any, has_uv: bool, found: Surface) -> None:
     """Of trimesh: PBRMaterial has linear factors, SimpleMaterial has codes of sRGB."""
     is_physical = hasattr(material, "baseColorTexture")
-    _take_texture(material.baseColorTexture if is_physical else getattr(material, "image", None), found)
+    _take_texture(material.baseColorTexture if is_physical else getattr(material, "image", None), has_uv, found)
     factor = getattr(material, "baseColorFactor" if is_physical else "diffuse", None)
     if factor is not None and is_physical:
         array = np.asarray(factor)
@@ -95,7 +98,7 @@ def _of_material(material: Any, found: Surface) -> None:
         found.dropped.append(f"of its material {', '.join(left)}")
 
 
-def _of_trimesh(visual: Any, vertices: int, faces: int, found: Surface) -> None:
+def _of_trimesh(visual: Any, vertices: int, faces: int, has_uv: bool, found: Surface) -> None:
     kind = getattr(visual, "kind", "unknown")  # None: what vertex_colors says is made up
     if kind in ("vertex", "unknown") and getattr(visual, "vertex_colors", None) is not None:
         found.colors = _rows(visual.vertex_colors, vertices, "vertex colors", found)
@@ -103,7 +106,7 @@ def _of_trimesh(visual: Any, vertices: int, faces: int, found: Surface) -> None:
         colors = _rows(visual.face_colors, faces, "face colors", found)
         found.corner_colors = None if colors is None else np.repeat(colors, 3, axis=0)
     if kind in ("texture", "unknown") and getattr(visual, "material", None) is not None:
-        _of_material(visual.material, found)
+        _of_material(visual.material, has_uv, found)
 
 
 def _of_open3d(thing: Any, vertices: int, faces: int, found: Surface) -> None:
@@ -121,14 +124,14 @@ def _of_open3d(thing: Any, vertices: int, faces: int, found: Surface) -> None:
         found.dropped.append(f"its {len(textures)} textures are of several materials")
     else:
         found.corner_uv = uv  # their row 0 is at v = 0: pictures are turned over as they are read
-        _take_texture(textures[min(ids)], found)
+        _take_texture(textures[min(ids)], True, found)
 
 
-def surface_of(thing: Any, vertices: int, faces: int) -> Surface:
-    """What a mesh of trimesh or Open3D has."""
+def surface_of(thing: Any, vertices: int, faces: int, has_uv: bool) -> Surface:
+    """What a mesh of trimesh or Open3D has. ``has_uv``: texture coordinates of its vertices."""
     found = Surface()
     if getattr(thing, "visual", None) is not None:
-        _of_trimesh(thing.visual, vertices, faces, found)
+        _of_trimesh(thing.visual, vertices, faces, has_uv, found)
     else:
         _of_open3d(thing, vertices, faces, found)
     if found.color is None and (found.colors is not None or found.corner_colors is not None):

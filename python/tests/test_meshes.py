@@ -262,6 +262,15 @@ def test_a_factor_of_a_physical_material_is_linear(quad):
     assert (pixels(Plain(quad, visual=visual(kind="texture", uv=None, material=material)))[1, 1] == [128, 255, 0]).all()
 
 
+def test_a_picture_without_texture_coordinates_leaves_the_plain_color(quad):
+    for material in (visual(image=Image(TILES), diffuse=np.uint8(RED)), visual(baseColorTexture=Image(TILES), baseColorFactor=[0.5776, 0.003035, 0.006995])):
+        for uv in (None, np.zeros((0, 2)), np.zeros((3, 2))):
+            thing = Plain(quad, visual=visual(kind="texture", uv=uv, material=material))
+            with pytest.warns(rakelight.RakelightWarning, match="not taken over: its texture, because it has no texture coordinates"):
+                seen = pixels(thing)
+            assert np.abs(seen - RED[:3]).max() <= 1
+
+
 def test_alpha_of_colors_and_textures_is_seen(quad):
     half = np.tile(np.uint8([255, 0, 0, 128]), (4, 1))
     seen = pixels(Plain(quad, visual=visual(kind="vertex", vertex_colors=half)), background="#0000ff")
