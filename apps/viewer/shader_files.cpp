@@ -14,7 +14,7 @@ bool ShaderFiles::Watched::has_changed(const std::string& now) {
     const std::filesystem::file_time_type time = std::filesystem::last_write_time(now, fault);
     if (fault) return false;  // it may be on its way: editors write a new file instead of the old one
     if (now != file) {
-        file = now, read_time = changed_time = time;
+        file = now, read_time = {}, changed_time = time;  // it may have changed since others read it
         return false;
     }
     if (time == read_time || time != std::exchange(changed_time, time)) return false;
@@ -31,7 +31,9 @@ std::optional<ShaderFiles::Texts> ShaderFiles::changed(const RenderSettings& set
     if (!settings.vertex_name.empty()) values.push_back({.key = "vertex-shader", .words = {settings.vertex_name}});
     PictureRequest request;
     read_render_keys(values, request);
-    return Texts{request.settings.lighting_text, request.settings.vertex_text};
+    Texts now{request.settings.lighting_text, request.settings.vertex_text};
+    if (now.lighting == settings.lighting_text && now.vertex == settings.vertex_text) return {};
+    return now;
 }
 
 }  // namespace rakelight::viewer

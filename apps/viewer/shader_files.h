@@ -15,8 +15,8 @@ public:
     struct Texts {
         std::string lighting, vertex;
     };
-    /// To be called now and then. @param settings  name the files
-    /// @return the texts of both, once one has changed and then stayed the same for a call
+    /// To be called now and then. @param settings  name the files, and have the texts that were read
+    /// @return the texts of both, once one file has stayed the same for a call and the texts are others
     /// @throws Error not_found, bad_file, usage: once for each change
     std::optional<Texts> changed(const RenderSettings& settings);
 

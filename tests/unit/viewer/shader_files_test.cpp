@@ -24,22 +24,33 @@ protected:
     const std::string file = folder_.file("mine.glsl");
     ShaderFiles watched;
 
+    std::string known = "user_terms";  ///< the text that the settings have
+
     /// The lighting's text, once it has changed.
     std::optional<std::string> changed(const std::string& name) {
         RenderSettings settings;
         settings.lighting_name = name;
+        if (!name.empty()) settings.lighting_text = known;
         const std::optional<ShaderFiles::Texts> texts = watched.changed(settings);
-        return texts ? std::optional(texts->lighting) : std::nullopt;
+        if (!texts) return std::nullopt;
+        return known = texts->lighting;
     }
 };
 
 TEST_F(ShaderFilesTest, AreReadAgainOnceTheyStayAsTheyAre) {
-    write("user_terms 1", 0);
+    write("user_terms", 0);
     EXPECT_FALSE(changed(file)) << "it was read by others";
     EXPECT_FALSE(changed(file));
     write("user_terms 2", 1);
     EXPECT_FALSE(changed(file)) << "it may be half written";
     EXPECT_EQ(changed(file), "user_terms 2");
+    EXPECT_FALSE(changed(file));
+}
+
+TEST_F(ShaderFilesTest, ThatChangeBeforeTheFirstLookAreReadAgain) {
+    write("user_terms since then", 1);
+    EXPECT_FALSE(changed(file));
+    EXPECT_EQ(changed(file), "user_terms since then");
     EXPECT_FALSE(changed(file));
 }
 
@@ -68,7 +79,8 @@ TEST_F(ShaderFilesTest, BothAreReadAgainWhenTheVertexShaderChanges) {
     write("out vec3 a; // user_vertex", 0);
     RenderSettings settings;
     settings.lighting_name = folder_.file("light.glsl"), settings.vertex_name = file;
-    EXPECT_FALSE(watched.changed(settings));
+    settings.lighting_text = "in vec3 a; // user_terms", settings.vertex_text = "out vec3 a; // user_vertex";
+    for (int look = 0; look < 3; ++look) EXPECT_FALSE(watched.changed(settings)) << look;
     write("out vec3 a, b; // user_vertex", 1);
     EXPECT_FALSE(watched.changed(settings));
     const std::optional<ShaderFiles::Texts> texts = watched.changed(settings);
