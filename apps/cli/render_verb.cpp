@@ -84,6 +84,7 @@ PictureResult draw_to_standard_output(const PictureRequest& request, Context& co
 /// Draws all once. @param watched  what they were made of; null: unused
 int draw_all(const Run& run, int frame, apps::WatchedFiles* watched) {
     check_picture_name(run);
+    const auto started = apps::WatchedFiles::Time::clock::now();
     std::vector<InputRequest> requests = picture_requests(run, frame);
     *run.files = {.of = requests.size()};
     const bool is_piped = is_standard_output(run.picture.output);
@@ -111,6 +112,8 @@ int draw_all(const Run& run, int frame, apps::WatchedFiles* watched) {
         if (watched && watched->count() == 0) watched->begin(request.input);
         watch({request.input});
         watch(request.load.joined);
+        for (const std::string& shader : {request.settings.lighting_name, request.settings.vertex_name})
+            if (watched && !shader.empty()) watched->add({shader}, started);
         const int code = run_input(run, input, row, [&](Context& c) {
             try {
                 row.result = is_piped ? draw_to_standard_output(request, c) : render_picture(request, c);

@@ -43,6 +43,15 @@ void take_config(Run& run) {
 
 constexpr std::uint64_t most_standard_input = std::uint64_t(4) << 30;  ///< [bytes] without --max-memory
 
+/// The texts of the shader files as they are now.
+void read_shaders_again(const Run& run, PictureRequest& picture) {
+    std::vector<WorldValue> files = run.given.settings();
+    std::erase_if(files, [](const WorldValue& value) {
+        return (value.key != "lighting" && value.key != "vertex-shader") || !names_files(value);
+    });
+    read_render_keys(files, picture);
+}
+
 /// Folders are gone through, standard input is read, and --as-one leaves one, unless each file is written back.
 void take_inputs(Run& run) {
     const std::vector<std::string> words = std::move(run.inputs);
@@ -132,6 +141,8 @@ InputRequest request_for(const Run& run, const std::string& input) {
         if (is_world_file(input)) {
             request.world = world_request(run, input, run.given.settings());
             request.picture = request.world->picture;
+        } else if (run.given.has("watch")) {
+            read_shaders_again(run, request.picture);
         }
     } catch (const Error& error) {
         request.error = error;

@@ -11,7 +11,6 @@ import shutil
 import signal
 import struct
 import subprocess
-import time
 
 import program
 from program import png
@@ -309,13 +308,6 @@ class CommandLine(program.Case):
 
     def test_standard_input_cannot_be_watched(self):
         self.check_refused(self.run_program("-", "-o", "a.png", *SIZE, "--watch"), 2, "--watch: standard input (-) cannot be watched", "name a file")
-
-    def wait_for(self, name):
-        for _ in range(1200):
-            if (self.folder / name).exists():
-                return
-            time.sleep(0.05)
-        self.fail(f"{name} did not come")
 
     # --- one vocabulary ---
 

@@ -50,6 +50,22 @@ class OpenGl(program.Case):
         self.check_refused(self.draw("--lighting", "green.glsl", engine="soft"), 2, "engine soft cannot", "green.glsl")
         self.check_refused(self.draw("--lighting", "missing.glsl"), 3, "missing.glsl")
 
+    def test_a_watched_lighting_is_read_again(self):
+        self.require_opengl()
+        self.write("own.glsl", LIGHTING)
+        command = [program.PROGRAM, "render", "a.obj", "-o", "{frame}.png", "--resolution", "64,48", "--engine", "gl", "--lighting", "own.glsl", "--look", "plain", "--watch"]
+        running = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        try:
+            self.assertIn("watching 2 files", running.stderr.readline())
+            self.write("own.glsl", LIGHTING.replace("vec3(0.0f, 1.0f", "vec3(1.0f, 0.0f"))
+            self.assertEqual(running.stderr.readline(), "rakelight: own.glsl has changed: drawing again\n")
+            self.wait_for("2.png")
+        finally:
+            running.terminate()
+            running.communicate(timeout=60)
+        seen = [tuple(png(self.folder / f"{frame}.png")[3][24][96:99]) for frame in (1, 2)]
+        self.assertEqual(seen, [(0, 255, 0), (255, 0, 0)])
+
     def test_a_fault_is_named_by_the_users_file_and_line(self):
         self.require_opengl()
         self.write("bad.glsl", LIGHTING.replace("vec3(0.0f, 1.0f, 0.0f)", "foo(3)"))

@@ -7,6 +7,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import zlib
 
@@ -72,6 +73,13 @@ class Case(unittest.TestCase):
 
     def files(self):
         return sorted(p.name for p in self.folder.iterdir())
+
+    def wait_for(self, name):
+        for _ in range(1200):
+            if (self.folder / name).exists():
+                return
+            time.sleep(0.05)
+        self.fail(f"{name} did not come")
 
     def check_refused(self, result, code, *words):
         """One line on standard error, nothing on standard output, the expected code."""
