@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Third source: interpolated normals, what the colors of a normal map mean, where it is lit."""
+import math
+
 import bump_pictures as bumps
 from png8 import read_rgb, write_rgb
 
 from sheet import ROOT
 
 from .arrows import line
-from .kit import Entry, Picture, angle, detail, dot, unit
+from .kit import Entry, Picture, angle, brightness, dot, linear, unit
 
 MAPS = ROOT / "data/maps"
 TEAPOT = ("builtin:teapot:divisions=4", "--camera-position", "0.9,1.4,2.6", "--camera-focal-point", "0.07,0.45,0", "--camera-view-angle", "29", *bumps.KEY, *bumps.SHINY,
@@ -41,14 +43,24 @@ def draw_normals(kit, path):
     kit.sheet(path, [[FLAT, kit.channel(FLAT, "normal"), PHONG, kit.channel(PHONG, "normal")]], 190, 142, below=[["flat", "its normals", "phong", "its normals"]], colors=0)
 
 
+def light_inside(pictures):
+    """The logarithm of the light of each picture, and the places that have five pixels of a row inside of the model in all of them."""
+    width, background = pictures[0].width, pictures[0].pixels[:3]
+    lights = [[math.log(max(1e-3, brightness([linear(c) for c in p.pixels[i:i + 3]]))) for i in range(0, len(p.pixels), 3)] for p in pictures]
+    inside = [all(p.pixels[3 * i:3 * i + 3] != background for p in pictures) for i in range(len(lights[0]))]
+    return lights, [i for i in range(2, len(inside) - 2) if 2 <= i % width < width - 2 and all(inside[i - 2:i + 3])]
+
+
 def measure_combination(kit):
+    """Light is the texture's color times the light of the surface: their logarithms add up. Where they have nothing to do with each other, so do the squares of
+    their details. The pictures are large, because small ones lose the detail of the map."""
     bare, mapped = (*HEAD, "--bump", "none"), (*HEAD, "--bump", "normal")
     found = {"texture and map vs. texture alone [1/255]": kit.rmse(bare, mapped), "pixels that the map changes [%]": kit.differing(bare, mapped)}
-    rough = []
-    for picture in (kit.picture(bare), kit.picture(mapped)):
-        grays = [sum(picture.pixels[i:i + 3]) / 3 for i in range(0, len(picture.pixels), 3)]
-        rough.append(sum(d * d for d in detail(grays, picture.width)) ** 0.5)
-    return found | {"detail of the picture, texture and map over texture alone": rough[1] / rough[0]}
+    (alone, both), places = light_inside([kit.picture(scene, 1066, 800) for scene in (bare, mapped)])
+    added = [b - a for a, b in zip(alone, both)]
+    of_texture, of_both, of_map = (math.sqrt(sum((light[i] - sum(light[i - 2:i + 3]) / 5) ** 2 for i in places)) for light in (alone, both, added))
+    return found | {"detail of the head, texture and map over texture alone": of_both / of_texture,
+                    "detail of the head, texture and map over that of both if independent": of_both / math.hypot(of_texture, of_map)}
 
 
 def head_part(kit, name):
