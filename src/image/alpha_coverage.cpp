@@ -2,9 +2,11 @@
 #include "image/alpha_coverage.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 
 namespace rakelight {
 namespace {
@@ -26,7 +28,9 @@ public:
           is_float_(chain.is_float),
           repeats_x_(repeats_x),
           repeats_y_(repeats_y),
-          scale_(float(scale)) {}
+          scale_(float(scale)) {
+        for (std::uint32_t code = 0; code < 256; ++code) of_codes_[code] = float(scaled(code));
+    }
 
     float scaled(float value) const { return std::min(value * scale_, std::max(value, 1.0f)); }
     std::uint32_t scaled(std::uint32_t code) const {
@@ -47,43 +51,89 @@ public:
 private:
     float value(std::size_t i) const {
         if (is_float_) return scaled(level_.rgba32f[i][std::size_t(channel_)]);
-        return float(scaled(level_.rgba8[i] >> 8 * channel_ & 255u));
+        return of_codes_[level_.rgba8[i] >> 8 * channel_ & 255u];
     }
 
     const MipLevel& level_;
     int channel_;
     bool is_float_, repeats_x_, repeats_y_;
     float scale_;
+    std::array<float, 256> of_codes_;
 };
 
-/// One of the points of a texel along one axis: between which texels it lies.
-struct Point {
-    int first;    ///< 0: the texel before and this one; 1: this one and the next
-    float along;  ///< 0..1 from the one to the other
-};
+/// Points of a texel along one axis. Those before its middle lie between the texel before and this one, others between
+/// this one and the next.
+struct TexelPoints {
+    int count, middle;         ///< middle: those before it
+    float along[most_points];  ///< 0..1 from the one texel to the other
 
-Point point(int number, int points) {
-    const float at = (float(number) + 0.5f) / float(points) - 0.5f;
-    return at < 0 ? Point{0, at + 1} : Point{1, at};
-}
-
-/// Points of a row that are seen. @param rows  three rows as TestedLevel::read() gives them
-std::uint64_t seen_in_row(const float* const* rows, int width, int points, float cutoff, float* between) {
-    std::uint64_t seen = 0;
-    for (int py = 0; py < points; ++py) {
-        const Point v = point(py, points);
-        const float *const upper = rows[v.first], *const lower = rows[v.first + 1];
-        for (int x = 0; x < width + 2; ++x) between[x] = upper[x] + (lower[x] - upper[x]) * v.along;
-        for (int px = 0; px < points; ++px) {
-            const Point u = point(px, points);
-            const float* const left = between + u.first;
-            std::uint32_t count = 0;
-            for (int x = 0; x < width; ++x) count += left[x] + (left[x + 1] - left[x]) * u.along >= cutoff;
-            seen += count;
+    explicit TexelPoints(int points) : count(points), middle(points / 2), along{} {
+        for (int i = 0; i < count; ++i) {
+            const float at = (float(i) + 0.5f) / float(count) - 0.5f;
+            along[i] = at < 0 ? at + 1 : at;
         }
     }
-    return seen;
-}
+};
+
+/// A row of texels, with the one before it and the one after it. [width + 2]
+struct TestedRow {
+    float* values;
+    std::uint8_t* seen;  ///< 1: the texel is, else 0
+};
+
+/// Points between two rows of texels that are seen. Between four texels that are all seen, or all unseen, so is every
+/// point: only the others are interpolated.
+class PointsBetween {
+public:
+    PointsBetween(const TestedRow& upper, const TestedRow& lower, const TexelPoints& points, float cutoff)
+        : upper_(upper), lower_(lower), points_(points), cutoff_(cutoff) {}
+
+    /// @param first, end  of the points down a texel
+    std::uint64_t seen(int width, int first, int end) const {
+        std::uint64_t columns = 0, seen = 0;
+        for (int x = 0; x <= width; ++x) {
+            for (int alike = eight_alike(x, width); alike >= 0; alike = eight_alike(x, width))
+                columns += std::uint64_t(8 * alike * points_.count), x += 8;
+            const int of_four = upper_.seen[x] + upper_.seen[x + 1] + lower_.seen[x] + lower_.seen[x + 1];
+            if (of_four == 0) continue;
+            const int from = x > 0 ? points_.middle : points_.count,
+                      to = points_.count + (x < width ? points_.middle : 0);
+            if (of_four == 4)
+                columns += std::uint64_t(to - from);
+            else
+                seen += seen_between(x, from, to, first, end);
+        }
+        return seen + columns * std::uint64_t(end - first);
+    }
+
+private:
+    /// 1 or 0: all texels of the eight places from x on are seen, or none is; -1: some are, or the row ends.
+    int eight_alike(int x, int width) const {
+        if (x == 0 || x + 8 > width) return -1;
+        std::uint64_t words[4];
+        std::memcpy(&words[0], upper_.seen + x, 8), std::memcpy(&words[1], upper_.seen + x + 1, 8);
+        std::memcpy(&words[2], lower_.seen + x, 8), std::memcpy(&words[3], lower_.seen + x + 1, 8);
+        if ((words[0] | words[1] | words[2] | words[3]) == 0) return 0;
+        return (words[0] & words[1] & words[2] & words[3]) == 0x0101010101010101u ? 1 : -1;
+    }
+
+    /// Between texels x and x + 1. @param from, to  of the points along both
+    std::uint64_t seen_between(int x, int from, int to, int first, int end) const {
+        std::uint64_t seen = 0;
+        for (int y = first; y < end; ++y) {
+            const float down = points_.along[y];
+            const float one = upper_.values[x] + (lower_.values[x] - upper_.values[x]) * down,
+                        other = upper_.values[x + 1] + (lower_.values[x + 1] - upper_.values[x + 1]) * down;
+            for (int i = from; i < to; ++i)
+                seen += one + (other - one) * points_.along[i < points_.count ? i : i - points_.count] >= cutoff_;
+        }
+        return seen;
+    }
+
+    TestedRow upper_, lower_;
+    const TexelPoints& points_;
+    float cutoff_;
+};
 
 int points_of(const MipLevel& level, const AlphaTest& test, bool is_first) {
     if (!test.is_linear) return 1;
@@ -139,25 +189,32 @@ private:
 double alpha_coverage(const MipChain& chain, const MipLevel& level, const AlphaTest& test, double scale, bool repeats_x,
                       bool repeats_y, Context& context) {
     const TestedLevel tested(chain, level, test, scale, repeats_x, repeats_y);
-    const int points = points_of(level, test, &level == chain.levels.data());
+    const TexelPoints points(points_of(level, test, &level == chain.levels.data()));
     const float cutoff = chain.is_float ? test.cutoff : test.cutoff * 255.0f - 1e-3f;  // its own code is seen
     std::atomic<std::uint64_t> seen{0};
     context.parallel_for(std::size_t((level.height + rows_per_task - 1) / rows_per_task), [&](std::size_t task) {
         const std::size_t size = std::size_t(level.width) + 2;
-        std::vector<float> memory(4 * size);
-        float* rows[3] = {memory.data(), memory.data() + size, memory.data() + 2 * size};
+        std::vector<float> values(3 * size);
+        std::vector<std::uint8_t> seen_texels(3 * size);
+        TestedRow rows[3];
+        for (std::size_t r = 0; r < 3; ++r) rows[r] = {values.data() + r * size, seen_texels.data() + r * size};
+        const auto read = [&](int y, const TestedRow& row) {
+            tested.read(y, row.values);
+            for (std::size_t x = 0; x < size; ++x) row.seen[x] = std::uint8_t(row.values[x] >= cutoff);
+        };
         const int first = int(task) * rows_per_task, end = std::min(level.height, first + rows_per_task);
-        tested.read(first - 1, rows[0]);
-        tested.read(first, rows[1]);
+        read(first - 1, rows[0]);
+        read(first, rows[1]);
         std::uint64_t sum = 0;
         for (int y = first; y < end; ++y) {
-            tested.read(y + 1, rows[2]);
-            sum += seen_in_row(rows, level.width, points, cutoff, memory.data() + 3 * size);
+            read(y + 1, rows[2]);
+            sum += PointsBetween(rows[0], rows[1], points, cutoff).seen(level.width, 0, points.middle);
+            sum += PointsBetween(rows[1], rows[2], points, cutoff).seen(level.width, points.middle, points.count);
             std::rotate(rows, rows + 1, rows + 3);
         }
         seen += sum;
     });
-    return double(seen) / (double(level.width) * level.height * points * points);
+    return double(seen) / (double(level.width) * level.height * points.count * points.count);
 }
 
 void keep_coverage(MipChain& chain, const AlphaTest& test, bool repeats_x, bool repeats_y, Context& context) {

@@ -25,6 +25,8 @@ struct Missing {
     const TextureKey* key;
     Wanted wanted;
     std::shared_ptr<const LoadedTexture>* data;
+    std::shared_ptr<const LoadedTexture>
+        before{};                    ///< what it is with the cutoff that it had before; null: it had none
     std::optional<Pixels> header{};  ///< what the picture will be, where that is known before it is decoded
     MemoryCharge charge{};           ///< pays for the data
     std::string fault{};             ///< why there is no data
@@ -66,16 +68,35 @@ void charge(Missing& m, const TexturePacker& packer, Context& context) {
     });
 }
 
+PlainLevels decoded(const TextureKey& key, Context& context) {
+    const Pixels pixels = decode_measured(*key.image, context);
+    return {make_mip_chain(pixels, key.space, context), pixels.is_tagged_srgb};
+}
+
+PlainLevels copy_of(const PlainLevels& plain, Context& context) {
+    const MipChain& from = plain.chain;
+    MemoryCharge charge(context.memory(), from.charge.bytes(), "the texture");
+    return {{from.is_srgb, from.is_float, std::move(charge), from.levels}, plain.is_tagged_srgb};
+}
+
+/// The levels of a texture whose cutoff has changed are kept: it is likely to change again. Other data goes first.
+std::shared_ptr<const PlainLevels> kept_levels(const Missing& m, const PlainLevels& plain, Context& context) {
+    if (!m.before) return nullptr;
+    if (m.before->plain) return m.before->plain;
+    const MemoryBudget& memory = context.memory();
+    if (memory.charged() + plain.chain.charge.bytes() > memory.limit() / 4) return nullptr;
+    return std::make_shared<const PlainLevels>(copy_of(plain, context));
+}
+
 void load(Missing& m, const TexturePacker& packer, Context& context) {
-    const EncodedImage& image = *m.key->image;
     m.fault.clear();
     try_to(m, context, [&] {
         auto texture = std::make_shared<LoadedTexture>();
-        MipChain chain = [&] {
-            const Pixels pixels = decode_measured(image, context);
-            texture->is_tagged_srgb = pixels.is_tagged_srgb;
-            return make_mip_chain(pixels, m.key->space, context);
-        }();
+        const bool is_known = m.before && m.before->plain;
+        PlainLevels plain = is_known ? copy_of(*m.before->plain, context) : decoded(*m.key, context);
+        texture->is_tagged_srgb = plain.is_tagged_srgb;
+        texture->plain = kept_levels(m, plain, context);
+        MipChain& chain = plain.chain;
         keep_coverage(chain, m.key->test, m.key->wrap_u == Wrap::repeat, m.key->wrap_v == Wrap::repeat, context);
         MemoryCharge charge = m.charge.bytes() > 0 ? std::move(m.charge) : MemoryCharge(context.memory());
         if (m.wanted.means && !chain.levels.empty()) {
@@ -139,7 +160,7 @@ void TextureCache::update(const std::vector<TextureWish>& wishes, const TextureP
         if (known != textures_.end() && known->second && has(*known->second, wanted[key]))
             entry->second = known->second;
         else
-            missing.push_back({&entry->first, wanted[key], &entry->second});
+            missing.push_back({&entry->first, wanted[key], &entry->second, with_other_cutoff(key)});
     }
     load_all(missing, packer, context);
     for (const Missing& m : missing)  // one that was there, and is not to be had again for what is new of it
@@ -149,6 +170,18 @@ void TextureCache::update(const std::vector<TextureWish>& wishes, const TextureP
             context.report().add(Remark::warning, m.key->image->file, m.key->image->name,
                                  "texture left out: " + m.fault);
     textures_ = std::move(kept);
+}
+
+std::shared_ptr<const LoadedTexture> TextureCache::with_other_cutoff(const TextureKey& key) const {
+    if (!(key.test.cutoff > 0)) return nullptr;
+    TextureKey other = key;
+    other.test = {};  // the first of its picture
+    for (auto it = textures_.lower_bound(other); it != textures_.end(); ++it) {
+        other.test = it->first.test;
+        if (it->first != other) break;
+        if (it->second && other.test.cutoff > 0) return it->second;
+    }
+    return nullptr;
 }
 
 const LoadedTexture* TextureCache::find(const TextureKey& key) const {

@@ -42,6 +42,12 @@ public:
                                                       MemoryCharge charge) const = 0;
 };
 
+/// Mip levels as averages, before they keep the coverage for a cutoff.
+struct PlainLevels {
+    MipChain chain;
+    bool is_tagged_srgb;  ///< Pixels::is_tagged_srgb
+};
+
 /// A texture that is there.
 struct LoadedTexture {
     std::shared_ptr<const PackedTexture> packed;
@@ -50,6 +56,9 @@ struct LoadedTexture {
     std::optional<NormalMapCheck> check;  ///< of bumps of 8 bits
     std::optional<MeanMap> means;         ///< where they were wished for
     MemoryCharge means_charge;            ///< pays for them
+    /// Of a texture whose cutoff has changed, so that the next cutoff need not decode the picture; null: of others, and
+    /// where memory is short.
+    std::shared_ptr<const PlainLevels> plain;
 };
 
 /// What a material needs.
@@ -70,6 +79,7 @@ public:
     const LoadedTexture* find(const TextureKey& key) const;
 
 private:
+    std::shared_ptr<const LoadedTexture> with_other_cutoff(const TextureKey& key) const;
     std::map<TextureKey, std::shared_ptr<const LoadedTexture>> textures_;
 };
 

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+
+#include <rakelight/motion.h>
 
 #include "shading/draw_choices.h"
 #include "shading/edge_lengths.h"
@@ -101,6 +104,58 @@ TEST(DrawList, ACoatsNormalMapIsLeftOutWhereTheMeshHasNoCoordinatesForIt) {
     EXPECT_FALSE(made.list.material(made.draw(1)).maps[role_clearcoat_normal]);
     EXPECT_EQ(made.list.material(made.draw(1)).scene_material, 0u);
     EXPECT_EQ(made.list.material(made.draw(1)).factors.clearcoat, 1.0f);
+}
+
+/// A leaf whose mask a clip moves.
+struct MovingLeaf {
+    std::shared_ptr<std::atomic<int>> decoded = std::make_shared<std::atomic<int>>(0);
+    Scene scene;
+    MovingLeaf() {
+        auto image = std::make_shared<EncodedImage>();
+        image->decode = [count = decoded](const EncodedImage&, Context&) {
+            ++*count;
+            Pixels p{.width = 32, .height = 32, .channels = 4};
+            for (int i = 0; i < 32 * 32; ++i)
+                for (const int c : {90, 160, 50, std::max(0, 255 - 12 * std::abs(i % 32 - 16))})
+                    p.bytes.push_back(std::byte(c));
+            return p;
+        };
+        Material m = matte();
+        m.alpha_mode = AlphaMode::mask;
+        m.base_color_texture = {.texture = 0};
+        scene.textures.push_back({.image = image});
+        scene.textures[0].sampler.mip = MipFilter::linear;
+        scene.materials = {m};
+        add_object(scene, square_mesh(0));
+        AnimationChannel cutoff{.element = 0, .path = AnimationPath::material, .property = "alpha_cutoff"};
+        cutoff.times = std::vector<float>{0, 1}, cutoff.values = std::vector<float>{0.1f, 0.9f};
+        AnimationChannel color{.element = 0, .path = AnimationPath::material, .property = "base_color"};
+        color.times = cutoff.times, color.values = std::vector<float>{1, 1, 1, 1, 1, 1, 1, 0.95f};
+        scene.animations = {{.name = "fade", .channels = {cutoff, color}}};
+    }
+    Scene at(double time_s) const {
+        const ClipTime clip{0, time_s};
+        return scene_at(scene, {&clip, 1});
+    }
+};
+
+TEST(DrawList, AMaskThatMovesIsPreparedForEachCutoffAndDecodedTwice) {
+    const MovingLeaf leaf;
+    Context context({.threads = 1});
+    TextureCache textures;
+    const test::FakePacker packer;
+    for (int frame = 0; frame < 16; ++frame) {
+        const DrawList list = make_draw_list(leaf.at(frame / 15.0), textures, packer, context);
+        const DrawMaterial& m = list.material(list.draws[0]);
+        EXPECT_FLOAT_EQ(m.texel_cutoff, float((0.1 + 0.8 * frame / 15) / (1 - 0.05 * frame / 15)));
+        ASSERT_TRUE(m.maps[role_base_color]);
+    }
+    EXPECT_EQ(packer.packed, 16);
+    EXPECT_EQ(*leaf.decoded, 2) << "the second cutoff has shown that it moves";
+    make_draw_list(leaf.scene, textures, packer, context);
+    EXPECT_EQ(*leaf.decoded, 2);
+    textures.update({}, packer, context);
+    EXPECT_EQ(context.memory().charged(), 0u);
 }
 
 TEST(DrawChoices, BumpsFallBackToWhatTheMapsAndTheMeshHave) {

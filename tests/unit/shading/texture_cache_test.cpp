@@ -77,6 +77,47 @@ TEST(TextureCache, MeansArePaidForWhetherThePictureIsMeasuredBeforeOrNot) {
     }
 }
 
+/// Keeps the levels as they are given.
+class LevelsPacker final : public TexturePacker {
+public:
+    struct Levels final : PackedTexture {
+        std::vector<MipLevel> levels;
+    };
+    std::uint64_t packed_bytes(int, int, bool, bool) const override { return 0; }
+    std::shared_ptr<const PackedTexture> pack(const MipChain& chain, const TextureKey&, MemoryCharge) const override {
+        auto out = std::make_shared<Levels>();
+        out->levels = chain.levels;
+        return out;
+    }
+};
+
+TEST(TextureCache, ACutoffThatMovedGivesTheLevelsOfOneThatDidNot) {
+    Pixels leaf{.width = 64, .height = 64, .channels = 4};
+    for (int i = 0; i < 64 * 64; ++i)
+        for (const int c : {90, 160, 50, std::max(0, 255 - 3 * (i * 37 % 100))}) leaf.bytes.push_back(std::byte(c));
+    const ImageHandle image = picture(leaf);
+    const LevelsPacker packer;
+    Context context({.threads = 1});
+    const auto with_cutoff = [&](float cutoff) {
+        TextureKey k = key(image);
+        k.test = {cutoff, 3, true};
+        return k;
+    };
+    TextureCache moved;
+    for (const float cutoff : {0.2f, 0.35f, 0.5f, 0.35f, 0.7f}) {
+        TextureCache still;
+        moved.update({{with_cutoff(cutoff)}}, packer, context);
+        still.update({{with_cutoff(cutoff)}}, packer, context);
+        const auto levels = [&](const TextureCache& cache) -> const std::vector<MipLevel>& {
+            return static_cast<const LevelsPacker::Levels&>(*cache.find(with_cutoff(cutoff))->packed).levels;
+        };
+        ASSERT_EQ(levels(moved).size(), levels(still).size());
+        for (std::size_t l = 0; l < levels(still).size(); ++l)
+            EXPECT_EQ(levels(moved)[l].rgba8, levels(still)[l].rgba8) << cutoff << " " << l;
+    }
+    EXPECT_TRUE(moved.find(with_cutoff(0.7f))->plain);
+}
+
 TEST(TextureCache, WhatCannotBeDecodedIsAWarningAndTheOthersAreThere) {
     Context context({.threads = 2});
     const FakePacker packer;
