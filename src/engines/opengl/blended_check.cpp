@@ -11,9 +11,9 @@
 namespace rakelight::opengl {
 namespace {
 
-constexpr std::size_t most_sorted = 200000, most_triangles = 20000, most_pairs = 200000;
-constexpr double least_area = 1;    ///< [px^2]
-constexpr double least_gap = 1e-4;  ///< of the depth keys, as a share of them
+constexpr std::size_t most_triangles = 40000, most_pairs = 50000;  ///< that are looked at, for a few milliseconds
+constexpr double least_area = 1;                                   ///< [px^2]
+constexpr double least_gap = 1e-4;                                 ///< of the depth keys, as a share of them
 
 /// A triangle on the screen. Depth keys are affine there; greater is nearer.
 struct Seen {
@@ -72,13 +72,14 @@ public:
 
     std::vector<Seen> of(const std::vector<BlendedRun>& runs) const {
         std::vector<Seen> seen;
+        std::size_t left = most_triangles;
         for (const BlendedRun& run : runs) {
             const shading::Draw& draw = list_.draws[run.draw];
             const Mesh& mesh = list_.scene.meshes[draw.mesh];
             const dmat4 to_camera = view_.world_to_camera * draw.to_world;
             const shading::Culling culling = shading::culling_of(list_, draw, settings_);
             for (const std::uint32_t t : run.triangles) {
-                if (seen.size() == most_triangles) return seen;
+                if (left-- == 0) return seen;
                 add(mesh, t, to_camera, culling, seen);
             }
         }
@@ -116,11 +117,8 @@ private:
 }  // namespace
 
 bool has_wrong_order(const shading::DrawList& list, const shading::PictureCamera& view, const RenderSettings& settings,
-                     const std::vector<std::uint32_t>& draws, Context& context) {
-    std::size_t triangles = 0;
-    for (const std::uint32_t d : draws) triangles += list.scene.meshes[list.draws[d].mesh].triangle_count();
-    if (triangles < 2 || triangles > most_sorted) return false;
-    const std::vector<Seen> seen = SeenTriangles(list, view, settings).of(blending_order(list, view, draws, context));
+                     const std::vector<BlendedRun>& runs) {
+    const std::vector<Seen> seen = SeenTriangles(list, view, settings).of(runs);
     std::vector<std::size_t> by_left(seen.size());
     std::iota(by_left.begin(), by_left.end(), std::size_t(0));
     std::sort(by_left.begin(), by_left.end(),

@@ -7,8 +7,8 @@ namespace rakelight::opengl {
 
 /// Some triangle is drawn before one that lies behind it on more than a pixel: they cross, or no order of whole triangles
 /// is right. Looks at a bounded number of triangles and pairs, and only at triangles wholly before the near plane.
-/// @param draws  the blended ones that may be seen
+/// @param runs  all blended triangles that may be seen, as they are drawn
 bool has_wrong_order(const shading::DrawList& list, const shading::PictureCamera& view, const RenderSettings& settings,
-                     const std::vector<std::uint32_t>& draws, Context& context);
+                     const std::vector<BlendedRun>& runs);
 
 }  // namespace rakelight::opengl

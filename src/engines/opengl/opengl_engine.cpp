@@ -69,12 +69,12 @@ public:
                 if (&part != &parts[0]) renderer_->draw_part(part, context);
                 read(part, context);
             });
+            renderer_->remark_order(context.report());
             deliver(part, window, sink);
             context.progress("render", double(part.y - window.y + part.height) / double(window.height));
         }
         sink.end_pass(0);
         thread_.call([&] { renderer_->end_picture(stats, context); });
-        renderer_->remark_order(context);
         return stats;
     }
     std::vector<std::array<vec4, 4>> user_terms(int x, int y, Context& context) {

@@ -9,7 +9,6 @@
 #include "base/format_text.h"
 #include "engines/channel_arrays.h"
 #include "engines/empty_pixel.h"
-#include "engines/opengl/blended.h"
 #include "engines/opengl/blended_check.h"
 #include "lighting/albedo_tables.h"
 #include "scene/material_table.h"
@@ -64,6 +63,7 @@ void Renderer::take(TakenScene scene, Context& context) {
     cache_ = std::move(scene.cache);
     environments_ = std::move(scene.environments);
     forget_picture();
+    order_was_remarked_ = false;
 }
 
 void Renderer::keep_meshes(const Scene& scene, const geometry::MeshPoses& poses) {
@@ -78,7 +78,7 @@ void Renderer::forget_uploads() {
 
 void Renderer::forget_picture() {
     maps_.clear();
-    seen_.clear();
+    seen_.clear(), blended_.clear();
     meter_.reset();
 }
 
@@ -198,7 +198,7 @@ void Renderer::draw_shadow_map(const shading::PictureCamera& view, const RenderS
 
 void Renderer::draw_blended(const PictureDrawer& drawer, const PictureState& state,
                             const std::vector<std::uint32_t>& draws, Context& context) {
-    const std::vector<BlendedRun> runs = blending_order(list_, view_, draws, context);
+    blended_ = blending_order(list_, view_, draws, context);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -206,7 +206,7 @@ void Renderer::draw_blended(const PictureDrawer& drawer, const PictureState& sta
     for (const std::uint32_t d : draws)
         note_dropped(d, states.emplace(d, draw_state(state, d, Output::color, false)).first->second);
     const PassMeter::Pass pass(meter_, blended_pass);
-    for (const BlendedRun& run : runs) {
+    for (const BlendedRun& run : blended_) {
         context.throw_if_cancelled();
         const DrawState& of = states.at(run.draw);
         const Program& program = drawer.use(run.draw, of);
@@ -257,6 +257,7 @@ void Renderer::draw_colors(const PictureDrawer& drawer, const PictureState& stat
     if (environment_ && list_.scene.environment && list_.scene.environment->is_background) drawer.draw_sky();
     std::vector<std::uint32_t> blended;
     draw_surfaces(drawer, state, blended, context);
+    blended_.clear();
     if (!blended.empty()) draw_blended(drawer, state, blended, context);
     check_gl("the picture");
 }
@@ -366,14 +367,13 @@ void Renderer::end_picture(RenderStats& stats, Context& context) {
                              std::to_string(not_finite_) + " color values were not finite and are shown black");
 }
 
-void Renderer::remark_order(Context& context) const {
-    std::vector<std::uint32_t> draws;
-    for (std::uint32_t d = 0; d < seen_.size(); ++d)
-        if (seen_[d] && list_.material(list_.draws[d]).factors.blend) draws.push_back(d);
-    if (has_wrong_order(list_, view_, settings_, draws, context))
-        context.report().add(Remark::warning, list_.scene.source, {},
-                             "transparent surfaces cross or overlap in a circle; this engine sorts whole triangles, so "
-                             "some are drawn over nearer ones; the engines soft and trace sort at every pixel");
+void Renderer::remark_order(Report& report) {
+    const bool is_moved = !settings_.vertex_text.empty();  // to where only the GPU knows
+    if (order_was_remarked_ || is_moved || !has_wrong_order(list_, view_, settings_, blended_)) return;
+    order_was_remarked_ = true;
+    report.add(Remark::warning, list_.scene.source, {},
+               "transparent surfaces cross or overlap in a circle; this engine sorts whole triangles, so "
+               "some are drawn over nearer ones; the engines soft and trace sort at every pixel");
 }
 
 }  // namespace rakelight::opengl

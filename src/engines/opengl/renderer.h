@@ -12,6 +12,7 @@
 #include <rakelight/engine.h>
 
 #include "engines/opengl/behind.h"
+#include "engines/opengl/blended.h"
 #include "engines/opengl/channels.h"
 #include "engines/opengl/covered.h"
 #include "engines/opengl/marks.h"
@@ -59,8 +60,8 @@ public:
     void read_part(std::span<vec4> to);
     /// Counts and times of all parts; what is to be said of them.
     void end_picture(RenderStats& stats, Context& context);
-    /// A warning where blended triangles are in the wrong order. After end_picture(); reads many vertices.
-    void remark_order(Context& context) const;
+    /// A warning, once for a scene, where blended triangles of the part that was drawn last are in the wrong order.
+    void remark_order(Report& report);
     /// Data channels of a part of the picture, which are filled. After its colors.
     void draw_channels(Window pixels, ChannelArrays& to, Context& context);
     /// What the lighting text of the picture declares as terms, light by light, at a pixel. After its colors.
@@ -133,6 +134,7 @@ private:
     shading::PictureCamera view_;
     shading::BehindFactors behind_factors_{};
     bool has_behind_ = false;
+    std::vector<BlendedRun> blended_;  ///< of the part that was drawn last
     std::vector<Shading> shading_;
     std::vector<lighting::LightParameters> light_parameters_;
     std::vector<LightShadow> light_shadows_;
@@ -141,6 +143,7 @@ private:
     // Shadow maps that exist: of the list, for these settings.
     std::vector<KeptMaps> maps_;
     int map_size_ = 0, map_filter_ = 0;
+    bool order_was_remarked_ = false;  ///< of the list
 };
 
 }  // namespace rakelight::opengl
