@@ -152,9 +152,9 @@ private:
         f_.is_sampled = f_.output == Output::color && p_.settings.samples > 1 ? p_.settings.samples : 0;
         if (f_.output == Output::directions) f_.orthogonalize = p_.settings.orthogonalize;
         f_.is_screen_linear = p_.settings.interpolation == AttributeInterpolation::screen && !p_.view.orthographic;
-        f_.is_cut = f_.is_screen_linear && f_.output != Output::shadow && p_.settings.vertex_text.empty() &&
-                    reaches_out(draw_, p_.view);
         f_.has_vertex_shader = !p_.settings.vertex_text.empty();
+        f_.is_cut = f_.is_screen_linear && f_.output != Output::shadow &&
+                    (f_.has_vertex_shader || reaches_out(draw_, p_.view));  // the shader may leave the mesh's box
     }
 
     void set_lit_at() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/opengl/program_text.h"
 
+#include <algorithm>
 #include <regex>
 
 #include <rakelight/error.h>
@@ -186,8 +187,24 @@ void begin(StageMaker& stage, const Features& f, const Driver& driver, const Use
     stage.add_file("engines/opengl/glsl/points.glsl");
 }
 
+/// Where triangles are cut: what a vertex shader of the user's hands on is the sum of that of its corners.
+std::string sums_of_passed(const std::vector<ShaderVariable>& passed) {
+    std::string sums, added, given;
+    for (const ShaderVariable& v : passed)
+        for (int i = 0; i < std::max(v.count, 1); ++i) {
+            const std::string place = v.count > 0 ? v.name + "[" + std::to_string(i) + "]" : v.name;
+            const std::string sum = "rl_sum_" + v.name + (v.count > 0 ? "_" + std::to_string(i) : "");
+            sums += v.type + " " + sum + ";\n";
+            added += " " + sum + " = " + place + " * weight + (is_first ? " + v.type + "(0.0) : " + sum + ");";
+            given += " " + place + " = " + sum + ";";
+        }
+    return sums + "void add_passed(bool is_first, float weight) {" + added + " }\nvoid hand_on_passed() {" + given +
+           " }\n";
+}
+
 /// Vertices, and what the user's shader makes of them.
 void add_vertices(StageMaker& stage, const Features& f, const UserShaders& user) {
+    if (f.is_cut != 0 && f.has_vertex_shader != 0) stage.add(sums_of_passed(user.passed));
     stage.add_file("engines/opengl/glsl/vertices.glsl");
     if (f.has_vertex_shader != 0) stage.add_user(user.vertex_name, user.vertex, true);
 }

@@ -307,6 +307,64 @@ TEST_F(OpenGlShaders, LightInTangentSpaceIsTheBuiltInOneOfVertices) {
     EXPECT_LT(largest_difference(drawn(*engine, scene, settings, context), built_in), one_code);
 }
 
+/// A checkered floor that passes the eye of floor_camera() where x is 0.
+Scene checkered_floor(double x) {
+    Scene scene;
+    scene.materials = {test::matte()};
+    scene.materials[0].base_color_texture =
+        test::add_texture(scene, test::picture(test::rgb_pixels(16, 16, [](int u, int v) {
+                              return std::array{255 * ((u + v) % 2), 16 * u, 16 * v};
+                          })));
+    dmat4 lies;
+    lies[1] = {0, 0, -1, 0}, lies[2] = {0, 1, 0, 0};
+    test::add_object(scene, test::square_mesh(0, 3), translation(dvec3{x, 0, 0}) * lies);
+    scene.lights = {test::directional({0, -1, 0})};
+    return scene;
+}
+
+Camera floor_camera() {
+    Camera camera;
+    camera.vertical_fov_rad = 1.2, camera.z_near = 0.1;
+    camera.to_world = look_at({0, 0.25, 0.4}, {-0.2, 0.1, -1}, {0, 1, 0});
+    return camera;
+}
+
+TEST_F(OpenGlShaders, WhatIsLinearOnTheScreenBendsWhereMovedTrianglesAreCut) {
+    RenderSettings settings = small();
+    const auto picture = [&](double x) {
+        return drawn(*engine, checkered_floor(x), settings, context, floor_camera());
+    };
+    const Frame in_space = picture(0);
+    settings.interpolation = AttributeInterpolation::screen;
+    const Frame built_in = picture(0);
+    EXPECT_GT(largest_difference(in_space, built_in), 0.2);
+    set_vertices(settings, "moved.glsl", "void user_vertex(inout Vertex v) { v.position.x -= 50.0; }\n");
+    EXPECT_LT(largest_difference(picture(50), built_in), one_code) << "from outside of the picture";
+}
+
+/// What the text hands on is linear in space, as the point is.
+TEST_F(OpenGlShaders, VerticesHandOnTheirValuesWhereTrianglesAreCut) {
+    RenderSettings settings = small();
+    settings.interpolation = AttributeInterpolation::screen;
+    settings.channels = channel_diffuse;
+    set_vertices(settings, "places.vertex.glsl",
+                 "out vec3 places[2]; out float x;\nvoid user_vertex(inout Vertex v)\n"
+                 "{ places[0] = vec3(0.0); places[1] = to_eye(v.position); x = v.position.x; }\n");
+    set_lighting(settings, "places.glsl",
+                 "in vec3 places[2]; in float x;\n"
+                 "LightTerms user_terms(MaterialSurface s, LightSample light) { LightTerms t = no_terms();\n"
+                 "t.diffuse = vec3(length(places[1] - rl_point.position), abs(x - rl_point.position.x), 1.0);\n"
+                 "return t; }\n");
+    const Frame frame = drawn(*engine, checkered_floor(0), settings, context, floor_camera());
+    int seen = 0;
+    for (const vec3& term : frame.diffuse) {
+        ASSERT_NEAR(term.x, 0, 1e-3);
+        ASSERT_NEAR(term.y, 0, 1e-3);
+        seen += term.z > 0.5f;
+    }
+    EXPECT_GT(seen, 1000);
+}
+
 TEST_F(OpenGlShaders, FunctionsOfPixelsAloneCanBeUsed) {
     RenderSettings settings = small();
     set_lighting(settings, "lines.glsl",

@@ -201,7 +201,7 @@ void main()
     find_triangle(number, all, position);
     hand_on_triangle(all, position);
     Vertex v = all[k];
-#if RL_HAS_VERTEX_SHADER
+#if RL_HAS_VERTEX_SHADER && !RL_CUTS
     v = fetch_corner(place);  // again: what it hands on is of this corner
 #endif
 #else
@@ -214,8 +214,15 @@ void main()
     gl_Position = to_clip(all[0].position) * weights.x + to_clip(all[1].position) * weights.y + to_clip(all[2].position) * weights.z;
     v_w = gl_Position.w;
     for (int i = 0; i < 3; ++i) {
+#if RL_HAS_VERTEX_SHADER
+        fetch_corner(3 * number + i);  // again: what it hands on is of this corner
+        add_passed(i == 0, weights[i]);
+#endif
         hand_on_vertex(all[i], vec3(float(i == 0), float(i == 1), float(i == 2)), weights[i] * v_w);
     }
+#if RL_HAS_VERTEX_SHADER
+    hand_on_passed();
+#endif
     weight = v_w;
 #else
     v_position = to_eye(v.position);
