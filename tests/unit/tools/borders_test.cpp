@@ -267,10 +267,17 @@ TEST(Borders, NumbersThatAreNotFiniteMeetNobody) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     for (Mesh& mesh : scene.meshes) mesh.positions = std::vector<vec3>(4, vec3{nan, 0, 0});
     EXPECT_EQ(inspected(scene).shared_positions, 0u);
-    const Inspection bad = inspected(squares_with_normal({nan, 0, 0}));  // normals of no use have no angle
-    EXPECT_EQ(bad.shared_positions, 2u);
-    EXPECT_TRUE(bad.borders.empty());
-    EXPECT_TRUE(inspected(squares_with_normal({0, 0, 0})).borders.empty());
+}
+
+TEST(Borders, NormalsThatAreZeroOrNotFiniteAreThoseMadeInTheirPlace) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (const vec3 none : {vec3{nan, 0, 0}, vec3{0, 0, 0}}) {
+        const Inspection i = inspected(squares_with_normal(none));
+        EXPECT_EQ(i.shared_positions, 2u);
+        EXPECT_EQ(i.seams.missing_normals, 4u);
+        ASSERT_EQ(i.borders.size(), 1u);
+        EXPECT_EQ(i.borders[0].largest_deg, 0) << "the squares lie in one plane";
+    }
 }
 
 TEST(Borders, TwentyThousandObjectsOnOneSpotDoNotMakeTwoHundredMillionPairs) {

@@ -160,7 +160,7 @@ TEST(MatchedBorders, WithoutTheOptionTheReportProposesADistanceThatFindsThem) {
     EXPECT_NEAR(asked.matched.gap_max, i.proposal.gap_max, 0.05 * i.proposal.gap_max);
     EXPECT_NEAR(asked.matched.before.max_deg, i.proposal.seam_deg, 0.05 * i.proposal.seam_deg);
     EXPECT_NE(to_text(i).find("open borders of different meshes run along each other ("), std::string::npos);
-    EXPECT_NE(to_text(i).find("): --border-distance "), std::string::npos);
+    EXPECT_NE(to_text(i).find("): 'border-distance' "), std::string::npos) << to_text(i);
     EXPECT_EQ(json_of(i)["border_proposal"]["distance"], i.proposal.distance);
     EXPECT_FALSE(json_of(i).contains("matched_borders"));
 }
@@ -169,7 +169,7 @@ TEST(MatchedBorders, NothingIsProposedWhereNoneRunAlongEachOther) {
     for (const Scene& scene : {test::two_squares(), Scene{}}) {
         const Inspection i = inspected(scene, {});
         EXPECT_EQ(i.proposal.distance, 0);
-        EXPECT_EQ(to_text(i).find("--border-distance"), std::string::npos);
+        EXPECT_EQ(to_text(i).find("border-distance"), std::string::npos);
         EXPECT_FALSE(json_of(i).contains("border_proposal"));
     }
     const test::CutSurface cut = torn_cylinder();
