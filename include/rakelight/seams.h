@@ -17,9 +17,12 @@ inline constexpr double authored_equality = 1e-3;
 /// [degrees] A corner normal counts as flat if its angle to the face normal is at most this. Two faces count as
 /// coplanar if the angle between their face normals is at most this.
 inline constexpr double authored_flat_deg = 1;
-/// An edge between two surfaces is an authored crease if the normals of both surfaces differ from their faces by at most
-/// this share of the angle between the faces. Where a surface of equal bends is smooth, the share is at least a half.
-inline constexpr double authored_crease_share = 0.4;
+/// An edge between two surfaces is an authored crease if, across the edge, the normals of both differ from their faces by
+/// at most this share of the angle between the faces. Where a surface of equal bends is smooth, the share is a half.
+inline constexpr double authored_crease_share = 0.23;
+/// [degrees] Where no normal elsewhere shows how a surface bends, only an edge that bends by more than this is a crease.
+/// It is less than a 30-degree chamfer of a cylinder of 6 columns bends (26.6).
+inline constexpr double silent_crease_deg = 25;
 
 /// Treatment of the normals of a file. `seams`: the normals are kept, but joined where meshes meet (join_seams());
 /// tangents rotate with their normals. `replaced`: all normals are computed anew.
@@ -64,13 +67,17 @@ struct MeshSeams {
 ///    exceptions:
 ///    - Both faces are authored flat, but not coplanar. A face is authored flat if its corners have the face normal,
 ///      within `authored_flat_deg`.
-///    - Both fans end in an authored crease: their normals do not bend towards each other. The *lean* of a fan is the
-///      largest angle between a face of the fan and the normals of the face's corners. Both leans are at most
-///      `authored_crease_share` of the angle between the faces at the edge.
+///    - Both fans end in an authored crease: neither bends across the edges that they share. The *lean* of a fan is the
+///      largest angle between a face of the fan and the normals of the face's corners, in the plane perpendicular to
+///      that one of these edges that gives the smaller angle. Both leans are at most `authored_crease_share` of the
+///      angle between the faces at the edge. If all other corners of a fan's faces are at positions of several meshes,
+///      these faces do not show how the surface bends. Then the edge must bend by more than `silent_crease_deg`, and
+///      the whole angles at the position count.
 ///
-///    Of a face's corners, the corner at the position counts, and those at positions of only one mesh. If joints would
-///    connect two fans of one mesh, the fans with the closest authored normals are joined first. The steps are repeated
-///    with the new normals until nothing turns, so that a second call changes nothing.
+///    Of a face's corners, the corner at the position counts, and those at positions of only one mesh. Fans of more than
+///    64 corners are measured at the edges only. If joints would connect two fans of one mesh, the fans with the closest
+///    authored normals are joined first. The steps are repeated with the new normals until nothing turns, so that a
+///    second call changes nothing. This takes fewer rounds than fans meet at the position; it ends after 64.
 /// 3. *Normals.* Joined fans get one normal. It is a weighted sum of the unit normals of the fans, in world space. The
 ///    weight of a fan is the sum of its corner angles (Thuermer & Wuethrich 1998, "Computing Vertex Normals from
 ///    Polygonal Facets", with authored normals in place of facet normals). The fans keep their normals if the sum is

@@ -18,12 +18,4 @@ inline bool are_one_normal(dvec3 a, dvec3 b) { return dot(a - b, a - b) <= autho
 /// [rad] 0..pi; accurate for small angles.
 inline double angle_between(dvec3 a, dvec3 b) { return math::arc_tangent(length(cross(a, b)), dot(a, b)); }
 
-/// Whether the edge between two surfaces is a crease that was authored, because the normals of neither side bend
-/// towards the other side: `authored_crease_share`.
-/// @param lean  [rad] largest angle between the normals and the faces of either side
-/// @param bend  [rad] angle between the faces at the edge
-inline bool is_authored_crease(double lean, double bend) {
-    return bend > radians(authored_flat_deg) && lean <= authored_crease_share * bend;
-}
-
 }  // namespace rakelight::geometry

@@ -20,6 +20,7 @@ namespace {
 
 constexpr double vanished_share = 1e-6;  // of the angles that were summed
 constexpr std::uint32_t nobody = 0xffffffffu;
+constexpr std::size_t most_rounds = 64;  // at one place
 
 /// A global vertex index and its new normal.
 struct Turn {
@@ -139,7 +140,6 @@ private:
         const Placement& placement = input_.placements[m];
         const std::uint32_t k = corner % 3;
         const std::uint32_t* const index = mesh.indices.data() + (corner - k - 3 * input_.triangle_base[m]);
-        const std::uint32_t* const places = placed_.place.data() + input_.vertex_base[m];
         SeamCorner c;
         c.mesh = m;
         c.vertex = input_.vertex_base[m] + index[k];
@@ -150,18 +150,16 @@ private:
         if (c.face == dvec3{}) return c;
         const dvec3 angles = corner_weights<CornerWeight::angle>(placement, face, normal.length);
         c.angle = k == 0 ? angles.x : k == 1 ? angles.y : angles.z;
-        c.next = places[index[after[k]]];
-        c.previous = places[index[after[after[k]]]];
-        for (const std::uint32_t other : {index[after[k]], index[after[after[k]]]})
-            c.others_lean = std::max(c.others_lean, lean_of_other(m, other, c.face));
+        c.next = other_corner(m, index[k], index[after[k]]);
+        c.previous = other_corner(m, index[k], index[after[after[k]]]);
         return c;
     }
 
-    /// A normal that may turn does not count; a zero normal means none.
-    double lean_of_other(std::uint32_t m, std::uint32_t vertex, dvec3 face) const {
-        const dvec3 normal = authored(m, vertex);
-        if (normal == dvec3{}) return pi;
-        return shared_[placed_.place[input_.vertex_base[m] + vertex]] != 0 ? 0 : angle_between(normal, face);
+    OtherCorner other_corner(std::uint32_t m, std::uint32_t here, std::uint32_t vertex) const {
+        const std::uint32_t place = placed_.place[input_.vertex_base[m] + vertex];
+        const std::span<const vec3> positions = input_.meshes[m].positions;
+        const dvec3 edge = cast<double>(positions[vertex]) - cast<double>(positions[here]);
+        return {place, shared_[place] != 0, direction_of(input_.placements[m].linear * edge).unit, authored(m, vertex)};
     }
 
     Found look_at_places(std::size_t chunk, const CornerBins& bins) const {
@@ -184,13 +182,14 @@ private:
         return found;
     }
 
-    /// Joins the fans at one place until nothing turns, as further calls would.
+    /// Joins the fans at one place until nothing turns, as further calls would. Equal normals keep their joint and are
+    /// joined first, so a round that turns any gives one normal to fans that had several, and they stay together: there
+    /// are fewer such rounds than fans. Only where more than `most_rounds` fans meet can the limit end them earlier.
     void settle(std::uint32_t place, std::vector<SeamCorner>& corners, SeamFans& fans, Scratch& scratch,
                 Found& found) const {
         scratch.before.clear();
         for (const SeamCorner& c : corners) scratch.before.push_back(c.authored);
-        constexpr int most_rounds = 8;
-        for (int round = 0; round < most_rounds; ++round) {
+        for (std::size_t round = 0; round < most_rounds; ++round) {
             fans.find(place, corners);
             if (!turn(corners, fans, scratch)) break;
         }

@@ -4,6 +4,8 @@
 #include <rakelight/seams.h>
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -13,10 +15,34 @@
 namespace rakelight::geometry {
 namespace {
 
-// Up to this number, different normals of one mesh, and faces at one edge, are compared pairwise.
-constexpr std::size_t few_normals = 64, few_faces = 16;
+// Up to this number, different normals of one mesh, and faces at one edge, are compared pairwise, and all corners of a
+// fan are measured.
+constexpr std::size_t few_normals = 64, few_faces = 16, few_corners = 64;
 
 auto key(dvec3 n) { return std::tuple(n.x, n.y, n.z); }
+
+/// Whether the face's own normal stands at its corners, but for those that may turn.
+bool is_authored_flat(const SeamCorner& c) {
+    const auto is_flat = [&](dvec3 normal) {
+        return normal != dvec3{} && angle_between(normal, c.face) <= radians(authored_flat_deg);
+    };
+    return c.face != dvec3{} && is_flat(c.authored) &&
+           std::ranges::all_of(std::array{c.next, c.previous}, [&](const OtherCorner& other) {
+               return other.authored != dvec3{} && (other.may_turn || is_flat(other.authored));
+           });
+}
+
+/// [rad] Between a face and the normals of its corners that count, in the plane perpendicular to an edge.
+double tilt_across(const SeamCorner& c, dvec3 edge) {
+    const auto across = [&](dvec3 v) { return v - edge * dot(v, edge); };
+    const dvec3 face = across(c.face);
+    double tilt = angle_between(across(c.authored), face);
+    for (const OtherCorner* other : {&c.next, &c.previous}) {
+        if (other->authored == dvec3{}) return pi;
+        if (!other->may_turn) tilt = std::max(tilt, angle_between(across(other->authored), face));
+    }
+    return tilt;
+}
 
 }  // namespace
 
@@ -38,9 +64,8 @@ void SeamFans::find(std::uint32_t place, std::span<const SeamCorner> corners) {
 void SeamFans::find_fans(std::span<const SeamCorner> corners) {
     fans_.clear();
     fan_of_.assign(corners.size(), no_fan);
-    leans_.clear();
-    for (const SeamCorner& c : corners)
-        leans_.push_back(c.face == dvec3{} ? 0 : std::max(c.others_lean, angle_between(c.authored, c.face)));
+    is_flat_.clear();
+    for (const SeamCorner& c : corners) is_flat_.push_back(is_authored_flat(c));
     for (std::size_t first = 0; first < corners.size();) {
         std::size_t last = first + 1;
         while (last < corners.size() && corners[last].mesh == corners[first].mesh) ++last;
@@ -80,6 +105,8 @@ void SeamFans::find_fans_of_mesh(std::span<const SeamCorner> corners, std::uint3
             fan_of_lead_[a] = std::uint32_t(fans_.size());
             fans_.push_back({corners[0].mesh, normal_of(a)});
             sums_.emplace_back();
+        } else {
+            sums_[fan_of_lead_[root] - first_fan].is_mixed = true;
         }
         const std::uint32_t fan = fan_of_lead_[a] = fan_of_lead_[root];
         const std::uint32_t end = a + 1 < count ? leads_[a + 1] : std::uint32_t(order_.size());
@@ -87,23 +114,33 @@ void SeamFans::find_fans_of_mesh(std::span<const SeamCorner> corners, std::uint3
             const SeamCorner& c = corners[order_[i]];
             fan_of_[first + order_[i]] = fan;
             fans_[fan].angle += c.angle;
-            fans_[fan].lean = std::max(fans_[fan].lean, leans_[first + order_[i]]);
-            sums_[fan - first_fan] += c.authored * c.angle;
+            sums_[fan - first_fan].normals += c.authored * c.angle;
         }
     }
-    if (count == sums_.size()) return;
     for (std::size_t f = 0; f < sums_.size(); ++f)
-        fans_[first_fan + f].normal = normalize_or(sums_[f], fans_[first_fan + f].normal);
+        if (sums_[f].is_mixed)
+            fans_[first_fan + f].normal = normalize_or(sums_[f].normals, fans_[first_fan + f].normal);
 }
 
-void SeamFans::find_joints(std::uint32_t place, std::span<const SeamCorner> corners) {
-    joints_.clear();
+void SeamFans::sort_by_fan() {
+    first_of_.assign(fans_.size() + 1, 0);
+    for (const std::uint32_t fan : fan_of_)
+        if (fan != no_fan) ++first_of_[fan + 1];
+    std::partial_sum(first_of_.begin(), first_of_.end(), first_of_.begin());
+    by_fan_.resize(first_of_.back());
+    std::vector<std::uint32_t> next(first_of_.begin(), first_of_.end() - 1);
+    for (std::uint32_t i = 0; i < fan_of_.size(); ++i)
+        if (fan_of_[i] != no_fan) by_fan_[next[fan_of_[i]]++] = i;
+}
+
+void SeamFans::find_contacts(std::uint32_t place, std::span<const SeamCorner> corners) {
+    contacts_.clear();
     spokes_.clear();
     for (std::uint32_t i = 0; i < corners.size(); ++i) {
         const SeamCorner& c = corners[i];
         if (c.face == dvec3{} || fan_of_[i] == no_fan) continue;
-        if (c.next != place) spokes_.push_back({c.next, i, true});
-        if (c.previous != place) spokes_.push_back({c.previous, i, false});
+        if (c.next.place != place) spokes_.push_back({c.next.place, i, true});
+        if (c.previous.place != place) spokes_.push_back({c.previous.place, i, false});
     }
     std::sort(spokes_.begin(), spokes_.end(), [](const Spoke& a, const Spoke& b) {
         return std::tuple(a.place, a.index, a.outgoing) < std::tuple(b.place, b.index, b.outgoing);
@@ -111,16 +148,33 @@ void SeamFans::find_joints(std::uint32_t place, std::span<const SeamCorner> corn
     for (std::size_t first = 0; first < spokes_.size();) {
         std::size_t last = first + 1;
         while (last < spokes_.size() && spokes_[last].place == spokes_[first].place) ++last;
-        if (last - first > 1) look_at_edge(place, corners, std::span(spokes_).subspan(first, last - first));
+        if (last - first > 1) look_at_edge(corners, std::span(spokes_).subspan(first, last - first));
+        first = last;
+    }
+}
+
+void SeamFans::find_joints(std::uint32_t place, std::span<const SeamCorner> corners) {
+    joints_.clear();
+    find_contacts(place, corners);
+    sort_by_fan();
+    std::sort(contacts_.begin(), contacts_.end(), [](const Contact& a, const Contact& b) {
+        return std::tuple(a.f, a.g, a.place, a.p, a.q) < std::tuple(b.f, b.g, b.place, b.p, b.q);
+    });
+    for (std::size_t first = 0; first < contacts_.size();) {
+        std::size_t last = first + 1;
+        while (last < contacts_.size() && contacts_[last].f == contacts_[first].f &&
+               contacts_[last].g == contacts_[first].g)
+            ++last;
+        look_at_fans(place, corners, std::span(contacts_).subspan(first, last - first));
         first = last;
     }
 }
 
 /// All pairs, or for many faces each with its neighbors of other meshes around the edge.
-void SeamFans::look_at_edge(std::uint32_t place, std::span<const SeamCorner> corners, std::span<const Spoke> edge) {
+void SeamFans::look_at_edge(std::span<const SeamCorner> corners, std::span<const Spoke> edge) {
     if (edge.size() <= few_faces) {
         for (std::size_t a = 0; a < edge.size(); ++a)
-            for (std::size_t b = a + 1; b < edge.size(); ++b) look_at_pair(place, corners, edge[a], edge[b]);
+            for (std::size_t b = a + 1; b < edge.size(); ++b) look_at_pair(corners, edge[a], edge[b]);
         return;
     }
     std::vector<dvec3> normals;
@@ -133,30 +187,66 @@ void SeamFans::look_at_edge(std::uint32_t place, std::span<const SeamCorner> cor
     for (std::size_t i = 2 * count - 1; i-- > 0;)
         next[i] = corners[at(i).index].mesh != corners[at(i + 1).index].mesh ? i + 1 : next[i + 1];
     for (std::size_t i = 0; i < count; ++i)
-        if (next[i] < 2 * count) look_at_pair(place, corners, at(i), at(next[i]));
+        if (next[i] < 2 * count) look_at_pair(corners, at(i), at(next[i]));
 }
 
-void SeamFans::look_at_pair(std::uint32_t place, std::span<const SeamCorner> corners, const Spoke& a, const Spoke& b) {
+void SeamFans::look_at_pair(std::span<const SeamCorner> corners, const Spoke& a, const Spoke& b) {
+    if (fan_of_[a.index] > fan_of_[b.index]) return look_at_pair(corners, b, a);
     const SeamCorner &p = corners[a.index], &q = corners[b.index];
     if (p.mesh == q.mesh) return;
     const double cosine = dot(p.face, q.face);
     if (!(cosine >= std::max(cosines_[p.mesh], cosines_[q.mesh]))) return;
-    if (stays_hard(a.index, b.index, angle_between(p.face, q.face), place < a.place)) return;
-    const auto [f, g] = std::minmax(fan_of_[a.index], fan_of_[b.index]);
-    joints_.push_back(
-        {f, g, dot(fans_[f].normal, fans_[g].normal), cosine, length(p.authored - q.authored) > continuous_rad});
+    const dvec3 along = a.outgoing ? p.next.direction : p.previous.direction;
+    contacts_.push_back({fan_of_[a.index], fan_of_[b.index], a.index, b.index, a.place, along, cosine,
+                         length(p.authored - q.authored) > continuous_rad});
 }
 
-/// @param a, b  corners of the two faces of an edge
-/// @param bend  [rad] between these faces
-/// @param counts  whether this is the edge's first end
-bool SeamFans::stays_hard(std::uint32_t a, std::uint32_t b, double bend, bool counts) {
-    if (!(bend > radians(authored_flat_deg))) return false;
-    const bool is_flat = std::max(leans_[a], leans_[b]) <= radians(authored_flat_deg);
-    const double lean = std::max(fans_[fan_of_[a]].lean, fans_[fan_of_[b]].lean);
-    if (!is_flat && !is_authored_crease(lean, bend)) return false;
-    (is_flat ? flat_pairs_ : crease_pairs_) += counts;
-    return true;
+/// @param contacts  of two fans
+void SeamFans::look_at_fans(std::uint32_t place, std::span<const SeamCorner> corners,
+                            std::span<const Contact> contacts) {
+    const std::uint32_t f = contacts[0].f, g = contacts[0].g;
+    const dvec3 apart = fans_[f].normal - fans_[g].normal;
+    Lean lean_f, lean_g;
+    if (std::ranges::any_of(contacts, &Contact::is_open)) {
+        lean_f = lean(corners, f, contacts, &Contact::p);
+        lean_g = lean(corners, g, contacts, &Contact::q);
+    }
+    for (const Contact& c : contacts) {
+        const double bend = angle_between(corners[c.p].face, corners[c.q].face);
+        const bool bends = c.is_open && bend > radians(authored_flat_deg),
+                   is_flat = bends && is_flat_[c.p] != 0 && is_flat_[c.q] != 0,
+                   is_crease = bends && !is_flat && shows_crease(lean_f, bend) && shows_crease(lean_g, bend);
+        if (place < c.place) flat_pairs_ += is_flat, crease_pairs_ += is_crease;
+        if (!is_flat && !is_crease) joints_.push_back({f, g, dot(apart, apart), c.cosine, c.is_open});
+    }
+}
+
+/// Over all corners of a fan; of very many, over those whose faces have an edge of the contacts.
+/// @param own  which corners of the contacts are the fan's
+SeamFans::Lean SeamFans::lean(std::span<const SeamCorner> corners, std::uint32_t fan, std::span<const Contact> contacts,
+                              std::uint32_t Contact::*own) const {
+    Lean out;
+    const auto add = [&](const SeamCorner& c, std::span<const Contact> edges) {
+        if (c.face == dvec3{}) return;
+        double least = pi;
+        for (const Contact& edge : edges) least = std::min(least, tilt_across(c, edge.along));
+        out.across = std::max(out.across, least);
+        out.whole = std::max(out.whole, angle_between(c.authored, c.face));
+        out.is_shown = out.is_shown || !c.next.may_turn || !c.previous.may_turn;
+    };
+    const std::span all = std::span(by_fan_).subspan(first_of_[fan], first_of_[fan + 1] - first_of_[fan]);
+    if (all.size() <= few_corners)
+        for (const std::uint32_t i : all) add(corners[i], contacts);
+    else
+        for (const Contact& c : contacts) add(corners[c.*own], {&c, 1});
+    return out;
+}
+
+/// Whether the normals of one side say that an edge is a crease: `authored_crease_share`.
+bool SeamFans::shows_crease(const Lean& lean, double bend) {
+    const double largest = authored_crease_share * bend;
+    if (lean.is_shown) return lean.across <= largest;
+    return lean.whole <= largest && bend > radians(silent_crease_deg);
 }
 
 /// With one fan per mesh there is no conflict.
@@ -166,7 +256,7 @@ void SeamFans::join_all() {
 
 /// Ordered by geometry only, so that the order of meshes has no effect; ties are decided by index.
 bool SeamFans::comes_before(const Joint& x, const Joint& y) const {
-    if (x.nearness != y.nearness) return x.nearness > y.nearness;
+    if (x.apart != y.apart) return x.apart < y.apart;
     if (x.bend != y.bend) return x.bend > y.bend;
     const auto normals = [&](const Joint& j) {
         const auto a = key(fans_[j.a].normal), b = key(fans_[j.b].normal);

@@ -12,14 +12,21 @@
 
 namespace rakelight::geometry {
 
+/// Another corner of the same face.
+struct OtherCorner {
+    std::uint32_t place = 0;
+    bool may_turn = false;  ///< several meshes have faces there
+    dvec3 direction{};      ///< unit, world space, to there
+    dvec3 authored{};       ///< unit, world space; zero: unusable
+};
+
 /// One corner of a face at the place.
 struct SeamCorner {
-    std::uint32_t mesh = 0, vertex = 0;    ///< global vertex index
-    dvec3 authored;                        ///< its normal, unit, world space; zero: unusable
-    dvec3 face;                            ///< the face normal, unit, world space; zero: none
-    double angle = 0;                      ///< of the face at this corner [rad]
-    double others_lean = 0;                ///< [rad] of the face's other corners that count: <rakelight/seams.h>
-    std::uint32_t next = 0, previous = 0;  ///< places of the face's other corners
+    std::uint32_t mesh = 0, vertex = 0;  ///< global vertex index
+    dvec3 authored;                      ///< its normal, unit, world space; zero: unusable
+    dvec3 face;                          ///< the face normal, unit, world space; zero: none
+    double angle = 0;                    ///< of the face at this corner [rad]
+    OtherCorner next, previous;
 };
 
 /// The corners of one mesh that have one authored normal.
@@ -27,7 +34,6 @@ struct AuthoredFan {
     std::uint32_t mesh = 0;
     dvec3 normal;      ///< unit
     double angle = 0;  ///< sum of its corners'
-    double lean = 0;   ///< [rad] largest of its corners'
 };
 
 /// The fans at one place. The object is reused for all places to keep its memory.
@@ -55,9 +61,28 @@ public:
     static constexpr std::uint32_t no_fan = 0xffffffffu;
 
 private:
+    struct FanSum {
+        dvec3 normals{};        ///< weighted by the corners' angles
+        bool is_mixed = false;  ///< they differ, within `authored_equality`
+    };
+    /// Two faces of two meshes at one edge.
+    struct Contact {
+        std::uint32_t f, g;   ///< fans, f < g
+        std::uint32_t p, q;   ///< corners: of the face of f, and of that of g
+        std::uint32_t place;  ///< the edge's other end
+        dvec3 along;          ///< unit, of the edge
+        double cosine;        ///< between the faces
+        bool is_open;         ///< the normals of the two corners differ
+    };
+    /// How far the normals of a fan differ from its faces [rad].
+    struct Lean {
+        double across = 0;      ///< perpendicular to an edge, with the normals elsewhere that count
+        double whole = 0;       ///< of the normals here, in any direction
+        bool is_shown = false;  ///< any normal elsewhere counts
+    };
     struct Joint {
         std::uint32_t a, b;  ///< fans, a < b
-        double nearness;     ///< cosine between their normals
+        double apart;        ///< square of the distance between their normals; exactly 0 for equal ones
         double bend;         ///< cosine between the faces
         bool is_open;        ///< the normals of the two corners differ
     };
@@ -65,21 +90,28 @@ private:
     void sort_corners(std::span<const SeamCorner> corners);
     void find_fans_of_mesh(std::span<const SeamCorner> corners, std::uint32_t first);
     void find_joints(std::uint32_t place, std::span<const SeamCorner> corners);
-    void look_at_edge(std::uint32_t place, std::span<const SeamCorner> corners, std::span<const Spoke> edge);
-    void look_at_pair(std::uint32_t place, std::span<const SeamCorner> corners, const Spoke& a, const Spoke& b);
-    bool stays_hard(std::uint32_t a, std::uint32_t b, double bend, bool counts);
+    void sort_by_fan();
+    void find_contacts(std::uint32_t place, std::span<const SeamCorner> corners);
+    void look_at_edge(std::span<const SeamCorner> corners, std::span<const Spoke> edge);
+    void look_at_pair(std::span<const SeamCorner> corners, const Spoke& a, const Spoke& b);
+    void look_at_fans(std::uint32_t place, std::span<const SeamCorner> corners, std::span<const Contact> contacts);
+    Lean lean(std::span<const SeamCorner> corners, std::uint32_t fan, std::span<const Contact> contacts,
+              std::uint32_t Contact::*own) const;
+    static bool shows_crease(const Lean& lean, double bend);
     void join_all();
     void join_nearest_first();
     bool comes_before(const Joint& a, const Joint& b) const;
 
     std::span<const double> cosines_;
     std::vector<std::uint32_t> fan_of_;                       ///< [corners]
-    std::vector<double> leans_;                               ///< [corners]
+    std::vector<std::uint8_t> is_flat_;                       ///< [corners] whether their faces are authored flat
     std::vector<std::uint32_t> order_, leads_, fan_of_lead_;  ///< of one mesh: scratch
-    std::vector<dvec3> sums_;
+    std::vector<FanSum> sums_;
     std::vector<AuthoredFan> fans_;
-    std::vector<std::uint8_t> is_open_;  ///< [fans]
+    std::vector<std::uint32_t> by_fan_, first_of_;  ///< corners by their fans; [fans + 1] where those of a fan begin
+    std::vector<std::uint8_t> is_open_;             ///< [fans]
     std::vector<Spoke> spokes_;
+    std::vector<Contact> contacts_;
     std::vector<Joint> joints_;
     UnionFind sets_, alike_;
     std::uint64_t flat_pairs_ = 0, crease_pairs_ = 0;

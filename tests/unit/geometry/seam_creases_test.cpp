@@ -44,8 +44,12 @@ TEST(SeamCreases, ARimAuthoredHardBetweenTwoCurvedPartsStays) {
     for (const auto& [bend, segments] : {std::pair(45.0, 32u),
                                          {45.0, 16u},
                                          {45.0, 12u},
+                                         {45.0, 10u},
+                                         {45.0, 8u},
                                          {30.0, 24u},
                                          {30.0, 16u},
+                                         {30.0, 12u},
+                                         {20.0, 16u},
                                          {20.0, 24u},
                                          {20.0, 64u},
                                          {12.0, 64u},
@@ -57,19 +61,23 @@ TEST(SeamCreases, ARimAuthoredHardBetweenTwoCurvedPartsStays) {
     }
 }
 
-TEST(SeamCreases, ARimThatBendsAsThePartsDoThemselvesIsACut) {
-    // A barrel: where its walls bend by 15 degrees, they do so around it too; the normal in the middle is horizontal.
-    std::vector<Shape> barrel = rim(15, 24);
-    const std::vector<Shape> after = applied(barrel, join(barrel));
-    const double half = radians(7.5);
-    for (std::uint32_t i = 24; i < 48; ++i) {
-        const vec3 p = barrel[0].positions[i];
-        const dvec3 wanted{std::cos(half) * double(p.x), std::sin(half), std::cos(half) * double(p.z)};
-        EXPECT_LT(degrees_between(cast<double>(after[0].normals[i]), wanted), 0.1);  // by the corners' angles
-        EXPECT_EQ(after[0].normals[i], after[1].normals[i - 24]);
-    }
-    EXPECT_GT(join(rim(45, 32, 20)).report.turned, 0u) << "normals that bend towards each other, by nearly a half";
+TEST(SeamCreases, NormalsThatBendTowardsEachOtherMakeNoCrease) {
+    EXPECT_GT(join(rim(45, 32, 20)).report.turned, 0u) << "by nearly a half";
     EXPECT_EQ(join(rim(45, 32, 10)).report.turned, 0u);
+}
+
+/// Each part with the normals that it has by itself.
+std::vector<Shape> smoothed_apart(std::vector<Shape> parts, CornerWeight weight = CornerWeight::angle) {
+    Context context;
+    AttributeOptions options;
+    options.scope = Scope::object;
+    options.weight = weight;
+    const std::vector<MeshAttributes> own = compute_attributes(views(parts), options, context);
+    for (std::size_t m = 0; m < parts.size(); ++m) {
+        EXPECT_TRUE(own[m].source_vertex.empty());
+        parts[m].normals.assign(own[m].normals.begin(), own[m].normals.end());
+    }
+    return parts;
 }
 
 /// A surface of revolution that is cut at each row in turn, each part smoothed by itself.
@@ -77,16 +85,7 @@ void expect_closed(const char* name, const Shape& whole, std::uint32_t rows, std
     for (std::uint32_t row = 1; row < rows; ++row) {
         std::vector<Shape> parts =
             cut(whole, 2, [&](std::size_t t) { return std::uint32_t(t / triangles_per_row >= row); });
-        Context context;
-        AttributeOptions options;
-        options.scope = Scope::object;
-        for (std::size_t m = 0; m < 2; ++m) parts[m].object = std::uint32_t(m);
-        const std::vector<MeshAttributes> own = compute_attributes(views(parts), options, context);
-        for (std::size_t m = 0; m < 2; ++m) {
-            ASSERT_TRUE(own[m].source_vertex.empty());
-            parts[m].normals.assign(own[m].normals.begin(), own[m].normals.end());
-        }
-        const Joined joined = join(parts);
+        const Joined joined = join(smoothed_apart(std::move(parts)));
         EXPECT_EQ(joined.report.crease_pairs, 0u) << name << ", row " << row;
         EXPECT_GT(joined.report.turned, 0u) << name << ", row " << row;
     }
@@ -110,6 +109,102 @@ TEST(SeamCreases, CutsOfSmoothSurfacesAreClosedWhereverTheyAre) {
     expect_closed("egg", ellipsoid(1.6), 24, 64);
     expect_closed("lens", ellipsoid(0.6), 24, 64);
     expect_closed("vase", lathe([](double v) { return dvec2{1 + 0.3 * std::sin(9 * v), 3 * v}; }), 24, 64);
+}
+
+/// A sphere of some rows, columns around the y axis, and parts from the bottom to the top.
+std::vector<Shape> sphere_in_parts(std::uint32_t columns, std::uint32_t rows, std::uint32_t parts) {
+    return cut(make_sphere(columns, rows), parts,
+               [=](std::size_t t) { return std::uint32_t(t / (2 * columns)) / (rows / parts); });
+}
+
+TEST(SeamCreases, HemispheresOfTwoRowsAreACutSphereByAnyWeightsOfTheirNormals) {
+    for (const CornerWeight weight : {CornerWeight::angle, CornerWeight::area, CornerWeight::uniform}) {
+        const std::vector<Shape> halves = smoothed_apart(sphere_in_parts(64, 4, 2), weight);
+        const Joined joined = join(halves);
+        EXPECT_EQ(joined.report.crease_pairs, 0u);
+        std::size_t border = 0;
+        for (const Shape& half : applied(halves, joined))
+            for (std::size_t v = 0; v < half.positions.size(); ++v) {
+                if (std::fabs(half.positions[v].y) > 1e-6f) continue;
+                ++border;
+                EXPECT_LT(degrees_between(half.normals[v], half.positions[v]), 0.1);
+            }
+        EXPECT_EQ(border, 2u * 65);
+    }
+}
+
+TEST(SeamCreases, RingsOfOneRowAreACutSphere) {
+    for (const std::uint32_t columns : {24u, 64u}) {
+        const std::vector<Shape> rings = smoothed_apart(sphere_in_parts(columns, 16, 16));
+        const Joined joined = join(rings);
+        EXPECT_EQ(joined.report.crease_pairs, 0u);
+        for (const Shape& ring : applied(rings, joined))
+            for (std::size_t v = 0; v < ring.positions.size(); ++v) {
+                // Around the poles, the angles of the corners are far from equal.
+                if (std::fabs(ring.positions[v].y) < 0.7f) {
+                    EXPECT_LT(degrees_between(ring.normals[v], ring.positions[v]), 1);
+                }
+            }
+    }
+}
+
+TEST(SeamCreases, AChamferBetweenACylinderAndItsLidStaysThoughAllItsCornersAreAtBorders) {
+    const double half = std::sqrt(0.5);
+    const std::array<dvec2, 2> out{{{1, 0}, {1, 0}}}, slope{{{half, half}, {half, half}}}, up{{{0, 1}, {0, 1}}};
+    std::vector<Shape> parts = {
+        revolved(std::array<dvec2, 2>{{{0, 0}, {1, 0}}}, 24, std::array<dvec2, 2>{{{0, -1}, {0, -1}}}),
+        revolved(std::array<dvec2, 2>{{{1, 0}, {1, 1}}}, 24, out),
+        revolved(std::array<dvec2, 2>{{{1, 1}, {0.8, 1.2}}}, 24, slope),
+        revolved(std::array<dvec2, 2>{{{0.8, 1.2}, {0, 1.2}}}, 24, up)};
+    for (std::uint32_t m = 0; m < 4; ++m) parts[m].object = m;
+    const Joined joined = join(parts);
+    EXPECT_EQ(joined.report.turned, 0u);
+    EXPECT_EQ(joined.report.crease_pairs, 48u) << "both rims of the chamfer";
+}
+
+TEST(SeamCreases, ACreaseOfMirroredMeshesStaysToo) {
+    std::vector<Shape> parts = rim(30, 12);
+    for (const bool mirrored : {false, true}) {
+        for (Shape& s : parts) s.to_world = translation(dvec3{1, 2, 3}) * scaling(dvec3{mirrored ? -1.0 : 1.0, 1, 1});
+        const Joined joined = join(parts);
+        EXPECT_EQ(joined.report.turned, 0u);
+        EXPECT_EQ(joined.report.crease_pairs, 12u);
+    }
+}
+
+/// Triangles around an apex, each a mesh with the normal of its face.
+std::vector<Shape> petals(std::uint32_t count) {
+    std::vector<Shape> all;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const auto at = [&](std::uint32_t k) {
+            const double a = 2 * pi * (k % count) / count;
+            return cast<float>(dvec3{std::cos(a), -0.5, -std::sin(a)});
+        };
+        Shape s;
+        s.object = i;
+        s.positions = {{0, 0, 0}, at(i), at(i + 1)};
+        s.indices = {0, 1, 2};
+        s.normals.assign(3, cast<float>(normalize_or(edge_product(s, 0), dvec3{})));
+        all.push_back(s);
+    }
+    return all;
+}
+
+TEST(SeamCreases, FlatPartsThatFollowOneAfterTheOtherAreJoinedInOneCall) {
+    // One petal is not flat at the apex: its neighbors join it and are flat no more, and so on all around.
+    constexpr std::uint32_t count = 40;
+    std::vector<Shape> before = petals(count);
+    EXPECT_EQ(join(before).report.turned, 0u);
+    before[0].normals[0] = {0, 1, 0};
+    dvec3 wanted{0, 1, 0};
+    for (std::uint32_t i = 1; 2 * i <= count; ++i) {  // one more on either side; all angles are equal
+        dvec3 sum = wanted * (2.0 * i - 1) + cast<double>(before[i].normals[0]);
+        if (2 * i < count) sum += cast<double>(before[count - i].normals[0]);
+        wanted = normalize_or(sum, dvec3{});
+    }
+    const std::vector<Shape> after = applied(before, join(before));
+    for (const Shape& s : after) EXPECT_LT(degrees_between(cast<double>(s.normals[0]), wanted), 1e-4);
+    EXPECT_EQ(join(after).report.turned, 0u) << "a second call changes nothing";
 }
 
 }  // namespace

@@ -153,8 +153,7 @@ TEST(MotionSeams, JoinedSeamsOfTheFilesNormalsStayClosedInEveryFrame) {
         const Scene posed = finish_scene(bound, at(rig, frame / 12.0).pose, joined, context);
         const Seams seams = seams_of(posed, twins);
         EXPECT_EQ(seams.open, 0u) << "frame " << frame;
-        // At one place the normals of both sides lean so little from their faces that it counts as an authored crease.
-        EXPECT_LE(seams.seams, 1u) << "frame " << frame << " of " << seams.places;
+        EXPECT_EQ(seams.seams, 0u) << "frame " << frame << " of " << seams.places;
     }
 }
 
