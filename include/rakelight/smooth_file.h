@@ -56,6 +56,8 @@ struct SmoothedFile {
     std::string file{}, output{};    ///< as they were named
     bool changed = false;            ///< false: normals and tangents were already right; the file was copied unchanged
     std::uint32_t meshes_added = 0;  ///< glTF: number of copies for instances that need their own normals
+    /// Where authored normals were kept: number of vertices that had no normal, a zero or a non-finite one, and got one.
+    std::uint64_t missing_made = 0;
     std::vector<SmoothedMesh> meshes{};
     std::optional<SeamReport> seams{};     ///< if authored normals were kept
     std::optional<MatchReport> borders{};  ///< if there was a border distance

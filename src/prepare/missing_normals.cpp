@@ -2,6 +2,7 @@
 #include "prepare/missing_normals.h"
 
 #include <algorithm>
+#include <set>
 
 #include "geometry/face_vote.h"
 #include "math/linear.h"
@@ -30,6 +31,18 @@ NormalGaps normal_gaps(std::span<const vec3> normals, std::span<const std::uint3
 }
 
 NormalGaps normal_gaps(const Mesh& mesh) { return normal_gaps(mesh.normals, mesh.indices); }
+
+std::uint64_t count_missing_normals(const Scene& scene) {
+    std::set<std::uint32_t> drawn;
+    for (const Instance& instance : drawn_instances(scene)) drawn.insert(instance.mesh);
+    std::uint64_t count = 0;
+    for (const std::uint32_t m : drawn) {
+        const Mesh& mesh = scene.meshes[m];
+        count += mesh.normals.empty() ? normal_gaps(std::vector<vec3>(mesh.positions.size()), mesh.indices).count
+                                      : normal_gaps(mesh).count;
+    }
+    return count;
+}
 
 bool lacks_normals(const Mesh& mesh) { return mesh.normals.empty() || normal_gaps(mesh).count > 0; }
 

@@ -25,6 +25,9 @@ struct NormalGaps {
 NormalGaps normal_gaps(std::span<const vec3> normals, std::span<const std::uint32_t> indices);
 NormalGaps normal_gaps(const Mesh& mesh);
 
+/// Vertices that triangles use and that have no normal, over all drawn triangle meshes.
+std::uint64_t count_missing_normals(const Scene& scene);
+
 /// Whether the mesh has no normals, or gaps in them.
 bool lacks_normals(const Mesh& mesh);
 

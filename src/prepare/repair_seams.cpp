@@ -52,13 +52,14 @@ Scene repair_seams(const Scene& scene, const SeamOptions& options, Context& cont
     return out;
 }
 
-std::string describe(const SeamReport& seams) {
+std::string describe(const SeamReport& seams, std::uint64_t missing_made) {
     char text[200];
     std::string out = format_text("{} of {} authored normals turn", seams.turned, seams.normals);
     if (seams.turned > 0) {
         std::snprintf(text, sizeof text, " (at most %.3g degrees, %.3g on average)", seams.max_deg, seams.mean_deg);
         out += text;
     }
+    if (missing_made > 0) out += format_text(", {} missing normals made", missing_made);
     if (seams.flat_pairs > 0)
         out += format_text(", {} pairs of flat faces at borders keep their edge", seams.flat_pairs);
     if (seams.crease_pairs > 0)

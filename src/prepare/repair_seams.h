@@ -22,6 +22,7 @@ Scene join_seams(Scene scene, const SeamRequest& request, SeamReport& seams, Con
 
 /// Readable text: "12 of 340 authored normals turn (at most 8.5 degrees, 2.1 on average)", and how many flat pairs
 /// stay.
-std::string describe(const SeamReport& seams);
+/// @param missing_made  normals that were made beside
+std::string describe(const SeamReport& seams, std::uint64_t missing_made = 0);
 
 }  // namespace rakelight

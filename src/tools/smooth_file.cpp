@@ -92,14 +92,14 @@ std::vector<SmoothedFile> smooth_files(std::span<const FileToSmooth> files, cons
     context.progress("smooth", 0);
     const std::optional<MergedScene> joined = models.size() > 1 ? std::optional(merged(models, context)) : std::nullopt;
     const Scene& whole = joined ? joined->scene : models[0].before;
-    const auto [after, seams, borders] = smooth_for_file(whole, smoothing, context);
+    const auto [after, seams, missing_made, borders] = smooth_for_file(whole, smoothing, context);
     std::vector<SmoothedFile> results;
     io::HeldOutputs outputs;
     for (std::size_t i = 0; i < models.size(); ++i) {
         const ModelRewrite& model = models[i];
         SmoothedFile& result = results.emplace_back();
         result.file = model.input, result.output = model.output;
-        result.seams = seams, result.borders = borders;
+        result.seams = seams, result.borders = borders, result.missing_made = missing_made;
         std::optional<Scene> part;
         const MemoryCharge charge(context.memory(), joined ? table_bytes(model.before) : 0, "the smoothed scene");
         if (joined) part = part_of(after, model.before, joined->offsets[i], whole.meshes.size());

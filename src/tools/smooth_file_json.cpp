@@ -71,6 +71,7 @@ std::string to_json(std::span<const SmoothedFileRow> rows) {
             row["changed"] = r.result->changed;
             row["vertices_split"] = split_of(*r.result);
             row["meshes_added"] = r.result->meshes_added;
+            row["missing_made"] = r.result->missing_made;
             Json meshes = Json::array();
             for (const SmoothedMesh& m : r.result->meshes) meshes.push_back(json_of(m));
             row["meshes"] = std::move(meshes);
@@ -86,7 +87,7 @@ std::string to_json(std::span<const SmoothedFileRow> rows) {
 
 std::string summary(const SmoothedFile& result) {
     using Change = SmoothedMesh::Change;
-    const std::string seams = result.seams ? describe(*result.seams) : "";
+    const std::string seams = result.seams ? describe(*result.seams, result.missing_made) : "";
     const std::string borders = result.borders ? ", " + describe(*result.borders) : "";
     if (!result.changed)
         return result.output + ": nothing to change, " +

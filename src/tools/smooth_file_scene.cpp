@@ -83,6 +83,7 @@ Scene without_tangents(Scene scene) {
 /// What authors made stays, but at borders.
 SmoothedScene repaired(const Scene& scene, const SmoothFileOptions& options, Context& context) {
     SmoothedScene out{with_new_normals(scene, options, true, context), SeamReport{}};
+    out.missing_made = count_missing_normals(scene);
     if (options.tangents == TangentChoice::never) out.scene = without_tangents(std::move(out.scene));
     const AttributeOptions& a = options.attributes;
     const SeamRequest request{{a.crease_angle_rad, a.weld_distance}, {}, options.keep_instances};

@@ -8,6 +8,7 @@ namespace rakelight {
 struct SmoothedScene {
     Scene scene;
     std::optional<SeamReport> seams{};     ///< where authored normals were kept
+    std::uint64_t missing_made = 0;        ///< SmoothedFile::missing_made
     std::optional<MatchReport> borders{};  ///< where there was a border distance
 };
 

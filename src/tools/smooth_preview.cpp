@@ -148,8 +148,13 @@ SmoothedFile preview_smooth(const std::string& input, const PreviewPlace& place,
                             const ViewRequest& view, const RenderSettings& settings, Context& context) {
     const Scene before = load(input, options.load, context);
     const SmoothedScene after = smooth_for_file(before, options, context);
-    SmoothedFile result{.file = input, .output = place.page, .seams = after.seams, .borders = after.borders};
-    result.changed = !after.seams || after.seams->turned > 0 || (after.borders && after.borders->turned > 0);
+    SmoothedFile result{.file = input,
+                        .output = place.page,
+                        .missing_made = after.missing_made,
+                        .seams = after.seams,
+                        .borders = after.borders};
+    result.changed =
+        !after.seams || after.seams->turned + after.missing_made > 0 || (after.borders && after.borders->turned > 0);
     const InspectOptions look = inspect_options(options);
     const Inspection a = inspect(before, look, context), b = inspect(after.scene, look, context);
     const Frame seams_before = draw_seams(before, a, look, view, settings, context),
@@ -157,7 +162,7 @@ SmoothedFile preview_smooth(const std::string& input, const PreviewPlace& place,
     if (!place.picture_before.empty()) save(seams_before, place.picture_before);
     if (!place.picture_after.empty()) save(seams_after, place.picture_after);
     const std::string name = std::filesystem::path(input).filename().string();
-    const std::string what = (after.seams ? describe(*after.seams) : "all normals are recomputed") +
+    const std::string what = (after.seams ? describe(*after.seams, after.missing_made) : "all normals are recomputed") +
                              (after.borders ? "; " + describe(*after.borders) : "");
     write_text(place.page, page_of(name, what,
                                    "<div class=\"pair\">\n" + figure_html("before", seams_before) +

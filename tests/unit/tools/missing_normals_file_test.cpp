@@ -86,7 +86,10 @@ TEST_F(MissingNormalsFile, BordersGetTheAuthorsNormals) {
     for (std::size_t v = 0; v < left.normals.size(); ++v) EXPECT_EQ(left.normals[v], before.meshes[0].normals[v]);
     for (std::size_t v = 0; v < 8; ++v) EXPECT_LT(degrees_from_exact(right, v), 1e-3) << v;  // the open end leans
     SmoothFileOptions again;
-    EXPECT_FALSE(smooth_file(result.output, (folder_.path() / "again.glb").string(), again, context_).changed);
+    EXPECT_EQ(result.missing_made, 10u);
+    const SmoothedFile second = smooth_file(result.output, (folder_.path() / "again.glb").string(), again, context_);
+    EXPECT_FALSE(second.changed);
+    EXPECT_EQ(second.missing_made, 0u);
 }
 
 TEST_F(MissingNormalsFile, ZerosAreMadeSaidAndAFault) {
@@ -116,6 +119,8 @@ TEST_F(MissingNormalsFile, ZerosAreMadeSaidAndAFault) {
     const SmoothedFile all = smoothed(written(scene));
     EXPECT_EQ(all.meshes[1].normals, SmoothedMesh::Change::made);
     EXPECT_EQ(all.seams->unusable, 0u);
+    EXPECT_EQ(all.missing_made, 10u);
+    EXPECT_NE(summary(all).find(", 10 missing normals made"), std::string::npos) << summary(all);
     EXPECT_TRUE(is_said(context_, Remark::warning, "all zero or not finite"));
     Scene after = out();
     EXPECT_EQ(inspect(after, {}, context_).seams.missing_normals, 0u);
@@ -126,7 +131,11 @@ TEST_F(MissingNormalsFile, ZerosAreMadeSaidAndAFault) {
     normals[4] = normals[5] = {};
     scene.meshes[1].normals = normals;
     EXPECT_EQ(check_limits(inspect(scene, {}, context_), {}).size(), 1u);
-    EXPECT_TRUE(smoothed(written(scene)).changed);
+    const SmoothedFile some = smoothed(written(scene));
+    EXPECT_TRUE(some.changed);
+    EXPECT_EQ(some.missing_made, 2u);
+    EXPECT_NE(summary(some).find("0 of 20 authored normals turn, 2 missing normals made"), std::string::npos)
+        << summary(some);
     after = out();
     for (std::size_t v = 0; v < 10; ++v) {
         EXPECT_LT(degrees_from_exact(after.meshes[1], v), 1e-3);

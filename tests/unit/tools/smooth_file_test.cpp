@@ -347,7 +347,8 @@ TEST(SmoothFile, FormatsWithoutAWayBetweenThemAreAUsageError) {
 
 TEST(SmoothFile, JsonSaysWhatHappenedToEachMesh) {
     SmoothedFileRow row{.file = "in.glb"};
-    row.result = SmoothedFile{.file = "in.glb", .output = "out.glb", .changed = true, .meshes_added = 1};
+    row.result =
+        SmoothedFile{.file = "in.glb", .output = "out.glb", .changed = true, .meshes_added = 1, .missing_made = 7};
     row.result->meshes.push_back({.name = "body",
                                   .mesh = 2,
                                   .primitive = 0,
@@ -360,6 +361,7 @@ TEST(SmoothFile, JsonSaysWhatHappenedToEachMesh) {
     const Json& got = json["rows"][0];
     EXPECT_EQ(got["vertices_split"], 3);
     EXPECT_EQ(got["meshes_added"], 1);
+    EXPECT_EQ(got["missing_made"], 7);
     EXPECT_EQ(got["meshes"][0]["normals"], "replaced");
     EXPECT_EQ(got["meshes"][0]["tangents"], "removed");
     EXPECT_EQ(got["meshes"][0]["mesh"], 2);
