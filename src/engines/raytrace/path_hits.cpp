@@ -117,6 +117,7 @@ void go_on(const PathPicture& picture, const StepView& hit, int depth, std::size
         next.numbers[std::size_t(ray_o) + c] = origin[c], next.numbers[std::size_t(ray_d) + c] = direction[c];
     next.pixel = s.wave.pixel_of(ray), next.weight = own;
     if (!s.wave.is_primary()) next.media = s.wave.media[ray];
+    if (!s.marks.empty()) next.marks_from = s.marks[ray].on_surface;
     const std::uint32_t draw = s.meetings[ray].draw;
     if (is_through && picture.trace.list.view(draw).is_body != 0) {
         if (hit.number(out_side) > 0)
@@ -168,8 +169,7 @@ bool take_hit(const PathPicture& picture, const StepView& hit, int depth, std::s
     return false;
 }
 
-void go_behind(std::size_t ray, PathScratch& s) {
-    s.from[ray] = s.meetings[ray].t * step_behind;
+void go_on_straight(std::size_t ray, PathScratch& s) {
     ++s.states[ray].met;
     s.live.push_back(std::int32_t(ray));
 }
@@ -185,7 +185,8 @@ void take_hits(const PathPicture& picture, int depth, std::uint32_t draw, std::u
         const float chance = unit_float(numbers[3]), alpha = is_blended ? s.alpha[i] : 1.0f;
         const bool is_there = chance < alpha;
         const StepView hit{s.path_out.data(), room, i};
-        if (!is_there || take_hit(picture, hit, depth, ray, chance / std::min(alpha, 1.0f), s)) go_behind(ray, s);
+        s.from[ray] = s.meetings[ray].t * step_behind;
+        if (!is_there || take_hit(picture, hit, depth, ray, chance / std::min(alpha, 1.0f), s)) go_on_straight(ray, s);
     }
 }
 
@@ -198,7 +199,7 @@ void take_marks(const PathPicture& picture, int depth, std::uint32_t sample, std
         const vec4 color = picture.trace.mark_color(s.meetings[ray]);
         const auto numbers = s.numbers[s.wave.pixel_of(ray)].of(sample, group_of(s.states[ray].met, group_emitter));
         if (unit_float(numbers[3]) >= color.w) {
-            go_behind(ray, s);
+            go_on_straight(ray, s);
             continue;
         }
         PathSample& to = s.brought[s.wave.pixel_of(ray)];

@@ -96,9 +96,9 @@ void ask_emitters(const PathPicture& picture, int depth, const Context& context,
 }
 
 /// What surfaces send on becomes the wave.
-void take_next(PathScratch& s) {
+void take_next(const PathPicture& picture, PathScratch& s) {
     set_wave(s.next, s.wave);
-    s.from.assign(s.wave.count, 0.0f);
+    begin_rays(picture.trace, 0, s);
     s.states.swap(s.next_states);
 }
 
@@ -107,7 +107,7 @@ void follow_sample(const PathPicture& picture, const Window& area, std::uint32_t
     make_path_rays(picture.trace, area, sample, s);
     const std::size_t count = s.wave.count;
     s.counts.rays.primary += count;
-    s.from.assign(count, float(picture.trace.view.z_near));
+    begin_rays(picture.trace, float(picture.trace.view.z_near), s);
     s.states.assign(count, PathState{});
     s.brought.assign(count, PathSample{});
     for (int depth = 0; s.wave.count > 0 && !context.cancelled(); ++depth) {
@@ -116,7 +116,7 @@ void follow_sample(const PathPicture& picture, const Window& area, std::uint32_t
         walk_wave(picture, depth, sample, context, s);
         lay_behind(picture, depth, s);
         ask_emitters(picture, depth, context, s);
-        take_next(s);
+        take_next(picture, s);
     }
 }
 

@@ -54,7 +54,7 @@ struct Near {
 struct RayLines::Ray {
     RTCIntersectContext embree;  // first: Embree hands a pointer to it
     const RayLines* lines;
-    bool is_primary, with_blended;
+    const MarkQuery& query;
 
     static void meet(const RTCIntersectFunctionNArguments* args);
     std::optional<Near> on_screen(const Segment& s, dvec3 origin, dvec3 along) const;
@@ -101,18 +101,20 @@ void RayLines::Ray::meet(const RTCIntersectFunctionNArguments* args) {
     const Ray& asked = *reinterpret_cast<const Ray*>(args->context);
     auto& both = *reinterpret_cast<RTCRayHit*>(args->rayhit);
     const Bundle& bundle = asked.lines->bundles_[args->geomID];
-    if (!asked.with_blended && bundle.opacity < 1) return;
+    const MarkQuery& query = asked.query;
+    if ((!query.with_blended && bundle.opacity < 1) || (bundle.run != no_index && bundle.run == query.left_out)) return;
     const Segment& segment = bundle.segments[args->primID];
     const dvec3 origin{both.ray.org_x, both.ray.org_y, both.ray.org_z},
         along{both.ray.dir_x, both.ray.dir_y, both.ray.dir_z};
     const std::optional<Near> near =
-        asked.is_primary ? asked.on_screen(segment, origin, along) : in_space(segment, origin, along);
-    if (!near || !(near->t > double(both.ray.tnear))) return;
-    const auto t = float(near->t);
-    const bool is_first = both.hit.geomID == RTC_INVALID_GEOMETRY_ID ||
-                          std::pair(args->geomID, args->primID) < std::pair(both.hit.geomID, both.hit.primID);
-    if (t > both.ray.tfar || (t == both.ray.tfar && !is_first)) return;
-    both.ray.tfar = t;
+        query.is_primary ? asked.on_screen(segment, origin, along) : in_space(segment, origin, along);
+    if (!near || !(near->t > double(query.from))) return;
+    const MarkPlace here{float(near->t), bundle.mark, args->primID};
+    if (here.depth > both.ray.tfar || !query.is_before(query.after, here)) return;
+    if (both.hit.geomID != RTC_INVALID_GEOMETRY_ID &&
+        !query.is_before(here, {both.ray.tfar, asked.lines->bundles_[both.hit.geomID].mark, both.hit.primID}))
+        return;
+    both.ray.tfar = here.depth;
     both.hit.u = float(near->part), both.hit.v = 0;
     both.hit.Ng_x = -both.ray.dir_x, both.hit.Ng_y = -both.ray.dir_y, both.hit.Ng_z = -both.ray.dir_z;
     both.hit.geomID = args->geomID, both.hit.primID = args->primID;
@@ -141,7 +143,7 @@ RayLines::~RayLines() {
 }
 
 void RayLines::add(std::uint32_t mark, const MarkedDraw& marked, const shading::PictureCamera& view, Context& context) {
-    Bundle bundle{std::vector<Segment>(marked.count()), mark, marked.color.w};
+    Bundle bundle{std::vector<Segment>(marked.count()), mark, marked.run, marked.color.w};
     const dmat4 to_eye = view.world_to_eye * marked.draw->to_world;
     constexpr std::size_t per_task = 1 << 14;
     context.parallel_for((bundle.segments.size() + per_task - 1) / per_task, [&](std::size_t task) {
@@ -170,16 +172,17 @@ void RayLines::build(Context& context) {
     rays_.commit(scene_, context);
 }
 
-RayLines::Meeting RayLines::first(vec3 origin, vec3 direction, float from, float to, bool is_primary,
-                                  bool with_blended) const {
-    if (!is_in_reach(origin) || !is_in_reach(direction) || !(from >= 0)) return {};
-    Ray ray{{}, this, is_primary, with_blended};
+MarkMeeting RayLines::first(const MarkQuery& query) const {
+    if (is_empty() || !is_in_reach(query.origin) || !is_in_reach(query.direction) || !(query.from >= 0)) return {};
+    Ray ray{{}, this, query};
     rtcInitIntersectContext(&ray.embree);
-    RTCRayHit meeting{ray_of(origin, direction, from, to), {}};
+    const float from = std::max(query.from, query.after.depth);
+    RTCRayHit meeting{ray_of(query.origin, query.direction, from, query.to), {}};
     meeting.hit.geomID = meeting.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     embree().Intersect1(scene_, &ray.embree, &meeting);
     if (meeting.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-    return {bundles_[meeting.hit.geomID].mark, meeting.hit.primID, meeting.ray.tfar, meeting.hit.u};
+    const float t = meeting.ray.tfar;
+    return {{t, bundles_[meeting.hit.geomID].mark, meeting.hit.primID}, t, meeting.hit.u};
 }
 
 }  // namespace rakelight::raytrace

@@ -19,11 +19,6 @@ public:
         vec3 a, b;
         float radius_a, radius_b;
     };
-    struct Meeting {
-        std::uint32_t mark = no_index;  ///< into the marks; no_index: none
-        std::uint32_t line = 0;
-        float t = 0, part = 0;  ///< along the ray; along the line
-    };
 
     /// @param rays, marks  must outlive this
     /// @throws Error bad_file: over the memory budget; failed: cancelled
@@ -36,16 +31,13 @@ public:
     bool is_empty() const { return !scene_; }
     /// Opacity of lines thinner than a pixel, which are hit as if they were one wide.
     float coverage() const { return coverage_; }
-    /// The nearest line, of equal ones the first.
-    /// @param origin      about the eye
-    /// @param is_primary  lines are strips of the picture; else round bodies in space
-    /// @param with_blended  false: only opaque ones
-    Meeting first(vec3 origin, vec3 direction, float from, float to, bool is_primary, bool with_blended) const;
+    /// The nearest line: a strip of the picture to primary rays, to others a round body in space.
+    MarkMeeting first(const MarkQuery& query) const;
 
 private:
     struct Bundle {
         std::vector<Segment> segments;
-        std::uint32_t mark;
+        std::uint32_t mark, run;
         float opacity;
     };
     struct Ray;

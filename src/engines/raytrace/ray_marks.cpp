@@ -35,6 +35,7 @@ void for_each_seen(const shading::DrawList& list, const shading::Draw& draw, con
 std::vector<std::uint32_t> edges_of(const shading::DrawList& list, const shading::Draw& draw,
                                     const shading::PictureCamera& view, const RenderSettings& settings) {
     std::vector<std::uint64_t> edges;
+    edges.reserve(list.scene.meshes[draw.mesh].indices.size());
     for_each_seen(list, draw, view, settings, [&](const std::uint32_t* index) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto [a, b] = std::minmax(index[k], index[(k + 1) % 3]);
@@ -44,6 +45,7 @@ std::vector<std::uint32_t> edges_of(const shading::DrawList& list, const shading
     std::ranges::sort(edges);
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     std::vector<std::uint32_t> ends;
+    ends.reserve(2 * edges.size());
     for (const std::uint64_t edge : edges)
         ends.push_back(std::uint32_t(edge >> 32)), ends.push_back(std::uint32_t(edge));
     return ends;
@@ -52,6 +54,7 @@ std::vector<std::uint32_t> edges_of(const shading::DrawList& list, const shading
 std::vector<std::uint32_t> vertices_of(const shading::DrawList& list, const shading::Draw& draw,
                                        const shading::PictureCamera& view, const RenderSettings& settings) {
     std::vector<std::uint32_t> vertices;
+    vertices.reserve(list.scene.meshes[draw.mesh].indices.size());
     for_each_seen(list, draw, view, settings,
                   [&](const std::uint32_t* index) { vertices.insert(vertices.end(), index, index + 3); });
     std::ranges::sort(vertices);
@@ -62,6 +65,30 @@ std::vector<std::uint32_t> vertices_of(const shading::DrawList& list, const shad
 MarkedDraw marked(const shading::DrawList& list, const shading::Draw& draw, bool is_line) {
     const Mesh& mesh = list.scene.meshes[draw.mesh];
     return {&draw, &mesh, is_line, shading::mark_color(list.materials[draw.material]), !mesh.colors.empty(), {}, {}};
+}
+
+/// Edges are found as numbers of 8 bytes, up to three a triangle, and their ends kept as two of 4 bytes.
+constexpr std::uint64_t bytes_per_corner_of_edges = 8 + 2 * 4, bytes_per_corner_of_vertices = 4;
+
+void find_vertices(MarkedDraw& m, const shading::DrawList& list, const shading::PictureCamera& view,
+                   const RenderSettings& settings, Context& context) {
+    const std::uint64_t corners = m.mesh->indices.size();
+    m.charge = MemoryCharge(context.memory(),
+                            corners * (m.is_line ? bytes_per_corner_of_edges : bytes_per_corner_of_vertices), "rays");
+    m.vertices = m.is_line ? edges_of(list, *m.draw, view, settings) : vertices_of(list, *m.draw, view, settings);
+    m.charge.shrink(m.charge.bytes() - m.vertices.capacity() * sizeof(std::uint32_t));
+}
+
+/// Marks of one color that follow each other in the scene are a run, as in raster/marks. Lines thinner than a pixel cover less than
+/// points do.
+void number_runs(std::vector<MarkedDraw>& marks, float line_width) {
+    std::uint32_t runs = 0;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        if (marks[i].has_vertex_colors) continue;
+        const bool goes_on = i > 0 && !marks[i - 1].has_vertex_colors && marks[i - 1].color == marks[i].color &&
+                             (marks[i - 1].is_line == marks[i].is_line || line_width >= 1);
+        marks[i].run = goes_on ? marks[i - 1].run : runs++;
+    }
 }
 
 }  // namespace
@@ -90,10 +117,10 @@ std::vector<MarkedDraw> marked_draws(const shading::DrawList& list, const shadin
             context.throw_if_cancelled();
             MarkedDraw m = marked(list, list.draws[d], is_line);
             if (one.w > 0) m.color = one, m.has_vertex_colors = false;
-            m.charge = MemoryCharge(context.memory(), m.mesh->indices.size() * sizeof(std::uint64_t), "rays");
-            m.vertices = is_line ? edges_of(list, *m.draw, view, settings) : vertices_of(list, *m.draw, view, settings);
+            find_vertices(m, list, view, settings, context);
             if (!m.vertices.empty()) marks.push_back(std::move(m));
         }
+    number_runs(marks, settings.line_width);
     return marks;
 }
 

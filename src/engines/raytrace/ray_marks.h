@@ -3,6 +3,8 @@
 // them. They are not lit, and cast no shadows. raster/marks/marks.cpp has the same choices for the engine soft.
 #pragma once
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include <rakelight/context.h>
@@ -11,6 +13,37 @@
 #include "shading/picture_camera.h"
 
 namespace rakelight::raytrace {
+
+/// Where a line or point is on a ray.
+struct MarkPlace {
+    float depth = std::numeric_limits<float>::lowest();  ///< along the ray; of a point where its paraboloid is
+    std::uint32_t mark = no_index;                       ///< into the marks; no_index: none
+    std::uint32_t number = 0;                            ///< of the line or point
+};
+
+/// Where a ray meets a line or point.
+struct MarkMeeting : MarkPlace {
+    float t = 0;     ///< along the ray
+    float part = 0;  ///< of a line, from its first end to its second
+};
+
+/// What is asked for: the first line or point of those at `from` < t, up to `to`.
+struct MarkQuery {
+    vec3 origin, direction;  ///< the origin is about the eye
+    float from = 0, to = 0;
+    MarkPlace after;                    ///< only what comes behind it on the ray
+    std::uint32_t left_out = no_index;  ///< this MarkedDraw::run
+    bool is_primary = false;            ///< lines are strips of the picture and points discs across the view axis
+    bool with_blended = true;           ///< false: only opaque ones
+
+    /// The order on the ray. Of two at the same depth the later one of the scene lies over the other, as in soft; data channels
+    /// hold the first.
+    bool is_before(const MarkPlace& a, const MarkPlace& b) const {
+        if (a.depth != b.depth) return a.depth < b.depth;
+        const bool is_first = std::pair(a.mark, a.number) < std::pair(b.mark, b.number);
+        return with_blended ? std::pair(b.mark, b.number) < std::pair(a.mark, a.number) : is_first;
+    }
+};
 
 /// The lines or the points of a draw.
 struct MarkedDraw {
@@ -21,6 +54,9 @@ struct MarkedDraw {
     bool has_vertex_colors = false;       ///< which multiply RGB
     std::vector<std::uint32_t> vertices;  ///< of edges and vertices; empty: the mesh's indices
     MemoryCharge charge;                  ///< pays for them
+    /// Marks of one run that follow each other on a ray are laid once, so that joints are no darker than the rest; no_index: it is
+    /// in none, since its vertices have colors.
+    std::uint32_t run = no_index;
 
     std::size_t count() const {
         return (vertices.empty() ? mesh->indices.size() : vertices.size()) / (is_line ? 2 : 1);

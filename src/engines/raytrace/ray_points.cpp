@@ -28,8 +28,7 @@ struct RayPoints::Ray {
     RTCIntersectContext embree;  // first: Embree hands a pointer to it
     const RayPoints* points;
     dvec3 across;  ///< unit: discs stand across it
-    float to;
-    bool with_blended;
+    const MarkQuery& query;
 
     static void meet(const RTCIntersectFunctionNArguments* args);
 };
@@ -40,24 +39,26 @@ void RayPoints::Ray::meet(const RTCIntersectFunctionNArguments* args) {
     const Ray& asked = *reinterpret_cast<const Ray*>(args->context);
     auto& both = *reinterpret_cast<RTCRayHit*>(args->rayhit);
     const Cloud& cloud = asked.points->clouds_[args->geomID];
-    if (!asked.with_blended && cloud.opacity < 1) return;
+    const MarkQuery& query = asked.query;
+    if ((!query.with_blended && cloud.opacity < 1) || (cloud.run != no_index && cloud.run == query.left_out)) return;
     const Disc& disc = cloud.discs[args->primID];
     const dvec3 origin{both.ray.org_x, both.ray.org_y, both.ray.org_z},
         along{both.ray.dir_x, both.ray.dir_y, both.ray.dir_z};
     const dvec3 place = cast<double>(disc.place);
     const double radius = double(disc.radius), forward = dot(along, asked.across);
     const double t = dot(place - origin, asked.across) / forward;
-    if (!(forward > 0 && t > double(both.ray.tnear) && t < double(asked.to))) return;
+    if (!(forward > 0 && t > double(query.from) && t < double(query.to))) return;
     const dvec3 beside = origin + along * t - place;
     const double square = dot(beside, beside);
     const double farthest =
         std::max(std::fabs(dot(beside, asked.points->right_)), std::fabs(dot(beside, asked.points->up_)));
     if (!(asked.points->are_squares_ ? farthest <= radius : square <= radius * radius)) return;
-    const auto order = float(t + square / (radius * forward));
-    const bool is_first = both.hit.geomID == RTC_INVALID_GEOMETRY_ID ||
-                          std::pair(args->geomID, args->primID) < std::pair(both.hit.geomID, both.hit.primID);
-    if (order > both.ray.tfar || (order == both.ray.tfar && !is_first)) return;
-    both.ray.tfar = order;
+    const MarkPlace here{float(t + square / (radius * forward)), cloud.mark, args->primID};
+    if (here.depth > both.ray.tfar || !query.is_before(query.after, here)) return;
+    if (both.hit.geomID != RTC_INVALID_GEOMETRY_ID &&
+        !query.is_before(here, {both.ray.tfar, asked.points->clouds_[both.hit.geomID].mark, both.hit.primID}))
+        return;
+    both.ray.tfar = here.depth;
     both.hit.u = float(t), both.hit.v = 0;
     both.hit.Ng_x = -both.ray.dir_x, both.hit.Ng_y = -both.ray.dir_y, both.hit.Ng_z = -both.ray.dir_z;
     both.hit.geomID = args->geomID, both.hit.primID = args->primID;
@@ -87,7 +88,7 @@ RayPoints::~RayPoints() {
 
 void RayPoints::add(std::uint32_t mark, const MarkedDraw& marked, const shading::PictureCamera& view, float size_px,
                     Context& context) {
-    Cloud cloud{std::vector<Disc>(marked.count()), mark, marked.color.w};
+    Cloud cloud{std::vector<Disc>(marked.count()), mark, marked.run, marked.color.w};
     const dmat4 to_eye = view.world_to_eye * marked.draw->to_world;
     const double half_px = double(size_px) / (view.scale_y * view.height);  // [m] at 1 m
     constexpr std::size_t per_task = 1 << 14;
@@ -100,6 +101,7 @@ void RayPoints::add(std::uint32_t mark, const MarkedDraw& marked, const shading:
             if (!is_in_reach(disc.place) || !is_in_reach({disc.radius, 0, 0})) disc = {{}, 0};
         }
     });
+    for (const Disc& disc : cloud.discs) widest_ = std::max(widest_, disc.radius);
     clouds_.push_back(std::move(cloud));
 }
 
@@ -112,17 +114,19 @@ void RayPoints::build(Context& context) {
     rays_.commit(scene_, context);
 }
 
-RayPoints::Meeting RayPoints::first(vec3 origin, vec3 direction, float from, float to, bool is_primary,
-                                    bool with_blended) const {
-    if (!is_in_reach(origin) || !is_in_reach(direction) || !(from >= 0)) return {};
-    const dvec3 along = cast<double>(direction);
-    Ray ray{{}, this, is_primary ? ahead_ : along * (1 / length(along)), to, with_blended};
+MarkMeeting RayPoints::first(const MarkQuery& query) const {
+    if (is_empty() || !is_in_reach(query.origin) || !is_in_reach(query.direction) || !(query.from >= 0)) return {};
+    const dvec3 along = cast<double>(query.direction);
+    Ray ray{{}, this, query.is_primary ? ahead_ : along * (1 / length(along)), query};
     rtcInitIntersectContext(&ray.embree);
-    RTCRayHit meeting{ray_of(origin, direction, from, std::numeric_limits<float>::infinity()), {}};
+    // Paraboloids are up to twice the radius behind their points, at the corners of squares.
+    const double least = double(query.after.depth) - 2.001 * double(widest_) / dot(along, ray.across);
+    const float from = std::max(query.from, float(0.999999 * least));
+    RTCRayHit meeting{ray_of(query.origin, query.direction, from, std::numeric_limits<float>::infinity()), {}};
     meeting.hit.geomID = meeting.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     embree().Intersect1(scene_, &ray.embree, &meeting);
     if (meeting.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-    return {clouds_[meeting.hit.geomID].mark, meeting.hit.primID, meeting.hit.u};
+    return {{meeting.ray.tfar, clouds_[meeting.hit.geomID].mark, meeting.hit.primID}, meeting.hit.u, 0};
 }
 
 }  // namespace rakelight::raytrace

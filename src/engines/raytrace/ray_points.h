@@ -19,11 +19,6 @@ public:
         vec3 place;
         float radius;
     };
-    struct Meeting {
-        std::uint32_t mark = no_index;  ///< into the marks; no_index: none
-        std::uint32_t point = 0;
-        float t = 0;  ///< where the ray hits the plane of the disc
-    };
 
     /// @param rays, marks  must outlive this
     /// @throws Error bad_file: over the memory budget; failed: cancelled
@@ -34,17 +29,14 @@ public:
     RayPoints& operator=(const RayPoints&) = delete;
 
     bool is_empty() const { return !scene_; }
-    /// Of the discs whose planes a ray hits between `from` and `to` the one whose paraboloid is nearest, as the other engines have it
-    /// (PointParaboloid of engines/raster/marks/tile_marks.h); of equal ones the first.
-    /// @param origin      about the eye
-    /// @param is_primary  the discs stand across the view axis; else across the ray
-    /// @param with_blended  false: only opaque ones
-    Meeting first(vec3 origin, vec3 direction, float from, float to, bool is_primary, bool with_blended) const;
+    /// Of the discs whose planes a ray hits the one whose paraboloid is nearest, as the other engines have it (PointParaboloid of
+    /// engines/raster/marks/tile_marks.h). They stand across the view axis to primary rays, to others across the ray.
+    MarkMeeting first(const MarkQuery& query) const;
 
 private:
     struct Cloud {
         std::vector<Disc> discs;
-        std::uint32_t mark;
+        std::uint32_t mark, run;
         float opacity;
     };
     struct Ray;
@@ -55,6 +47,7 @@ private:
     const RayScene& rays_;
     dvec3 ahead_, right_, up_;  ///< the camera's axes
     bool are_squares_;
+    float widest_ = 0;  ///< [m] the greatest radius
     std::vector<Cloud> clouds_;
     MemoryCharge charge_;
     RTCScene scene_ = nullptr;

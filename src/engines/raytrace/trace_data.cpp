@@ -85,7 +85,7 @@ std::uint32_t count_surfaces(const TracePicture& picture, std::size_t ray, Meeti
 void find_data(const TracePicture& picture, const Window& area, const Context& context, TileScratch& s) {
     const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
     make_primary(picture, area, {0, 0}, s);
-    s.from.assign(count, float(picture.view.z_near));
+    begin_rays(picture, float(picture.view.z_near), s);
     s.meetings.resize(count);
     for_each_channel(
         [&](std::uint32_t bit, auto& array) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <utility>
 
 #include "cpu_shading/make_material_job.h"
@@ -118,7 +119,8 @@ TracePicture::TracePicture(const cpu_shading::DrawList& of_list, const RayScene&
       points(rays, marks, view, settings, context),
       lines(rays, marks, view, settings.line_width, context),
       is_path(of_settings.method == RayMethod::path),
-      max_depth(of_settings.method == RayMethod::cast ? 0 : of_settings.max_depth) {
+      max_depth(of_settings.method == RayMethod::cast ? 0 : of_settings.max_depth),
+      mark_limits_(view, settings) {
     const dvec3 eye = view.camera_to_world[3].xyz();
     lights = shading::make_lights(list.scene, list.node_to_world, eye);
     eye_ = cast<float>(eye - rays.origin());
@@ -170,27 +172,16 @@ vec4 TracePicture::mark_color(const Meeting& meeting) const {
     return m.is_line ? vec4{color.x, color.y, color.z, color.w * lines.coverage()} : color;
 }
 
-float TracePicture::mark_limit(const Meeting& surface, vec3 origin, vec3 direction, float size) const {
-    if (jobs_[surface.draw].shape.kind != shape_none) return surface.t * step_behind;
+MarkLimit TracePicture::mark_limit(const Meeting& surface, vec3 origin, vec3 direction, bool is_primary) const {
+    const auto alike = [](float limit) { return MarkLimit{limit, limit}; };
+    if (surface.draw == no_index) return alike(is_primary ? float(view.z_far) : std::numeric_limits<float>::infinity());
+    if (jobs_[surface.draw].shape.kind != shape_none) return alike(surface.t * step_behind);
     const Mesh& mesh = list.scene.meshes[list.draws[surface.draw].mesh];
     const std::uint32_t* const index = mesh.indices.data() + 3 * std::size_t(surface.triangle);
-    dvec3 p[3];
+    std::array<dvec3, 3> corners;
     for (std::size_t k = 0; k < 3; ++k)
-        p[k] = transform_point(to_eye_[surface.draw], cast<double>(mesh.positions[index[k]]));
-    const dvec3 n = cross(p[1] - p[0], p[2] - p[0]), d = cast<double>(direction),
-                ahead = -view.camera_to_world[2].xyz();
-    const shading::PixelRays rays_of = shading::pixel_rays(view, 0, 0);
-    const double reach = 0.5 * double(size) + 0.70711, t = double(surface.t);
-    const double turn = std::fabs(dot(n, rays_of.along_x)) + std::fabs(dot(n, rays_of.along_y));
-    // In parallel views distances are linear on the screen, else 1 over them.
-    const auto key = [&](double away) { return view.orthographic ? away : 1 / std::max(away, view.z_near); };
-    const auto [low, high] = std::minmax({key(dot(p[0], ahead)), key(dot(p[1], ahead)), key(dot(p[2], ahead))});
-    const double slope =
-        view.orthographic ? turn / std::fabs(dot(n, d)) : turn / std::fabs(dot(n, p[0] - cast<double>(origin)));
-    const double tolerance = std::min(high - low, slope * reach) + 4e-6 * key(t);
-    if (!(tolerance >= 0)) return surface.t * step_behind;
-    if (view.orthographic) return float(t + tolerance);
-    return key(t) > tolerance ? float(1 / (key(t) - tolerance)) : float(view.z_far);
+        corners[k] = transform_point(to_eye_[surface.draw], cast<double>(mesh.positions[index[k]]));
+    return mark_limits_.on_triangle(corners, surface.t, origin, direction, is_primary);
 }
 
 vec3 TracePicture::light_reaching(vec3 origin, vec3 direction, float to, const Media& media) const {

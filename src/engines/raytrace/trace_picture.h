@@ -5,6 +5,7 @@
 
 #include "cpu_shading/draw_list.h"
 #include "engines/raytrace/kernels/trace_types.h"
+#include "engines/raytrace/mark_limits.h"
 #include "engines/raytrace/media.h"
 #include "engines/raytrace/naive_scan.h"
 #include "engines/raytrace/ray_lines.h"
@@ -49,9 +50,8 @@ public:
     bool is_mark(std::uint32_t draw) const { return draw != no_index && draw >= list.draws.size(); }
     const shading::Draw& mark_draw(const Meeting& meeting) const { return *marks[mark_of(meeting)].draw; }
     vec4 mark_color(const Meeting& meeting) const;
-    /// How far along a primary ray marks still lie on the surface that it meets: raster/marks/tile_marks.h has the same tolerance.
-    /// @param size  [px] of the marks
-    float mark_limit(const Meeting& surface, vec3 origin, vec3 direction, float size) const;
+    /// Up to where marks lie in front of a surface that a ray meets, or on it. @param surface  of no draw: nothing is met
+    MarkLimit mark_limit(const Meeting& surface, vec3 origin, vec3 direction, bool is_primary) const;
 
     bool is_blended(std::uint32_t draw) const { return list.view(draw).blend != 0; }
     bool is_masked(std::uint32_t draw) const { return cutoffs_[draw] >= 0; }
@@ -105,6 +105,7 @@ private:
     std::vector<float> cutoffs_;
     std::vector<bool> goes_on_, is_filter_, lets_through_;
     vec3 eye_;
+    MarkLimits mark_limits_;
 };
 
 /// What kernels hand back with their shadow rays (HitJob::tracer).

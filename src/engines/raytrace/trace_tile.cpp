@@ -76,7 +76,7 @@ void follow_on(const TracePicture& picture, const Context& context, TileScratch&
         if (context.cancelled()) continue;
         s.counts.rays.deepest = std::max(s.counts.rays.deepest, now.depth);
         set_wave(now.rays, s.wave);
-        s.from.assign(s.wave.count, 0.0f);
+        begin_rays(picture, 0, s);
         follow(picture, context, now.depth, s);
         lay_surroundings(picture, s);
         put_off(now.depth + 1, std::exchange(s.next, {}), s);
@@ -88,7 +88,7 @@ void trace_sample(const TracePicture& picture, const Window& area, shading::Samp
     make_primary(picture, area, at, s);
     const std::size_t count = s.wave.count;
     s.counts.rays.primary += count;
-    s.from.assign(count, float(picture.view.z_near));
+    begin_rays(picture, float(picture.view.z_near), s);
     s.sum.assign(count, vec3{});
     follow(picture, context, 0, s);
     lay_background(picture, s);

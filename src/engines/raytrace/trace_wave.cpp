@@ -64,6 +64,7 @@ void send_on(const TracePicture& picture, const NextView& hit, std::int32_t lobe
     out.pixel = s.wave.pixel_of(ray);
     out.weight = weight;
     if (!s.wave.is_primary()) out.media = s.wave.media[ray];
+    if (!s.marks.empty()) out.marks_from = s.marks[ray].on_surface;
     const std::uint32_t draw = s.meetings[ray].draw, body = picture.list.draws[draw].material;
     if (goes_through && picture.list.view(draw).is_body != 0) {
         if (hit.number(next_side) > 0)
@@ -76,14 +77,12 @@ void send_on(const TracePicture& picture, const NextView& hit, std::int32_t lobe
     s.next.push_back(out);
 }
 
-/// Adds what one ray gets of a hit; where that is not opaque the ray continues behind it.
+/// Adds what one ray gets of a hit; where that is not opaque the ray continues.
 void lay(const TracePicture& picture, std::size_t ray, vec3 color, float alpha, WaveScratch& s) {
     vec3& sum = s.sum[s.wave.pixel_of(ray)];
     sum = sum + weight_of(picture, s, ray) * color * (s.rest[ray] * alpha);
     s.rest[ray] *= 1 - alpha;
-    if (s.rest[ray] <= 0) return;
-    s.from[ray] = s.meetings[ray].t * step_behind;
-    s.live.push_back(std::int32_t(ray));
+    if (s.rest[ray] > 0) s.live.push_back(std::int32_t(ray));
 }
 
 /// Lines and points are not lit.
@@ -134,6 +133,7 @@ void shade_run(const TracePicture& picture, const Context& context, int depth, s
             for (std::int32_t lobe = 0; lobe < lobe_count; ++lobe)
                 send_on(picture, {s.next_planes_of_hits.data(), room, i}, lobe, ray, weight * (s.rest[ray] * alpha), s);
         lay(picture, ray, {s.red[i], s.green[i], s.blue[i]}, alpha, s);
+        s.from[ray] = s.meetings[ray].t * step_behind;
     }
 }
 
@@ -150,9 +150,11 @@ void set_wave(const std::vector<NextRay>& rays, RayWave& wave) {
     wave.stride = rays.size() + 48;
     wave.planes.resize(std::size_t(ray_planes) * wave.stride);
     wave.pixel.resize(rays.size()), wave.weight.resize(rays.size()), wave.media.resize(rays.size());
+    wave.marks_from.resize(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
         for (std::int32_t p = 0; p < ray_planes; ++p) wave.plane(p)[i] = rays[i].numbers[p];
         wave.pixel[i] = rays[i].pixel, wave.weight[i] = rays[i].weight, wave.media[i] = rays[i].media;
+        wave.marks_from[i] = rays[i].marks_from;
     }
 }
 
@@ -212,31 +214,6 @@ Meeting find_surface(const TracePicture& picture, const WaveScratch& s, std::siz
     const float to = wave.is_primary() ? float(picture.view.z_far) : std::numeric_limits<float>::infinity();
     return picture.first(picture.in_rays(wave.vector(ray_o, ray)), wave.vector(ray_d, ray), s.from[ray], to,
                          needs_filter ? &filter : nullptr);
-}
-
-Meeting find_first(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended) {
-    const Meeting surface = find_surface(picture, s, ray, with_blended);
-    if (picture.points.is_empty() && picture.lines.is_empty()) return surface;
-    const bool is_primary = s.wave.is_primary();
-    const vec3 origin = s.wave.vector(ray_o, ray), along = s.wave.vector(ray_d, ray);
-    const auto limit = [&](float size) {
-        if (surface.draw == no_index)
-            return is_primary ? float(picture.view.z_far) : std::numeric_limits<float>::infinity();
-        return is_primary ? picture.mark_limit(surface, origin, along, size) : surface.t * step_behind;
-    };
-    const auto first_mark = std::uint32_t(picture.list.draws.size());
-    Meeting mark;
-    if (!picture.points.is_empty()) {
-        const RayPoints::Meeting m = picture.points.first(origin, along, s.from[ray],
-                                                          limit(picture.settings.point_size), is_primary, with_blended);
-        if (m.mark != no_index) mark = {first_mark + m.mark, m.point, m.t};
-    }
-    if (!picture.lines.is_empty()) {
-        const float to = mark.draw == no_index ? limit(picture.settings.line_width) : mark.t;
-        const RayLines::Meeting m = picture.lines.first(origin, along, s.from[ray], to, is_primary, with_blended);
-        if (m.mark != no_index) mark = {first_mark + m.mark, m.line, m.t, false, m.part};
-    }
-    return mark.draw == no_index ? surface : mark;
 }
 
 void set_hits(std::size_t begin, std::size_t end, WaveScratch& s, HitJob& job) {

@@ -15,6 +15,7 @@ struct RayWave {
     std::vector<std::uint32_t> pixel;  ///< [count]
     std::vector<vec3> weight;          ///< [count] of what they bring
     std::vector<Media> media;          ///< [count] that they are in
+    std::vector<float> marks_from;     ///< [count] from where on they meet lines and points
 
     bool is_primary() const { return pixel.empty(); }
     RayView view() const { return {planes.data(), std::int32_t(stride)}; }
@@ -32,6 +33,16 @@ struct NextRay {
     std::uint32_t pixel;
     vec3 weight;
     Media media;
+    float marks_from = 0;  ///< [m] up to here marks lie on the surface that it leaves, and were met before
+};
+
+/// How far a ray has come among lines and points. They and surfaces are met independently of each other, so that the surface is
+/// still there behind a mark that lies on it.
+struct MarkProgress {
+    MarkLimit from;                ///< marks begin behind the last surface and what lies on it
+    MarkPlace last;                ///< the last mark
+    std::uint32_t run = no_index;  ///< MarkedDraw::run of it, if no surface has been met since
+    float on_surface = 0;          ///< [m] behind the last surface: what is nearer lies on it
 };
 
 /// Counts of a tile.
@@ -46,9 +57,10 @@ struct WaveScratch {
     /// Planes of rays through the pixels' centers, where a pixel has more samples than one: what is shaded once per triangle and pixel,
     /// as by rasterizers, is shaded there.
     std::vector<float> centers;
-    std::vector<Meeting> meetings;  ///< [rays]
-    std::vector<float> from;        ///< [rays] where they begin
-    std::vector<float> rest;        ///< [rays] what is not covered yet
+    std::vector<Meeting> meetings;    ///< [rays]
+    std::vector<float> from;          ///< [rays] where they begin, for surfaces
+    std::vector<MarkProgress> marks;  ///< [rays] the same for marks; empty: the picture has none
+    std::vector<float> rest;          ///< [rays] what is not covered yet
     std::vector<std::int32_t> live,
         going;  ///< rays that continue behind something blended; those that are followed now
     std::vector<std::int32_t> order, hit_ray, hit_triangle;  ///< hits by draw; those of one draw
@@ -60,7 +72,10 @@ struct WaveScratch {
     RayCounts counts;
 };
 
-/// Follows the rays of s.wave from s.from until they hit something opaque, or nothing. Their light goes into s.sum,
+/// All rays of s.wave begin there.
+void begin_rays(const TracePicture& picture, float from, WaveScratch& s);
+
+/// Follows the rays of s.wave from where they begin until they hit something opaque, or nothing. Their light goes into s.sum,
 /// continuing rays into s.next. @param depth of reflections and refractions before
 void follow(const TracePicture& picture, const Context& context, int depth, WaveScratch& s);
 
@@ -69,8 +84,9 @@ void find_sky_colors(const TracePicture& picture, bool is_parallel, WaveScratch&
 
 /// The nearest surface that a ray of the wave shows. @param with_blended  false: only opaque ones
 Meeting find_surface(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended);
-/// The nearest surface, line or point (TracePicture::is_mark()); lines and points lie over surfaces at the same depth.
-Meeting find_first(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended);
+/// The nearest surface, line or point (TracePicture::is_mark()); lines and points lie over surfaces at the same depth. The
+/// ray continues behind marks by itself.
+Meeting find_first(const TracePicture& picture, WaveScratch& s, std::size_t ray, bool with_blended);
 
 /// For the jobs of the hits that set_hits() set.
 TileTracer tracer_of(const TracePicture& picture, const Context& context, WaveScratch& s);
@@ -103,7 +119,7 @@ void for_each_run(WaveScratch& s, const Run& run) {
     }
 }
 
-/// Finds the hits of the rays of s.wave from s.from on and calls run(begin, end) for the hits of each draw, until no
+/// Finds the hits of the rays of s.wave from where they begin and calls run(begin, end) for the hits of each draw, until no
 /// ray is in s.live. `run` puts rays there that continue behind their hit.
 template <class Run>
 void meet_wave(const TracePicture& picture, const Context& context, WaveScratch& s, const Run& run) {

@@ -6,76 +6,15 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "engines/raster/raster_engine.h"
-#include "engines/raytrace/raytrace_engine.h"
-#include "math/linear.h"
-#include "support/scene_builder.h"
+#include "cpu_shading/draw_list.h"
+#include "engines/raytrace/ray_marks.h"
+#include "mark_pictures.h"
 
 namespace rakelight::raytrace {
 namespace {
 
-constexpr int side = 64;
-
-Frame drawn(Engine& engine, const Scene& scene, const Camera& camera, const RenderSettings& settings, int threads = 1) {
-    Context context({.threads = threads});
-    engine.prepare(scene, context);
-    Frame frame;
-    engine.render(camera, settings, frame, context);
-    return frame;
-}
-
-Frame traced(const Scene& scene, const Camera& camera, const RenderSettings& settings, int threads = 1) {
-    return drawn(*make_engine(), scene, camera, settings, threads);
-}
-
-Frame soft(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
-    return drawn(*raster::make_engine(), scene, camera, settings);
-}
-
-/// From z = 5, parallel: 64 pixels show -1 to 1.
-Camera flat() {
-    Camera camera;
-    camera.projection = Projection::orthographic;
-    camera.half_height = 1, camera.z_near = 1, camera.z_far = 10;
-    camera.to_world = translation(dvec3{0, 0, 5});
-    return camera;
-}
-
-Camera oblique(bool is_parallel = false) {
-    Camera camera;
-    camera.to_world = look_at({1, 0.8, 3}, {0, 0, 0}, {0, 1, 0});
-    camera.vertical_fov_rad = radians(45);
-    camera.z_near = 0.1, camera.z_far = 50;
-    if (is_parallel) camera.projection = Projection::orthographic, camera.half_height = 1.2;
-    return camera;
-}
-
-vec3 place(double px, double py, float z = 0) { return {float(px / 32 - 1), float(1 - py / 32), z}; }
-
-RenderSettings settings_of(float width, int samples = 1) {
-    RenderSettings settings{.width = side, .height = side, .background = {0, 0, 0, 1}};
-    settings.samples = samples;
-    settings.line_width = width;
-    return settings;
-}
-
 constexpr std::uint32_t all_channels =
     channel_depth | channel_object | channel_mesh | channel_material | channel_triangle | channel_base_color;
-
-/// Not lit. @param opacity  less than 1: blended
-void add_lines(Scene& scene, const std::vector<vec3>& ends, const std::vector<vec4>& colors = {}, float opacity = 1) {
-    Material& material = scene.materials.emplace_back(test::matte({1, 1, 1}));
-    material.model = MaterialModel::unlit;
-    if (opacity < 1) material.alpha_mode = AlphaMode::blend, material.base_color.w = opacity;
-    Mesh mesh;
-    mesh.topology = Topology::lines;
-    std::vector<std::uint32_t> indices;
-    for (std::uint32_t i = 0; i < ends.size(); ++i) indices.push_back(i);
-    mesh.positions = ends, mesh.indices = indices;
-    if (!colors.empty()) mesh.colors = colors;
-    mesh.material = std::uint32_t(scene.materials.size() - 1);
-    test::add_object(scene, std::move(mesh));
-}
 
 double sum_of_red(const Frame& f) {
     double sum = 0;
@@ -119,14 +58,14 @@ TEST(RayLines, CoverTheirWidthTimesTheirLength) {
         add_lines(scene, {place(11.3, 15.2, 0.5f), place(52.1, 47.6, -0.5f)});
         const double length = std::hypot(52.1 - 11.3, 47.6 - 15.2);
         const double area = width * length + std::numbers::pi / 4 * width * width;
-        EXPECT_NEAR(sum_of_red(traced(scene, flat(), settings_of(width, 8))), area, 0.05 * area) << width;
+        EXPECT_NEAR(sum_of_red(traced(scene, flat(), line_settings(width, 8))), area, 0.05 * area) << width;
     }
 }
 
 TEST(RayLines, OneIsAStripOfItsWidthHeldByTheChannels) {
     Scene scene;
     add_lines(scene, {place(8, 32, 0.5f), place(56, 32, 0.5f)}, {{1, 0, 0, 1}, {0, 0, 1, 1}});
-    RenderSettings settings = settings_of(6);
+    RenderSettings settings = line_settings(6);
     settings.channels = all_channels;
     const Frame f = traced(scene, flat(), settings);
     for (int y = 0; y < side; ++y)
@@ -146,7 +85,7 @@ TEST(RayLines, OneIsAStripOfItsWidthHeldByTheChannels) {
 TEST(RayLines, ChannelsHoldWhatTheSoftEnginesDo) {
     for (const bool is_parallel : {false, true})
         for (const float width : {0.4f, 1.0f, 5.0f}) {
-            RenderSettings settings = settings_of(width);
+            RenderSettings settings = line_settings(width);
             settings.width = 160, settings.height = 120, settings.channels = all_channels;
             const Frame a = soft(hedgehog(), oblique(is_parallel), settings),
                         b = traced(hedgehog(), oblique(is_parallel), settings);
@@ -165,7 +104,7 @@ TEST(RayLines, ChannelsHoldWhatTheSoftEnginesDo) {
 TEST(RayLines, ColorsAreTheSoftEnginesInTheMean) {
     for (const bool is_parallel : {false, true})
         for (const float width : {1.0f, 3.0f}) {
-            RenderSettings settings = settings_of(width, 8);
+            RenderSettings settings = line_settings(width, 8);
             settings.width = 160, settings.height = 120;
             const Frame a = soft(hedgehog(), oblique(is_parallel), settings),
                         b = traced(hedgehog(), oblique(is_parallel), settings);
@@ -189,7 +128,7 @@ TEST(RayLines, SurfacesHideThoseBehindThemAndShowThoseOnThemWhole) {
         for (const bool is_parallel : {true, false}) {
             Camera camera = flat();
             if (!is_parallel) camera.projection = Projection::perspective, camera.vertical_fov_rad = 2 * std::atan(0.2);
-            const Frame f = traced(scene, camera, settings_of(6));
+            const Frame f = traced(scene, camera, line_settings(6));
             int red = 0, green = 0;
             for (const vec4& c : f.color) red += c.x == 1, green += c.y == 1;
             EXPECT_NEAR(red, 6 * 32 + 28, 8) << turn_deg << ' ' << is_parallel;
@@ -204,7 +143,7 @@ TEST(RayLines, BlendedOnesShowWhatIsBehind) {
     scene.materials[0].model = MaterialModel::unlit;
     test::add_object(scene, test::square_mesh(0, 2));
     add_lines(scene, {place(8, 32, 0.5f), place(56, 32, 0.5f)}, {{1, 0, 0, 1}, {1, 0, 0, 1}}, 0.25f);
-    RenderSettings settings = settings_of(8);
+    RenderSettings settings = line_settings(8);
     settings.channels = channel_object;
     const Frame f = traced(scene, flat(), settings);
     EXPECT_NEAR(f.color[std::size_t(32 * side + 32)].x, 0.25f, 1e-6f);
@@ -216,7 +155,7 @@ TEST(RayLines, EdgesAndVerticesOfTrianglesAreTheSoftEngines) {
     for (const bool has_surfaces : {true, false})
         for (const PointShape points : {PointShape::none, PointShape::disc, PointShape::square})
             for (const Cull cull : {Cull::none, Cull::back}) {
-                RenderSettings settings = settings_of(2, 8);
+                RenderSettings settings = line_settings(2, 8);
                 settings.width = 160, settings.height = 120;
                 settings.edges = points != PointShape::square;
                 settings.points = points, settings.point_size = 7;
@@ -241,7 +180,7 @@ TEST(RayLines, MirrorsShowThem) {
     add_lines(scene, {{-0.5f, 0, 8}, {0.5f, 0, 8}}, {{1, 0, 0, 1}, {1, 0, 0, 1}});  // behind the eye
     Camera camera = flat();
     camera.projection = Projection::perspective, camera.vertical_fov_rad = 2 * std::atan(0.2);
-    RenderSettings settings = settings_of(12);  // as wide as 3 m from the eye, seen from 13 m: 2.8 pixels
+    RenderSettings settings = line_settings(12);  // as wide as 3 m from the eye, seen from 13 m: 2.8 pixels
     settings.max_depth = 2;
     int red = 0;
     for (const vec4& c : traced(scene, camera, settings).color) red += c.x > 0.5f;
@@ -252,7 +191,7 @@ TEST(RayLines, MirrorsShowThem) {
 TEST(RayLines, PathsShowThemInTheirOwnColors) {
     Scene scene;
     add_lines(scene, {place(8, 32), place(56, 32)}, {{0.25f, 0.5f, 1, 1}, {0.25f, 0.5f, 1, 1}});
-    RenderSettings settings = settings_of(20);
+    RenderSettings settings = line_settings(20);
     settings.method = RayMethod::path;
     const Frame f = traced(scene, flat(), settings);
     EXPECT_EQ(f.color[std::size_t(32 * side + 32)], (vec4{0.25f, 0.5f, 1, 1}));
@@ -263,15 +202,40 @@ TEST(RayLines, NumbersThatAreNotFiniteAreNoLines) {
     Scene scene;
     const float huge = 1e30f;
     add_lines(scene, {{huge, huge, huge}, {-huge, 0, 0}, place(8, 32), place(56, 32), {0, 0, 0}, {0, 0, 0}});
-    RenderSettings settings = settings_of(4);
+    RenderSettings settings = line_settings(4);
     settings.channels = channel_object;
     const Frame f = traced(scene, flat(), settings);
     EXPECT_EQ(f.object[std::size_t(32 * side + 20)], 0u);
     EXPECT_EQ(f.object[std::size_t(10 * side + 20)], no_index);
 }
 
+/// Triangles that share no vertex: an edge is a number of 8 bytes while they are looked for, then two ends of 4 bytes.
+TEST(RayLines, EdgesPayForWhatTheyTake) {
+    constexpr std::uint32_t corners = 3 * 5000;
+    Scene scene;
+    Mesh mesh;
+    std::vector<vec3> places;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < corners; ++i)
+        places.push_back({float(i / 3), float(i % 3 == 1), float(i % 3 == 2)}), indices.push_back(i);
+    mesh.positions = places, mesh.indices = indices;
+    test::add_object(scene, std::move(mesh));
+    RenderSettings settings = line_settings(1);
+    settings.edges = true, settings.cull = Cull::none;
+    Context context;
+    shading::TextureCache textures;
+    const cpu_shading::DrawList list = cpu_shading::make_draw_list(scene, textures, context);
+    const shading::PictureCamera view = shading::picture_camera_of(list, flat(), settings);
+    Context enough({.max_memory = corners * 16}), little({.max_memory = corners * 16 - 1});
+    const std::vector<MarkedDraw> marks = marked_draws(list, view, settings, enough);
+    ASSERT_EQ(marks.size(), 1u);
+    EXPECT_EQ(marks[0].count(), corners);
+    EXPECT_EQ(marks[0].charge.bytes(), corners * 8);
+    EXPECT_THROW(marked_draws(list, view, settings, little), Error);
+}
+
 TEST(RayLines, HaveTheSameBitsForAnyThreadsAndInstructionSets) {
-    RenderSettings settings = settings_of(3, 4);
+    RenderSettings settings = line_settings(3, 4);
     settings.width = 150, settings.height = 110, settings.channels = channel_depth;
     const Frame one = traced(hedgehog(), oblique(), settings), four = traced(hedgehog(), oblique(), settings, 4);
     setenv("RAKELIGHT_ISA", "scalar", 1);

@@ -5,47 +5,11 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "engines/raster/raster_engine.h"
-#include "engines/raytrace/raytrace_engine.h"
-#include "math/linear.h"
+#include "mark_pictures.h"
 #include "prepare/splat_points.h"
-#include "support/scene_builder.h"
 
 namespace rakelight::raytrace {
 namespace {
-
-constexpr int side = 64;
-
-Frame drawn(Engine& engine, const Scene& scene, const Camera& camera, const RenderSettings& settings, int threads = 1) {
-    Context context({.threads = threads});
-    engine.prepare(scene, context);
-    Frame frame;
-    engine.render(camera, settings, frame, context);
-    return frame;
-}
-
-Frame traced(const Scene& scene, const Camera& camera, const RenderSettings& settings, int threads = 1) {
-    return drawn(*make_engine(), scene, camera, settings, threads);
-}
-
-/// From z = 5, parallel: 64 pixels show -1 to 1.
-Camera flat() {
-    Camera camera;
-    camera.projection = Projection::orthographic;
-    camera.half_height = 1, camera.z_near = 1, camera.z_far = 10;
-    camera.to_world = translation(dvec3{0, 0, 5});
-    return camera;
-}
-
-Camera oblique() {
-    Camera camera;
-    camera.to_world = look_at({1, 0.8, 3}, {0, 0, 0}, {0, 1, 0});
-    camera.vertical_fov_rad = radians(45);
-    camera.z_near = 0.1, camera.z_far = 50;
-    return camera;
-}
-
-vec3 place(double px, double py, float z = 0) { return {float(px / 32 - 1), float(1 - py / 32), z}; }
 
 RenderSettings settings_of(float size) {
     RenderSettings settings{.width = side, .height = side, .background = {0, 0, 0, 1}};
@@ -54,18 +18,8 @@ RenderSettings settings_of(float size) {
     return settings;
 }
 
-/// Not lit. @param opacity  less than 1: blended
 void add_points(Scene& scene, const std::vector<vec3>& places, const std::vector<vec4>& colors, float opacity = 1) {
-    Material& material = scene.materials.emplace_back(test::matte({1, 1, 1}));
-    material.model = MaterialModel::unlit;
-    if (opacity < 1) material.alpha_mode = AlphaMode::blend, material.base_color.w = opacity;
-    Mesh mesh;
-    mesh.topology = Topology::points;
-    std::vector<std::uint32_t> indices;
-    for (std::uint32_t i = 0; i < places.size(); ++i) indices.push_back(i);
-    mesh.positions = places, mesh.colors = colors, mesh.indices = indices;
-    mesh.material = std::uint32_t(scene.materials.size() - 1);
-    test::add_object(scene, std::move(mesh));
+    add_marks(scene, Topology::points, places, {1, 1, 1, opacity}, colors);
 }
 
 /// A bent sheet in many colors.
@@ -121,8 +75,7 @@ TEST(RayPoints, ShowWhatTheSoftEngineShows) {
             if (is_parallel) camera.projection = Projection::orthographic, camera.half_height = 1.2;
             RenderSettings settings = settings_of(size);
             settings.width = 160, settings.height = 120;
-            const auto soft = raster::make_engine();
-            const Frame a = drawn(*soft, cloud(), camera, settings), b = traced(cloud(), camera, settings);
+            const Frame a = soft(cloud(), camera, settings), b = traced(cloud(), camera, settings);
             std::size_t covered = 0, others = 0;
             for (std::size_t i = 0; i < a.depth.size(); ++i) {
                 covered += a.object[i] != no_index;
