@@ -37,12 +37,12 @@ std::vector<ClipTime> clips_of(const Look& look, const Model& model) {
 
 Camera camera_of(const Look& look, const Model& model, int width, int height) {
     return model.box.camera(model.scene, request_of(look, width, height).view, double(width) / double(height),
-                            clips_of(look, model));
+                            clips_of(look, model), look.request.settings.visibility);
 }
 
 Camera quick_camera_of(const Look& look, const Model& model, int width, int height) {
     return model.box.quick_camera(model.scene, request_of(look, width, height).view, double(width) / double(height),
-                                  clips_of(look, model));
+                                  clips_of(look, model), look.request.settings.visibility);
 }
 
 Eye seen_eye(const Look& look, const Model& model, int width, int height) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <rakelight/linear.h>
+#include <rakelight/picture_parts.h>
 
 #include "moment.h"
 
@@ -137,12 +138,13 @@ Scene ViewBox::stand_in_at(std::span<const ClipTime> clips) const {
 
 std::vector<Light> ViewBox::lights(std::span<const ClipTime> clips) const { return placed(stand_in_at(clips)); }
 
-Camera ViewBox::camera(const Scene& scene, const ViewRequest& view, double aspect,
-                       std::span<const ClipTime> clips) const {
+Camera ViewBox::camera(const Scene& scene, const ViewRequest& view, double aspect, std::span<const ClipTime> clips,
+                       Visibility visibility) const {
     Context quiet({.threads = 1});
     if (clips.empty()) {  // of a camera that is placed all vertices say nothing but the box
         const bool is_placed = view.position && view.focal_point;
-        return is_placed ? choose_camera(stand_in_, view, aspect, quiet) : chooser_->choose(view, aspect, quiet);
+        return is_placed ? choose_camera(stand_in_, view, aspect, visibility, quiet)
+                         : chooser_->choose(view, aspect, visibility, quiet);
     }
     const std::lock_guard lock(known_->mutex);  // painters ask, too
     Known& known = *known_;
@@ -153,17 +155,17 @@ Camera ViewBox::camera(const Scene& scene, const ViewRequest& view, double aspec
             chooser_of(scene_at_moment(*known.still, scene.animations, {clips.begin(), clips.end()})));
         known.clips.assign(clips.begin(), clips.end());
     }
-    return known.chooser->choose(view, aspect, quiet);
+    return known.chooser->choose(view, aspect, visibility, quiet);
 }
 
 Camera ViewBox::quick_camera(const Scene& scene, const ViewRequest& view, double aspect,
-                             std::span<const ClipTime> clips) const {
+                             std::span<const ClipTime> clips, Visibility visibility) const {
     const bool is_placed = view.position && view.focal_point;
     const bool is_of_file =
         !cameras_.empty() && (!view.camera.empty() || view.side == "file" || (view.side.empty() && !view.is_placed()));
-    if (clips.empty() || (!is_placed && !is_of_file)) return camera(scene, view, aspect, clips);
+    if (clips.empty() || (!is_placed && !is_of_file)) return camera(scene, view, aspect, clips, visibility);
     Context quiet({.threads = 1});
-    return choose_camera(stand_in_at(clips), view, aspect, quiet);
+    return choose_camera(stand_in_at(clips), view, aspect, visibility, quiet);
 }
 
 }  // namespace rakelight::viewer

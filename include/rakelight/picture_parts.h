@@ -12,6 +12,12 @@
 
 namespace rakelight {
 
+/// The camera that render_picture() chooses for a picture with this hidden-surface removal. The z-buffers of the textbook
+/// (z_float, z16, z24, z32) lose precision if near is small: a camera inside of a scene then has near = far / 10000. All
+/// others, as in choose_camera() of picture.h, show what is nearer.
+RL_API Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Visibility visibility,
+                            Context& context);
+
 /// The steps of render_picture() between loading and preparing a scene: clips at their times, apply_look(), colors of
 /// vertex arrays, with_requested_surfaces(), and points as the look draws them. The request is explicit in the settings
 /// that these steps chose.

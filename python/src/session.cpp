@@ -92,7 +92,7 @@ private:
         }
         const double aspect = double(request.settings.width) / double(request.settings.height);
         if (!cameras_) cameras_.emplace(scene_, context);
-        const Camera camera = cameras_->choose(request.view, aspect, context);
+        const Camera camera = cameras_->choose(request.view, aspect, request.settings.visibility, context);
         light(request, camera);
         if (!is_adjusted_ && (has_image || has_color)) {
             apply_look_exposure(*session_, camera, request, context);

@@ -60,7 +60,13 @@ dvec2 half_extents(const Camera& camera, double aspect) {
     return {half_width, half_height};
 }
 
-NearestSurface nearest_of(const NearSurfaces& surfaces, double aspect) {
+bool loses_by_near(Visibility visibility) {
+    return visibility == Visibility::z_float || visibility == Visibility::z16 || visibility == Visibility::z24 ||
+           visibility == Visibility::z32;
+}
+
+NearestSurface nearest_of(const NearSurfaces& surfaces, double aspect, Visibility visibility) {
+    if (loses_by_near(visibility)) return [](const Camera&, double limit) { return limit; };
     return [&surfaces, aspect](const Camera& camera, double limit) {
         dmat4 to_camera;
         if (!inverse_affine(camera.to_world, to_camera)) return limit;

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include <rakelight/camera_chooser.h>
+#include <rakelight/picture_parts.h>
 #include <rakelight/tools/words.h>
 
 #include "base/format_text.h"
@@ -113,9 +114,9 @@ void check_combination(const Scene& scene, const ViewRequest& view) {
 
 /// @param scene  static; `drawn` are its vertices
 Camera chosen(const Scene& scene, const DrawnVertices& drawn, const NearSurfaces& surfaces, const ViewRequest& asked,
-              double aspect, Context& context) {
+              double aspect, Visibility visibility, Context& context) {
     const ViewRequest view = resolve_angles(asked, aspect);
-    const NearestSurface nearest = nearest_of(surfaces, aspect);
+    const NearestSurface nearest = nearest_of(surfaces, aspect, visibility);
     const Bounds& bounds = drawn.bounds();
     if (bounds.empty()) throw Error(ErrorCode::bad_file, "nothing to draw").with_file(scene.source);
     check_combination(scene, view);
@@ -145,16 +146,22 @@ void check_aspect(double aspect) {
 }  // namespace
 
 Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context) {
-    validate(scene);
-    check_aspect(aspect);
-    return valid::choose_camera(scene, view, aspect, context);
+    return choose_camera(scene, view, aspect, Visibility::z_reversed, context);
 }
 
-Camera valid::choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context) {
+Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Visibility visibility,
+                     Context& context) {
+    validate(scene);
+    check_aspect(aspect);
+    return valid::choose_camera(scene, view, aspect, visibility, context);
+}
+
+Camera valid::choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Visibility visibility,
+                            Context& context) {
     check_placement(view);
     const std::optional<Scene> posed = posed_outline(scene, context);
     const Scene& still = posed ? *posed : scene;
-    return chosen(still, DrawnVertices(still), NearSurfaces(still), view, aspect, context);
+    return chosen(still, DrawnVertices(still), NearSurfaces(still), view, aspect, visibility, context);
 }
 
 struct CameraChooser::State {
@@ -177,9 +184,13 @@ CameraChooser::CameraChooser(CameraChooser&&) noexcept = default;
 CameraChooser& CameraChooser::operator=(CameraChooser&&) noexcept = default;
 
 Camera CameraChooser::choose(const ViewRequest& view, double aspect, Context& context) const {
+    return choose(view, aspect, Visibility::z_reversed, context);
+}
+
+Camera CameraChooser::choose(const ViewRequest& view, double aspect, Visibility visibility, Context& context) const {
     check_aspect(aspect);
     check_placement(view);
-    return chosen(state_->still, state_->drawn, state_->surfaces, view, aspect, context);
+    return chosen(state_->still, state_->drawn, state_->surfaces, view, aspect, visibility, context);
 }
 
 const Bounds& CameraChooser::bounds() const { return state_->drawn.bounds(); }

@@ -13,7 +13,8 @@ namespace rakelight {
 /// Functions of public headers for scenes that passed validate(), which the public ones do first.
 namespace valid {
 /// @param aspect  a number > 0
-Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context);
+Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Visibility visibility,
+                     Context& context);
 }  // namespace valid
 
 /// Warns if the requested up direction has no effect in that view.
@@ -66,7 +67,12 @@ Camera place_camera(const Camera& base, bool is_fitted, const ViewRequest& view,
 /// Whether near and far of a camera of the file are only defaults: of a perspective one in a world file that gives neither.
 bool has_default_depths(const Scene& scene, const Camera& camera);
 
-/// For NearestSurface. @param surfaces  must stay
-NearestSurface nearest_of(const NearSurfaces& surfaces, double aspect);
+/// Whether a near plane close to the eye costs a z-buffer its precision. At a distance d one step of a textbook's depth of b bits
+/// is d^2 / (near 2^b) m, of its float (which lies between 1/2 and 1) d^2 / (near 2^24) m; of the reversed float it is d / 2^24 m,
+/// whatever near is.
+bool loses_by_near(Visibility visibility);
+
+/// Nothing is near to a z-buffer that would lose by it. @param surfaces  must stay
+NearestSurface nearest_of(const NearSurfaces& surfaces, double aspect, Visibility visibility);
 
 }  // namespace rakelight

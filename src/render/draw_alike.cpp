@@ -143,7 +143,8 @@ void choose_for_both(const Scene& all, PictureRequest& a, PictureRequest& b, Con
     if (a.coloring == b.coloring) a.coloring = b.coloring = completed(all, a.coloring);
     if (!view) return;
     const double aspect = double(a.settings.width) / double(a.settings.height);
-    a.view = b.view = view_through(valid::choose_camera(all, a.view, aspect, context), a.view.world_up);
+    const Visibility visibility = (loses_by_near(a.settings.visibility) ? a : b).settings.visibility;
+    a.view = b.view = view_through(valid::choose_camera(all, a.view, aspect, visibility, context), a.view.world_up);
 }
 
 Scene loaded_with_clips(PictureRequest& request, Context& context) {

@@ -70,7 +70,7 @@ ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& cont
     check_drawable(scene);
     warn_of_unknown_names(scene, request.settings, context.report());
     const double aspect = double(request.settings.width) / double(request.settings.height);
-    const Camera camera = valid::choose_camera(scene, request.view, aspect, context);
+    const Camera camera = valid::choose_camera(scene, request.view, aspect, request.settings.visibility, context);
     note_lights_left_out(scene, request, camera, context.report());
     scene = with_lights(std::move(scene), request, camera);
     validate(scene);  // what the request has put into it

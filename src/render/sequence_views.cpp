@@ -43,6 +43,7 @@ Scene everything(const std::vector<Scene>& outlines, Context& context) {
 SequenceViews::SequenceViews(const SequencePlan& plan, const PictureRequest& request,
                              const std::function<Scene(double)>& scene_at, Context& context)
     : aspect_(double(request.settings.width) / double(request.settings.height)),
+      visibility_(request.settings.visibility),
       axis_(axis_of_turns(request.view)),
       is_turned_(plan.is_turntable()) {
     std::vector<Scene> outlines;
@@ -57,7 +58,7 @@ SequenceViews::SequenceViews(const SequencePlan& plan, const PictureRequest& req
     const bool is_swept = is_turned_ && is_fitted_ && !bounds_.empty();
     Scene all = is_swept ? swept_outline(outlines, bounds_, axis_) : everything(outlines, context);
     all.source = begin.source;
-    base_ = valid::choose_camera(all, request.view, aspect_, context);
+    base_ = valid::choose_camera(all, request.view, aspect_, visibility_, context);
     view_ = resolve_angles(request.view, aspect_);
     // The file's camera was replaced where it cannot see the model: it is not followed then.
     follows_file_ = is_of_file && camera_of_file_in(begin).to_world == base_.to_world;
@@ -87,10 +88,10 @@ Camera SequenceViews::camera_of_file_in(const Scene& scene) const {
 }
 
 NearestSurface SequenceViews::nearest_in(const Scene& scene) const {
-    return [&scene, aspect = aspect_](const Camera& camera, double limit) {
+    return [&scene, aspect = aspect_, visibility = visibility_](const Camera& camera, double limit) {
         Context quiet({.threads = 1});
         const Scene outline = outline_of(scene, quiet);
-        return nearest_of(NearSurfaces(outline), aspect)(camera, limit);
+        return nearest_of(NearSurfaces(outline), aspect, visibility)(camera, limit);
     };
 }
 

@@ -29,6 +29,7 @@ private:
 
     ViewRequest view_;  ///< angles resolved
     double aspect_;
+    Visibility visibility_;
     dvec3 axis_, focal_{0, 0, 0};
     Bounds bounds_{};
     Camera base_{};

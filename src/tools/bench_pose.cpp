@@ -136,7 +136,8 @@ public:
         bound_ = make_prepared(scene_, options.picture.prepare, options.picture.settings, context);
         session_.set(scene_, options.picture.prepare);
         const double aspect = double(options.picture.settings.width) / options.picture.settings.height;
-        camera_ = valid::choose_camera(scene_, options.picture.view, aspect, context);
+        camera_ =
+            valid::choose_camera(scene_, options.picture.view, aspect, options.picture.settings.visibility, context);
     }
 
     PoseBenchReport run() {

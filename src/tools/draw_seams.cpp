@@ -211,7 +211,7 @@ Frame draw_seams(const Scene& scene, const Inspection& inspection, const Inspect
     validate(scene);
     const double aspect = double(settings.width) / double(settings.height);
     const Scene gray = gray_scene(scene, options, context);
-    const Camera camera = valid::choose_camera(gray, view, aspect, context);
+    const Camera camera = valid::choose_camera(gray, view, aspect, settings.visibility, context);
     RenderSettings with_depth = settings;
     with_depth.channels |= channel_depth;
     Frame frame = render(gray, camera, with_depth, context);

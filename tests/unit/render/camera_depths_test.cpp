@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rakelight/rakelight.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "math/linear.h"
 #include "render/choose_camera.h"
 #include "render/engines.h"
+#include "render/picture_steps.h"
 #include "support/scene_builder.h"
 #include "unit/render/test_scene.h"
 
@@ -119,6 +121,51 @@ TEST(CameraDepths, NearStaysWhereNothingIsNearer) {
     ViewRequest asked = view;
     asked.z_near = 0.2;
     EXPECT_EQ(choose_camera(large_scene(0.1), asked, 1, context).z_near, 0.2);
+}
+
+/// A floor of 1 km, a red square of 1 m standing on it 10 m before the eye, and a blue speck 0.01 mm before the eye in a corner.
+Scene scene_with_speck() {
+    Scene scene = large_scene(1);
+    scene.meshes = {test::square_mesh(0, 500), test::square_mesh(2, 0.5f), test::square_mesh(1, 1e-6f)};
+    scene.nodes[1].local.matrix = translation(dvec3{0, 0.5, -10});
+    scene.nodes[2].local.matrix = translation(dvec3{3e-6, 1.7 + 3e-6, -1e-5});
+    return scene;
+}
+
+const ViewRequest from_head_height{.position = dvec3{0, 1.7, 0}, .focal_point = dvec3{0, 1.7, -1}};
+
+/// One step of a textbook's depth of b bits is d^2 / (near 2^b): with near = far / 10000 0.02 m at 10 m in 16 bits, less than
+/// the 0.3 m by which rows of the floor differ there. With the near plane before the speck it would be 200 m, and 0.8 m in 24.
+TEST(CameraDepths, DepthsThatLoseByItKeepNearAwayFromTheEye) {
+    Context context;
+    const Scene scene = scene_with_speck();
+    const auto drawn = [&](Visibility visibility) {
+        PictureRequest request;
+        request.view = from_head_height;
+        request.settings = {.width = 160, .height = 160, .visibility = visibility};
+        const ReadyScene ready = ready_scene(scene, request, context);
+        return std::pair{ready.camera, render(scene, ready.camera, request.settings, context)};
+    };
+    const auto [sharp, right] = drawn(Visibility::z_reversed);
+    EXPECT_LT(sharp.z_near, 1e-5);
+    const auto count = [](const Frame& f, vec3 color) {
+        return std::ranges::count_if(f.color, [&](const vec4& c) { return c.xyz() == color; });
+    };
+    EXPECT_GT(count(right, {0, 0, 1}), 100) << "the speck";
+    EXPECT_GT(count(right, {1, 0, 0}), 300) << "the square";
+    for (const Visibility v : {Visibility::z16, Visibility::z24, Visibility::z32, Visibility::z_float}) {
+        const auto [camera, frame] = drawn(v);
+        EXPECT_EQ(camera.z_near, 1e-4 * camera.z_far);
+        std::size_t others = 0;
+        for (std::size_t i = 0; i < frame.color.size(); ++i)
+            others += right.color[i].xyz() != vec3{0, 0, 1} && frame.color[i] != right.color[i];
+        EXPECT_EQ(others, 0u) << int(v);
+    }
+    for (const Visibility v : {Visibility::painter, Visibility::none, Visibility::back_face})
+        EXPECT_EQ(drawn(v).first.z_near, sharp.z_near);
+    const CameraChooser chooser(scene, context);
+    EXPECT_EQ(chooser.choose(from_head_height, 1, Visibility::z24, context).z_near, 1e-4 * sharp.z_far);
+    EXPECT_EQ(chooser.choose(from_head_height, 1, context).z_near, sharp.z_near);
 }
 
 TEST(CameraDepths, OfAFilesCamerasOnlyThoseOfAWorldWithoutNearAndFarFollowTheScene) {

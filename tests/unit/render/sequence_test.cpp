@@ -201,6 +201,10 @@ TEST_F(SequenceCameras, NearFollowsWhatComesCloseInEachPicture) {
     EXPECT_GT(usual, 0.05);
     EXPECT_NEAR(near_at(1.53, 0), 0.025, 1e-9);
     EXPECT_EQ(near_at(2, -800), usual);
+    request.picture.settings.visibility = Visibility::z16;
+    const SequenceViews of_16_bits = views(scene, request);
+    scene.nodes[1].local.matrix = translation(dvec3{0, 0, 0});
+    EXPECT_EQ(of_16_bits.camera(scene_at(scene, plan.clips_at(1.53)), 0).z_near, usual) << "a depth that loses by it";
 }
 
 TEST_F(SequenceCameras, APlacedCameraGoesRoundWhatItLooksAt) {
