@@ -132,7 +132,13 @@ dvec3 world_up_of(const ViewRequest& view) {
     return std::fabs(dot(up, ahead)) < 1e-6 ? usual : up;
 }
 
-Look first_look(const Model& model) { return {.request = model.request, .world_up = world_up_of(model.request.view)}; }
+Look first_look(const Model& model) {
+    const PictureRequest& request = model.request;
+    const bool says_shadows = std::ranges::find(request.given_keys, "shadows") != request.given_keys.end();
+    return {.request = request,
+            .world_up = world_up_of(request.view),
+            .shadows_by_nature = request.engine == "trace" && request.settings.shadows && !says_shadows};
+}
 
 bool have_same_surfaces(const Look& a, const Look& b) {
     const PictureRequest &x = a.request, &y = b.request;

@@ -120,7 +120,7 @@ void draw_lights_panel(PanelView& view) {
     if (view.look.lights && ImGui::Button("reset lights")) view.look.lights.reset();
     double intensity = view.look.request.light_intensity;
     if (slide("factor on all lights", intensity, 0, 10)) view.look.request.light_intensity = intensity;
-    ImGui::Checkbox("shadows", &view.look.request.settings.shadows);
+    if (ImGui::Checkbox("shadows", &view.look.request.settings.shadows)) view.look.shadows_by_nature = false;
     ImGui::SameLine();
     ImGui::Checkbox("show lights", &view.ui.light_glyphs);
     draw_environment(view);

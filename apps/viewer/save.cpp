@@ -192,6 +192,9 @@ WorldFile world_of(const Look& look, const Model& model, int width, int height, 
     request.materials.values.clear();
     take_own_shading(world, request);
     world.render = render_of(request, folder);
+    // Rays have them anyway, but other engines only if the document says so.
+    if (request.engine == "trace" && request.settings.shadows && !look.shadows_by_nature)
+        world.render.push_back({.key = "shadows", .words = {"on"}});
     world.remarks.clear();
     return world;
 }

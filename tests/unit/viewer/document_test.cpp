@@ -262,6 +262,31 @@ TEST_F(Looks, ShadowsOfRaysThatAreTurnedOffAndOnAreOfTheDocument) {
     EXPECT_TRUE(look.request.settings.shadows);
 }
 
+/// Shadows that rays have by nature go with them, those that the document names stay; however the document came to trace.
+TEST_F(Looks, ADocumentThatStartsWithRaysIsOneThatSwitchedToThem) {
+    for (const bool names_shadows : {false, true}) {
+        Start start;
+        start.takes = [](std::string_view) { return true; };
+        start.settings = {{.key = "look", .words = {"plain"}}};
+        if (names_shadows) start.settings.push_back({.key = "shadows", .words = {"on"}});
+        Look switched = first_look(*load_model(write_model(), start, context_));
+        choose_engine("trace", switched);
+        start.settings.push_back({.key = "engine", .words = {"trace"}});
+        const auto of = load_model(write_model(), start, context_);
+        Look started = first_look(*of);
+        EXPECT_EQ(started.shadows_by_nature, switched.shadows_by_nature);
+        EXPECT_TRUE(started.request.settings.shadows);
+        EXPECT_SAVED_AS_SEEN(started, of);
+        Look saved = first_look(*model(file("saved.scene.toml")));
+        for (Look* const look : {&switched, &started, &saved}) {
+            choose_engine("soft", *look);
+            EXPECT_EQ(look->request.settings.shadows, names_shadows);
+            choose_engine("trace", *look);
+            EXPECT_TRUE(look->request.settings.shadows);
+        }
+    }
+}
+
 TEST_F(Looks, SeamsAreLookedForInTheNormalsThatAreSeen) {
     Scene scene;
     scene.missing_normals_are_flat = true;
