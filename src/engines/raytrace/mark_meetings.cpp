@@ -43,13 +43,18 @@ Meeting find_first(const TracePicture& picture, WaveScratch& s, std::size_t ray,
                           .is_primary = s.wave.is_primary(),
                           .with_blended = with_blended};
     const MarkLimit to = picture.mark_limit(surface, query.origin, query.direction, query.is_primary);
-    const MarkMeeting mark = next_mark(picture, query, progress, to);
+    MarkMeeting mark = next_mark(picture, query, progress, to);
+    while (mark.mark != no_index && mark.mark == progress.last.mark &&
+           picture.marks[mark.mark].are_joined(mark.number, progress.last.number)) {
+        progress.last = mark;
+        mark = next_mark(picture, query, progress, to);
+    }
     if (mark.mark != no_index) {
         progress.last = mark, progress.run = picture.marks[mark.mark].run;
         return {std::uint32_t(picture.list.draws.size()) + mark.mark, mark.number, mark.t, false, mark.part};
     }
-    progress.from = to, progress.run = no_index;
-    progress.on_surface = (std::max(to.points, to.lines) - surface.t) * length(query.direction);
+    progress = {
+        .from = to, .last = {}, .on_surface = (std::max(to.points, to.lines) - surface.t) * length(query.direction)};
     return surface;
 }
 

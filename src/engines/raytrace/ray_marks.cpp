@@ -93,6 +93,15 @@ void number_runs(std::vector<MarkedDraw>& marks, float line_width) {
 
 }  // namespace
 
+bool MarkedDraw::are_joined(std::uint32_t a, std::uint32_t b) const {
+    if (!is_line || !has_vertex_colors || !(color.w < 1)) return false;
+    for (const std::size_t i : {0, 1})
+        for (const std::size_t k : {0, 1})
+            if (mesh->positions[vertex(2 * std::size_t(a) + i)] == mesh->positions[vertex(2 * std::size_t(b) + k)])
+                return true;
+    return false;
+}
+
 vec4 MarkedDraw::color_at(std::uint32_t number, float part) const {
     vec4 out = color;
     if (has_vertex_colors) {

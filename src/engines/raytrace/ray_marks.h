@@ -62,6 +62,8 @@ struct MarkedDraw {
         return (vertices.empty() ? mesh->indices.size() : vertices.size()) / (is_line ? 2 : 1);
     }
     std::uint32_t vertex(std::size_t i) const { return vertices.empty() ? mesh->indices[i] : vertices[i]; }
+    /// Whether two blended lines of several colors share an end: they are laid once, too.
+    bool are_joined(std::uint32_t a, std::uint32_t b) const;
     /// Linear RGB and opacity, 0 to 1. @param part  of a line, from its first end to its second
     vec4 color_at(std::uint32_t number, float part) const;
 };

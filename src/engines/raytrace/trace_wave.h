@@ -40,8 +40,8 @@ struct NextRay {
 /// still there behind a mark that lies on it.
 struct MarkProgress {
     MarkLimit from;                ///< marks begin behind the last surface and what lies on it
-    MarkPlace last;                ///< the last mark
-    std::uint32_t run = no_index;  ///< MarkedDraw::run of it, if no surface has been met since
+    MarkPlace last;                ///< the last mark behind it
+    std::uint32_t run = no_index;  ///< MarkedDraw::run of the last mark
     float on_surface = 0;          ///< [m] behind the last surface: what is nearer lies on it
 };
 

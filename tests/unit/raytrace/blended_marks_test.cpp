@@ -116,6 +116,36 @@ TEST(BlendedMarks, JointsAndCrossingsAreAsTheRest) {
     EXPECT_GT(filled, 500);
 }
 
+/// Colors change along the lines, blue does not. At the joint each engine may show either piece: half a width of 43 pixels apart.
+TEST(BlendedMarks, JointsOfSeveralColorsAreAsTheRest) {
+    Scene scene;
+    const std::vector<vec3> ends{place(8, 50, 0.3f), place(30, 12, -0.2f), place(30, 12, -0.2f), place(56, 50, 0.4f)};
+    add_marks(scene, Topology::lines, ends, white, {{1, 0, 1, 1}, {0, 1, 1, 1}, {0, 1, 1, 1}, {1, 0, 1, 1}});
+    const Frame f = traced(scene, flat(), line_settings(9)), of_soft = soft(scene, flat(), line_settings(9));
+    int covered = 0, filled = 0;
+    for (std::size_t i = 0; i < f.color.size(); ++i) {
+        const float blue = f.color[i].z, blue_of_soft = of_soft.color[i].z;
+        EXPECT_TRUE(blue == 0 || std::fabs(blue - 0.5f) < 1e-6f) << i << ' ' << blue;
+        EXPECT_LE(blue_of_soft, 0.5f + 1e-6f) << i;
+        covered += blue > 0, filled += blue_of_soft > 0.4999f;
+        const bool is_filled = blue_of_soft > 0.4999f;
+        EXPECT_TRUE(!is_filled || is_near(f.color[i].xyz(), of_soft.color[i].xyz(), 0.06f)) << i;
+    }
+    EXPECT_GT(covered, 700);
+    EXPECT_GT(filled, 600);
+}
+
+/// The paraboloid of a point on the pane reaches behind one that is there.
+TEST(BlendedMarks, PointsCloseBehindAPaneAreStillThere) {
+    Scene scene;
+    test::add_object(scene, test::square_mesh(add_unlit(scene, {0, 0, 1, 0.5f}), 3));
+    add_marks(scene, Topology::points, {place(26, 32)}, {1, 0, 0, 0.5f});
+    add_marks(scene, Topology::points, {place(34, 32, -0.01f)}, {0, 1, 0, 0.5f});
+    RenderSettings settings = line_settings(1);
+    settings.points = PointShape::none, settings.point_size = 20;
+    EXPECT_TRUE(is_near(at(traced(scene, flat(), settings), 33, 32), {0.5f, 0.125f, 0.25f}));
+}
+
 TEST(BlendedMarks, PathsDarkenNoJoints) {
     Scene scene;
     add_marks(scene, Topology::lines,

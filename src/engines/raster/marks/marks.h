@@ -21,6 +21,14 @@ struct Mark {
     float part[2];           ///< where the ends lie between the line's own ends, 0..1: colors are interpolated by it
     std::uint32_t color[2];  ///< of the line's own ends, into Marks::colors
     Shape shape;
+
+    /// Whether an end of a line is one of another line.
+    bool joins(const Mark& other) const {
+        for (const std::size_t i : {0, 1})
+            for (const std::size_t k : {0, 1})
+                if (x[i] == other.x[k] && y[i] == other.y[k] && key[i] == other.key[k]) return shape == other.shape;
+        return false;
+    }
 };
 
 struct Marks {
@@ -41,23 +49,29 @@ struct MarkFragment {
     float key, coverage;         ///< reversed depth; more than 0, at most 1
     float reach;                 ///< [px] mark_reach() of the mark
     vec4 color;
+    const Mark* mark;
+    const Draw* draw;  ///< whose mark it is
 };
 
 /// A color that waits to be laid on a pixel, so that marks of one color which follow each other there are united: the
-/// greater coverage counts, and corners are not darker.
+/// greater coverage counts, and corners are not darker. So are blended lines of several colors that share an end.
 struct PendingMark {
     vec4 color;
     float coverage = 0;  ///< 0: nothing waits
     std::uint32_t color_number = no_index;
+    const Mark* mark = nullptr;
+    const Draw* draw = nullptr;
 
     /// @param lay  called with a color and its opacity
     template <class Lay>
     void add(const MarkFragment& f, const Lay& lay) {
-        if (f.color_number == no_index || f.color_number != color_number) finish(lay);
-        if (coverage == 0)
-            *this = {f.color, f.coverage, f.color_number};
-        else
-            coverage = std::max(coverage, f.coverage);
+        if (!goes_on(f)) finish(lay);
+        if (f.coverage > coverage) color = f.color, coverage = f.coverage;
+        color_number = f.color_number, mark = f.mark, draw = f.draw;
+    }
+    bool goes_on(const MarkFragment& f) const {
+        if (f.color_number != color_number) return false;
+        return f.color_number != no_index || (mark && f.draw == draw && f.color.w < 1 && mark->joins(*f.mark));
     }
     template <class Lay>
     void finish(const Lay& lay) {

@@ -130,7 +130,8 @@ private:
             const float order = order_of(m, shape, near, key);
             if (!top_.empty() && shape.has_center(near)) show(p, m, {float(key), order, float(near.t), item});
             if (!nearest_.empty() && m.shape != Mark::Shape::line && order < nearest_[p]) return;
-            take(MarkFragment{p, color, float(key), float(covered), float(shape.reach()), color_at(m, key, near.t)});
+            take(MarkFragment{p, color, float(key), float(covered), float(shape.reach()), color_at(m, key, near.t), &m,
+                              marks_.draws[item >> 32]});
         });
     }
 
