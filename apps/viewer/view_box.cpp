@@ -141,11 +141,7 @@ std::vector<Light> ViewBox::lights(std::span<const ClipTime> clips) const { retu
 Camera ViewBox::camera(const Scene& scene, const ViewRequest& view, double aspect, std::span<const ClipTime> clips,
                        Visibility visibility) const {
     Context quiet({.threads = 1});
-    if (clips.empty()) {  // of a camera that is placed all vertices say nothing but the box
-        const bool is_placed = view.position && view.focal_point;
-        return is_placed ? choose_camera(stand_in_, view, aspect, visibility, quiet)
-                         : chooser_->choose(view, aspect, visibility, quiet);
-    }
+    if (clips.empty()) return chooser_->choose(view, aspect, visibility, quiet);
     const std::lock_guard lock(known_->mutex);  // painters ask, too
     Known& known = *known_;
     if (!known.chooser || !std::ranges::equal(known.clips, clips)) {
@@ -163,8 +159,9 @@ Camera ViewBox::quick_camera(const Scene& scene, const ViewRequest& view, double
     const bool is_placed = view.position && view.focal_point;
     const bool is_of_file =
         !cameras_.empty() && (!view.camera.empty() || view.side == "file" || (view.side.empty() && !view.is_placed()));
-    if (clips.empty() || (!is_placed && !is_of_file)) return camera(scene, view, aspect, clips, visibility);
+    if (!is_placed && !is_of_file) return camera(scene, view, aspect, clips, visibility);
     Context quiet({.threads = 1});
+    if (is_placed || clips.empty()) return chooser_->choose(view, aspect, visibility, quiet);
     return choose_camera(stand_in_at(clips), view, aspect, visibility, quiet);
 }
 

@@ -22,6 +22,19 @@ Scene scene_with_cameras() {
     return scene;
 }
 
+/// What a moment moves: one of the two squares, by a clip of its node.
+Scene scene_in_motion() {
+    Scene scene = scene_with_cameras();
+    AnimationChannel channel;
+    channel.element = 0, channel.path = AnimationPath::translation;
+    channel.times = std::vector<float>{0, 1};
+    channel.values = std::vector<float>{0, 0, 0, 8, -3, 5};
+    Animation clip;
+    clip.channels = {channel};
+    scene.animations = {clip};
+    return scene;
+}
+
 TEST(ViewBox, KeepsOnlyNodesThatCarryCameras) {
     Context context;
     Scene scene = scene_with_cameras();
@@ -53,17 +66,16 @@ TEST(ViewBox, GivesTheCamerasOfTheWholeSceneToTheBit) {
                 << view.side << view.camera;
 }
 
-/// What a moment moves: one of the two squares, by a clip of its node.
-Scene scene_in_motion() {
-    Scene scene = scene_with_cameras();
-    AnimationChannel channel;
-    channel.element = 0, channel.path = AnimationPath::translation;
-    channel.times = std::vector<float>{0, 1};
-    channel.values = std::vector<float>{0, 0, 0, 8, -3, 5};
-    Animation clip;
-    clip.channels = {channel};
-    scene.animations = {clip};
-    return scene;
+TEST(ViewBox, WhoWalksThroughALargeSceneSeesWhatIsClose) {
+    Context context;
+    Scene scene = scene_in_motion();
+    scene.nodes.push_back({.local = {.translation = {0, 0, -15'000}}, .meshes = {0}});
+    const ViewBox box(scene);
+    const ViewRequest view{.position = dvec3{0, 0.6, 1.5}, .focal_point = dvec3{0, 0.6, 0}};
+    const Camera camera = box.camera(scene, view, 1.5);
+    EXPECT_LT(camera.near, 1.5 / 2) << "far / 10,000 is 1.5 m";
+    EXPECT_EQ(camera, choose_camera(scene, view, 1.5, context));
+    EXPECT_EQ(camera, box.quick_camera(scene, view, 1.5, std::vector<ClipTime>{{0, 1}}));
 }
 
 TEST(ViewBox, GivesTheCamerasOfEveryMomentToTheBit) {
