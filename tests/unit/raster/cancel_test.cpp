@@ -6,29 +6,19 @@
 #include <algorithm>
 #include <atomic>
 
-#include "engines/raster/inspect/open_scene.h"
 #include "engines/raster/multisample.h"
 #include "engines/raster/raster_engine.h"
 #include "engines/raster/shade/channels_tile.h"
 #include "support/thrown_error.h"
 #include "unit/raster/busy_scene.h"
 #include "unit/raster/drawn.h"
+#include "unit/raster/one_tile.h"
 
 using namespace rakelight;
 using namespace rakelight::test;
 using namespace rakelight::raster;
 
 namespace {
-
-constexpr RenderSettings one_tile{.width = 64, .height = 64};
-
-Camera camera_at_origin() {
-    Camera camera;
-    camera.vertical_fov_rad = radians(60);
-    camera.z_near = 0.1;
-    camera.z_far = 1000;
-    return camera;
-}
 
 /// One mesh of `count` triangles that fill the picture left of `right` [units at distance 10], each nearer than the
 /// last.
@@ -49,21 +39,6 @@ Scene many_screens(std::uint32_t count, AlphaMode mode, float right = 100) {
     add_object(scene, std::move(mesh));
     return scene;
 }
-
-/// The only tile of a scene.
-struct OneTile {
-    OneTile(const Scene& scene, const RenderSettings& settings)
-        : of(scene, camera_at_origin(), settings, preparing),
-          drawn(of, {}, false, preparing),
-          job(tile_job(of, drawn)) {
-        job.context = &run;
-    }
-    Context preparing{{.threads = 1}}, run{{.threads = 1}};
-    OpenScene of;
-    OpenGeometry drawn;
-    TileJob job;
-    TileScratch scratch;
-};
 
 /// Cancels with the first tile that comes.
 class CancellingSink final : public Sink {

@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    Coverage c_{};
+    KeyPlane c_{};
 };
 
 /// Which of two points per pixel shows that both cover: that whose paraboloid is nearer. It opens away from the eye, with its

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
+#include <utility>
 
 #include "engines/raster/marks/mark_layers.h"
 #include "engines/raster/material_jobs.h"
 #include "engines/raster/multisample.h"
+#include "engines/raster/shade/blend_groups.h"
 #include "engines/raster/shade/blended_layers.h"
 #include "engines/raster/visibility/coverage.h"
 #include "engines/raster/visibility/visibility_methods.h"
@@ -27,6 +29,11 @@ std::size_t box_pixels(const ScreenTriangle& t, const Window& area) {
     return left > right || top > bottom ? 0 : std::size_t(right - left + 1) * std::size_t(bottom - top + 1);
 }
 
+Window common(const Window& a, const Window& b) {
+    const int left = std::max(a.x, b.x), top = std::max(a.y, b.y);
+    return {left, top, std::min(a.x + a.width, b.x + b.width) - left, std::min(a.y + a.height, b.y + b.height) - top};
+}
+
 class BlendedTile {
 public:
     BlendedTile(const TileJob& job, std::size_t tile, const std::vector<std::uint32_t>& order, MarkLayers* marks,
@@ -34,79 +41,82 @@ public:
         : job_(job),
           s_(scratch),
           m_(*scratch.layers),
+          tile_(tile),
+          by_pixel_(marks && samples > 1),
           order_(order),
           area_(job.grid.pixels(tile)),
           first_(job.binned.offsets[tile]),
           ox_(job.grid.origin_x(tile)),
           oy_(job.grid.origin_y(tile)),
           samples_(samples),
-          layers_(job, tile, scratch, marks, samples) {
-        sort_in_tile();
+          layers_(job, tile, scratch, marks, samples) {}
+
+    /// Where something must wait, by quarters: less waits at a time, and what crosses elsewhere need not.
+    void lay() {
+        const std::vector<GroupedTriangle> all =
+            blend_groups(job_, tile_, {ox_, oy_, tile_size, tile_size}, order_, by_pixel_);
+        if (std::none_of(all.begin(), all.end(), [](const GroupedTriangle& t) { return t.waits; })) return lay(all);
+        constexpr int half = tile_size / 2;
+        const Window whole = area_;
+        for (int k = 0; k < 4; ++k) {
+            const Window quarter{ox_ + k % 2 * half, oy_ + k / 2 * half, half, half};
+            area_ = common(whole, quarter);
+            std::vector<std::uint32_t> order;
+            std::copy_if(order_.begin(), order_.end(), std::back_inserter(order),
+                         [&](std::uint32_t item) { return box_pixels(*job_.binned.items[item], quarter) > 0; });
+            if (area_.width > 0 && area_.height > 0) lay(blend_groups(job_, tile_, quarter, order, by_pixel_));
+        }
     }
 
-    void lay() {
-        for (std::size_t i = 0; i < order_.size(); ++i) {
+private:
+    struct Part {
+        GroupedTriangle triangle;
+        BatchPart pixels;
+    };
+
+    void lay(const std::vector<GroupedTriangle>& triangles) {
+        group_ = 0;
+        for (const GroupedTriangle& t : triangles) {
             if (job_.is_cancelled()) return;
-            add(i, *job_.binned.items[order_[i]]);
+            add(t, *job_.binned.items[first_ + t.number]);
         }
         shade();
         layers_.finish();
     }
 
-private:
-    /// What the depth keys of a triangle's plane are in the tile.
-    struct Range {
-        float farthest, nearest;
-        std::uint32_t item;
-    };
-    Range range_of(std::uint32_t item) const {
-        Coverage c;
-        set_plane(*job_.binned.items[item], ox_, oy_, c);
-        constexpr float low = -0.5f, high = tile_size - 0.5f;
-        const float keys[] = {depth_at(c, low, low), depth_at(c, high, low), depth_at(c, low, high),
-                              depth_at(c, high, high)};
-        const auto [farthest, nearest] = std::minmax_element(std::begin(keys), std::end(keys));
-        return {*farthest, *nearest, item};
-    }
-
-    /// Far to near in this tile, so that little must wait; and the least depth key of what comes after each triangle.
-    void sort_in_tile() {
-        floors_.assign(order_.size(), std::numeric_limits<float>::infinity());
-        if (!has_depth(job_.front.settings.visibility)) return;
-        std::vector<Range> ranges;
-        for (const std::uint32_t item : order_) ranges.push_back(range_of(item));
-        std::stable_sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) {
-            return a.farthest + a.nearest < b.farthest + b.nearest;
-        });
-        for (std::size_t i = 0; i < ranges.size(); ++i) order_[i] = ranges[i].item;
-        for (std::size_t i = ranges.size(); i-- > 1;) floors_[i - 1] = std::min(floors_[i], ranges[i].farthest);
-    }
-
-    void add(std::size_t place, const ScreenTriangle& t) {
+    void add(const GroupedTriangle& grouped, const ScreenTriangle& t) {
         const std::size_t most = box_pixels(t, area_);
         if (most == 0) return;
         if (!s_.wanted.empty() &&
             (s_.wanted[0]->draw != t.draw || count_ + most > tile_pixels || s_.wanted.size() == most_triangles))
             shade();
-        const std::size_t before = count_;
+        BatchPart part{grouped.number, count_, count_, 0};
         if (samples_ > 1)
             collect_samples(t);
         else
-            collect(t, std::int32_t(order_[place] - first_));
-        if (count_ == before) return;
-        std::fill(s_.batch_triangle.begin() + std::ptrdiff_t(before),
-                  s_.batch_triangle.begin() + std::ptrdiff_t(count_), std::int32_t(s_.wanted.size()));
+            collect(t, std::int32_t(grouped.number));
+        part.end = count_;
+        if (part.begin == part.end) return;
+        if (samples_ > 1 && grouped.waits) find_depths(t, part);
+        std::fill(s_.batch_triangle.begin() + std::ptrdiff_t(part.begin),
+                  s_.batch_triangle.begin() + std::ptrdiff_t(part.end), std::int32_t(s_.wanted.size()));
         s_.wanted.push_back(&t);
-        places_.push_back(place);
+        parts_.push_back({grouped, part});
     }
 
     void collect(const ScreenTriangle& t, std::int32_t position) {
         const BlendTest is_before(job_.front, t, position);
-        cover(t, area_, ox_, oy_, [&](int x, int y, float depth) {
-            if (!is_before(x, y, ox_, oy_, depth, s_)) return;
-            s_.pixel[count_] = y * tile_size + x;
-            s_.batch_depth[count_++] = depth;
+        const int ox = ox_, oy = oy_;
+        const TileScratch& s = s_;
+        std::size_t count = count_;
+        std::int32_t* const pixel = s_.pixel.data();
+        float* const depths = s_.batch_depth.data();
+        cover(t, area_, ox, oy, [&](int x, int y, float depth) {
+            if (!is_before(x, y, ox, oy, depth, s)) return;
+            pixel[count] = y * tile_size + x;
+            depths[count++] = depth;
         });
+        count_ = count;
     }
 
     /// Shaded once per pixel, for those of its samples where it is nearest. At an edge that two triangles share, no
@@ -121,18 +131,20 @@ private:
                 if (m_.masks[p] == 0) s_.pixel[count_++] = std::int32_t(p);
                 m_.masks[p] = std::uint16_t(m_.masks[p] | 1u << k);
             });
-        if (count_ == before) return;
-        Coverage plane;
-        set_plane(t, ox_, oy_, plane);
-        const float reach =
-            std::min(plane.depth_high - plane.depth_low, 0.5f * (std::fabs(plane.depth_x) + std::fabs(plane.depth_y)));
         for (std::size_t i = before; i < count_; ++i) {
-            const auto p = std::size_t(s_.pixel[i]);
-            m_.batch_masks[i] = std::exchange(m_.masks[p], std::uint16_t(0));
-            m_.batch_reach[i] = reach;
-            s_.batch_depth[i] = depth_at(plane, float(p % tile_size), float(p / tile_size));
+            m_.batch_masks[i] = std::exchange(m_.masks[std::size_t(s_.pixel[i])], std::uint16_t(0));
             move_to_middle(samples_, m_.batch_masks[i], i, s_);
         }
+    }
+
+    /// At the pixels' centers, also where the triangle covers other samples alone.
+    void find_depths(const ScreenTriangle& t, BatchPart& part) {
+        KeyPlane plane;
+        set_plane(t, ox_, oy_, plane);
+        part.reach =
+            std::min(plane.depth_high - plane.depth_low, 0.5f * (std::fabs(plane.depth_x) + std::fabs(plane.depth_y)));
+        for (std::size_t i = part.begin; i < part.end; ++i)
+            s_.batch_depth[i] = depth_at(plane, float(s_.pixel[i] % tile_size), float(s_.pixel[i] / tile_size));
     }
 
     /// What was collected, into the layers.
@@ -145,35 +157,34 @@ private:
             s_.not_finite += std::uint64_t(shade_with_lists(job_.kernels, job_.reach, batch, s_));
             s_.shaded += count_;
             if (!batch.unlit && !batch.lit) s_.lit_pixels += count_;
-            for (std::size_t i = 0; i < count_; ++i) add_fragment(i);
+            give_parts();
         }
         count_ = 0;
         s_.wanted.clear();
-        places_.clear();
+        parts_.clear();
     }
 
-    void add_fragment(std::size_t i) {
-        const bool is_finite = s_.alpha[i] - s_.alpha[i] == 0;
-        if (!is_finite) ++s_.not_finite;
-        const vec4 color = {s_.red[i], s_.green[i], s_.blue[i], is_finite ? std::clamp(s_.alpha[i], 0.0f, 1.0f) : 0.0f};
-        const std::size_t place = places_[std::size_t(s_.batch_triangle[i])];
-        const bool is_sampled = samples_ > 1;
-        layers_.add({color, s_.batch_depth[i], is_sampled ? m_.batch_reach[i] : 0.0f, order_[place] - first_,
-                     std::uint16_t(s_.pixel[i]), is_sampled ? m_.batch_masks[i] : std::uint16_t(1)},
-                    floors_[place]);
+    void give_parts() {
+        for (const Part& p : parts_) {
+            if (p.triangle.group != group_) layers_.finish();
+            group_ = p.triangle.group;
+            p.triangle.waits ? layers_.wait(p.pixels) : layers_.lay(p.pixels);
+        }
     }
 
     const TileJob& job_;
     TileScratch& s_;
     LayerScratch& m_;
-    std::vector<std::uint32_t> order_;
-    const Window area_;
+    const std::size_t tile_;
+    const bool by_pixel_;
+    const std::vector<std::uint32_t>& order_;
+    Window area_;
     const std::uint32_t first_;
     const int ox_, oy_, samples_;
     BlendedLayers layers_;
-    std::vector<float> floors_;        ///< beside order_
-    std::vector<std::size_t> places_;  ///< in order_, of the batch's triangles
-    std::size_t count_ = 0;            ///< pixels of the batch
+    std::vector<Part> parts_;  ///< of the batch
+    std::uint32_t group_ = 0;  ///< that came last
+    std::size_t count_ = 0;    ///< pixels of the batch
 };
 
 }  // namespace

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Blended surfaces of a tile, put in order pixel by pixel: surfaces that cross are right on both sides of where they do.
-// They come triangle by triangle, roughly far to near. What nothing farther can follow is laid at once; the rest waits at
-// its pixel, sorted by depth. This is the k-buffer (Bavoil et al. 2007, "Multi-fragment effects on the GPU using the
-// k-buffer"): where one surface too many waits, the farthest is laid, so that the order is wrong only where a surface
-// comes after more than `most_waiting` nearer ones, and none is lost.
+// They come group by group, far to near (blend_groups.h). What nothing farther can follow is laid at once; the rest of a
+// group waits at its pixels, to be sorted by depth. This is the k-buffer (Bavoil et al. 2007, "Multi-fragment effects on the GPU
+// using the k-buffer"): where one surface too many waits, the farthest is laid, so that the order is wrong only where a
+// surface comes after more than `most_waiting` nearer ones of its group, and none is lost.
 #pragma once
+#include <bit>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "engines/raster/shade/layer_order.h"
@@ -25,24 +27,39 @@ struct BlendedFragment {
     std::uint16_t pixel, samples;  ///< in the tile; a bit a sample
 };
 
+/// What is sorted.
+struct WaitingLayer {
+    LayerPlace place;
+    const BlendedFragment* fragment;
+};
+
 /// Working memory of BlendedLayers, used again by the next tile.
 struct LayerScratch {
     struct Waiting {
         BlendedFragment fragment;
-        std::uint32_t next;  ///< the next farther one of the pixel
+        std::uint32_t next;  ///< what came before it at the pixel
     };
-    std::vector<Waiting> waiting;
-    std::vector<std::uint32_t> first = std::vector<std::uint32_t>(tile_pixels);  ///< nearest one of each pixel
-    std::vector<std::uint8_t> count = std::vector<std::uint8_t>(tile_pixels);
+    std::vector<Waiting> waiting;  ///< as many places as there is room for
+    std::vector<std::uint16_t> pixels = std::vector<std::uint16_t>(tile_pixels);  ///< first those where something waits
+    /// [tile_pixels] What came last; no_index where nothing waits, so everywhere between tiles.
+    std::vector<std::uint32_t> last = std::vector<std::uint32_t>(tile_pixels, no_index);
+    std::vector<std::uint16_t> count = std::vector<std::uint16_t>(tile_pixels);  ///< what waits, times its samples
     std::vector<LayerPlace> laid;  ///< [tile_pixels] the nearest that had to be laid early; empty: none had to
     std::vector<std::uint16_t> masks = std::vector<std::uint16_t>(tile_pixels);        ///< of a triangle; then 0 again
     std::vector<std::uint16_t> batch_masks = std::vector<std::uint16_t>(tile_pixels);  ///< beside the batch arrays
-    std::vector<float> batch_reach = std::vector<float>(tile_pixels);
+};
+
+/// A triangle's pixels in the batch arrays of TileScratch, where their colors are, and depths of those that are to wait.
+struct BatchPart {
+    std::uint32_t number;  ///< of the triangle in the tile's list
+    std::size_t begin, end;
+    float reach;  ///< as in BlendedFragment, of all
 };
 
 class BlendedLayers {
 public:
-    static constexpr std::size_t most_waiting = 32;  ///< at a pixel
+    /// At a pixel. Triangles beside each other at samples of their own are one surface.
+    static constexpr std::size_t most_waiting = 32;
 
     /// @param marks  lines and points between the surfaces; null: there are none
     BlendedLayers(const TileJob& job, std::size_t tile, TileScratch& scratch, MarkLayers* marks, int samples);
@@ -50,25 +67,28 @@ public:
     BlendedLayers& operator=(const BlendedLayers&) = delete;
     ~BlendedLayers();
 
-    /// @param floor  no depth key of what comes after is less
+    /// At once.
+    void lay(const BatchPart& part);
+    /// In the order of depths, at finish().
     /// @throws Error bad_file where what waits needs more than PictureMemory allows
-    void add(const BlendedFragment& f, float floor) {
-        if (m_.first[f.pixel] == no_index && f.key + f.reach < floor * (1 - 2 * equal_depths))
-            lay(f);
-        else
-            wait(f);
-    }
+    void wait(const BatchPart& part);
     /// Lays what waits.
     void finish();
 
 private:
     const ScreenTriangle& triangle(std::uint32_t number) const { return *items_[number]; }
+    int weight(const BlendedFragment& f) const { return samples_ == 1 ? 1 : std::popcount(f.samples); }
+    vec4* sample_colors(std::size_t pixel) const;
+    template <class Take>
+    void for_each_fragment(const BatchPart& part, const Take& take);
     void lay(const BlendedFragment& f);
-    void wait(const BlendedFragment& f);
-    void lay_farthest(const BlendedFragment& added);
-    std::uint32_t place_for(const BlendedFragment& f);
+    void make_room(std::size_t count);
+    void lay_early(const BlendedFragment& added);
+    std::span<const WaitingLayer> sorted(std::size_t pixel, WaitingLayer* end) const;
+    void finish_plain(std::span<const std::uint16_t> pixels);
     void finish_pixel(std::size_t pixel);
-    void lay_by_samples(const BlendedFragment* const* fragments, std::size_t count);
+    void lay_by_samples(std::span<const WaitingLayer> waiting);
+    void clear();
 
     const TileJob& job_;
     TileScratch& s_;
@@ -77,7 +97,10 @@ private:
     const ScreenTriangle* const* const items_;
     const int ox_, oy_;
     const std::size_t samples_;
-    std::uint32_t free_ = no_index;  ///< a place in `waiting` that is unused
+    const bool is_plain_;            ///< nothing else asks what is laid
+    std::size_t used_ = 0;           ///< of `waiting`
+    std::size_t pixels_ = 0;         ///< where something waits
+    std::uint32_t free_ = no_index;  ///< one of those, unused again
     std::uint64_t charged_ = 0;      ///< [bytes]
 };
 

@@ -7,21 +7,25 @@
 
 namespace rakelight::raster {
 
+/// The depth keys of a triangle in one tile.
+struct KeyPlane {
+    int plane_x, plane_y;  ///< pixel about which they are given
+    float depth_0, depth_x, depth_y;
+    float depth_low, depth_high;  ///< of its corners
+};
+
 /// A triangle in one tile: which pixels may be covered, in px from the tile's corner, and what decides it. Fixed-point edge
 /// functions with the top-left rule (Pineda 1988): a pixel center that lies exactly on an edge belongs to the triangle whose top or left
 /// edge it is, so that triangles which share an edge cover each pixel exactly once. From pixel to pixel an edge function
 /// changes by multiples of 256, so only the integer part of its 256th counts: floor(e / 256) >= 0 where e >= 0.
-struct Coverage {
+struct Coverage : KeyPlane {
     int left, top, right, bottom;                ///< inclusive
     std::int64_t edge[3], step_x[3], step_y[3];  ///< at (left, top), and its change per pixel; 0 where all pixels pass
-    int plane_x, plane_y;                        ///< pixel about which the plane of the depth keys is given
-    float depth_0, depth_x, depth_y;
-    float depth_low, depth_high;
 };
 
 /// The plane of the depth keys through the true corners, in double: its numerators are exact for small triangles,
 /// whatever the order of the corners. Given about the first pixel of the triangle's box in the tile, not in the window.
-inline void set_depth(const ScreenTriangle& s, int first_x, int first_y, Coverage& c) {
+inline void set_depth(const ScreenTriangle& s, int first_x, int first_y, KeyPlane& c) {
     constexpr double fine = 1 << fine_bits, pixel = 1 << (subpixel_bits + fine_bits);
     const double x0 = s.true_x(0), y0 = s.true_y(0);
     const double x1 = s.true_x(1) - x0, y1 = s.true_y(1) - y0, x2 = s.true_x(2) - x0, y2 = s.true_y(2) - y0;
@@ -39,16 +43,21 @@ inline void set_depth(const ScreenTriangle& s, int first_x, int first_y, Coverag
 }
 
 /// set_depth() about the first pixel of the triangle's box in the tile. Also where no pixel center is covered.
-inline void set_plane(const ScreenTriangle& s, int tile_x, int tile_y, Coverage& c) {
+inline void set_plane(const ScreenTriangle& s, int tile_x, int tile_y, KeyPlane& c) {
     c.plane_x = std::max(((std::min({s.x0, s.x1, s.x2}) + 127) >> subpixel_bits) - tile_x, 0);
     c.plane_y = std::max(((std::min({s.y0, s.y1, s.y2}) + 127) >> subpixel_bits) - tile_y, 0);
     set_depth(s, c.plane_x + tile_x, c.plane_y + tile_y, c);
 }
 
-/// The depth key that the plane has, within those of the corners. x, y [px] from the center of the tile's first pixel.
-inline float depth_at(const Coverage& c, float x, float y) {
+/// The depth key that the plane has, also beyond the corners. x, y [px] from the center of the tile's first pixel.
+inline float unlimited_depth_at(const KeyPlane& c, float x, float y) {
     const float depth_row = c.depth_0 + c.depth_y * (y - float(c.plane_y));
-    const float plane = depth_row + c.depth_x * (x - float(c.plane_x));
+    return depth_row + c.depth_x * (x - float(c.plane_x));
+}
+
+/// The same within those of the corners.
+inline float depth_at(const KeyPlane& c, float x, float y) {
+    const float plane = unlimited_depth_at(c, x, y);
     const float from_below = plane > c.depth_low ? plane : c.depth_low;
     return from_below < c.depth_high ? from_below : c.depth_high;
 }
