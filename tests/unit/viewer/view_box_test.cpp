@@ -73,7 +73,7 @@ TEST(ViewBox, WhoWalksThroughALargeSceneSeesWhatIsClose) {
     const ViewBox box(scene);
     const ViewRequest view{.position = dvec3{0, 0.6, 1.5}, .focal_point = dvec3{0, 0.6, 0}};
     const Camera camera = box.camera(scene, view, 1.5);
-    EXPECT_LT(camera.near, 1.5 / 2) << "far / 10,000 is 1.5 m";
+    EXPECT_LT(camera.z_near, 1.5 / 2) << "far / 10,000 is 1.5 m";
     EXPECT_EQ(camera, choose_camera(scene, view, 1.5, context));
     EXPECT_EQ(camera, box.quick_camera(scene, view, 1.5, std::vector<ClipTime>{{0, 1}}));
 }
