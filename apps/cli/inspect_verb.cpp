@@ -10,6 +10,7 @@
 #include <rakelight/tools/values.h>
 
 #include "../common/picture_options.h"
+#include "file_groups.h"
 #include "help_texts.h"
 #include "interrupt.h"
 #include "run_file.h"
@@ -272,6 +273,19 @@ void write_reports(const Reports& reports, const InspectionPage& page, const std
     for (const std::string& file : reports.junit) save_text(file, to_junit(rows, *limits));
 }
 
+/// Seams between files are not among those of each file.
+void note_groups(const Run& run, const Task& task) {
+    if (run.inputs.size() < 2 || !task.options.borders || run.loudness == Loudness::quiet) return;
+    SmoothFileOptions options;
+    options.attributes.weld_distance = run.picture.prepare.weld_distance;
+    options.load = run.picture.load;
+    for (const FileGroup& group : groups_by_borders(run, run.inputs, options))
+        if (group.members.size() > 1)
+            print_message(
+                group.title + ": open borders fit together; --as-one inspects them as one model, as smooth joins them",
+                run.loudness);
+}
+
 }  // namespace
 
 int run_inspect(const Run& run) {
@@ -309,6 +323,7 @@ int run_inspect(const Run& run) {
         if (task.has_page) page.add(row, pictures);
         rows.push_back(std::move(row));
     }
+    note_groups(run, task);
     write_reports(reports, page, rows, task.limits);
     print_text(text);
     if (run.is_json) print_data(to_json(rows));

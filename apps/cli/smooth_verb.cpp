@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <numeric>
 #include <system_error>
 
 #include <rakelight/compare.h>
@@ -10,6 +9,7 @@
 #include <rakelight/tools/values.h>
 
 #include "../common/picture_options.h"
+#include "file_groups.h"
 #include "help_texts.h"
 #include "interrupt.h"
 #include "run_file.h"
@@ -42,6 +42,7 @@ Command smooth_command() {
     as_one.help =
         "Smooth all files as one model, each in its own coordinates. Default: those whose open borders fit together. "
         "Each "
+        ""
         "file is written to its own output, all of them or none";
     keep.help = "glTF: keep instances sharing one mesh even where they touch different objects";
     return {
@@ -162,67 +163,13 @@ SmoothedFile smooth_input(const Run& run, const PictureRequest& request, const S
 
 using Rows = std::map<std::size_t, SmoothedFileRow>;  ///< by their input
 using Inputs = std::vector<InputRequest>;
-using Group = std::vector<std::size_t>;  ///< inputs that are smoothed as one model, ascending
 
-/// [inputs] the first input of the same model. Where the files cannot be compared, each is a model of its own.
-std::vector<std::uint32_t> models_of(const Run& run, const Inputs& inputs) {
-    std::vector<std::uint32_t> first(inputs.size(), 0);
-    if (run.given.has("as-one")) return first;
-    std::iota(first.begin(), first.end(), 0u);
-    if (inputs.size() < 2 || run.given.has("apart") || run.given.has("preview")) return first;
+std::vector<FileGroup> groups_of(const Run& run, const Inputs& inputs, const SmoothFileOptions& options) {
     std::vector<std::string> files;
     for (const InputRequest& input : inputs) files.push_back(input.picture.input);
-    Context context({.threads = run.threads, .max_memory = run.max_memory});
-    const CancelOnInterrupt guard(context, files.front());
-    try {
-        return files_cut_apart(files, smooth_options(run, inputs.front().picture), context);
-    } catch (const Error& error) {
-        context.throw_if_cancelled();
-        print_message("open borders of the files are not compared: " + std::string(error.what()), run.loudness);
-        return first;
-    }
-}
-
-std::vector<Group> groups_of(const Run& run, const Inputs& inputs) {
-    const std::vector<std::uint32_t> first = models_of(run, inputs);
-    std::vector<Group> groups(inputs.size());
-    for (std::size_t i = 0; i < inputs.size(); ++i) groups[first[i]].push_back(i);
-    std::erase_if(groups, [](const Group& g) { return g.empty(); });
-    return groups;
-}
-
-/// Several inputs as one model. @return the exit code
-int smooth_as_one(const Run& run, const Inputs& inputs, const Group& group, Rows& rows) {
-    std::vector<FileToSmooth> files;
-    std::string title;
-    for (const std::size_t i : group) {
-        const PictureRequest& request = inputs[i].picture;
-        files.push_back({request.input, request.output});
-        title += (title.empty() ? "" : " + ") + request.input;
-        rows[i].file = request.input;
-    }
-    SmoothedFileRow all;
-    std::vector<SmoothedFile> results;
-    const int code = run_file(run, title, all, [&](Context& context) {
-        for (const std::size_t i : group)
-            if (inputs[i].error) throw *inputs[i].error;
-        results = smooth_files(files, smooth_options(run, inputs[group.front()].picture), context);
-    });
-    SmoothedFileRow& front = rows[group.front()];
-    front.remarks = all.remarks, front.remarks_left_out = all.remarks_left_out;
-    if (code == 0 && !run.given.has("as-one"))
-        print_message(title + ": open borders fit together, smoothed as one model (--apart: each by itself)",
-                      run.loudness);
-    for (std::size_t k = 0; k < group.size(); ++k) {
-        SmoothedFileRow& row = rows[group[k]];
-        if (code != 0) {
-            row.error = all.error;
-            continue;
-        }
-        row.result = std::move(results[k]);
-        print_message(summary(*row.result), run.loudness);
-    }
-    return code;
+    if (run.given.has("as-one")) return all_as_one(files);
+    const bool is_over_parts = options.attributes.scope == Scope::model;  // else a group changes nothing
+    return run.given.has("apart") || !is_over_parts ? each_alone(files) : groups_by_borders(run, files, options);
 }
 
 /// @return the exit code
@@ -232,6 +179,73 @@ int smooth_alone(const Run& run, const InputRequest& input, SmoothedFileRow& row
     const int code = run_input(
         run, input, row, [&](Context& c) { row.result = smooth_input(run, request, smooth_options(run, request), c); });
     if (code == 0) print_message(summary(*row.result), run.loudness);
+    return code;
+}
+
+/// All pages or models of a group by themselves. @return the exit code
+int smooth_each(const Run& run, const Inputs& inputs, const FileGroup& group, Rows& rows) {
+    int worst = 0;
+    for (const std::size_t i : group.members) {
+        if (CancelOnInterrupt::happened()) break;
+        worst = std::max(worst, smooth_alone(run, inputs[i], rows[i]));
+    }
+    return worst;
+}
+
+/// One page, under the name of the first.
+int preview_as_one(const Run& run, const Inputs& inputs, const FileGroup& group, Rows& rows) {
+    InputRequest all = inputs[group.members.front()];
+    for (std::size_t k = 1; k < group.members.size(); ++k)
+        all.picture.load.joined.push_back(inputs[group.members[k]].picture.input);
+    print_message(group.title + ": open borders fit together, one page (--apart: a page each)", run.loudness);
+    return smooth_alone(run, all, rows[group.members.front()]);
+}
+
+/// What a group of several inputs gives; `why` says why it cannot be smoothed as one model, where nobody asked for that.
+int smooth_together(const Run& run, const Inputs& inputs, const FileGroup& group, SmoothedFileRow& all,
+                    std::vector<SmoothedFile>& results, std::string& why) {
+    std::vector<FileToSmooth> files;
+    for (const std::size_t i : group.members) files.push_back({inputs[i].picture.input, inputs[i].picture.output});
+    return run_file(run, group.title, all, [&](Context& context) {
+        try {
+            for (const std::size_t i : group.members)
+                if (inputs[i].error) throw *inputs[i].error;
+            results = smooth_files(files, smooth_options(run, inputs[group.members.front()].picture), context);
+        } catch (const Error& error) {
+            if (run.given.has("as-one") || context.cancelled()) throw;
+            why = error.what();
+        }
+    });
+}
+
+/// Several inputs as one model. @return the exit code
+int smooth_as_one(const Run& run, const Inputs& inputs, const FileGroup& group, Rows& rows) {
+    SmoothedFileRow all;
+    std::vector<SmoothedFile> results;
+    std::string why;
+    const int code = smooth_together(run, inputs, group, all, results, why);
+    if (!why.empty()) {
+        print_message(group.title + ": not smoothed as one model, but each by itself: " + why, run.loudness);
+        return smooth_each(run, inputs, group, rows);
+    }
+    if (code == 0) {
+        const std::string counts = summary_of_all(results.front());
+        print_message(group.title +
+                          (run.given.has("as-one")
+                               ? ": smoothed as one model"
+                               : ": open borders fit together, smoothed as one model (--apart: each by itself)") +
+                          (counts.empty() ? "" : ", " + counts),
+                      run.loudness);
+    }
+    for (std::size_t k = 0; k < group.members.size(); ++k) {
+        SmoothedFileRow& row = rows[group.members[k]];
+        row.file = inputs[group.members[k]].picture.input;
+        row.error = all.error;
+        if (k == 0) row.remarks = all.remarks, row.remarks_left_out = all.remarks_left_out;
+        if (code != 0) continue;
+        row.result = std::move(results[k]);
+        print_message(summary(*row.result), run.loudness);
+    }
     return code;
 }
 
@@ -245,15 +259,16 @@ int run_smooth(const Run& given) {
     const Run run = with_output(given);
     (void)smooth_options(run, run.picture);  // what is wrong for all is reported once
     const Inputs inputs = picture_requests(run);
-    const std::vector<Group> groups = groups_of(run, inputs);
+    const std::vector<FileGroup> groups = groups_of(run, inputs, smooth_options(run, run.picture));
     *run.files = {.of = groups.size()};
     Rows rows;
     int worst = 0;
-    for (const Group& group : groups) {
+    for (const FileGroup& group : groups) {
         if (CancelOnInterrupt::happened()) break;
-        const std::size_t first = group.front();
-        worst = std::max(worst, group.size() > 1 ? smooth_as_one(run, inputs, group, rows)
-                                                 : smooth_alone(run, inputs[first], rows[first]));
+        const auto way = group.members.size() < 2   ? smooth_each
+                         : run.given.has("preview") ? preview_as_one
+                                                    : smooth_as_one;
+        worst = std::max(worst, way(run, inputs, group, rows));
     }
     std::vector<SmoothedFileRow> in_order;
     for (auto& [input, row] : rows) in_order.push_back(std::move(row));

@@ -53,7 +53,9 @@ struct SmoothedMesh {
 
 /// Result of smooth_file().
 struct SmoothedFile {
-    std::string file{}, output{};    ///< as they were named
+    std::string file{}, output{};  ///< as they were named
+    /// The other files that were smoothed as one model with it. `seams`, `borders` and `missing_made` count over all.
+    std::vector<std::string> together{};
     bool changed = false;            ///< false: normals and tangents were already right; the file was copied unchanged
     std::uint32_t meshes_added = 0;  ///< glTF: number of copies for instances that need their own normals
     /// Where authored normals were kept: number of vertices that had no normal, a zero or a non-finite one, and got one.
@@ -90,14 +92,21 @@ struct FileToSmooth {
 RL_API std::vector<SmoothedFile> smooth_files(std::span<const FileToSmooth> files, const SmoothFileOptions& options,
                                               Context& context);
 
-/// Which files hold pieces of one surface: an open edge of one file is an open edge of another one, in world space, and
-/// their faces lie on opposite sides of it. So variants of one model, and models that only touch, are apart. An edge of
-/// three files or more does not count, because it is not clear which two belong together. Reads all files, one at a
-/// time; a file that cannot be read is apart.
-/// @return [files] the index of the first file of the same surface; its own index if there is none before it
+/// Result of files_cut_apart().
+struct FilesCutApart {
+    /// [files] the index of the first file of the same surface; its own index if there is none before it
+    std::vector<std::uint32_t> first{};
+    /// Files with open edges that fit those of two other files or more, ascending. It is not clear which two belong
+    /// together, so these edges do not count.
+    std::vector<std::uint32_t> unclear{};
+};
+
+/// Which files hold pieces of one surface: at least two open edges of one file are open edges of another one, in world
+/// space, and their faces lie on opposite sides of them. So variants of one model, and models that only touch, are
+/// apart. Reads all files, one at a time; a file that cannot be read is apart.
 /// @throws Error bad_file: over the memory budget; failed: cancelled
-RL_API std::vector<std::uint32_t> files_cut_apart(std::span<const std::string> files, const SmoothFileOptions& options,
-                                                  Context& context);
+RL_API FilesCutApart files_cut_apart(std::span<const std::string> files, const SmoothFileOptions& options,
+                                     Context& context);
 
 /// Output of a preview.
 struct PreviewPlace {
@@ -113,7 +122,10 @@ RL_API SmoothedFile preview_smooth(const std::string& input, const PreviewPlace&
                                    const SmoothFileOptions& options, const ViewRequest& view,
                                    const RenderSettings& settings, Context& context);
 
-/// One line: what was written and how much changed.
+/// One line: what was written and how much changed. Of a file that was smoothed together with others, it leaves out
+/// what is counted over all of them.
 RL_API std::string summary(const SmoothedFile& result);
+/// What is counted over all files that were smoothed as one model; empty if nothing is.
+RL_API std::string summary_of_all(const SmoothedFile& result);
 
 }  // namespace rakelight

@@ -99,6 +99,8 @@ std::vector<SmoothedFile> smooth_files(std::span<const FileToSmooth> files, cons
         const ModelRewrite& model = models[i];
         SmoothedFile& result = results.emplace_back();
         result.file = model.input, result.output = model.output;
+        for (std::size_t other = 0; other < models.size(); ++other)
+            if (other != i) result.together.push_back(models[other].input);
         result.seams = seams, result.borders = borders, result.missing_made = missing_made;
         std::optional<Scene> part;
         const MemoryCharge charge(context.memory(), joined ? table_bytes(model.before) : 0, "the smoothed scene");

@@ -71,6 +71,7 @@ std::string to_json(std::span<const SmoothedFileRow> rows) {
             row["changed"] = r.result->changed;
             row["vertices_split"] = split_of(*r.result);
             row["meshes_added"] = r.result->meshes_added;
+            if (!r.result->together.empty()) row["together"] = r.result->together;
             row["missing_made"] = r.result->missing_made;
             Json meshes = Json::array();
             for (const SmoothedMesh& m : r.result->meshes) meshes.push_back(json_of(m));
@@ -85,23 +86,32 @@ std::string to_json(std::span<const SmoothedFileRow> rows) {
     return document("rakelight.smooth/1", std::move(array));
 }
 
+std::string summary_of_all(const SmoothedFile& result) {
+    const std::string seams = result.seams ? describe(*result.seams, result.missing_made) : "";
+    const std::string borders = result.borders ? describe(*result.borders) : "";
+    return seams + (seams.empty() || borders.empty() ? "" : ", ") + borders;
+}
+
 std::string summary(const SmoothedFile& result) {
     using Change = SmoothedMesh::Change;
-    const std::string seams = result.seams ? describe(*result.seams, result.missing_made) : "";
-    const std::string borders = result.borders ? ", " + describe(*result.borders) : "";
+    const bool is_alone = result.together.empty();
+    const std::string all = is_alone ? summary_of_all(result) : "";
     if (!result.changed)
-        return result.output + ": nothing to change, " +
-               (result.seams ? seams + borders : "the normals and tangents are already the same");
+        return result.output + ": nothing to change" +
+               (!is_alone ? "" : ", " + (result.seams ? all : "the normals and tangents are already the same"));
     std::uint64_t normals = 0, tangents = 0;
     for (const SmoothedMesh& m : result.meshes) {
-        normals += m.normals == Change::made || m.normals == Change::replaced;
-        tangents += m.tangents == Change::made || m.tangents == Change::replaced;
+        const auto is_written = [&](Change change) {
+            return change == Change::made || change == Change::replaced || (!is_alone && change == Change::turned);
+        };
+        normals += is_written(m.normals), tangents += is_written(m.tangents);
     }
-    const std::string written = format_text("normals of {} meshes and tangents of {} written, {} vertices split",
-                                            normals, tangents, split_of(result));
-    std::string text = result.output + ": " + (result.seams ? seams : written);
-    if (result.seams && normals + tangents > 0) text += ", " + written;
-    return format_text("{}{}, {} meshes added", text, borders, result.meshes_added);
+    std::string text = all;
+    if (!result.seams || normals + tangents > 0 || text.empty())
+        text += (text.empty() ? "" : ", ") +
+                format_text("normals of {} meshes and tangents of {} written, {} vertices split", normals, tangents,
+                            split_of(result));
+    return format_text("{}: {}, {} meshes added", result.output, text, result.meshes_added);
 }
 
 }  // namespace rakelight

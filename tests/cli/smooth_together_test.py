@@ -50,8 +50,8 @@ class SmoothTogether(program.Case):
             self.assertEqual(away[0], away[1])  # what authors made stays where nothing meets
 
     def test_a_second_run_changes_nothing(self):
-        self.fine("smooth", "head.glb", "body.glb", "--as-one", "-o", "out/")
-        rows = json.loads(self.fine("smooth", "out/head.glb", "out/body.glb", "--as-one", "-o", "again/", "--json").out)["rows"]
+        self.fine("smooth", "head.glb", "body.glb", "-o", "out/")
+        rows = json.loads(self.fine("smooth", "out/head.glb", "out/body.glb", "-o", "again/", "--json").out)["rows"]
         self.assertEqual([row["changed"] for row in rows], [False, False])
         for name in ("head.glb", "body.glb"):
             self.assertEqual((self.folder / "out" / name).read_bytes(), (self.folder / "again" / name).read_bytes())
@@ -68,7 +68,7 @@ class SmoothTogether(program.Case):
 
         sphere.write_glb(self.folder / "body.glb", -1, turned, local)
         sphere.write_glb(self.folder / "head.glb", 1, {"translation": [0, 0, 3]})
-        self.fine("smooth", "head.glb", "body.glb", "--as-one", "-o", "out/")
+        self.fine("smooth", "head.glb", "body.glb", "-o", "out/")
         self.assertLess(self.largest_error(self.folder / "out/head.glb"), 1e-3)
         c, s = math.cos(0.8), math.sin(0.8)
         self.assertLess(self.largest_error(self.folder / "out/body.glb", lambda v: (v[0], c * v[1] - s * v[2], s * v[1] + c * v[2])), 1e-3)
@@ -78,7 +78,7 @@ class SmoothTogether(program.Case):
         sphere.write_obj(self.folder / "body.obj", -1)
         for options in (("--normals", "model"), ()):
             with self.subTest(options=options):
-                self.fine("smooth", "head.glb", "body.obj", "--as-one", "-o", "out/", *options)
+                self.fine("smooth", "head.glb", "body.obj", "-o", "out/", *options)
                 self.assertTrue((self.folder / "out/body.obj").read_text().startswith("# one half"))
                 cut = [(p, n) for p, n in sphere.obj_corners(self.folder / "out/body.obj") if abs(p[2]) < 1e-6]
                 tree, binary = sphere.read_glb(self.folder / "out/head.glb")
@@ -91,7 +91,7 @@ class SmoothTogether(program.Case):
                         self.assertLess(degrees(n, p), 1e-3)
 
     def test_in_place(self):
-        self.fine("smooth", "head.glb", "body.glb", "--as-one", "-o", "{model}.{ext}")
+        self.fine("smooth", "head.glb", "body.glb", "-o", "{model}.{ext}")
         self.assertLess(self.largest_error(self.folder / "head.glb"), 1e-4)
         self.assertEqual(self.files(), ["body.glb", "head.glb"])
 
@@ -119,13 +119,33 @@ class SmoothTogether(program.Case):
         self.assertEqual(["error" in row for row in json.loads(failed.out)["rows"]], [True, True])
         self.assertFalse((self.folder / "two").exists())
 
-    def test_a_line_says_what_belongs_together(self):
-        note = "head.glb + body.glb: open borders fit together, smoothed as one model (--apart: each by itself)"
-        self.assertIn(note, self.fine("smooth", "head.glb", "body.glb", "-o", "out/").err)
-        self.assertNotIn("fit together", self.fine("smooth", "head.glb", "body.glb", "--as-one", "-o", "out/").err)
+    def test_a_line_says_what_belongs_together_and_counts_over_all(self):
+        note = "head.glb + body.glb: open borders fit together, smoothed as one model (--apart: each by itself), 48 of "
+        done = self.fine("smooth", "head.glb", "body.glb", "-o", "out/", "--json")
+        self.assertIn(note, done.err)
+        self.assertEqual(done.err.count("authored normals turn"), 1)
+        rows = json.loads(done.out)["rows"]
+        self.assertEqual([row["together"] for row in rows], [["body.glb"], ["head.glb"]])
+        sphere.write_glb(self.folder / "far.glb", -1, {"translation": [5, 0, 0]})
+        done = self.fine("smooth", "head.glb", "body.glb", "far.glb", "--as-one", "-o", "out/")
+        self.assertIn("far.glb: nothing to change\n", done.err)
+        self.assertNotIn("fit together", done.err)
         self.assertNotIn("fit together", self.fine("smooth", "head.glb", "-o", "out/").err)
-        self.assertNotIn("fit together", self.fine("smooth", "head.glb", "body.glb", "-o", "out/", "--quiet").err)
+        self.assertEqual("", self.fine("smooth", "head.glb", "body.glb", "-o", "out/", "--quiet").err)
         self.check_refused(self.run_program("smooth", "head.glb", "body.glb", "--as-one", "--apart", "-o", "out/"), 2, "--as-one and --apart exclude each other")
+
+    def test_what_cannot_be_smoothed_as_one_is_smoothed_alone(self):
+        sphere.write_obj(self.folder / "body.obj", -1)  # OBJ stores no bitangents
+        done = self.run_program("smooth", "head.glb", "body.obj", "--bitangents", "-o", "out/", "--json")
+        self.assertEqual(done.code, 2, done.err)
+        self.assertIn("head.glb + body.obj: not smoothed as one model, but each by itself: ", done.err)
+        self.assertEqual(["error" in row for row in json.loads(done.out)["rows"]], [False, True])
+        self.assertEqual([p.name for p in (self.folder / "out").iterdir()], ["head.glb"])
+
+    def test_inspect_names_what_fits_together(self):
+        note = "head.glb + body.glb: open borders fit together; --as-one inspects them as one model"
+        self.assertIn(note, self.fine("inspect", "head.glb", "body.glb", "--check").err)
+        self.assertNotIn("fit together", self.run_program("inspect", "head.glb", "body.glb", "--as-one", "--check").err)
 
     def test_others_are_smoothed_by_themselves(self):
         sphere.write_glb(self.folder / "far.glb", -1, {"translation": [5, 0, 0]})
@@ -144,10 +164,16 @@ class SmoothTogether(program.Case):
         self.fine("smooth", "head.glb", "variant.glb", "body.glb", "-o", "out/")
         for name in ("head.glb", "variant.glb", "body.glb"):
             self.assertEqual((self.folder / "out" / name).read_bytes(), (self.folder / name.replace("variant", "head")).read_bytes())
+        self.assertIn("head.glb, variant.glb, body.glb: open borders fit together in several ways, so they are not joined",
+                      self.fine("smooth", "head.glb", "variant.glb", "body.glb", "-o", "out/").err)
 
     def test_a_preview_shows_both(self):
-        self.fine("smooth", "head.glb", "body.glb", "--as-one", "--preview", "p.html")
-        self.assertTrue((self.folder / "p.html").exists())
+        for options in (["--as-one"], []):
+            done = self.fine("smooth", "head.glb", "body.glb", *options, "--preview", "pages/")
+            self.assertIn("48 of ", done.err)
+            self.assertEqual(sorted(p.name for p in (self.folder / "pages").iterdir()), ["head-after.png", "head-before.png", "head.html"])
+        self.fine("smooth", "head.glb", "body.glb", "--apart", "--preview", "each/")
+        self.assertTrue((self.folder / "each/body.html").exists())
 
 
 if __name__ == "__main__":
