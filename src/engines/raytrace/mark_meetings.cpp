@@ -20,6 +20,22 @@ MarkMeeting next_mark(const TracePicture& picture, MarkQuery query, const MarkPr
     return is_line ? line : point;
 }
 
+/// Up to where marks are in front of a surface or on it. On a blended one lies only what no farther surface is in front of, as in
+/// soft: seen at a slant it reaches behind others.
+MarkLimit limit_of(const TracePicture& picture, const WaveScratch& s, std::size_t ray, Meeting surface,
+                   const MarkQuery& query) {
+    MarkLimit to = picture.mark_limit(surface, query.origin, query.direction, query.is_primary);
+    while (surface.draw != no_index && picture.is_blended(surface.draw)) {
+        const float from = surface.t * step_behind, reach = std::max(to.points, to.lines);
+        if (!(from < reach)) break;
+        surface = find_surface(picture, s, ray, query.with_blended, from, reach);
+        if (surface.draw == no_index) break;
+        const MarkLimit next = picture.mark_limit(surface, query.origin, query.direction, query.is_primary);
+        to = {std::min(to.points, next.points), std::min(to.lines, next.lines)};
+    }
+    return to;
+}
+
 }  // namespace
 
 void begin_rays(const TracePicture& picture, float from, WaveScratch& s) {
@@ -42,7 +58,7 @@ Meeting find_first(const TracePicture& picture, WaveScratch& s, std::size_t ray,
                           .after = {},
                           .is_primary = s.wave.is_primary(),
                           .with_blended = with_blended};
-    const MarkLimit to = picture.mark_limit(surface, query.origin, query.direction, query.is_primary);
+    const MarkLimit to = limit_of(picture, s, ray, surface, query);
     MarkMeeting mark = next_mark(picture, query, progress, to);
     while (mark.mark != no_index && mark.mark == progress.last.mark &&
            picture.marks[mark.mark].are_joined(mark.number, progress.last.number)) {

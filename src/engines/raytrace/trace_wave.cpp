@@ -206,14 +206,19 @@ TileTracer tracer_of(const TracePicture& picture, const Context& context, WaveSc
             s.wave.is_primary() ? nullptr : s.wave.media.data()};
 }
 
-Meeting find_surface(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended) {
+Meeting find_surface(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended, float from,
+                     float to) {
     const RayWave& wave = s.wave;
     const SeenFilter filter(picture, wave, ray, with_blended);
     const bool needs_filter =
         (wave.is_primary() ? picture.has_filtered : picture.has_masked) || (!with_blended && picture.has_holes);
-    const float to = wave.is_primary() ? float(picture.view.z_far) : std::numeric_limits<float>::infinity();
-    return picture.first(picture.in_rays(wave.vector(ray_o, ray)), wave.vector(ray_d, ray), s.from[ray], to,
+    return picture.first(picture.in_rays(wave.vector(ray_o, ray)), wave.vector(ray_d, ray), from, to,
                          needs_filter ? &filter : nullptr);
+}
+
+Meeting find_surface(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended) {
+    const float to = s.wave.is_primary() ? float(picture.view.z_far) : std::numeric_limits<float>::infinity();
+    return find_surface(picture, s, ray, with_blended, s.from[ray], to);
 }
 
 void set_hits(std::size_t begin, std::size_t end, WaveScratch& s, HitJob& job) {

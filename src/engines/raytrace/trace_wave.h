@@ -84,6 +84,9 @@ void find_sky_colors(const TracePicture& picture, bool is_parallel, WaveScratch&
 
 /// The nearest surface that a ray of the wave shows. @param with_blended  false: only opaque ones
 Meeting find_surface(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended);
+/// The same of those at `from` < t, up to `to`.
+Meeting find_surface(const TracePicture& picture, const WaveScratch& s, std::size_t ray, bool with_blended, float from,
+                     float to);
 /// The nearest surface, line or point (TracePicture::is_mark()); lines and points lie over surfaces at the same depth. The
 /// ray continues behind marks by itself.
 Meeting find_first(const TracePicture& picture, WaveScratch& s, std::size_t ray, bool with_blended);

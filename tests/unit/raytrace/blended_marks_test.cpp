@@ -227,6 +227,21 @@ TEST(BlendedMarks, PanesTintWhatIsBehindThem) {
         }
 }
 
+/// What lies on a slanted pane reaches behind a frontal one close to it. There the line of half opacity, 0.05 m behind both, is
+/// seen once, through both: 1/2 * 4/5 * 4/5. The panes are black.
+TEST(BlendedMarks, BehindTwoPanesTheyAreSeenOnceThroughBoth) {
+    for (const Camera& camera : {flat(), straight()}) {
+        Scene scene;
+        const std::uint32_t glass = add_unlit(scene, {0, 0, 0, 0.2f});
+        test::add_object(scene, test::square_mesh(glass, 30), turned(80, {0, 0, 0.1}));
+        test::add_object(scene, test::square_mesh(glass, 30));
+        add_marks(scene, Topology::lines, {{-0.7f, 0, -0.05f}, {0.7f, 0, -0.05f}}, white);
+        for (const Frame& f : {traced(scene, camera, line_settings(6)), soft(scene, camera, line_settings(6))})
+            for (const int y : {31, 32})
+                EXPECT_TRUE(is_near(at(f, 32, y), {0.32f, 0.32f, 0.32f})) << y << ' ' << at(f, 32, y).x;
+    }
+}
+
 TEST(BlendedMarks, OnAPaneTheyLieOverIt) {
     for (const double angle_deg : {0.0, 60.0}) {
         Scene scene;
