@@ -187,13 +187,15 @@ void begin(StageMaker& stage, const Features& f, const Driver& driver, const Use
     stage.add_file("engines/opengl/glsl/points.glsl");
 }
 
-/// Where triangles are cut: what a vertex shader of the user's hands on is the sum of that of its corners.
+/// Where triangles are cut: what a vertex shader of the user's hands on is the sum of that of its corners. The sums have numbers:
+/// of the names b[1] and b_1 one could be made twice.
 std::string sums_of_passed(const std::vector<ShaderVariable>& passed) {
     std::string sums, added, given;
+    int number = 0;
     for (const ShaderVariable& v : passed)
         for (int i = 0; i < std::max(v.count, 1); ++i) {
             const std::string place = v.count > 0 ? v.name + "[" + std::to_string(i) + "]" : v.name;
-            const std::string sum = "rl_sum_" + v.name + (v.count > 0 ? "_" + std::to_string(i) : "");
+            const std::string sum = "rl_sum_" + std::to_string(number++);
             sums += v.type + " " + sum + ";\n";
             added += " " + sum + " = " + place + " * weight + (is_first ? " + v.type + "(0.0) : " + sum + ");";
             given += " " + place + " = " + sum + ";";

@@ -365,6 +365,29 @@ TEST_F(OpenGlShaders, VerticesHandOnTheirValuesWhereTrianglesAreCut) {
     EXPECT_GT(seen, 1000);
 }
 
+TEST_F(OpenGlShaders, NamesThatLookLikePartsOfAnArrayAreHandedOnToo) {
+    RenderSettings settings = small();
+    settings.interpolation = AttributeInterpolation::screen;
+    settings.channels = channel_diffuse;
+    set_vertices(settings, "names.vertex.glsl",
+                 "out float b_1; out float b[2]; out float b_0_1[2];\nvoid user_vertex(inout Vertex v)\n"
+                 "{ b_1 = 0.125; b[0] = 0.25; b[1] = 0.5; b_0_1[0] = 0.0; b_0_1[1] = 0.75; }\n");
+    set_lighting(settings, "names.glsl",
+                 "in float b_1; in float b[2]; in float b_0_1[2];\n"
+                 "LightTerms user_terms(MaterialSurface s, LightSample light) { LightTerms t = no_terms();\n"
+                 "t.diffuse = vec3(b_1, b[0] + b_0_1[1], b[1] + b_0_1[0]); return t; }\n");
+    const Frame frame = drawn(*engine, checkered_floor(0), settings, context, floor_camera());
+    int seen = 0;
+    for (const vec3& term : frame.diffuse) {
+        if (term == vec3{}) continue;
+        ASSERT_NEAR(term.x, 0.125, 1e-4);
+        ASSERT_NEAR(term.y, 1, 1e-4);
+        ASSERT_NEAR(term.z, 0.5, 1e-4);
+        ++seen;
+    }
+    EXPECT_GT(seen, 1000);
+}
+
 TEST_F(OpenGlShaders, FunctionsOfPixelsAloneCanBeUsed) {
     RenderSettings settings = small();
     set_lighting(settings, "lines.glsl",
