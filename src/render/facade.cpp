@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <rakelight/picture.h>
+#include <rakelight/picture_parts.h>
 #include <rakelight/session.h>
 #include <rakelight/tools/file_ending.h>
 
@@ -36,7 +37,7 @@ Frame render(const Scene& scene, const Camera& camera, const RenderSettings& set
 Frame render(const Scene& scene, const RenderSettings& settings, Context& context) {
     check_settings(settings);
     const double aspect = double(settings.width) / double(settings.height);
-    return render(scene, choose_camera(scene, {}, aspect, context), settings, context);
+    return render(scene, choose_camera(scene, {}, aspect, settings.visibility, context), settings, context);
 }
 
 namespace {

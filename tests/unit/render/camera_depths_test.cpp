@@ -168,6 +168,24 @@ TEST(CameraDepths, DepthsThatLoseByItKeepNearAwayFromTheEye) {
     EXPECT_EQ(chooser.choose(from_head_height, 1, context).z_near, sharp.z_near);
 }
 
+TEST(CameraDepths, APictureOfASceneAloneHasTheNearOfItsVisibility) {
+    Context context;
+    Scene scene = scene_with_speck();
+    scene.source = "tour.scene.toml";
+    scene.cameras = {camera_at({0, 1.7, 0}, {0, 1.7, -1})};
+    const auto drawn = [&](Visibility visibility) {
+        return render(scene, {.width = 160, .height = 160, .visibility = visibility}, context);
+    };
+    const Frame right = drawn(Visibility::z_reversed);
+    for (const Visibility v : {Visibility::z16, Visibility::z24, Visibility::z_float}) {
+        const Frame frame = drawn(v);
+        std::size_t others = 0;
+        for (std::size_t i = 0; i < frame.color.size(); ++i)
+            others += right.color[i].xyz() != vec3{0, 0, 1} && frame.color[i] != right.color[i];
+        EXPECT_EQ(others, 0u) << int(v);
+    }
+}
+
 TEST(CameraDepths, OfAFilesCamerasOnlyThoseOfAWorldWithoutNearAndFarFollowTheScene) {
     Context context;
     Scene scene = large_scene(0.05);
