@@ -43,6 +43,12 @@ int most_samples(const Driver& driver) {
     return std::max(int(samples), 1);
 }
 
+/// Without it (RAKELIGHT_GL_CLIP_CONTROL=off, for tests) depth is that of the textbook.
+bool has_clip_control(bool is_in_driver) {
+    const char* const forced = std::getenv("RAKELIGHT_GL_CLIP_CONTROL");
+    return is_in_driver && !(forced && std::strcmp(forced, "off") == 0);
+}
+
 /// For tests: how a material with more maps than the driver has units is drawn.
 int texture_units() {
     const char* const forced = std::getenv("RAKELIGHT_GL_TEXTURE_UNITS");
@@ -75,7 +81,8 @@ Driver ask_driver() {
     if (d.is_es && !has("GL_EXT_color_buffer_float"))
         throw Error(ErrorCode::failed, "this OpenGL ES driver draws no floats (EXT_color_buffer_float)", {},
                     "render with engine soft");
-    d.has_reversed_depth = d.is_es ? has("GL_EXT_clip_control") : version >= 45 || has("GL_ARB_clip_control");
+    d.has_reversed_depth =
+        has_clip_control(d.is_es ? has("GL_EXT_clip_control") : version >= 45 || has("GL_ARB_clip_control"));
     d.has_sample_mask = d.is_es ? version >= 31 && has("GL_OES_sample_variables") : has("GL_ARB_gpu_shader5");
     d.has_timer = !d.is_es;
     d.has_program_binaries =

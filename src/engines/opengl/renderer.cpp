@@ -347,6 +347,7 @@ void Renderer::end_picture(RenderStats& stats, Context& context) {
     };
     shading::remark_corner_shading(list_, settings_, is_lit_at_corners, context.report());
     remark_dropped_maps(context.report());
+    remark_depths(context.report());
     for (std::size_t d = 0, end = 0; d < list_.draws.size(); d = end) {  // draws of an object follow each other
         bool is_seen = false;
         for (end = d; end < list_.draws.size() && list_.draws[end].node == list_.draws[d].node; ++end) {
@@ -374,6 +375,23 @@ void Renderer::remark_order(Report& report) {
     report.add(Remark::warning, list_.scene.source, {},
                "transparent surfaces cross or overlap in a circle; this engine sorts whole triangles, so "
                "some are drawn over nearer ones; the engines soft and trace sort at every pixel");
+}
+
+void Renderer::remark_depths(Report& report) const {
+    if (driver_.has_reversed_depth || view_.orthographic || list_.bounds.empty()) return;
+    double far = 0;
+    for (int corner = 0; corner < 8; ++corner)
+        far = std::max(far, -transform_point(view_.world_to_camera, list_.bounds.corner(corner)).z);
+    // A step of the textbook's depth at a distance d is d^2 / (near 2^24): there d / 1000.
+    const double unsure = 0x1p24 / 1000 * view_.z_near;
+    if (unsure >= std::min(far, view_.z_far)) return;
+    report.add(
+        Remark::warning, list_.scene.source, {},
+        format_text(
+            "with this OpenGL driver (no clip control) and near at {:.3g} m, depths beyond {:.3g} m are coarser than a "
+            "thousandth of the distance, and surfaces may cover nearer ones; a larger 'near' or another 'engine' helps",
+            view_.z_near, unsure),
+        {"near", "engine"});
 }
 
 }  // namespace rakelight::opengl

@@ -94,6 +94,8 @@ private:
     void make_albedos();
     void note_dropped(std::uint32_t draw, const DrawState& state);
     void remark_dropped_maps(Report& report) const;
+    /// Warns of a near plane so close that this driver's depths do not tell far surfaces apart.
+    void remark_depths(Report& report) const;
     /// @param blended  gets those that are left for draw_blended()
     void draw_surfaces(const PictureDrawer& drawer, const PictureState& state, std::vector<std::uint32_t>& blended,
                        Context& context);

@@ -109,6 +109,28 @@ TEST_F(OpenGl, WarnsOnceForASceneWhoseTransparentSurfacesCrossAndNotWhereAShader
     EXPECT_EQ(warnings(), 1u);
 }
 
+/// A step of the depth at 1.68 m is 1.68^2 / (1e-4 2^24) = 1.68 / 1000. All of the scene is nearer than 5 m.
+TEST_F(OpenGl, WarnsOfANearThatADriverWithoutClipControlCannotHave) {
+    const auto warnings = [&](double near) {
+        Context own({.threads = 1});
+        Camera camera = oblique();
+        camera.z_near = near;
+        Frame frame;
+        engine->render(camera, small(), frame, own);
+        return warnings_of(own);
+    };
+    engine->prepare(two_squares(), context);
+    EXPECT_TRUE(warnings(1e-4).empty()) << "reversed depth loses nothing";
+    const test::EnvironmentVariable off("RAKELIGHT_GL_CLIP_CONTROL", "off");
+    engine = opengl::make_engine();
+    engine->prepare(two_squares(), context);
+    EXPECT_TRUE(warnings(1e-3).empty());
+    const std::vector<std::string> coarse = warnings(1e-4);
+    ASSERT_EQ(coarse.size(), 1u);
+    EXPECT_NE(coarse[0].find("beyond 1.68 m"), std::string::npos) << coarse[0];
+    EXPECT_NE(coarse[0].find("'near'"), std::string::npos) << coarse[0];
+}
+
 TEST_F(OpenGl, AWindowIsAPartOfThePicture) {
     RenderSettings settings = small();
     const Frame whole = drawn(*engine, two_squares(), settings, context);
