@@ -8,11 +8,19 @@
 #include "math/linear.h"
 #include "prepare/variants.h"
 #include "scene/charge_arrays.h"
+#include "scene/is_normal.h"
 #include "scene/validate_parts.h"
 
 namespace rakelight {
+namespace {
 
-bool is_normal(vec3 v) { return is_finite(v) && !(v == vec3{}); }
+std::uint64_t count_used(std::size_t vertices, std::span<const std::uint32_t> indices) {
+    std::vector<bool> is_used(vertices);
+    for (const std::uint32_t v : indices) is_used[v] = true;
+    return std::uint64_t(std::count(is_used.begin(), is_used.end(), true));
+}
+
+}  // namespace
 
 NormalGaps normal_gaps(std::span<const vec3> normals, std::span<const std::uint32_t> indices) {
     NormalGaps gaps;
@@ -38,8 +46,7 @@ std::uint64_t count_missing_normals(const Scene& scene) {
     std::uint64_t count = 0;
     for (const std::uint32_t m : drawn) {
         const Mesh& mesh = scene.meshes[m];
-        count += mesh.normals.empty() ? normal_gaps(std::vector<vec3>(mesh.positions.size()), mesh.indices).count
-                                      : normal_gaps(mesh).count;
+        count += mesh.normals.empty() ? count_used(mesh.positions.size(), mesh.indices) : normal_gaps(mesh).count;
     }
     return count;
 }

@@ -13,9 +13,6 @@
 
 namespace rakelight {
 
-/// Finite and not zero.
-bool is_normal(vec3 v);
-
 /// Vertices that triangles use, whose entry of Mesh::normals is no normal.
 struct NormalGaps {
     std::vector<std::uint8_t> at{};  ///< [V] 1: a gap; empty: there are none

@@ -6,8 +6,8 @@
 #include <rakelight/seams.h>
 
 #include "base/format_text.h"
-#include "prepare/missing_normals.h"
 #include "prepare/split_vertices.h"
+#include "scene/is_normal.h"
 
 namespace rakelight {
 namespace {

@@ -5,6 +5,7 @@
 #include "math/linear.h"
 #include "prepare/missing_normals.h"
 #include "prepare/repair.h"
+#include "scene/is_normal.h"
 
 namespace rakelight {
 namespace {
