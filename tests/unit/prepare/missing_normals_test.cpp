@@ -13,6 +13,7 @@
 
 #include <rakelight/prepare.h>
 
+#include "support/scene_builder.h"
 #include "unit/prepare/prepared.h"
 
 namespace rakelight {
@@ -220,6 +221,19 @@ TEST_P(BesideAuthored, GapsAreMadeAsTheModelsNormalsAre) {
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, BesideAuthored, testing::Values(true, false),
                          [](const testing::TestParamInfo<bool>& of) { return of.param ? "ball" : "tube"; });
+
+TEST(MissingNormals, UsedVerticesOfDrawnMeshesAreCountedOnce) {
+    Scene scene;
+    Mesh mesh = test::square_mesh();
+    mesh.normals = {};
+    mesh.indices = std::vector<std::uint32_t>{0, 1, 2};
+    test::add_object(scene, mesh);
+    EXPECT_EQ(count_missing_normals(scene), 3u);
+    scene.nodes.push_back(scene.nodes[0]);
+    EXPECT_EQ(count_missing_normals(scene), 3u) << "one mesh, twice";
+    scene.meshes[0].normals = std::vector<vec3>{{0, 0, 1}, {}, {nan_f, 0, 1}, {}};
+    EXPECT_EQ(count_missing_normals(scene), 2u) << "the fourth is not used";
+}
 
 /// Where the author's surface ends in a hard edge, nothing of it is taken.
 TEST(MissingNormals, AcrossACreaseNothingIsTaken) {
