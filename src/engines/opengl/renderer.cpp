@@ -63,7 +63,7 @@ void Renderer::take(TakenScene scene, Context& context) {
     cache_ = std::move(scene.cache);
     environments_ = std::move(scene.environments);
     forget_picture();
-    order_was_remarked_ = false;
+    order_is_wrong_ = false;
 }
 
 void Renderer::keep_meshes(const Scene& scene, const geometry::MeshPoses& poses) {
@@ -370,8 +370,9 @@ void Renderer::end_picture(RenderStats& stats, Context& context) {
 
 void Renderer::remark_order(Report& report) {
     const bool is_moved = !settings_.vertex_text.empty();  // to where only the GPU knows
-    if (order_was_remarked_ || is_moved || !has_wrong_order(list_, view_, settings_, blended_)) return;
-    order_was_remarked_ = true;
+    if (is_moved) return;
+    order_is_wrong_ = order_is_wrong_ || has_wrong_order(list_, view_, settings_, blended_);
+    if (!order_is_wrong_) return;
     report.add(Remark::warning, list_.scene.source, {},
                "transparent surfaces cross or overlap in a circle; this engine sorts whole triangles, so "
                "some are drawn over nearer ones; the engines soft and trace sort at every pixel");

@@ -60,7 +60,8 @@ public:
     void read_part(std::span<vec4> to);
     /// Counts and times of all parts; what is to be said of them.
     void end_picture(RenderStats& stats, Context& context);
-    /// A warning, once for a scene, where blended triangles of the part that was drawn last are in the wrong order.
+    /// A warning where blended triangles of the part that was drawn last, or of an earlier picture of the scene, are in the
+    /// wrong order.
     void remark_order(Report& report);
     /// Data channels of a part of the picture, which are filled. After its colors.
     void draw_channels(Window pixels, ChannelArrays& to, Context& context);
@@ -145,7 +146,7 @@ private:
     // Shadow maps that exist: of the list, for these settings.
     std::vector<KeptMaps> maps_;
     int map_size_ = 0, map_filter_ = 0;
-    bool order_was_remarked_ = false;  ///< of the list
+    bool order_is_wrong_ = false;  ///< in some picture of the list, so that the next ones need not be looked at
 };
 
 }  // namespace rakelight::opengl
