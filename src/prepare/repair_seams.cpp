@@ -54,7 +54,8 @@ Scene repair_seams(const Scene& scene, const SeamOptions& options, Context& cont
 
 std::string describe(const SeamReport& seams, std::uint64_t missing_made) {
     char text[200];
-    std::string out = format_text("{} of {} authored normals turn", seams.turned, seams.normals);
+    std::string out =
+        format_text("{} of {} {}normals turn", seams.turned, seams.normals, missing_made > 0 ? "" : "authored ");
     if (seams.turned > 0) {
         std::snprintf(text, sizeof text, " (at most %.3g degrees, %.3g on average)", seams.max_deg, seams.mean_deg);
         out += text;
