@@ -188,6 +188,17 @@ TEST_F(ZUpFiles, SavedScenesLookAsTheyAreDrawn) {
     EXPECT_EQ(size_of(folder_.file("a.ply")), (dvec3{4, 1, 2}));
 }
 
+/// The name of the first file does not decide for all.
+TEST_F(ZUpFiles, SavedScenesOfSeveralFilesAreTurnedTogetherOrNotAtAll) {
+    const std::string second = folder_.write("second.stl", wedge_stl()), out = folder_.file("a.glb");
+    const Scene alike = load(stl_, {.joined = {second}}, context_);
+    save(alike, out, context_);
+    EXPECT_EQ(size_of(out), (dvec3{4, 2, 1}));
+    const std::string obj = folder_.write("part.obj", "v 0 0 0\nv 4 0 0\nv 0 1 0\nf 1 2 3\n");
+    save(load(stl_, {.joined = {obj}}, context_), out, context_);
+    EXPECT_EQ(size_of(out), (dvec3{4, 1, 2}));
+}
+
 TEST_F(ZUpFiles, StandardInputHasItsFormatsAxis) {
     const std::string text = wedge_stl();
     const auto* first = reinterpret_cast<const std::byte*>(text.data());

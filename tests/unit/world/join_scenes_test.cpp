@@ -36,6 +36,20 @@ TEST_F(JoinScenes, AllStandInOneSceneInTheirOrder) {
     EXPECT_EQ(scene.source, folder.file("a.obj"));
 }
 
+/// The name gives the up axis, so a file with Z up names only what has Z up in all of it.
+TEST_F(JoinScenes, AnStlFileBesideOthersNamesNotTheWhole) {
+    const auto source_of = [&](const std::vector<std::string>& files) {
+        std::vector<Scene> scenes;
+        for (const std::string& file : files) scenes.emplace_back().source = file;
+        return join_scenes(scenes, context).source;
+    };
+    EXPECT_EQ(source_of({"a.stl", "b.stl"}), "a.stl");
+    EXPECT_EQ(source_of({"b.obj", "a.stl"}), "b.obj");
+    EXPECT_EQ(source_of({"", "b.obj"}), "b.obj");
+    EXPECT_EQ(source_of({"a.stl", "b.obj"}), "");
+    EXPECT_EQ(source_of({"", "a.stl"}), "") << "shapes have Y up and no file";
+}
+
 TEST_F(JoinScenes, AFaultNamesTheFileThatHasIt) {
     LoadOptions options;
     options.joined = {folder.file("gone.obj")};
