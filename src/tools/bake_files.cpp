@@ -82,7 +82,8 @@ TextureUse embedded(Scene& scene, const BakeResult& baked, const BakedMap& map, 
     return use;
 }
 
-void write_model(const BakeRequest& request, const BakeResult& baked, Context& context) {
+/// @param stays_z_up  LOW has Z up and is turned for glTF
+void write_model(const BakeRequest& request, const BakeResult& baked, bool stays_z_up, Context& context) {
     Scene scene = baked.low;
     name_default_material(scene);
     for (const BakedMap& map : baked.maps) {
@@ -102,7 +103,7 @@ void write_model(const BakeRequest& request, const BakeResult& baked, Context& c
             material.centered_normals = material.green_down = false;
         }
     }
-    io::write_glb(is_z_up(request.low) ? with_y_up(std::move(scene)) : scene, request.model, context);
+    io::write_glb(stays_z_up ? with_y_up(std::move(scene)) : scene, request.model, context);
 }
 
 }  // namespace
@@ -112,9 +113,10 @@ BakeFilesResult bake_files(const BakeRequest& request, Context& context) {
     BakeFilesResult result{.high = request.high, .low = request.low, .model = request.model};
     try {
         context.progress("load", 0);
-        const Scene high = load(request.high, request.load, context);
+        Scene high = load(request.high, request.load, context);
         context.progress("load", 0.5);
-        const Scene low = load(request.low, request.load, context);
+        Scene low = load(request.low, request.load, context);
+        const bool stays_z_up = share_up_axis(high, low) != UpAxis::y && is_z_up(low.source);
         const BakeResult baked = bake_maps(high, low, request.options, context);
         result.width = baked.width, result.height = baked.height, result.report = baked.report;
         context.progress("write", 0);
@@ -124,7 +126,7 @@ BakeFilesResult bake_files(const BakeRequest& request, Context& context) {
             io::write_image({name}, picture_of(baked, map, request.options, component_for(request, map.map), context));
             result.files.push_back({map.map, name});
         }
-        if (!request.model.empty()) write_model(request, baked, context);
+        if (!request.model.empty()) write_model(request, baked, stays_z_up, context);
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::failed, "out of memory").with_file(request.low);
     }

@@ -38,4 +38,13 @@ Scene with_y_up(Scene scene) {
     return scene;
 }
 
+std::optional<UpAxis> share_up_axis(Scene& a, Scene& b) {
+    const bool is_a = is_z_up(a.source), is_b = is_z_up(b.source);
+    if (is_a == is_b) return {};
+    if (up_axis(is_a ? b.source : a.source) == UpAxis::open) return UpAxis::z;
+    Scene& lying = is_a ? a : b;
+    lying = with_y_up(std::move(lying));
+    return UpAxis::y;
+}
+
 }  // namespace rakelight

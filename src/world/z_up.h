@@ -2,6 +2,7 @@
 // Models with Z up, beside formats and scenes with Y up (docs/z-up-scans.md).
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -25,5 +26,11 @@ bool is_z_up(const std::string& path, std::span<const std::string> joined = {});
 
 /// Turns a scene with Z up: X stays, Z becomes Y. Meshes keep their numbers; their nodes, lights and cameras turn. Every number is exact.
 Scene with_y_up(Scene scene);
+
+/// One up axis for two scenes that are laid beside each other. If Z is up in one of them, it counts as up in the other one too if the format of that one
+/// leaves the axis open; beside a scene with Y up, the one with Z up is turned.
+/// @param a,b  as loaded
+/// @return the axis that is up in both; absent: their axes were the same
+std::optional<UpAxis> share_up_axis(Scene& a, Scene& b);
 
 }  // namespace rakelight

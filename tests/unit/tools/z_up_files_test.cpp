@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 
+#include <rakelight/compare.h>
 #include <rakelight/convert_file.h>
+#include <rakelight/tools/bake_files.h>
 #include <rakelight/tools/draw_alike.h>
 
 #include "base/format_text.h"
@@ -197,6 +200,33 @@ TEST_F(ZUpFiles, SavedScenesOfSeveralFilesAreTurnedTogetherOrNotAtAll) {
     const std::string obj = folder_.write("part.obj", "v 0 0 0\nv 4 0 0\nv 0 1 0\nf 1 2 3\n");
     save(load(stl_, {.joined = {obj}}, context_), out, context_);
     EXPECT_EQ(size_of(out), (dvec3{4, 1, 2}));
+}
+
+/// A convex model baked onto itself: a ray that goes inward through a point of LOW meets HIGH at this point, so heights are 0.
+TEST_F(ZUpFiles, BakesMeetAModelThatWasTurned) {
+    const std::string glb = folder_.file("low.glb"), ply = folder_.file("low.ply");
+    convert_file(stl_, glb, {}, context_);
+    convert_file(stl_, ply, {}, context_);
+    const std::pair<std::string, std::string> pairs[] = {{stl_, glb}, {glb, stl_}, {stl_, ply}, {stl_, stl_}};
+    for (const auto& [high, low] : pairs) {
+        BakeRequest request{.high = high, .low = low, .output = folder_.file("h.exr"), .model = folder_.file("m.glb")};
+        request.options.maps = {BakeMap::height};
+        request.options.width = request.options.height = 64;
+        try {
+            EXPECT_EQ(bake_files(request, context_).report.missed, 0u) << high << " onto " << low;
+        } catch (const Error& error) {
+            if (error.reason().find("follows no rays") == std::string::npos) throw;
+            GTEST_SKIP() << error.reason();
+        }
+        EXPECT_EQ(size_of(request.model), low == ply ? (dvec3{4, 1, 2}) : (dvec3{4, 2, 1})) << low;
+        const Pixels map = read_picture(request.output, context_);
+        ASSERT_EQ(map.component, Component::f32);
+        for (std::size_t i = 0; i < map.bytes.size(); i += sizeof(float)) {
+            float height = 0;
+            std::memcpy(&height, map.bytes.data() + i, sizeof height);
+            ASSERT_NEAR(height, 0, 1e-5) << high << " onto " << low;
+        }
+    }
 }
 
 TEST_F(ZUpFiles, StandardInputHasItsFormatsAxis) {

@@ -47,5 +47,29 @@ TEST(ZUp, ATurnedSceneHasYUp) {
     EXPECT_EQ(transform_point(after.cameras[0].to_world, p), turned(transform_point(scene.cameras[0].to_world, p)));
 }
 
+/// Only an STL file turns, and only beside a format with Y up.
+TEST(ZUp, TwoScenesShareOneAxis) {
+    struct Case {
+        const char *a, *b;
+        std::optional<UpAxis> up;
+        bool turns_a, turns_b;
+    };
+    constexpr Case cases[] = {{"a.stl", "b.glb", UpAxis::y, true, false},  {"a.glb", "b.stl", UpAxis::y, false, true},
+                              {"a.stl", "", UpAxis::y, true, false},       {"a.stl", "b.ply", UpAxis::z, false, false},
+                              {"a.xyz", "b.stl", UpAxis::z, false, false}, {"a.stl", "b.stl", {}, false, false},
+                              {"a.ply", "b.obj", {}, false, false}};
+    for (const Case& c : cases) {
+        Scene a, b;
+        a.source = c.a, b.source = c.b;
+        for (Scene* scene : {&a, &b}) scene->nodes.emplace_back();
+        EXPECT_EQ(share_up_axis(a, b), c.up) << c.a << c.b;
+        const auto is_turned = [](const Scene& scene) {
+            return transform_direction(world_matrices(scene)[0], dvec3{0, 0, 1}) == dvec3{0, 1, 0};
+        };
+        EXPECT_EQ(is_turned(a), c.turns_a) << c.a << c.b;
+        EXPECT_EQ(is_turned(b), c.turns_b) << c.a << c.b;
+    }
+}
+
 }  // namespace
 }  // namespace rakelight
