@@ -75,19 +75,6 @@ void advise_up(const Scene& scene, PictureRequest& request, bool is_z_up, Contex
             "the model looks as if " + axis + " were up: " + why + "; 'up' +" + axis + " turns it upright", {"up"});
 }
 
-/// STL files beside models with Y up keep their coordinates. @return whether there are such
-bool warn_of_lying(const std::string& path, const PictureRequest& request, Context& context) {
-    std::vector<std::string> files = request.load.joined;
-    files.insert(files.begin(), path);
-    const auto lying = std::ranges::find(files, UpAxis::z, up_axis);
-    if (lying == files.end()) return false;
-    context.report().add(Remark::warning, *lying, "",
-                         "the STL file has Z up and lies on its side beside models with Y up; 'up' +Z turns all of "
-                         "them, rotation_deg = [-90, 0, 0] in a world file turns the STL file",
-                         {"up"});
-    return true;
-}
-
 /// STL files have Z up in any look. @param scene  as loaded
 void take_up_axis(const Scene& scene, PictureRequest& request, Context& context) {
     if (names(request, {"up", "camera-view-up"}) || request.view.up || request.view.world_up) return;
@@ -96,8 +83,9 @@ void take_up_axis(const Scene& scene, PictureRequest& request, Context& context)
     if (has_z_up) {
         request.view.world_up = dvec3{0, 0, 1};
         note(context, request, "STL files do not say which axis is up: Z is used; see 'up'", {"up"});
-    } else if (warn_of_lying(path, request, context)) {
-        return;
+    } else if (const auto lying = lying_file(path, request.load.joined)) {
+        const std::string why = beside_y_up + std::string(" ('up' +Z turns all of them)");
+        return warn_of_lying(*lying, "", why, context.report(), {"up"});
     }
     if (request.look != Look::plain && has_no_up_axis(path)) advise_up(scene, request, has_z_up, context);
 }

@@ -171,6 +171,7 @@ ModelRewrite begin_rewrite(const std::string& input, const std::string& wanted, 
     else
         model.before = load(input, options, context);
     model.has_z_up = is_z_up(model.before.source, options.joined);
+    if (const auto lying = lying_file(input, options.joined)) warn_of_lying(*lying, {}, beside_y_up, context.report());
     if (model.way == RewriteWay::new_obj || model.way == RewriteWay::new_ply)
         model.before = placed_in_world(model.before, model.way == RewriteWay::new_obj, context);
     return model;

@@ -2,6 +2,7 @@
 #include <rakelight/smooth_file.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "io/beside.h"
 #include "io/held_outputs.h"
@@ -10,6 +11,7 @@
 #include "tools/model_rewrite.h"
 #include "tools/smooth_file_scene.h"
 #include "world/placed_in_world.h"
+#include "world/z_up.h"
 
 namespace rakelight {
 namespace {
@@ -25,6 +27,13 @@ void check_outputs(const std::vector<ModelRewrite>& models) {
                             {}, "give each file an output of its own");
 }
 
+/// They are one model: if only some were turned, they would not fit together.
+void turn_all_or_none(std::vector<ModelRewrite>& models, Report& report) {
+    if (std::ranges::all_of(models, &ModelRewrite::has_z_up)) return;
+    for (ModelRewrite& model : models)
+        if (std::exchange(model.has_z_up, false)) warn_of_lying(model.input, {}, beside_y_up, report);
+}
+
 std::vector<ModelRewrite> begin_all(std::span<const FileToSmooth> files, const SmoothFileOptions& options,
                                     Context& context) {
     std::vector<ModelRewrite> models;
@@ -38,8 +47,7 @@ std::vector<ModelRewrite> begin_all(std::span<const FileToSmooth> files, const S
             throw error.with_file(file.input);
         }
     check_outputs(models);
-    if (!std::ranges::all_of(models, &ModelRewrite::has_z_up))  // one model: what is turned fits no more
-        for (ModelRewrite& model : models) model.has_z_up = false;
+    turn_all_or_none(models, context.report());
     return models;
 }
 

@@ -83,15 +83,13 @@ void warn_of_twins(const WorldFile& world, const std::string& path, Report& repo
 }
 
 /// Warns of STL files, which have Z up, in a world, which has Y up, unless the file is rotated or the up axis is given.
-void warn_of_lying(const WorldFile& world, const std::string& path, const LoadOptions& options, Report& report) {
+void warn_of_lying_models(const WorldFile& world, const std::string& path, const LoadOptions& options, Report& report) {
     const bool is_given = std::ranges::find(world.render, "up", &WorldValue::key) != world.render.end() ||
                           std::ranges::find(options.overridden, "up") != options.overridden.end();
     if (is_given) return;
     for (const WorldModel& model : world.models)
         if (up_axis(model.file) == UpAxis::z && model.placement.rotation_deg == dvec3{0, 0, 0})
-            report.add(Remark::warning, path, to_text(model.place),
-                       "the STL file has Z up and lies on its side, because worlds have Y up; "
-                       "rotation_deg = [-90, 0, 0] turns it upright");
+            warn_of_lying(path, to_text(model.place), "because worlds have Y up", report);
 }
 
 /// Options of a part besides its placement.
@@ -141,7 +139,7 @@ public:
         add_lights_and_cameras(world);
         check_render(world);
         warn_of_twins(world, path_, context_.report());
-        warn_of_lying(world, path_, options_, context_.report());
+        warn_of_lying_models(world, path_, options_, context_.report());
         if (world.fog) scene_.fog = *world.fog;
         if (world.environment) scene_.environment = surroundings(*world.environment);
         validate(scene_);

@@ -22,6 +22,21 @@ bool is_z_up(const std::string& path, std::span<const std::string> joined) {
     return is_such(path) && std::ranges::all_of(joined, is_such);
 }
 
+std::optional<std::string> lying_file(const std::string& path, std::span<const std::string> joined) {
+    if (is_z_up(path, joined)) return {};
+    if (up_axis(path) == UpAxis::z) return path;
+    const auto lying = std::ranges::find(joined, UpAxis::z, up_axis);
+    return lying == joined.end() ? std::nullopt : std::optional(*lying);
+}
+
+void warn_of_lying(const std::string& file, const std::string& place, const std::string& why, Report& report,
+                   std::vector<std::string> settings) {
+    report.add(Remark::warning, file, place,
+               "the STL file has Z up and lies on its side " + why +
+                   "; rotation_deg = [-90, 0, 0] in a world file turns it upright",
+               std::move(settings));
+}
+
 Scene with_y_up(Scene scene) {
     constexpr dmat4 turn{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}}};
     const std::vector<dmat4> world = world_matrices(scene);

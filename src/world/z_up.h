@@ -5,7 +5,9 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
+#include <rakelight/report.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
@@ -23,6 +25,18 @@ UpAxis up_axis(const std::string& path);
 /// Whether Z is up in what load() makes of files: in all of them.
 /// @param joined  LoadOptions::joined
 bool is_z_up(const std::string& path, std::span<const std::string> joined = {});
+
+/// A file with Z up among files that are not all such: load() turns none of them, so that it lies on its side.
+/// @return the first one, if there is one
+std::optional<std::string> lying_file(const std::string& path, std::span<const std::string> joined);
+
+/// Warns that an STL file lies on its side, and says how it is turned.
+/// @param file, place  where it is named
+/// @param why  such as beside_y_up
+/// @param settings  those that `why` quotes
+void warn_of_lying(const std::string& file, const std::string& place, const std::string& why, Report& report,
+                   std::vector<std::string> settings = {});
+constexpr const char* beside_y_up = "beside models with Y up";
 
 /// Turns a scene with Z up: X stays, Z becomes Y. Meshes keep their numbers; their nodes, lights and cameras turn. Every number is exact.
 Scene with_y_up(Scene scene);

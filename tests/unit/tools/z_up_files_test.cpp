@@ -127,12 +127,22 @@ TEST_F(ZUpFiles, SeveralFilesAreTurnedTogetherOrNotAtAll) {
     smooth_files(alike, {}, context_);
     for (const FileToSmooth& file : alike) EXPECT_EQ(size_of(file.output), (dvec3{4, 2, 1})) << file.output;
     const FileToSmooth mixed[] = {{stl_, folder_.file("a.glb")}, {obj, folder_.file("b.obj")}};
+    EXPECT_FALSE(is_said(context_, Remark::warning, "lies on its side"));
     smooth_files(mixed, {}, context_);
     for (const FileToSmooth& file : mixed) EXPECT_EQ(size_of(file.output), (dvec3{4, 1, 2})) << file.output;
+    EXPECT_TRUE(is_said(context_, Remark::warning, "lies on its side beside models with Y up"));
+    context_.report().clear();
+    const std::string both = folder_.file("both.glb");
+    convert_file(stl_, both, {.joined = {second}}, context_);
+    EXPECT_EQ(size_of(both), (dvec3{4, 2, 1}));
+    EXPECT_FALSE(is_said(context_, Remark::warning, "lies on its side"));
+    convert_file(obj, both, {.joined = {stl_}}, context_);
+    EXPECT_EQ(size_of(both), (dvec3{4, 1, 2}));
+    EXPECT_TRUE(is_said(context_, Remark::warning, "lies on its side beside models with Y up"));
 }
 
 TEST_F(ZUpFiles, WorldsSayThatAnStlLiesUnlessItIsRotatedOrTheAxisIsGiven) {
-    const std::string world = folder_.file("w.scene.toml"), lies = "lies on its side, because worlds have Y up";
+    const std::string world = folder_.file("w.scene.toml"), lies = "lies on its side because worlds have Y up";
     const auto is_said_of = [&](const std::string& text, const LoadOptions& options) {
         write(world, text);
         Context context;

@@ -22,6 +22,14 @@ TEST(ZUp, OfSeveralFilesIfItIsUpInAll) {
     EXPECT_FALSE(is_z_up("a.ply", std::vector<std::string>{"b.stl"}));
 }
 
+TEST(ZUp, AFileWithZUpLiesAmongOthers) {
+    EXPECT_EQ(lying_file("a.stl", {}), std::nullopt);
+    EXPECT_EQ(lying_file("a.glb", std::vector<std::string>{"b.ply"}), std::nullopt);
+    EXPECT_EQ(lying_file("a.stl", std::vector<std::string>{"b.stl"}), std::nullopt);
+    EXPECT_EQ(lying_file("a.stl", std::vector<std::string>{"b.stl", "c.ply"}), "a.stl");
+    EXPECT_EQ(lying_file("a.glb", std::vector<std::string>{"b.ply", "c.stl"}), "c.stl");
+}
+
 /// (x, y, z) goes to (x, z, -y), exactly, below any root and through any parent.
 TEST(ZUp, ATurnedSceneHasYUp) {
     Scene scene;
