@@ -28,9 +28,9 @@ bool has_light(const Scene& scene) { return !scene.lights.empty() || scene.envir
 bool states_up(const PictureRequest& request) { return names(request, "up") || request.view.world_up.has_value(); }
 
 /// One up axis for both scenes, unless it is given.
-void share_up(Scene& a, PictureRequest& of_a, Scene& b, PictureRequest& of_b) {
+void share_up(Scene& a, PictureRequest& of_a, Scene& b, PictureRequest& of_b, Report& report) {
     if (states_up(of_a) || states_up(of_b)) return;
-    const std::optional<UpAxis> up = share_up_axis(a, b);
+    const std::optional<UpAxis> up = share_up_axis(a, b, report);
     if (!up) return;
     for (PictureRequest* const request : {&of_a, &of_b})
         if (!request->view.up) request->view.world_up = *up == UpAxis::z ? dvec3{0, 0, 1} : dvec3{0, 1, 0};
@@ -159,7 +159,7 @@ Scene loaded_with_clips(PictureRequest& request, Context& context) {
 
 std::pair<Pixels, Pixels> draw_alike(PictureRequest a, PictureRequest b, Context& context) {
     Scene scene_a = loaded_with_clips(a, context), scene_b = loaded_with_clips(b, context);
-    share_up(scene_a, a, scene_b, b);
+    share_up(scene_a, a, scene_b, b, context.report());
     share_light(scene_a, scene_b), share_light(scene_b, scene_a);
     choose_for_both(both(scene_a, scene_b, context), a, b, context);
     std::pair<Pixels, Pixels> pictures;

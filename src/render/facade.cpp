@@ -77,7 +77,7 @@ void save(const Scene& scene, const std::string& path, Context& context) {
     try {
         validate(scene);
         const std::string ending = file_ending(path);
-        const auto upright = [&] { return is_z_up(scene.source) ? with_y_up(scene) : scene; };
+        const auto upright = [&] { return is_z_up(scene.source) ? with_y_up(scene, path, context.report()) : scene; };
         if (ending == "glb" || ending == "gltf") return io::write_glb(upright(), path, context);
         if (ending == "obj") return io::write_obj(placed_in_world(upright(), true, context), path, context);
         if (ending == "ply") return io::write_ply(scene, path, context);

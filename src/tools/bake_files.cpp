@@ -103,7 +103,8 @@ void write_model(const BakeRequest& request, const BakeResult& baked, bool stays
             material.centered_normals = material.green_down = false;
         }
     }
-    io::write_glb(stays_z_up ? with_y_up(std::move(scene)) : scene, request.model, context);
+    if (stays_z_up) scene = with_y_up(std::move(scene), request.model, context.report());
+    io::write_glb(scene, request.model, context);
 }
 
 }  // namespace
@@ -116,7 +117,7 @@ BakeFilesResult bake_files(const BakeRequest& request, Context& context) {
         Scene high = load(request.high, request.load, context);
         context.progress("load", 0.5);
         Scene low = load(request.low, request.load, context);
-        const bool stays_z_up = share_up_axis(high, low) != UpAxis::y && is_z_up(low.source);
+        const bool stays_z_up = share_up_axis(high, low, context.report()) != UpAxis::y && is_z_up(low.source);
         const BakeResult baked = bake_maps(high, low, request.options, context);
         result.width = baked.width, result.height = baked.height, result.report = baked.report;
         context.progress("write", 0);

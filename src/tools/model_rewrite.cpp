@@ -127,14 +127,13 @@ bool write_ply(const ModelRewrite& model, const Scene& after, Context& context) 
     return is_changed;
 }
 
-/// glTF has Y up, and most programs with Z up turn the OBJ files that they write. PLY files keep coordinates.
-void say_where_up_is(const ModelRewrite& model, Report& report) {
-    if (model.way == RewriteWay::new_ply)
-        report.add(Remark::warning, model.output, {},
-                   "Z is up, as in the STL file; pictures of PLY files have Y up, and 'up' +Z shows it upright",
-                   {"up"});
-    else
-        report.add(Remark::changed, model.output, {}, "Y is up: the model was turned, because STL files have Z up");
+/// As the output has it: glTF has Y up, and most programs with Z up turn the OBJ files that they write. PLY files keep coordinates.
+Scene turned_for_output(const ModelRewrite& model, const Scene& after, Report& report) {
+    if (!model.has_z_up) return after;
+    if (model.way != RewriteWay::new_ply) return with_y_up(after, model.output, report);
+    report.add(Remark::warning, model.output, {},
+               "Z is up, as in the STL file; pictures of PLY files have Y up, and 'up' +Z shows it upright", {"up"});
+    return after;
 }
 
 }  // namespace
@@ -181,7 +180,7 @@ void finish_rewrite(const ModelRewrite& model, const Scene& after, const SmoothF
                     SmoothedFile& result, Context& context) {
     context.throw_if_cancelled();
     context.progress("write", 0);
-    if (model.has_z_up) say_where_up_is(model, context.report());
+    const auto turned = [&] { return turned_for_output(model, after, context.report()); };
     std::shared_ptr<const io::KeptObj> kept = model.kept;
     result.changed = true;
     switch (model.way) {
@@ -193,13 +192,13 @@ void finish_rewrite(const ModelRewrite& model, const Scene& after, const SmoothF
                                         {.allow_outside = model.load.allow_outside, .keep_obj = &kept}, context);
             break;
         case RewriteWay::new_gltf:
-            io::write_glb(model.has_z_up ? with_y_up(after) : after, model.output, context);
+            io::write_glb(turned(), model.output, context);
             break;
         case RewriteWay::new_obj:
-            io::write_obj(model.has_z_up ? with_y_up(after) : after, model.output, context);
+            io::write_obj(turned(), model.output, context);
             break;
         case RewriteWay::new_ply:
-            result.changed = write_ply(model, after, context);
+            result.changed = write_ply(model, turned(), context);
             break;
     }
     describe_all(model.before, after, result);

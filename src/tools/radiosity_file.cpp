@@ -59,11 +59,12 @@ RadiosityFile radiosity_file(const PictureRequest& asked, const std::optional<Li
     Scene loaded = loaded_as_asked(request, context);
     if (lightmap) request.settings.method = RayMethod::path;  // the same lights, not yet worked out
     const ReadyScene ready = ready_scene(std::move(loaded), request, context, &result.report);
-    const Scene out = lightmap ? lightmapped(ready, request, *lightmap, result, context) : scene_of(*ready.prepared);
+    Scene out = lightmap ? lightmapped(ready, request, *lightmap, result, context) : scene_of(*ready.prepared);
     context.throw_if_cancelled();
     context.progress("write", 0);
-    const bool is_turned = is_z_up(request.input, request.load.joined) && request.view.world_up == dvec3{0, 0, 1};
-    io::write_glb(is_turned ? with_y_up(out) : out, result.output, context);
+    if (is_z_up(out.source) && request.view.world_up == dvec3{0, 0, 1})
+        out = with_y_up(std::move(out), result.output, context.report());
+    io::write_glb(out, result.output, context);
     return result;
 }
 

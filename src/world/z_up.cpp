@@ -53,12 +53,17 @@ Scene with_y_up(Scene scene) {
     return scene;
 }
 
-std::optional<UpAxis> share_up_axis(Scene& a, Scene& b) {
+Scene with_y_up(Scene scene, const std::string& file, Report& report) {
+    report.add(Remark::changed, file, {}, "the model was turned to Y up, because STL files have Z up");
+    return with_y_up(std::move(scene));
+}
+
+std::optional<UpAxis> share_up_axis(Scene& a, Scene& b, Report& report) {
     const bool is_a = is_z_up(a.source), is_b = is_z_up(b.source);
     if (is_a == is_b) return {};
     if (up_axis(is_a ? b.source : a.source) == UpAxis::open) return UpAxis::z;
     Scene& lying = is_a ? a : b;
-    lying = with_y_up(std::move(lying));
+    lying = with_y_up(std::move(lying), lying.source, report);
     return UpAxis::y;
 }
 

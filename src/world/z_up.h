@@ -41,10 +41,13 @@ constexpr const char* beside_y_up = "beside models with Y up";
 /// Turns a scene with Z up: X stays, Z becomes Y. Meshes keep their numbers; their nodes, lights and cameras turn. Every number is exact.
 Scene with_y_up(Scene scene);
 
+/// The same, and a remark about `file` says so.
+Scene with_y_up(Scene scene, const std::string& file, Report& report);
+
 /// One up axis for two scenes that are laid beside each other. If Z is up in one of them, it counts as up in the other one too if the format of that one
 /// leaves the axis open; beside a scene with Y up, the one with Z up is turned.
 /// @param a,b  as loaded
 /// @return the axis that is up in both; absent: their axes were the same
-std::optional<UpAxis> share_up_axis(Scene& a, Scene& b);
+std::optional<UpAxis> share_up_axis(Scene& a, Scene& b, Report& report);
 
 }  // namespace rakelight

@@ -70,7 +70,9 @@ TEST(ZUp, TwoScenesShareOneAxis) {
         Scene a, b;
         a.source = c.a, b.source = c.b;
         for (Scene* scene : {&a, &b}) scene->nodes.emplace_back();
-        EXPECT_EQ(share_up_axis(a, b), c.up) << c.a << c.b;
+        Report report;
+        EXPECT_EQ(share_up_axis(a, b, report), c.up) << c.a << c.b;
+        EXPECT_EQ(report.entries().size(), c.turns_a || c.turns_b ? 1u : 0u) << c.a << c.b;
         const auto is_turned = [](const Scene& scene) {
             return transform_direction(world_matrices(scene)[0], dvec3{0, 0, 1}) == dvec3{0, 1, 0};
         };
