@@ -22,6 +22,7 @@ namespace rakelight {
 namespace {
 
 constexpr std::uint64_t bytes_beside_name = 32;  ///< overhead of an allocation
+constexpr double least_upright = 0.7;  ///< cosine of about 45 degrees: up is nearer to this axis than to others
 
 dquat turn(dvec3 axis, double angle_rad) {
     const double s = math::sin(0.5 * angle_rad);
@@ -33,13 +34,17 @@ dquat product(const dquat& a, const dquat& b) {
             a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
 }
 
-Node root_node(const std::string& name, const WorldPlacement& placement) {
+dquat rotation_of(const WorldPlacement& placement) {
     const dvec3 d = placement.rotation_deg;
+    return product(turn({0, 0, 1}, radians(d.z)),
+                   product(turn({0, 1, 0}, radians(d.y)), turn({1, 0, 0}, radians(d.x))));
+}
+
+Node root_node(const std::string& name, const WorldPlacement& placement) {
     Node node;
     node.name = name;
     node.local.translation = placement.position;
-    node.local.rotation =
-        product(turn({0, 0, 1}, radians(d.z)), product(turn({0, 1, 0}, radians(d.y)), turn({1, 0, 0}, radians(d.x))));
+    node.local.rotation = rotation_of(placement);
     node.local.scale = placement.scale;
     return node;
 }
@@ -82,13 +87,20 @@ void warn_of_twins(const WorldFile& world, const std::string& path, Report& repo
                        "two primitives are named '" + one_line(p.name, 40) + "': what goes by name goes to both");
 }
 
-/// Warns of STL files, which have Z up, in a world, which has Y up, unless the file is rotated or the up axis is given.
+/// Whether it takes the axis Z near to Y: the component y of where the rotation takes (0, 0, 1).
+bool stands_z_on_y(const WorldPlacement& placement) {
+    const dquat q = rotation_of(placement);
+    return 2 * (q.y * q.z - q.w * q.x) * (placement.scale.z < 0 ? -1 : 1) > least_upright;
+}
+
+/// Warns of STL files, which have Z up, in a world, which has Y up, unless they are turned upright or the up axis is
+/// given.
 void warn_of_lying_models(const WorldFile& world, const std::string& path, const LoadOptions& options, Report& report) {
     const bool is_given = std::ranges::find(world.render, "up", &WorldValue::key) != world.render.end() ||
                           std::ranges::find(options.overridden, "up") != options.overridden.end();
     if (is_given) return;
     for (const WorldModel& model : world.models)
-        if (up_axis(model.file) == UpAxis::z && model.placement.rotation_deg == dvec3{0, 0, 0})
+        if (up_axis(model.file) == UpAxis::z && !stands_z_on_y(model.placement))
             warn_of_lying(path, to_text(model.place), "because worlds have Y up", report);
 }
 

@@ -144,7 +144,7 @@ TEST_F(ZUpFiles, SeveralFilesAreTurnedTogetherOrNotAtAll) {
     EXPECT_TRUE(is_said(context_, Remark::warning, "lies on its side beside models with Y up"));
 }
 
-TEST_F(ZUpFiles, WorldsSayThatAnStlLiesUnlessItIsRotatedOrTheAxisIsGiven) {
+TEST_F(ZUpFiles, WorldsSayThatAnStlLiesUnlessItIsTurnedUprightOrTheAxisIsGiven) {
     const std::string world = folder_.file("w.scene.toml"), lies = "lies on its side because worlds have Y up";
     const auto is_said_of = [&](const std::string& text, const LoadOptions& options) {
         write(world, text);
@@ -156,6 +156,12 @@ TEST_F(ZUpFiles, WorldsSayThatAnStlLiesUnlessItIsRotatedOrTheAxisIsGiven) {
     EXPECT_TRUE(is_said_of(model, {}));
     EXPECT_TRUE(is_said_of(model + turn + model, {}));
     EXPECT_FALSE(is_said_of(model + turn, {}));
+    const auto rotated = [&](const std::string& by) { return model + "rotation_deg = " + by + "\n"; };
+    for (const char* by : {"[-90, 0, 30]", "[-90, 200, 0]", "[-50, 0, 0]"})
+        EXPECT_FALSE(is_said_of(rotated(by), {})) << by;
+    for (const char* by : {"[0, 30, 0]", "[0, 0, 90]", "[-40, 0, 0]", "[90, 0, 0]", "[-90, 0, 60]"})
+        EXPECT_TRUE(is_said_of(rotated(by), {})) << by;
+    EXPECT_TRUE(is_said_of(model + turn + "scale = [1, 1, -1]\n", {})) << "upside down";
     EXPECT_FALSE(is_said_of("[render]\nup = '+Z'\n" + model, {}));
     write(world, model);
     RenderOverrides up;
