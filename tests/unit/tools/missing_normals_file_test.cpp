@@ -134,8 +134,7 @@ TEST_F(MissingNormalsFile, ZerosAreMadeSaidAndAFault) {
     const SmoothedFile some = smoothed(written(scene));
     EXPECT_TRUE(some.changed);
     EXPECT_EQ(some.missing_made, 2u);
-    EXPECT_NE(summary(some).find("0 of 20 normals turn, 2 missing normals made"), std::string::npos)
-        << summary(some);
+    EXPECT_NE(summary(some).find("0 of 20 normals turn, 2 missing normals made"), std::string::npos) << summary(some);
     after = out();
     for (std::size_t v = 0; v < 10; ++v) {
         EXPECT_LT(degrees_from_exact(after.meshes[1], v), 1e-3);
