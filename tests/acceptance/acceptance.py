@@ -323,7 +323,8 @@ def check_smooth(program, folder):
 
 
 def check_seams(program, folder):
-    """A seam of s degrees turns the normals of one of its sides by s / 2 or more, and none by more than s."""
+    """A seam of s degrees turns the normals of one of its sides by s / 2 or more, and none by more than s. Normals that are zero or not finite are a
+    fault at every limit; smooth makes them."""
     limits = (1, 5, 20)
 
     def rows(*command):
@@ -337,14 +338,19 @@ def check_seams(program, folder):
         if before is None or smoothed is None:
             return  # refused
         seam, turned = before[0]["seams"]["seam_deg"], smoothed[0].get("seams", {"turned": None, "max_deg": None})
+        gaps = before[0]["seams"]["missing_normals"]
+        if turned["turned"] is not None and gaps > 0 and smoothed[0]["missing_made"] == 0:
+            yield f"{gaps} normals are zero or not finite, but smooth makes none"
         for limit in limits:
             fails = bool(rows("inspect", model, "--check", "--max-seam", limit)[0]["check"]["failures"])
-            if fails != (seam > limit):
+            if fails != (seam > limit or gaps > 0):
                 yield f"--max-seam {limit} {'fails' if fails else 'passes'} at a seam of {seam}"
-            if turned["turned"] is not None and fails and not turned["max_deg"] > limit / 2.001:
+            if turned["turned"] is not None and seam > limit and not turned["max_deg"] > limit / 2.001:
                 yield f"--max-seam {limit} fails ({seam}), but smooth turns {turned['turned']} normals by at most {turned['max_deg']}"
             if turned["turned"] and not fails and turned["max_deg"] > limit:
                 yield f"--max-seam {limit} passes ({seam}), but smooth turns {turned['turned']} normals by up to {turned['max_deg']}"
+        if rows("inspect", first, "--check", "--max-seam", 180)[0]["check"]["failures"]:
+            yield "normals that are zero or not finite are left after smooth"
         left = rows("inspect", first)[0]["seams"]["seam_deg"]
         if left > 0.02:
             yield f"{left} degrees are left after smooth"
