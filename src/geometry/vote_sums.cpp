@@ -208,8 +208,8 @@ private:
 
     static VoteJob job_of(const AttributeMesh& mesh, const Placement& placement, bool tangents, VoteWeight weight) {
         VoteJob job;
-        job.positions = &mesh.positions.data()->x;
-        job.texcoords = tangents ? &mesh.texcoords.data()->x : nullptr;
+        job.positions = mesh.positions.empty() ? nullptr : &mesh.positions.data()->x;
+        job.texcoords = tangents && !mesh.texcoords.empty() ? &mesh.texcoords.data()->x : nullptr;
         job.weight = weight;
         job.flip = placement.flip;
         for (std::size_t column = 0; column < 3; ++column)
