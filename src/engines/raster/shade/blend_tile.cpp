@@ -90,7 +90,7 @@ private:
         if (!s_.wanted.empty() &&
             (s_.wanted[0]->draw != t.draw || count_ + most > tile_pixels || s_.wanted.size() == most_triangles))
             shade();
-        BatchPart part{grouped.number, count_, count_, 0};
+        BatchPart part{grouped.number, count_, count_};
         if (samples_ > 1)
             collect_samples(t);
         else
@@ -138,11 +138,9 @@ private:
     }
 
     /// At the pixels' centers, also where the triangle covers other samples alone.
-    void find_depths(const ScreenTriangle& t, BatchPart& part) {
+    void find_depths(const ScreenTriangle& t, const BatchPart& part) {
         KeyPlane plane;
         set_plane(t, ox_, oy_, plane);
-        part.reach =
-            std::min(plane.depth_high - plane.depth_low, 0.5f * (std::fabs(plane.depth_x) + std::fabs(plane.depth_y)));
         for (std::size_t i = part.begin; i < part.end; ++i)
             s_.batch_depth[i] = depth_at(plane, float(s_.pixel[i] % tile_size), float(s_.pixel[i] / tile_size));
     }
