@@ -80,7 +80,10 @@ void save(const Scene& scene, const std::string& path, Context& context) {
         const auto upright = [&] { return is_z_up(scene.source) ? with_y_up(scene, path, context.report()) : scene; };
         if (ending == "glb" || ending == "gltf") return io::write_glb(upright(), path, context);
         if (ending == "obj") return io::write_obj(placed_in_world(upright(), true, context), path, context);
-        if (ending == "ply") return io::write_ply(scene, path, context);
+        if (ending == "ply") {
+            if (is_z_up(scene.source)) warn_of_z_up(path, context.report());
+            return io::write_ply(scene, path, context);
+        }
         throw Error(ErrorCode::usage, "a scene cannot be written with the ending '" + one_line(ending, 40) + "'", {},
                     "use .glb, .gltf, .obj or .ply");
     } catch (const Error& error) {

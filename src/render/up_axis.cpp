@@ -59,10 +59,6 @@ SideShares side_shares(const Scene& scene, const Bounds& box) {
     return area;
 }
 
-}  // namespace
-
-namespace {
-
 /// @param axis  1: Y, 2: Z
 bool stands_on_lowest(std::size_t axis, const Scene& scene, const Bounds& box) {
     const dvec3 size = box.high - box.low;

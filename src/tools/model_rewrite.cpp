@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <system_error>
 
+#include <rakelight/request.h>
 #include <rakelight/tools/file_ending.h>
+#include <rakelight/world.h>
 
 #include "io/beside.h"
 #include "io/file.h"
@@ -131,9 +133,20 @@ bool write_ply(const ModelRewrite& model, const Scene& after, Context& context) 
 Scene turned_for_output(const ModelRewrite& model, const Scene& after, Report& report) {
     if (!model.has_z_up) return after;
     if (model.way != RewriteWay::new_ply) return with_y_up(after, model.output, report);
-    report.add(Remark::warning, model.output, {},
-               "Z is up, as in the STL file; pictures of PLY files have Y up, and 'up' +Z shows it upright", {"up"});
+    warn_of_z_up(model.output, report);
     return after;
+}
+
+/// Z: by the format, or because [render] of a world file says so.
+bool has_z_up(const ModelRewrite& model, Context& context) {
+    const std::string& source = model.before.source;
+    if (!is_world_file(source)) return is_z_up(source, model.load.joined);
+    const std::optional<dvec3> up = request_of_world(source, model.load, context).view.world_up;
+    const bool is_z = up == dvec3{0, 0, 1};
+    if (up && !is_z && *up != dvec3{0, 1, 0})
+        context.report().add(Remark::warning, model.output, {},
+                             "the model keeps its coordinates, but the world file has another axis up than Y", {"up"});
+    return is_z;
 }
 
 }  // namespace
@@ -169,7 +182,7 @@ ModelRewrite begin_rewrite(const std::string& input, const std::string& wanted, 
             io::read_scene(input, {.allow_outside = options.allow_outside, .keep_obj = &model.kept}, context);
     else
         model.before = load(input, options, context);
-    model.has_z_up = is_z_up(model.before.source, options.joined);
+    model.has_z_up = has_z_up(model, context);
     if (const auto lying = lying_file(input, options.joined)) warn_of_lying(*lying, {}, beside_y_up, context.report());
     if (model.way == RewriteWay::new_obj || model.way == RewriteWay::new_ply)
         model.before = placed_in_world(model.before, model.way == RewriteWay::new_obj, context);

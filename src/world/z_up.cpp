@@ -54,8 +54,13 @@ Scene with_y_up(Scene scene) {
 }
 
 Scene with_y_up(Scene scene, const std::string& file, Report& report) {
-    report.add(Remark::changed, file, {}, "the model was turned to Y up, because STL files have Z up");
+    report.add(Remark::changed, file, {}, "the model was turned to Y up, because it has Z up");
     return with_y_up(std::move(scene));
+}
+
+void warn_of_z_up(const std::string& file, Report& report) {
+    report.add(Remark::warning, file, {},
+               "Z is up, as in the model; pictures of PLY files have Y up, and 'up' +Z shows it upright", {"up"});
 }
 
 std::optional<UpAxis> share_up_axis(Scene& a, Scene& b, Report& report) {

@@ -44,6 +44,9 @@ Scene with_y_up(Scene scene);
 /// The same, and a remark about `file` says so.
 Scene with_y_up(Scene scene, const std::string& file, Report& report);
 
+/// Warns that a PLY file keeps the coordinates of a model with Z up. @param file  that is written
+void warn_of_z_up(const std::string& file, Report& report);
+
 /// One up axis for two scenes that are laid beside each other. If Z is up in one of them, it counts as up in the other one too if the format of that one
 /// leaves the axis open; beside a scene with Y up, the one with Z up is turned.
 /// @param a,b  as loaded

@@ -173,6 +173,26 @@ TEST_F(ZUpFiles, WorldsSayThatAnStlLiesUnlessItIsTurnedUprightOrTheAxisIsGiven) 
     EXPECT_NEAR(size.z, 1, 1e-12);
 }
 
+TEST_F(ZUpFiles, AWorldWithZUpIsWrittenAsAnStl) {
+    const std::string world = folder_.file("w.scene.toml");
+    const auto written = [&](const std::string& up, const std::string& name) {
+        write(world, "[render]\nup = '" + up + "'\n[[model]]\nfile = 'wedge.stl'\n");
+        context_.report().clear();
+        convert_file(world, folder_.file(name), {}, context_);
+        return size_of(folder_.file(name));
+    };
+    for (const char* name : {"a.glb", "a.obj"}) {
+        EXPECT_EQ(written("+Z", name), (dvec3{4, 2, 1})) << name;
+        EXPECT_TRUE(is_said(context_, Remark::changed, turned)) << name;
+        EXPECT_EQ(written("+Y", name), (dvec3{4, 1, 2})) << name;
+        EXPECT_FALSE(is_said(context_, Remark::changed, turned)) << name;
+        EXPECT_EQ(written("-Z", name), (dvec3{4, 1, 2})) << name;
+        EXPECT_TRUE(is_said(context_, Remark::warning, "the model keeps its coordinates")) << name;
+    }
+    EXPECT_EQ(written("+Z", "a.ply"), (dvec3{4, 1, 2}));
+    EXPECT_TRUE(is_said(context_, Remark::warning, "'up' +Z shows it upright"));
+}
+
 TEST_F(ZUpFiles, PicturesOfStlFilesBesideOthersSaySo) {
     PictureRequest both = request(stl_);
     both.load.joined = {"builtin:sphere"};
@@ -210,6 +230,7 @@ TEST_F(ZUpFiles, SavedScenesLookAsTheyAreDrawn) {
     }
     save(scene, folder_.file("a.ply"), context_);
     EXPECT_EQ(size_of(folder_.file("a.ply")), (dvec3{4, 1, 2}));
+    EXPECT_TRUE(is_said(context_, Remark::warning, "'up' +Z shows it upright"));
 }
 
 /// The name of the first file does not decide for all.
@@ -255,6 +276,11 @@ TEST_F(ZUpFiles, ASceneLitByRadiosityIsTurned) {
     radiosity_file(lit, std::nullopt, context_);
     EXPECT_EQ(size_of(lit.output), (dvec3{4, 2, 1}));
     EXPECT_TRUE(is_said(context_, Remark::changed, turned));
+    lit.input = folder_.file("lit.ply");
+    convert_file(stl_, lit.input, {}, context_);
+    lit.view.world_up = dvec3{0, 0, 1};
+    radiosity_file(lit, std::nullopt, context_);
+    EXPECT_EQ(size_of(lit.output), (dvec3{4, 2, 1})) << "the axis was given";
 }
 
 TEST_F(ZUpFiles, StandardInputHasItsFormatsAxis) {
