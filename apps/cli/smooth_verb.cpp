@@ -249,6 +249,26 @@ int smooth_as_one(const Run& run, const Inputs& inputs, const FileGroup& group, 
     return code;
 }
 
+/// What is smoothed, and what of it together.
+struct Work {
+    Inputs inputs;
+    std::vector<FileGroup> groups;
+};
+
+/// @throws Error usage: several inputs that are not one model, for one page
+Work work_of(const Run& run) {
+    const SmoothFileOptions options = smooth_options(run, run.picture);  // what is wrong for all is reported once
+    const std::string& page = run.picture.output;
+    const bool is_one_page = run.given.has("preview") && run.inputs.size() > 1 && page.find('{') == page.npos;
+    Run numbered = run;  // until it is known whether they are one model
+    if (is_one_page) numbered.picture.output = page + "-{n}";
+    Work work{picture_requests(numbered), {}};
+    work.groups = groups_of(run, work.inputs, options);
+    if (is_one_page && work.groups.size() > 1) work.inputs = picture_requests(run);
+    if (is_one_page) work.inputs[work.groups.front().members.front()].picture.output = page;
+    return work;
+}
+
 }  // namespace
 
 int run_smooth(const Run& given) {
@@ -257,9 +277,7 @@ int run_smooth(const Run& given) {
     if (given.given.has("as-one") && given.given.has("apart"))
         throw Error(ErrorCode::usage, "--as-one and --apart exclude each other");
     const Run run = with_output(given);
-    (void)smooth_options(run, run.picture);  // what is wrong for all is reported once
-    const Inputs inputs = picture_requests(run);
-    const std::vector<FileGroup> groups = groups_of(run, inputs, smooth_options(run, run.picture));
+    const auto [inputs, groups] = work_of(run);
     *run.files = {.of = groups.size()};
     Rows rows;
     int worst = 0;

@@ -175,6 +175,15 @@ class SmoothTogether(program.Case):
         self.fine("smooth", "head.glb", "body.glb", "--apart", "--preview", "each/")
         self.assertTrue((self.folder / "each/body.html").exists())
 
+    def test_a_named_page_shows_one_model(self):
+        self.assertIn("48 of ", self.fine("smooth", "head.glb", "body.glb", "--preview", "page.html").err)
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["body.glb", "head.glb", "page.html"])
+        for apart in (["head.glb", "body.glb", "--apart"], ["head.glb", "body.glb", "builtin:cube"]):
+            result = self.run_program("smooth", *apart, "--preview", "apart.html")
+            self.assertEqual(result.code, 2)
+            self.assertIn("several models need a name for each output", result.err)
+            self.assertFalse((self.folder / "apart.html").exists())
+
 
 if __name__ == "__main__":
     program.main()
