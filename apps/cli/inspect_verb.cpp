@@ -210,6 +210,16 @@ std::vector<ReportPicture> page_pictures(const Scene& scene, const PictureReques
     return pictures;
 }
 
+/// "left.obj + right.obj" of files that are inspected as one model.
+std::string name_of(const PictureRequest& picture) {
+    constexpr std::size_t most_named = 2;  ///< beside the first
+    const std::vector<std::string>& others = picture.load.joined;
+    if (others.size() > most_named) return picture.input + " + " + std::to_string(others.size()) + " more files";
+    std::string name = picture.input;
+    for (const std::string& other : others) name += " + " + other;
+    return name;
+}
+
 /// The work on one file.
 void inspect_file(const PictureRequest& picture, Task task, InspectionRow& row, std::vector<ReportPicture>& pictures,
                   Context& context) {
@@ -220,6 +230,7 @@ void inspect_file(const PictureRequest& picture, Task task, InspectionRow& row, 
     task.options.weld_distance = picture.prepare.weld_distance;
     task.options.border_distance = picture.prepare.border_distance;
     row.inspection = inspect(scene, task.options, context);
+    row.inspection->file = row.file;
     if (task.limits) row.check = check_limits(*row.inspection, *task.limits);
     if (const std::string seams = proposal_text(*row.inspection); task.limits && !seams.empty())
         context.report().add(Remark::warning, picture.input, {}, "not checked: " + seams, {"border-distance"});
@@ -262,10 +273,6 @@ std::vector<InputRequest> requests_of(Run run) {
     return requests;
 }
 
-}  // namespace
-
-namespace {
-
 void write_reports(const Reports& reports, const InspectionPage& page, const std::vector<InspectionRow>& rows,
                    const std::optional<CheckLimits>& limits) {
     if (CancelOnInterrupt::happened()) return;
@@ -304,7 +311,7 @@ int run_inspect(const Run& run) {
     int worst = 0;
     for (const InputRequest& input : requests_of(run)) {
         const PictureRequest& picture = input.picture;
-        InspectionRow row{.file = picture.input};
+        InspectionRow row{.file = name_of(picture)};
         std::vector<ReportPicture> pictures;
         if (CancelOnInterrupt::happened()) {
             row.error = Error(ErrorCode::failed, "cancelled").with_file(picture.input);

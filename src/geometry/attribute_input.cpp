@@ -59,10 +59,6 @@ Placement place(const dmat4& to_world) {
     return p;
 }
 
-}  // namespace
-
-namespace {
-
 // Branch-free, with four independent chains: nearly always this first pass is sufficient.
 std::uint32_t largest_of(std::span<const std::uint32_t> indices) {
     std::uint32_t a = 0, b = 0, c = 0, d = 0;

@@ -176,10 +176,6 @@ private:
     std::vector<float> skew_;  // [output vertices] degrees, or empty
 };
 
-}  // namespace
-
-namespace {
-
 template <class Out, class TargetOf>
 Cancelled finish_all(Finish& finish, const AttributeInput& input, std::vector<Out>& out, const TargetOf& target_of,
                      Context& context) {

@@ -158,10 +158,6 @@ void check_world_matrices(const Scene& scene) {
         Place{"node", i, scene.nodes[i].name}.finite("the world matrix", world[i]);
 }
 
-}  // namespace
-
-namespace {
-
 void validate(const Scene& scene, const Scene* known) {
     for (const std::size_t count :
          {scene.nodes.size(), scene.meshes.size(), scene.materials.size(), scene.textures.size()})

@@ -210,6 +210,9 @@ class CommandLine(program.Case):
         self.fine("render", "both.obj", "-o", "b.png", *SIZE)
         self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
         row = json.loads(self.fine("inspect", "left.obj", "right.obj", "--as-one", "--json").out)["rows"][0]
+        self.assertEqual(row["file"], "left.obj + right.obj")
+        many = self.fine("inspect", "left.obj", "right.obj", "left.obj", "right.obj", "--as-one").out
+        self.assertTrue(many.startswith("left.obj + 3 more files\n"), many)
         self.assertEqual((len(row["objects"]), row["shared_positions"]), (2, 2))
         self.check_refused(self.run_program("left.obj", "gone.obj", "--as-one", "-o", "c.png", *SIZE), 3, "gone.obj")
 

@@ -81,10 +81,6 @@ std::uint64_t count_objects_outside(const FrontEnd& front) {
     return count;
 }
 
-}  // namespace
-
-namespace {
-
 /// Part of a draw's vertices.
 struct VertexTask {
     std::size_t draw, first;
