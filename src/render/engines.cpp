@@ -45,6 +45,14 @@ void check_engine_name(const std::string& name) {
 
 namespace {
 
+/// "only 1, 2 or 4" samples.
+std::string samples_text(const std::vector<int>& samples) {
+    std::string text = "only ";
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < samples.size() ? ", " : " or ") + std::to_string(samples[i]);
+    return text;
+}
+
 /// The first requirement of the settings that an engine cannot meet; empty: it meets all.
 std::string beyond(const EngineCapabilities& can, const RenderSettings& s) {
     std::string first;
@@ -59,7 +67,7 @@ std::string beyond(const EngineCapabilities& can, const RenderSettings& s) {
                 std::string("give the data channel ") + channel.word +
                     (can.path_channels & channel.channel ? ": method path does" : ""));
     require(is_path || std::ranges::find(can.samples, s.samples) != can.samples.end(),
-            format_text("take {} samples per pixel{}", s.samples, can.rays ? ": method path does" : ""));
+            format_text("take {} samples per pixel{}", s.samples, can.rays ? ": method path does" : ", " + samples_text(can.samples)));
     require(can.visibility_methods || s.visibility == Visibility::z_reversed,
             "use another method of hidden-surface removal than its own: engine soft does");
     require(can.screen_interpolation || s.interpolation == AttributeInterpolation::perspective,

@@ -178,7 +178,7 @@ class SmoothTogether(program.Case):
     def test_a_named_page_shows_one_model(self):
         self.assertIn("48 of ", self.fine("smooth", "head.glb", "body.glb", "--preview", "page.html").err)
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["body.glb", "head.glb", "page.html"])
-        for apart in (["head.glb", "body.glb", "--apart"], ["head.glb", "body.glb", "builtin:cube"]):
+        for apart in (["head.glb", "body.glb", "--apart"], ["head.glb", "body.glb", "builtin:torus"]):
             result = self.run_program("smooth", *apart, "--preview", "apart.html")
             self.assertEqual(result.code, 2)
             self.assertIn("several models need a name for each output", result.err)

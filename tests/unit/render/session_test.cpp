@@ -301,7 +301,7 @@ TEST(Session, WhatAnEngineCannotDoIsRefusedByName) {
     };
     EXPECT_EQ(reason_of([](RenderSettings& s) { s.channels = channel_depth | channel_overdraw; }),
               "engine fake cannot give the data channel overdraw");
-    EXPECT_EQ(reason_of([](RenderSettings& s) { s.samples = 4; }), "engine fake cannot take 4 samples per pixel");
+    EXPECT_EQ(reason_of([](RenderSettings& s) { s.samples = 4; }), "engine fake cannot take 4 samples per pixel, only 1");
     EXPECT_EQ(reason_of([](RenderSettings& s) { s.visibility = Visibility::painter; }),
               "engine fake cannot use another method of hidden-surface removal than its own: engine soft does");
     EXPECT_EQ(reason_of([](RenderSettings& s) { s.interpolation = AttributeInterpolation::screen; }),
