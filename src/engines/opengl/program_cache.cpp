@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <cstdlib>
@@ -14,8 +15,6 @@
 
 namespace rakelight::opengl {
 namespace {
-
-constexpr std::size_t most_bytes = 64 << 20;
 
 /// What a file begins with.
 struct Header {
@@ -46,6 +45,29 @@ std::string hexadecimal(std::uint64_t number) {
 
 }  // namespace
 
+void remove_least_used(const std::filesystem::path& folder, std::uintmax_t most_bytes) {
+    struct File {
+        std::filesystem::file_time_type used;
+        std::uintmax_t bytes;
+        std::filesystem::path path;
+    };
+    std::vector<File> files;
+    std::uintmax_t bytes = 0;
+    std::error_code fault;
+    for (std::filesystem::directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
+        std::error_code gone;  // others remove files, too
+        const File file{at->last_write_time(gone), at->file_size(gone), at->path()};
+        if (gone) continue;
+        files.push_back(file);
+        bytes += file.bytes;
+    }
+    std::ranges::sort(files, {}, &File::used);
+    for (std::size_t i = 0; i < files.size() && bytes > most_bytes; ++i) {
+        bytes -= files[i].bytes;
+        std::filesystem::remove(files[i].path, fault);
+    }
+}
+
 ProgramCache::ProgramCache(const Driver& driver, const ProgramText& text) {
     const std::filesystem::path in = driver.has_program_binaries ? folder() : std::filesystem::path();
     if (in.empty()) return;
@@ -60,6 +82,7 @@ bool ProgramCache::load(GLuint program) const {
     const std::uintmax_t size = std::filesystem::file_size(file_, fault);
     Header header{};
     if (fault || size <= sizeof header || size > most_bytes) return false;
+    std::filesystem::last_write_time(file_, std::filesystem::file_time_type::clock::now(), fault);  // it is in use
     std::ifstream file(file_, std::ios::binary);
     std::vector<char> bytes(std::size_t(size) - sizeof header);
     if (!file.read(reinterpret_cast<char*>(&header), sizeof header) ||
@@ -94,7 +117,10 @@ void ProgramCache::store(GLuint program) const {
         if (!file.flush()) fault = std::make_error_code(std::errc::io_error);
     }
     if (!fault) std::filesystem::rename(part, file_, fault);
-    if (fault) std::filesystem::remove(part, fault);
+    if (fault)
+        std::filesystem::remove(part, fault);
+    else
+        remove_least_used(file_.parent_path(), most_bytes);
 }
 
 }  // namespace rakelight::opengl

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Linked programs as files, so that the next run need not compile them: in $XDG_CACHE_HOME/rakelight/gl (~/.cache). A file is
-// named by driver and text; one that is broken or that the driver refuses is recomputed. RAKELIGHT_GL_CACHE=off: none.
+// named by driver and text; one that is broken or that the driver refuses is recomputed. Where they are too many, the least
+// recently used ones are removed. RAKELIGHT_GL_CACHE=off: none.
 #pragma once
 #include <epoxy/gl.h>
 
@@ -10,8 +11,13 @@
 
 namespace rakelight::opengl {
 
+/// Removes the files of a folder that were used least recently until those that are left have at most `most_bytes`.
+void remove_least_used(const std::filesystem::path& folder, std::uintmax_t most_bytes);
+
 class ProgramCache {
 public:
+    static constexpr std::uintmax_t most_bytes = 64 << 20;  ///< of all files
+
     /// Of one program.
     ProgramCache(const Driver& driver, const ProgramText& text);
     bool load(GLuint program) const;     ///< false: there is none that the driver takes

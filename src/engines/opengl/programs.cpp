@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/opengl/programs.h"
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <rakelight/error.h>
 
@@ -159,6 +162,20 @@ std::unique_ptr<Program> Programs::make(const Features& features) const {
 
 std::unique_ptr<Program> Programs::make_marks(const Features& features) const {
     return make_of(mark_text(features, driver_, user_), features);
+}
+
+void Programs::begin_picture() {
+    std::vector<std::pair<Table*, Table::iterator>> unused;  // by the last picture
+    for (Table* const table : {&programs_, &marks_})
+        for (auto at = table->begin(); at != table->end(); ++at)
+            if (at->second.used != picture_) unused.emplace_back(table, at);
+    ++picture_;
+    const std::size_t all = programs_.size() + marks_.size();
+    if (all <= most_) return;
+    const std::size_t dropped = std::min(all - most_, unused.size());
+    std::ranges::nth_element(unused, unused.begin() + std::ptrdiff_t(dropped), {},
+                             [](const auto& program) { return program.second->second.used; });
+    for (const auto& [table, at] : std::span(unused).first(dropped)) table->erase(at);
 }
 
 bool Programs::set_user(const RenderSettings& s) {

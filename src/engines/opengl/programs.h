@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs by features: made when they are first needed, kept while the context lives, and as binaries from one run to the
-// next where the driver has a form for them.
+// Programs by features: made when they are first needed, kept while the context lives unless there are too many, and as
+// binaries from one run to the next where the driver has a form for them.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -37,8 +37,15 @@ GlProgram link_program(const ProgramText& text, std::span<const char* const> cau
 
 class Programs {
 public:
-    explicit Programs(const Driver& driver) : driver_(driver) {}
+    /// A driver takes some 3 MB for one (llvmpipe of Mesa 22.3).
+    static constexpr std::size_t most_kept = 48;
 
+    /// @param most  that are kept, but for those of the last picture
+    explicit Programs(const Driver& driver, std::size_t most = most_kept) : driver_(driver), most_(most) {}
+
+    /// Drops the least recently used ones where too many are kept. Those of the last picture stay.
+    void begin_picture();
+    /// Stays until the next picture begins.
     /// @throws Error failed: it does not compile: the line names file and line of the text
     const Program& of(const Features& features) { return find(features, programs_, &Programs::make); }
     /// Of lines and points.
@@ -49,24 +56,31 @@ public:
     bool set_user(const RenderSettings& settings);
     /// Those of the user's, of the program that is in use.
     void set_uniforms(const Program& program) const;
-    std::size_t count() const { return programs_.size(); }
+    std::size_t count() const { return programs_.size() + marks_.size(); }
 
 private:
-    using Table = std::map<Features, std::unique_ptr<Program>>;
+    struct Kept {
+        std::unique_ptr<Program> program;
+        std::uint64_t used = 0;  ///< in which picture it was used last
+    };
+    using Table = std::map<Features, Kept>;
     const Program& find(const Features& features, Table& in,
                         std::unique_ptr<Program> (Programs::*make)(const Features&) const) {
-        std::unique_ptr<Program>& program = in[features];
-        if (!program) program = (this->*make)(features);
-        return *program;
+        Kept& kept = in[features];
+        if (!kept.program) kept.program = (this->*make)(features);
+        kept.used = picture_;
+        return *kept.program;
     }
     std::unique_ptr<Program> make(const Features& features) const;
     std::unique_ptr<Program> make_marks(const Features& features) const;
     std::unique_ptr<Program> make_of(const ProgramText& text, const Features& features) const;
 
     const Driver& driver_;
+    const std::size_t most_;
     UserShaders user_;
     RenderSettings settings_;  ///< of user_
     Table programs_, marks_;
+    std::uint64_t picture_ = 0;
 };
 
 }  // namespace rakelight::opengl

@@ -111,6 +111,7 @@ void Renderer::begin_picture(const Camera& camera, const RenderSettings& setting
     dropped_maps_ = dropped_of_ = 0;
     seen_.assign(list_.draws.size(), false);
     meter_.reset();
+    programs_.begin_picture();
     if (programs_.set_user(settings)) maps_.clear();
     view_ = shading::picture_camera_of(list_, camera, settings);
     pose_measured_meshes(context);

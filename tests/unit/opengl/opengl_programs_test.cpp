@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Programs of the engine gl: texture units, lighting models of the user's, OpenGL ES, the program cache.
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
+#include "engines/opengl/features.h"
+#include "engines/opengl/headless.h"
+#include "engines/opengl/program_cache.h"
+#include "engines/opengl/programs.h"
 #include "scene/scene_tools.h"
 #include "support/scene_builder.h"
 #include "support/temporary_folder.h"
@@ -152,6 +157,42 @@ TEST_F(OpenGl, ProgramsAreKeptAsFilesAndABrokenOneIsMadeAnew) {
     for (const auto& file : files) std::ofstream(file, std::ios::binary) << "no program at all";
     const Frame third = drawn(*opengl::make_engine(), two_squares(), small(), context);
     EXPECT_EQ(rmse(first, third), 0);
+}
+
+TEST_F(OpenGl, OfManyProgramsThoseOfTheLastPictureAndTheLatestOnesAreKept) {
+    const opengl::HeadlessContext current;
+    const opengl::Driver driver = opengl::ask_driver();
+    opengl::Programs programs(driver, 3);
+    const auto draw = [&](std::initializer_list<int> lights) {
+        programs.begin_picture();
+        for (const int count : lights) {
+            opengl::Features features;
+            features.light_count = count;
+            programs.of(features);
+        }
+    };
+    const std::vector<std::size_t> wanted = {2, 4, 3, 3};
+    std::vector<std::size_t> counts;
+    draw({1, 2}), counts.push_back(programs.count());
+    draw({3, 4}), counts.push_back(programs.count());  // all of the picture before stay while it begins
+    draw({3, 4}), counts.push_back(programs.count());  // 1 or 2 goes
+    draw({4}), counts.push_back(programs.count());
+    EXPECT_EQ(counts, wanted);
+}
+
+TEST(ProgramCache, TheLeastUsedFilesAreRemoved) {
+    const test::TemporaryFolder folder;
+    const auto now = std::filesystem::file_time_type::clock::now();
+    for (int i = 0; i < 5; ++i) {
+        folder.write(std::to_string(i), std::string(100, 'x'));
+        std::filesystem::last_write_time(folder.file(std::to_string(i)), now - std::chrono::hours(i == 0 ? 1 : 10 - i));
+    }
+    opengl::remove_least_used(folder.path(), 300);
+    std::vector<std::string> left;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        left.push_back(entry.path().filename());
+    std::ranges::sort(left);
+    EXPECT_EQ(left, (std::vector<std::string>{"0", "3", "4"}));
 }
 
 }  // namespace
