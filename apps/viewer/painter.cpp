@@ -5,6 +5,11 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <utility>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <rakelight/picture_parts.h>
 #include <rakelight/render.h>
@@ -14,6 +19,16 @@
 
 namespace rakelight::viewer {
 namespace {
+
+constexpr std::chrono::milliseconds rest_before_release(1500);
+
+/// Gives back to the system what the allocator keeps in its arenas, each thread's own: after a model or a large picture
+/// went, that is several times what is in use.
+void release_free_memory() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
 
 double ms_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
@@ -150,25 +165,35 @@ std::shared_ptr<Context> Painter::new_context(bool may_break_off) {
 }
 
 void Painter::run() {
+    bool has_worked = false;  // since free memory was released
     for (;;) {
         std::optional<PaintJob> job;
         std::vector<Probe> probes;
         {
             std::unique_lock lock(mutex_);
-            news_.wait(lock, [this] { return is_ending_ || next_ || !probes_.empty(); });
+            const auto has_news = [this] { return is_ending_ || next_ || !probes_.empty(); };
+            if (!news_.wait_for(lock, rest_before_release, has_news)) {
+                lock.unlock();
+                if (std::exchange(has_worked, false)) release_free_memory();
+                lock.lock();
+                news_.wait(lock, has_news);
+            }
             if (is_ending_) break;
             job.swap(next_);
             probes.swap(probes_);
         }
+        const bool is_new = job && job->model != last_.model;
         if (job) last_ = *job;
         for (const Probe& probe : probes) answer(probe, last_);
         if (job) work(*job);
+        has_worked = true;
         progress_.set({}, 0);
         {
             const std::scoped_lock lock(mutex_);
             context_.reset();
         }
         wake_();
+        if (is_new) release_free_memory();
     }
     if (gl_) gl_->end();
 }
