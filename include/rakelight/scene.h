@@ -17,6 +17,7 @@
 #include <rakelight/export.h>
 #include <rakelight/image.h>
 #include <rakelight/joint_influence.h>
+#include <rakelight/morph_target.h>
 #include <rakelight/rare.h>
 #include <rakelight/vector.h>
 
@@ -242,13 +243,6 @@ struct Subdivision {
     bool operator==(const Subdivision&) const = default;
 };
 
-/// A morph target: offsets that are added with a weight.
-struct MorphTarget {
-    std::string name{};                              ///< for people; may be empty
-    Block<vec3> positions{}, normals{}, tangents{};  ///< [V] offsets; each may be empty
-    bool operator==(const MorphTarget&) const = default;
-};
-
 /// The source of normals.
 /// - `automatic`: `file` if the mesh has normals. Otherwise `flat` if the format requires it (glTF). Otherwise by
 ///   smoothing groups if the mesh has any. Otherwise `model`.
@@ -319,7 +313,7 @@ struct Mesh {
     std::optional<NormalChoice> normal_choice{};  ///< absent: the options of PrepareOptions
     Block<JointInfluence> influences{};           ///< [V] or empty: the strongest four joints of each vertex
     Block<JointInfluence> more_influences{};      ///< [V] or empty: the next four joints of each vertex
-    std::vector<MorphTarget> targets{};
+    Block<MorphTarget> targets{};
     /// The surface that the triangles approximate. The engine trace draws this surface instead of the triangles. Absent
     /// if there is none, or if the triangles were changed.
     std::optional<ExactShape> shape{};
@@ -349,7 +343,7 @@ struct Node {
     Transform local{};
     std::vector<std::uint32_t> meshes{};   ///< into Scene::meshes; empty: a group
     std::uint32_t skin = no_index;         ///< into Scene::skins
-    std::vector<float> morph_weights{};    ///< [targets]
+    Block<float> morph_weights{};          ///< [targets]
     std::uint32_t source_node = no_index;  ///< node index in the file (glTF)
     std::optional<Shading> shading{};      ///< of this node and its descendants; absent: inherited from the parent
     bool operator==(const Node&) const = default;
@@ -359,7 +353,7 @@ struct Node {
 struct Skin {
     std::string name{};                   ///< for people; may be empty
     std::vector<std::uint32_t> joints{};  ///< into Scene::nodes
-    std::vector<dmat4> inverse_bind{};    ///< [joints]
+    Block<dmat4> inverse_bind{};          ///< [joints]
     bool operator==(const Skin&) const = default;
 };
 
@@ -479,7 +473,7 @@ struct RL_API Camera {
 /// The pose of an animated scene. The nodes keep the transforms of the file; attributes are computed from these.
 struct ScenePose {
     std::vector<Transform> local{};                   ///< [nodes]
-    std::vector<std::vector<float>> morph_weights{};  ///< [nodes]
+    std::vector<Block<float>> morph_weights{};  ///< [nodes]
     bool operator==(const ScenePose&) const = default;
 };
 

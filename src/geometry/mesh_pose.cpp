@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::size_t chunk = 1024;  // vertices at a time, as morph.cpp has them
 
-std::vector<WeightedTarget> counting(const MeshPose& pose, Block<vec3> PosedTarget::*offsets) {
+std::vector<WeightedTarget> counting(const MeshPose& pose, Block<vec3> MorphTarget::*offsets) {
     std::vector<WeightedTarget> result;
-    for (const PosedTarget& target : pose.targets)
-        if (target.weight != 0 && !(target.*offsets).empty())
-            result.push_back({target.weight, (target.*offsets).span()});
+    for (std::size_t t = 0; t < pose.targets.size(); ++t)
+        if (pose.weight(t) != 0 && !(pose.targets[t].*offsets).empty())
+            result.push_back({pose.weight(t), (pose.targets[t].*offsets).span()});
     return result;
 }
 
@@ -28,9 +28,9 @@ std::vector<T> room_for(const Block<T>& block) {
 }
 
 void morph(const MeshPose& pose, PosedArrays& arrays, Context& context) {
-    const auto positions = counting(pose, &PosedTarget::positions);
-    const auto normals = counting(pose, &PosedTarget::normals);
-    const auto tangents = counting(pose, &PosedTarget::tangents);
+    const auto positions = counting(pose, &MorphTarget::positions);
+    const auto normals = counting(pose, &MorphTarget::normals);
+    const auto tangents = counting(pose, &MorphTarget::tangents);
     if (!positions.empty()) {
         auto out = room_for(arrays.positions);
         morph_positions(arrays.positions, positions, out, context);
@@ -53,7 +53,7 @@ void skin(const MeshPose& pose, PosedArrays& arrays, Context& context) {
     auto normals = room_for(arrays.normals);
     auto tangents = room_for(arrays.tangents);
     skin_vertices(
-        {arrays.positions, arrays.normals, arrays.tangents, pose.influences, pose.more_influences, *pose.joints},
+        {arrays.positions, arrays.normals, arrays.tangents, pose.influences, pose.more_influences, pose.joints},
         {positions, normals, tangents}, context);
     arrays = {std::move(positions), std::move(normals), std::move(tangents)};
 }
@@ -66,27 +66,30 @@ std::span<const vec3> posed_positions(const MeshPose& pose, std::span<const Weig
         morph_some_positions(pose.positions, targets, first, morphed);
         at = morphed;
     }
-    if (!pose.joints) return at;
+    if (pose.joints.empty()) return at;
     const auto influences = pose.influences.span().subspan(first, morphed.size());
     const auto more = pose.more_influences.empty() ? std::span<const JointInfluence>()
                                                    : pose.more_influences.span().subspan(first, morphed.size());
-    skin_some_vertices({at, {}, {}, influences, more, *pose.joints}, {skinned, {}, {}});
+    skin_some_vertices({at, {}, {}, influences, more, pose.joints}, {skinned, {}, {}});
     return skinned;
 }
 
 }  // namespace
 
 bool MeshPose::moves() const {
-    return joints != nullptr || std::ranges::any_of(targets, [this](const PosedTarget& t) {
-               return t.weight != 0 && (!t.positions.empty() || (!t.normals.empty() && !normals.empty()) ||
-                                        (!t.tangents.empty() && !tangents.empty()));
-           });
+    const auto offsets = [this](const MorphTarget& t) {
+        return !t.positions.empty() || (!t.normals.empty() && !normals.empty()) ||
+               (!t.tangents.empty() && !tangents.empty());
+    };
+    for (std::size_t t = 0; t < std::min(targets.size(), weights.size()); ++t)
+        if (weights[t] != 0 && offsets(targets[t])) return true;
+    return !joints.empty();
 }
 
 PosedArrays posed_arrays(const MeshPose& pose, Context& context) {
     PosedArrays arrays{pose.positions, pose.normals, pose.tangents};
     morph(pose, arrays, context);
-    if (pose.joints) skin(pose, arrays, context);
+    if (!pose.joints.empty()) skin(pose, arrays, context);
     return arrays;
 }
 
@@ -105,7 +108,7 @@ Box empty_box() {
 
 Box posed_box(const MeshPose& pose, Context& context) {
     const std::size_t count = pose.positions.size();
-    const std::vector<WeightedTarget> targets = counting(pose, &PosedTarget::positions);
+    const std::vector<WeightedTarget> targets = counting(pose, &MorphTarget::positions);
     std::vector<Box> boxes((count + chunk - 1) / chunk, empty_box());
     context.parallel_for(boxes.size(), [&](std::size_t c) {
         const std::size_t first = c * chunk, vertices = std::min(chunk, count - first);

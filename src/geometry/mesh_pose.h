@@ -3,31 +3,26 @@
 #pragma once
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <span>
-#include <vector>
 
 #include <rakelight/block.h>
 #include <rakelight/context.h>
+#include <rakelight/morph_target.h>
 
 #include "geometry/skin.h"
 
 namespace rakelight::geometry {
 
-/// Offsets of a morph target, each [V] or empty, and its weight.
-struct PosedTarget {
-    float weight = 0;
-    Block<vec3> positions{}, normals{}, tangents{};
-};
-
 /// Targets are applied first, then the skin.
 struct MeshPose {
     Block<vec3> positions{}, normals{};  ///< [V]; normals and tangents may be empty
     Block<vec4> tangents{};
-    Block<JointInfluence> influences{}, more_influences{};    ///< as in SkinInput; unused without `joints`
-    std::shared_ptr<const std::vector<JointColumns>> joints;  ///< null: no skin
-    std::vector<PosedTarget> targets{};                       ///< all targets of the mesh, including weight 0
+    Block<JointInfluence> influences{}, more_influences{};  ///< as in SkinInput; unused without `joints`
+    Block<JointColumns> joints{};                           ///< empty: no skin
+    Block<MorphTarget> targets{};                           ///< all targets of the mesh
+    Block<float> weights{};                                 ///< of the targets; 0 where there are fewer
 
+    float weight(std::size_t target) const { return target < weights.size() ? weights[target] : 0; }
     /// Whether posed_arrays() changes anything.
     bool moves() const;
 };

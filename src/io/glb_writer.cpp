@@ -161,7 +161,7 @@ private:
         if (node.skin != no_index) json["skin"] = motion_.skin_of(node.skin, origin, data);
         const std::size_t targets = target_count(scene_, node.meshes);
         if (targets == 0 || node.morph_weights.empty()) return;
-        std::vector<float> weights = node.morph_weights;
+        std::vector<float> weights(node.morph_weights.begin(), node.morph_weights.end());
         weights.resize(targets, 0.0f);
         json["weights"] = weights;
     }

@@ -8,25 +8,44 @@
 
 #include "geometry/mesh_islands.h"
 #include "math/linear.h"
+#include "scene/charge_arrays.h"
 
 namespace rakelight {
 namespace {
 
-/// Targets by name and occurrence within a mesh, in the order of first appearance.
+/// Numbers of movements: targets by name and occurrence within a mesh, in the order of first appearance.
+class MovementNumbers {
+public:
+    /// [targets] no_index: it gets no normals. Meshes that share a table of targets are looked at once.
+    const std::vector<std::uint32_t>& of(const Mesh& mesh) {
+        const auto [known, is_new] = tables_.try_emplace({mesh.targets.identity(), mesh.normals.empty()});
+        std::vector<std::uint32_t>& numbers = known->second;
+        if (!is_new) return numbers;
+        std::map<std::string, std::size_t> before;
+        for (const MorphTarget& target : mesh.targets) {
+            const std::size_t occurrence = before[target.name]++;
+            if (wants_normals(mesh, target))
+                numbers.push_back(numbers_.try_emplace({target.name, occurrence}, count()).first->second);
+            else
+                numbers.push_back(no_index);
+        }
+        return numbers;
+    }
+    std::uint32_t count() const { return std::uint32_t(numbers_.size()); }
+
+private:
+    std::map<std::pair<const void*, bool>, std::vector<std::uint32_t>> tables_;
+    std::map<std::pair<std::string, std::size_t>, std::uint32_t> numbers_;
+};
+
 std::vector<MorphPose> movements_of(const Scene& scene, std::span<const std::uint32_t> numbers) {
     std::vector<MorphPose> movements;
-    std::map<std::pair<std::string, std::size_t>, std::size_t> known;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const Mesh& mesh = scene.meshes[numbers[i]];
-        std::map<std::string, std::size_t> before;
-        for (std::size_t t = 0; t < mesh.targets.size(); ++t) {
-            const MorphTarget& target = mesh.targets[t];
-            const std::size_t occurrence = before[target.name]++;
-            if (!wants_normals(mesh, target)) continue;
-            const auto [at, is_new] = known.try_emplace({target.name, occurrence}, movements.size());
-            if (is_new) movements.emplace_back();
-            movements[at->second].targets.emplace_back(i, t);
-        }
+    MovementNumbers known;
+    for (std::uint32_t i = 0; i < numbers.size(); ++i) {
+        const std::vector<std::uint32_t>& of_targets = known.of(scene.meshes[numbers[i]]);
+        movements.resize(known.count());
+        for (std::uint32_t t = 0; t < of_targets.size(); ++t)
+            if (of_targets[t] != no_index) movements[of_targets[t]].targets.emplace_back(i, t);
     }
     return movements;
 }
@@ -38,20 +57,52 @@ std::vector<vec3> moved(const Block<vec3>& vectors, const Block<vec3>& offsets) 
     return result;
 }
 
-template <class T>
-std::vector<vec3> difference(const std::vector<T>& to, const std::vector<T>& from) {
-    std::vector<vec3> result;
-    result.reserve(to.size());
-    for (std::size_t v = 0; v < to.size(); ++v)
-        result.push_back({to[v].x - from[v].x, to[v].y - from[v].y, to[v].z - from[v].z});
-    return result;
-}
+/// Differences of directions as charged arrays.
+class Differences {
+public:
+    explicit Differences(Context& context) : memory_(context.memory()) {}
 
-void check_memory(const std::vector<MorphPose>& poses, std::span<const MeshAttributes> base, Context& context) {
-    std::uint64_t bytes = 0;
-    for (const MorphPose& movement : poses)
-        for (const auto& [i, t] : movement.targets) bytes += 2 * sizeof(vec3) * std::uint64_t(base[i].normals.size());
-    context.memory().check(bytes, "normals of morph targets");
+    template <class T>
+    Block<vec3> between(const std::vector<T>& to, const std::vector<T>& from) {
+        const auto turn = [&](std::size_t v) {
+            return vec3{to[v].x - from[v].x, to[v].y - from[v].y, to[v].z - from[v].z};
+        };
+        std::size_t v = 0;
+        while (v < to.size() && turn(v) == vec3{0, 0, 0}) ++v;
+        if (v == to.size()) return zeros(to.size());
+        MemoryCharge charge = charge_of(to.size());
+        std::vector<vec3> result(to.size());
+        for (std::size_t k = v; k < to.size(); ++k) result[k] = turn(k);
+        return {std::move(result), std::move(charge)};
+    }
+
+private:
+    MemoryCharge charge_of(std::size_t vertices) {
+        return {memory_, vertices * sizeof(vec3) + bytes_beside_array, "normals of morph targets"};
+    }
+    const Block<vec3>& zeros(std::size_t vertices) {
+        Block<vec3>& known = zeros_[vertices];
+        if (known.empty()) known = {std::vector<vec3>(vertices), charge_of(vertices)};
+        return known;
+    }
+
+    MemoryBudget& memory_;
+    std::map<std::size_t, Block<vec3>> zeros_;  ///< by their number
+};
+
+/// [meshes] Tables without arrays. What is made of them is checked here, too: a table of targets for each mesh.
+std::vector<TargetDirections> empty_tables(const Scene& scene, std::span<const std::uint32_t> numbers,
+                                           Context& context) {
+    std::uint64_t targets = 0;
+    for (const std::uint32_t number : numbers) targets += scene.meshes[number].targets.size();
+    constexpr std::uint64_t each = 2 * sizeof(MorphPose::targets[0]) + 2 * sizeof(Block<vec3>) + sizeof(MorphTarget);
+    context.memory().check(targets * each, "normals of morph targets");
+    std::vector<TargetDirections> tables(numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        tables[i].normals.resize(scene.meshes[numbers[i]].targets.size());
+        tables[i].tangents.resize(scene.meshes[numbers[i]].targets.size());
+    }
+    return tables;
 }
 
 }  // namespace
@@ -74,34 +125,65 @@ std::vector<MorphPose> morph_poses(const Scene& scene, std::span<const std::uint
     return poses;
 }
 
-std::vector<TargetDirections> target_directions(const Scene& scene, std::span<const std::uint32_t> numbers,
-                                                std::span<const AttributeMesh> meshes, const AttributePlan& plan,
-                                                std::span<const MeshAttributes> base, Context& context) {
-    std::vector<TargetDirections> result(meshes.size());
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-        result[i].normals.resize(scene.meshes[numbers[i]].targets.size());
-        result[i].tangents.resize(scene.meshes[numbers[i]].targets.size());
-    }
-    const std::vector<MorphPose> poses = morph_poses(scene, numbers, geometry::mesh_islands(plan));
-    check_memory(poses, base, context);
-    for (const MorphPose& movement : poses) {
+namespace {
+
+/// All of `in`, in their order.
+std::vector<TargetDirections> all_directions(const Scene& scene, const MorphInputs& in, const AttributePlan& plan,
+                                             std::span<const MeshAttributes> base, Context& context) {
+    std::vector<TargetDirections> result = empty_tables(scene, in.numbers, context);
+    Differences differences(context);
+    for (const MorphPose& movement : morph_poses(scene, in.numbers, geometry::mesh_islands(plan))) {
         context.throw_if_cancelled();
-        std::vector<AttributeMesh> pose(meshes.begin(), meshes.end());
+        std::vector<AttributeMesh> pose(in.meshes.begin(), in.meshes.end());
         std::vector<std::vector<vec3>> moved_arrays;
         moved_arrays.reserve(2 * movement.targets.size());  // the spans point into it
         for (const auto& [i, t] : movement.targets) {
-            const Mesh& mesh = scene.meshes[numbers[i]];
+            const Mesh& mesh = scene.meshes[in.numbers[i]];
             pose[i].positions = moved_arrays.emplace_back(moved(mesh.positions, mesh.targets[t].positions));
             if (!pose[i].locked.empty() && !mesh.targets[t].normals.empty())
                 pose[i].normals = moved_arrays.emplace_back(moved(mesh.normals, mesh.targets[t].normals));
         }
         const std::vector<MeshAttributes> posed = accumulate(plan, pose, context);
         for (const auto& [i, t] : movement.targets) {
-            result[i].normals[t] = difference(posed[i].normals, base[i].normals);
-            if (!scene.meshes[numbers[i]].targets[t].tangents.empty() && !posed[i].tangents.empty())
-                result[i].tangents[t] = difference(posed[i].tangents, base[i].tangents);
+            result[i].normals[t] = differences.between(posed[i].normals, base[i].normals);
+            if (!scene.meshes[in.numbers[i]].targets[t].tangents.empty() && !posed[i].tangents.empty())
+                result[i].tangents[t] = differences.between(posed[i].tangents, base[i].tangents);
         }
     }
+    return result;
+}
+
+/// Inputs in an island with a result that is the first of its kind.
+std::vector<std::size_t> inputs_needed(const MorphInputs& in, const AttributePlan& plan) {
+    const std::vector<std::uint32_t> islands = geometry::mesh_islands(plan);
+    std::vector<bool> is_needed(islands.size(), false);
+    for (std::size_t r = 0; r < in.alike.size(); ++r)
+        if (in.alike[r] == r) is_needed[islands[r]] = true;
+    std::vector<std::size_t> needed;
+    for (std::size_t i = 0; i < islands.size(); ++i)
+        if (is_needed[islands[i]]) needed.push_back(i);
+    return needed;
+}
+
+}  // namespace
+
+std::vector<TargetDirections> target_directions(const Scene& scene, const MorphInputs& in, const AttributePlan& plan,
+                                                std::span<const MeshAttributes> base, Context& context) {
+    const std::vector<std::size_t> needed = inputs_needed(in, plan);
+    if (needed.size() == in.meshes.size()) return all_directions(scene, in, plan, base, context);
+    std::vector<std::uint32_t> numbers;
+    std::vector<AttributeMesh> meshes;
+    for (const std::size_t i : needed) numbers.push_back(in.numbers[i]), meshes.push_back(in.meshes[i]);
+    const AttributePlan own = group(meshes, in.options, context);
+    const std::vector<MeshAttributes> own_base = accumulate(own, meshes, context);
+    for (std::size_t k = 0; k < needed.size(); ++k)
+        if (own_base[k].source_vertex != base[needed[k]].source_vertex ||
+            own_base[k].indices != base[needed[k]].indices)  // the rounding of those left out had joined or parted some
+            return all_directions(scene, in, plan, base, context);
+    std::vector<TargetDirections> some =
+        all_directions(scene, {numbers, meshes, in.options, {}}, own, own_base, context);
+    std::vector<TargetDirections> result(in.meshes.size());
+    for (std::size_t k = 0; k < needed.size(); ++k) result[needed[k]] = std::move(some[k]);
     return result;
 }
 

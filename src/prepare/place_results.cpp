@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prepare/place_results.h"
 
+#include <algorithm>
 #include <string>
 
 #include <rakelight/seams.h>
 
 #include "base/format_text.h"
 #include "prepare/split_vertices.h"
+#include "scene/change_targets.h"
 #include "scene/is_normal.h"
 
 namespace rakelight {
@@ -25,23 +27,23 @@ Mesh with_arrays_of(const Mesh& made, const Mesh& own) {
 /// Offsets of old normals and tangents do not apply to the new ones. Target positions are kept.
 /// @param directions target directions of the new normals, or null
 void set_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number, bool new_normals,
-                           TargetDirections* directions, Report& report) {
+                           TargetDirections* directions, Context& context) {
     bool refused = false;
-    for (std::size_t t = 0; t < mesh.targets.size(); ++t) {
-        MorphTarget& target = mesh.targets[t];
-        std::vector<vec3> normals, tangents;
-        if (directions) {
-            normals = std::move(directions->normals[t]);
-            tangents = std::move(directions->tangents[t]);
-        }
+    const auto set = [&](MorphTarget& target, std::size_t t) {
+        const Block<vec3> normals = directions ? directions->normals[t] : Block<vec3>(),
+                          tangents = directions ? directions->tangents[t] : Block<vec3>();
         refused = refused || (new_normals && !target.normals.empty() && normals.empty()) ||
                   (!target.tangents.empty() && tangents.empty());
-        if (new_normals) target.normals = std::move(normals);
-        target.tangents = std::move(tangents);
-    }
+        if (new_normals) target.normals = normals;
+        target.tangents = tangents;
+    };
+    const bool stays = !directions && std::ranges::all_of(mesh.targets, [&](const MorphTarget& target) {
+        return (!new_normals || target.normals.empty()) && target.tangents.empty();
+    });
+    if (!stays) change_targets(mesh, set, context);
     if (refused)
-        report.add(Remark::dropped, scene.source, format_text("mesh {} '{}'", number, mesh.name),
-                   "normals and tangents of morph targets do not fit the new ones and are left out");
+        context.report().add(Remark::dropped, scene.source, format_text("mesh {} '{}'", number, mesh.name),
+                             "normals and tangents of morph targets do not fit the new ones and are left out");
 }
 
 /// The mesh with the normals of its gaps: split vertices are appended, all that the file has stays. Tangents at gaps are
@@ -63,9 +65,14 @@ Mesh with_gaps_filled(const Mesh& source, MeshAttributes&& made, const TargetDir
     const Block<vec4> tangents = mesh.tangents;
     with_gaps(mesh.tangents,
               [&](std::uint32_t v) { return turned_tangent(tangents[v], mesh.normals[v], mesh.normals[v]); });
-    for (std::size_t t = 0; directions && t < mesh.targets.size(); ++t)
-        if (!directions->normals[t].empty())
-            with_gaps(mesh.targets[t].normals, [&](std::uint32_t v) { return directions->normals[t][v]; });
+    if (directions)
+        change_targets(
+            mesh,
+            [&](MorphTarget& target, std::size_t t) {
+                const Block<vec3>& normals = directions->normals[t];
+                if (!normals.empty()) with_gaps(target.normals, [&](std::uint32_t v) { return normals[v]; });
+            },
+            context);
     return mesh;
 }
 
@@ -99,7 +106,7 @@ ResultPlacer::ResultPlacer(Scene& scene, const SmoothRequest& request, const Smo
 void ResultPlacer::place(Computed& computed) {
     std::vector<std::uint32_t> placed(computed.attributes.size(), no_index);  // the mesh that shows each result
     for (std::size_t i = 0; i < s_.instances.size(); ++i) {
-        const std::size_t r = s_.result_of[i];
+        const std::size_t own = s_.result_of[i], r = computed.alike.empty() ? own : computed.alike[own];
         const std::uint32_t number = s_.instances[i].mesh;
         if (placed[r] != no_index && number == numbers_[r]) {
             variants_.share(s_.instances[i], placed[r]);
@@ -119,7 +126,7 @@ Mesh ResultPlacer::made_mesh(std::uint32_t number, MeshAttributes& made, TargetD
         return with_gaps_filled(from, std::move(made), targets, context_);
     if (!keeps_bitangents(from)) made.bitangents = {};
     Mesh mesh = with_attributes(from, std::move(made), new_normals, context_);
-    set_target_directions(scene_, mesh, number, new_normals, targets, context_.report());
+    set_target_directions(scene_, mesh, number, new_normals, targets, context_);
     return mesh;
 }
 

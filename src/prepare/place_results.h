@@ -16,6 +16,7 @@ namespace rakelight {
 struct Computed {
     std::vector<MeshAttributes> attributes;
     std::vector<TargetDirections> targets;  ///< [attributes], or empty: no new normals of targets
+    std::vector<std::size_t> alike;         ///< [attributes] first_alike(), which alone has `targets`; or empty
 };
 
 /// The mesh with these tangents and, if new, normals; split vertices are appended.

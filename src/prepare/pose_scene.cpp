@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <cstring>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -21,17 +23,38 @@ namespace rakelight {
 namespace {
 
 using geometry::JointColumns, geometry::MeshPose, geometry::MeshPoses;
-using SharedColumns = std::shared_ptr<const std::vector<JointColumns>>;
 
 /// [m] Positions farther from the world origin are stored relative to a nearby point, so that float precision suffices.
 constexpr double far_away = 4096;
+
+/// [skins] The first one with the same joints and bind matrices: files repeat a skin for each of its meshes.
+std::vector<std::uint32_t> first_alike(const std::vector<Skin>& skins) {
+    const auto joints = [&](std::uint32_t a, std::uint32_t b) {
+        return std::lexicographical_compare_three_way(skins[a].joints.begin(), skins[a].joints.end(),
+                                                      skins[b].joints.begin(), skins[b].joints.end());
+    };
+    const auto is_less = [&](std::uint32_t a, std::uint32_t b) {
+        if (const auto order = joints(a, b); order != 0) return order < 0;
+        const Block<dmat4>&of_a = skins[a].inverse_bind, &of_b = skins[b].inverse_bind;
+        return !(of_a == of_b) && std::memcmp(of_a.data(), of_b.data(), of_a.size() * sizeof(dmat4)) < 0;
+    };
+    std::set<std::uint32_t, decltype(is_less)> known(is_less);
+    std::vector<std::uint32_t> first;
+    for (std::uint32_t s = 0; s < skins.size(); ++s) first.push_back(*known.insert(s).first);
+    return first;
+}
 
 /// Poses of the skinned meshes of a scene, with one origin for all, so that equal places stay equal. Shared data is
 /// computed once.
 class Skeleton {
 public:
     Skeleton(const Scene& scene, const std::vector<Instance>& moving, Context& context)
-        : scene_(scene), world_(world_matrices(scene)), matrices_(scene.skins.size()), check_(context) {
+        : scene_(scene),
+          context_(context),
+          world_(world_matrices(scene)),
+          alike_(first_alike(scene.skins)),
+          sides_(scene.skins.size()),
+          check_(context) {
         const auto first = std::ranges::find_if(moving, [&](const Instance& i) { return is_skinned(i); });
         if (first == moving.end()) return;
         const dvec3 place = transform_point(first_joint(*first), dvec3{0, 0, 0});
@@ -47,90 +70,87 @@ public:
 
     /// Whether all joints of the node's skinned meshes mirror.
     bool mirrors(std::uint32_t node) {
-        const auto [known, is_new] = node_mirrors_.try_emplace(node, true);
-        if (!is_new) return known->second;
-        for (const std::uint32_t mesh : scene_.nodes[node].meshes) {
+        const std::vector<std::uint32_t>& meshes = scene_.nodes[node].meshes;
+        return std::ranges::all_of(meshes, [&](std::uint32_t mesh) {
             const Instance i{node, 0, mesh};
-            known->second = known->second && (!is_skinned(i) || mirrors(i));
-        }
-        return known->second;
+            if (!is_skinned(i)) return true;
+            const Mesh& m = scene_.meshes[mesh];
+            const auto [known, is_new] =
+                mirrors_.try_emplace({skin_of(i), m.influences.identity(), m.more_influences.identity()});
+            if (is_new) known->second = mirrors(i);
+            return known->second;
+        });
     }
 
     /// Bind pose -> posed mesh, relative to origin(); x is negated for mirrored ones.
-    const SharedColumns& columns(const Instance& i, bool is_mirrored) {
+    const Block<JointColumns>& columns(const Instance& i, bool is_mirrored) {
         const dvec3 from = scene_.meshes[i.mesh].origin;
-        const auto [known, is_new] = columns_.try_emplace({skin_of(i), is_mirrored, from.x, from.y, from.z});
+        const std::uint32_t skin = skin_of(i);
+        const auto [known, is_new] = columns_.try_emplace({skin, is_mirrored, from.x, from.y, from.z});
         if (!is_new) return known->second;
+        const std::size_t joints = scene_.skins[skin].joints.size();
+        MemoryCharge charge(context_.memory(), joints * sizeof(JointColumns), "joints of skins");
         const dmat4 to_mesh = (is_mirrored ? scaling(dvec3{-1, 1, 1}) : dmat4{}) * translation(origin_ * -1.0);
         std::vector<JointColumns> columns;
-        for (const dmat4& joint : joint_matrices(skin_of(i)))
-            columns.push_back(geometry::columns_of(to_mesh * joint * translation(from)));
-        return known->second = std::make_shared<const std::vector<JointColumns>>(std::move(columns));
+        columns.reserve(joints);
+        for (std::size_t j = 0; j < joints; ++j, check_())
+            columns.push_back(geometry::columns_of(to_mesh * joint_matrix(skin, j) * translation(from)));
+        return known->second = {std::move(columns), std::move(charge)};
     }
 
 private:
-    std::uint32_t skin_of(const Instance& i) const { return scene_.nodes[i.node].skin; }
+    std::uint32_t skin_of(const Instance& i) const { return alike_[scene_.nodes[i.node].skin]; }
 
-    const std::vector<dmat4>& joint_matrices(std::uint32_t number) {
-        const Skin& skin = scene_.skins[number];
-        std::vector<dmat4>& made = matrices_[number];
-        for (std::size_t j = made.size(); j < skin.joints.size(); ++j, check_())
-            made.push_back(world_[skin.joints[j]] * skin.inverse_bind[j]);
-        return made;
+    dmat4 joint_matrix(std::uint32_t skin, std::size_t joint) const {
+        const Skin& s = scene_.skins[skin];
+        return world_[s.joints[joint]] * s.inverse_bind[joint];
     }
-    dmat4 first_joint(const Instance& i) {
+    dmat4 first_joint(const Instance& i) const {
         const Mesh& mesh = scene_.meshes[i.mesh];
         const JointInfluence& influence = mesh.influences[0];
         const std::size_t j = influence.weights[0] != 0 ? influence.joints[0] : 0;
-        return joint_matrices(skin_of(i))[j] * translation(mesh.origin);
+        return joint_matrix(skin_of(i), j) * translation(mesh.origin);
     }
     /// Vertices without weights follow the first joint.
     bool mirrors(const Instance& i) {
         const Mesh& mesh = scene_.meshes[i.mesh];
-        const std::vector<dmat4>& matrices = joint_matrices(skin_of(i));
-        std::vector<std::int8_t> side(matrices.size(), 0);
-        const auto is_mirrored = [&](std::size_t joint) {
-            std::int8_t& s = side[joint];
-            if (s == 0) s = determinant(upper_left(matrices[joint])) < 0 ? -1 : 1;
-            return s < 0;
-        };
         bool follows_some = false;
         for (const Block<JointInfluence>* block : {&mesh.influences, &mesh.more_influences})
             for (const JointInfluence& influence : *block)
                 for (std::size_t k = 0; k < 4; ++k) {
                     if (influence.weights[k] == 0) continue;
-                    if (!is_mirrored(influence.joints[k])) return false;
+                    if (!is_mirrored(skin_of(i), influence.joints[k])) return false;
                     follows_some = true;
                 }
-        return follows_some || is_mirrored(0);
+        return follows_some || is_mirrored(skin_of(i), 0);
+    }
+    bool is_mirrored(std::uint32_t skin, std::size_t joint) {
+        std::vector<std::int8_t>& sides = sides_[skin];
+        sides.resize(scene_.skins[skin].joints.size(), 0);
+        if (sides[joint] == 0) sides[joint] = determinant(upper_left(joint_matrix(skin, joint))) < 0 ? -1 : 1;
+        return sides[joint] < 0;
     }
 
     const Scene& scene_;
+    Context& context_;
     std::vector<dmat4> world_;
+    std::vector<std::uint32_t> alike_;  ///< [skins] of first_alike()
     dvec3 origin_{0, 0, 0};
-    std::vector<std::vector<dmat4>> matrices_;  ///< [skins][joints], computed on demand
-    std::map<std::uint32_t, bool> node_mirrors_;
+    std::vector<std::vector<std::int8_t>> sides_;  ///< [skins][joints] -1: it mirrors, 0: not known yet
+    /// By skin and influences.
+    std::map<std::tuple<std::uint32_t, const void*, const void*>, bool> mirrors_;
     /// By skin, mirrored or not, origin of the mesh.
-    std::map<std::tuple<std::uint32_t, bool, double, double, double>, SharedColumns> columns_;
+    std::map<std::tuple<std::uint32_t, bool, double, double, double>, Block<JointColumns>> columns_;
     CancelCheck check_;
 };
-
-MeshPose pose_of(const Mesh& mesh, const std::vector<float>& weights) {
-    MeshPose pose{.positions = mesh.positions, .normals = mesh.normals, .tangents = mesh.tangents, .joints = nullptr};
-    for (std::size_t t = 0; t < mesh.targets.size(); ++t) {
-        const MorphTarget& target = mesh.targets[t];
-        pose.targets.push_back(
-            {t < weights.size() ? weights[t] : 0, target.positions, target.normals, target.tangents});
-    }
-    return pose;
-}
 
 void check_memory(const Scene& scene, const std::vector<Instance>& moving, Context& context) {
     std::uint64_t bytes = 0;
     for (const Instance& i : moving) {
         const Mesh& mesh = scene.meshes[i.mesh];
         const std::uint64_t sets = mesh.targets.empty() ? 1 : 2;  // those of the targets, and of the skin
-        bytes += sets * (mesh.positions.size() * sizeof(vec3) + mesh.normals.size() * sizeof(vec3) +
+        bytes += sizeof(MeshPoses::value_type) +
+                 sets * (mesh.positions.size() * sizeof(vec3) + mesh.normals.size() * sizeof(vec3) +
                          mesh.tangents.size() * sizeof(vec4));
     }
     context.memory().check(bytes, "posed vertices");
@@ -204,8 +224,8 @@ private:
 
 /// Removes all animation data.
 void end_motion(Scene& scene) {
-    for (Mesh& mesh : scene.meshes) mesh.influences = {}, mesh.more_influences = {}, mesh.targets.clear();
-    for (Node& node : scene.nodes) node.skin = no_index, node.morph_weights.clear();
+    for (Mesh& mesh : scene.meshes) mesh.influences = {}, mesh.more_influences = {}, mesh.targets = {};
+    for (Node& node : scene.nodes) node.skin = no_index, node.morph_weights = {};
     scene.skins.clear(), scene.animations.clear(), scene.pose = {};
 }
 
@@ -234,7 +254,11 @@ UnposedScene valid::unposed_scene(Scene scene, Context& context) {
         for (const Instance& i : moving) {
             context.throw_if_cancelled();
             const Mesh& mesh = scene.meshes[i.mesh];
-            MeshPose pose = pose_of(mesh, scene.nodes[i.node].morph_weights);
+            MeshPose pose{.positions = mesh.positions,
+                          .normals = mesh.normals,
+                          .tangents = mesh.tangents,
+                          .targets = mesh.targets,
+                          .weights = scene.nodes[i.node].morph_weights};
             if (skeleton.is_skinned(i)) {
                 const bool is_mirrored = skeleton.mirrors(i.node);
                 pose.influences = mesh.influences, pose.more_influences = mesh.more_influences;
@@ -251,26 +275,32 @@ UnposedScene valid::unposed_scene(Scene scene, Context& context) {
     return {std::move(scene), std::move(poses)};
 }
 
-void take_pose(UnposedScene& unposed, std::uint32_t number, Context& context) {
-    const auto pose = unposed.poses.find(number);
-    if (pose == unposed.poses.end()) return;
-    context.throw_if_cancelled();
-    geometry::PosedArrays arrays = geometry::posed_arrays(pose->second, context);
-    Mesh& mesh = unposed.scene.meshes[number];
-    mesh.positions = std::move(arrays.positions), mesh.normals = std::move(arrays.normals);
-    mesh.tangents = std::move(arrays.tangents);
-    unposed.poses.erase(pose);
+PoseTaker::Key PoseTaker::key_of(const MeshPose& p) {
+    return {p.positions.identity(),  p.normals.identity(),         p.tangents.identity(), p.targets.identity(),
+            p.influences.identity(), p.more_influences.identity(), p.joints.identity(),   p.weights.identity()};
 }
 
-void take_all_poses(UnposedScene& unposed, Context& context) {
-    while (!unposed.poses.empty()) take_pose(unposed, unposed.poses.begin()->first, context);
+void PoseTaker::take(std::uint32_t number) {
+    const auto found = unposed_.poses.find(number);
+    if (found == unposed_.poses.end()) return;
+    context_.throw_if_cancelled();
+    const auto [known, is_new] = posed_.try_emplace(key_of(found->second));
+    if (is_new) known->second = {found->second, geometry::posed_arrays(found->second, context_)};
+    const geometry::PosedArrays& arrays = known->second.arrays;
+    Mesh& mesh = unposed_.scene.meshes[number];
+    mesh.positions = arrays.positions, mesh.normals = arrays.normals, mesh.tangents = arrays.tangents;
+    unposed_.poses.erase(found);
+}
+
+void PoseTaker::take_all() {
+    while (!unposed_.poses.empty()) take(unposed_.poses.begin()->first);
 }
 
 Scene valid::posed_scene(Scene scene, Context& context) {
     if (!is_posable(scene)) return scene;
     const auto own = unpaid_arrays(scene);
     UnposedScene unposed = valid::unposed_scene(std::move(scene), context);
-    take_all_poses(unposed, context);
+    PoseTaker(unposed, context).take_all();
     charge_new_arrays(unposed.scene, own, context);
     return std::move(unposed.scene);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Applies skins and morph targets: static scenes from animated ones.
 #pragma once
+#include <array>
+#include <map>
 #include <optional>
 
 #include <rakelight/context.h>
@@ -16,9 +18,27 @@ struct UnposedScene {
     Scene scene;
     geometry::MeshPoses poses{};
 };
-/// Poses the vertices of one mesh (which may have no pose), or of all.
-void take_pose(UnposedScene& unposed, std::uint32_t number, Context& context);
-void take_all_poses(UnposedScene& unposed, Context& context);
+
+/// Poses vertices. Meshes of the same arrays in the same pose share them.
+class PoseTaker {
+public:
+    PoseTaker(UnposedScene& unposed, Context& context) : unposed_(unposed), context_(context) {}
+    /// Of one mesh, which may have no pose.
+    void take(std::uint32_t number);
+    void take_all();
+
+private:
+    using Key = std::array<const void*, 8>;  ///< all blocks of a pose
+    struct Posed {
+        geometry::MeshPose of;  ///< keeps the identities of its blocks their own
+        geometry::PosedArrays arrays;
+    };
+    static Key key_of(const geometry::MeshPose& pose);
+
+    UnposedScene& unposed_;
+    Context& context_;
+    std::map<Key, Posed> posed_;
+};
 
 /// For validated scenes.
 namespace valid {

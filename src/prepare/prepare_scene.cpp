@@ -230,7 +230,7 @@ public:
     /// The pose and later stages.
     Scene finish(BoundScene bound, const Rare<ScenePose>& pose) const {
         UnposedScene unposed = finish_unposed(std::move(bound), pose);
-        take_all_poses(unposed, context_);
+        PoseTaker(unposed, context_).take_all();
         return paid(std::move(unposed.scene));
     }
 
@@ -241,10 +241,11 @@ public:
         if (is_posable(unposed.scene)) {
             unposed.scene.pose = pose;
             unposed = valid::unposed_scene(std::move(unposed.scene), context_);
+            PoseTaker taker(unposed, context_);
             for (const GeneratedAttributes& made : bound.made)
-                for (const std::uint32_t mesh : made.numbers) take_pose(unposed, mesh, context_);
+                for (const std::uint32_t mesh : made.numbers) taker.take(mesh);
             for (const BoundBorders& set : bound.borders)
-                for (const Instance& instance : set.instances) take_pose(unposed, instance.mesh, context_);
+                for (const Instance& instance : set.instances) taker.take(instance.mesh);
             for (const GeneratedAttributes& made : bound.made) recompute_attributes(made, unposed.scene, context_);
             MatchReport unread;
             for (const BoundBorders& set : bound.borders)
@@ -252,7 +253,7 @@ public:
             unposed.scene = paid(std::move(unposed.scene));
         }
         if (!wants_displacement(unposed.scene, options_.displacement)) return unposed;
-        take_all_poses(unposed, context_);
+        PoseTaker(unposed, context_).take_all();
         unposed.scene.normal_sides = nullptr;  // of other triangles
         BoundScene rough{paid(add_missing_tangents(displaced(paid(std::move(unposed.scene))), request_, context_))};
         unposed.scene = joins_borders() ? with_borders_joined(std::move(rough)).scene : std::move(rough.scene);

@@ -40,7 +40,7 @@ Mesh refined_mesh(const Mesh& coarse, const geometry::FineMesh& fine) {
     mesh.smoothing_hint = {};
     mesh.polygons = {};
     mesh.influences = {}, mesh.more_influences = {};
-    mesh.targets.clear();
+    mesh.targets = {};
     return mesh;
 }
 

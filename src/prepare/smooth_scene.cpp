@@ -152,8 +152,10 @@ Computed compute_to_keep(const Scene& scene, const SmoothSelection& s, Inputs in
 }
 
 /// In two steps if there are morph targets, so that unmoved vertices have offsets of exactly 0.
+/// @param count  how many of the inputs are computed
 Computed compute(const Scene& scene, const std::vector<std::uint32_t>& numbers,
-                 const std::vector<AttributeMesh>& meshes, const AttributeOptions& options, Context& context) {
+                 const std::vector<AttributeMesh>& meshes, std::size_t count, const AttributeOptions& options,
+                 Context& context) {
     bool has_targets = false;
     for (const std::uint32_t number : numbers)
         for (const MorphTarget& target : scene.meshes[number].targets)
@@ -165,7 +167,9 @@ Computed compute(const Scene& scene, const std::vector<std::uint32_t>& numbers,
     }
     const AttributePlan plan = group(meshes, options, context);
     computed.attributes = accumulate(plan, meshes, context);
-    computed.targets = target_directions(scene, numbers, meshes, plan, computed.attributes, context);
+    computed.alike = first_alike(std::span(numbers).first(count), std::span(computed.attributes).first(count));
+    computed.targets =
+        target_directions(scene, {numbers, meshes, options, computed.alike}, plan, computed.attributes, context);
     return computed;
 }
 
@@ -220,7 +224,7 @@ Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context)
         const AttributeOptions options = options_for(request, in.meshes);
         keeps_plan = request.made && options.normals && std::ranges::any_of(moving(scene, s.inputs()), std::identity());
         computed = keeps_plan ? compute_to_keep(scene, s, std::move(in), options, *request.made, context)
-                              : compute(scene, numbers, in.meshes, options, context);
+                              : compute(scene, numbers, in.meshes, s.computed.size(), options, context);
     }
     numbers.resize(s.computed.size());
     computed.attributes.resize(s.computed.size());

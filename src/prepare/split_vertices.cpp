@@ -2,6 +2,7 @@
 #include "prepare/split_vertices.h"
 
 #include "base/assert.h"
+#include "scene/change_targets.h"
 
 namespace rakelight {
 namespace {
@@ -56,11 +57,14 @@ void split_vertices(Mesh& mesh, std::vector<std::uint32_t> indices, std::span<co
     }
     extend(mesh.influences, source_vertex);
     extend(mesh.more_influences, source_vertex);
-    for (MorphTarget& target : mesh.targets) {
-        extend(target.positions, source_vertex);
-        extend(target.normals, source_vertex);
-        extend(target.tangents, source_vertex);
-    }
+    change_targets(
+        mesh,
+        [&](MorphTarget& target, std::size_t) {
+            extend(target.positions, source_vertex);
+            extend(target.normals, source_vertex);
+            extend(target.tangents, source_vertex);
+        },
+        context);
 }
 
 }  // namespace rakelight

@@ -126,7 +126,7 @@ Mesh mesh_of(const SurfacePart& part, const Refined& fine, std::uint32_t first_f
     mesh.polygons = {};
     mesh.subdivision = Subdivision{};  // done
     mesh.influences = {}, mesh.more_influences = {};
-    mesh.targets.clear();
+    mesh.targets = {};
     mesh.position_step = 0;
     return mesh;
 }

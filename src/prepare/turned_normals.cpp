@@ -9,6 +9,7 @@
 #include "base/cancel_check.h"
 #include "base/format_text.h"
 #include "math/linear.h"
+#include "scene/change_targets.h"
 
 namespace rakelight {
 namespace {
@@ -37,7 +38,7 @@ struct SharedArrays {
 
 /// The mesh with rotated normals, tangents and targets.
 /// @param shared of meshes with equal rotated normals; or null
-Mesh with_turned(const Mesh& mesh, const MeshSeams& seams, SharedArrays* shared) {
+Mesh with_turned(const Mesh& mesh, const MeshSeams& seams, SharedArrays* shared, Context& context) {
     Mesh out = mesh;
     const Block<vec3>& from = mesh.normals;
     Block<vec3> normals;
@@ -58,10 +59,13 @@ Mesh with_turned(const Mesh& mesh, const MeshSeams& seams, SharedArrays* shared)
     const auto along = [&](vec3 offset, std::uint32_t v, std::size_t i) {
         return turned_along(offset, from[v], seams.normals[i]);
     };
-    for (MorphTarget& target : out.targets) {
-        target.normals = with_turned(target.normals, seams, along);
-        target.tangents = with_turned(target.tangents, seams, along);
-    }
+    change_targets(
+        out,
+        [&](MorphTarget& target, std::size_t) {
+            target.normals = with_turned(target.normals, seams, along);
+            target.tangents = with_turned(target.tangents, seams, along);
+        },
+        context);
     return out;
 }
 
@@ -177,7 +181,8 @@ Scene with_turned_normals(Scene scene, const PlacedParts& parts, std::vector<Mes
     for (std::uint32_t i = 0; i < turned.size(); ++i) {
         const Instance& instance = parts.instances[i];
         const Mesh& mesh = originals[instance.mesh];
-        variants.place(instance, turned[i].vertices.empty() ? mesh : with_turned(mesh, turned[i], sharing.of(i)));
+        variants.place(instance,
+                       turned[i].vertices.empty() ? mesh : with_turned(mesh, turned[i], sharing.of(i), context));
     }
     report_instances(scene, variants, context.report());
     return scene;

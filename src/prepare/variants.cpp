@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace rakelight {
 namespace {
@@ -16,10 +17,19 @@ bool near(vec2 a, vec2 b) { return near(a.x, b.x) && near(a.y, b.y); }
 bool near(vec3 a, vec3 b) { return near(a.x, b.x) && near(a.y, b.y) && near(a.z, b.z); }
 bool near(vec4 a, vec4 b) { return near(a.xyz(), b.xyz()) && a.w == b.w; }
 
+template <class Array>
+bool all_near(const Array& a, const Array& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) { return near(x, y); });
+}
 template <class T>
 bool all_near(const Block<T>& a, const Block<T>& b) {
-    if (a == b) return true;
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return near(x, y); });
+    return a == b || all_near(a.span(), b.span());
+}
+
+/// Of one mesh.
+bool are_alike(const MeshAttributes& a, const MeshAttributes& b) {
+    return a.indices == b.indices && a.source_vertex == b.source_vertex && all_near(a.normals, b.normals) &&
+           all_near(a.tangents, b.tangents) && all_near(a.bitangents, b.bitangents);
 }
 
 }  // namespace
@@ -32,6 +42,20 @@ bool same_surface(const Mesh& a, const Mesh& b) {
     for (std::size_t set = 0; set < a.texcoords.size(); ++set)
         if (!all_near(a.texcoords[set], b.texcoords[set])) return false;
     return all_near(a.normals, b.normals) && all_near(a.tangents, b.tangents) && all_near(a.bitangents, b.bitangents);
+}
+
+std::vector<std::size_t> first_alike(std::span<const std::uint32_t> numbers, std::span<const MeshAttributes> results) {
+    std::map<std::uint32_t, std::vector<std::size_t>> firsts;  // by mesh
+    std::vector<std::size_t> alike(results.size());
+    for (std::size_t r = 0; r < results.size(); ++r) {
+        std::vector<std::size_t>& known = firsts[numbers[r]];
+        const auto end = known.begin() + std::ptrdiff_t(std::min(known.size(), searched));
+        const auto same =
+            std::find_if(known.begin(), end, [&](std::size_t first) { return are_alike(results[first], results[r]); });
+        alike[r] = same == end ? r : *same;
+        if (alike[r] == r) known.push_back(r);
+    }
+    return alike;
 }
 
 std::vector<Instance> drawn_instances(const Scene& scene) {

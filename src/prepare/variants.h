@@ -2,8 +2,10 @@
 // Results per instance: the first result replaces the mesh, different ones become new meshes.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include <rakelight/attributes.h>
 #include <rakelight/scene.h>
 
 #include "scene/charge_arrays.h"
@@ -41,6 +43,10 @@ private:
     std::vector<std::vector<std::uint32_t>> made_;  ///< [meshes] the results of each, the first in its place
     std::uint32_t kept_ = 0;
 };
+
+/// [results] The first result of the same mesh with a same_surface(), or the result itself.
+/// @param numbers  [results] their meshes
+std::vector<std::size_t> first_alike(std::span<const std::uint32_t> numbers, std::span<const MeshAttributes> results);
 
 /// Same triangles, and normals, tangents and texture coordinates that differ by rounding at most (2e-6 in each number):
 /// rotated instances of the same surface differ in the last bits. w of tangents must be equal.

@@ -20,7 +20,14 @@ std::uint64_t name_bytes(const std::string& name) {
     return name.size() <= short_size ? 0 : allocated(name.size() + 1);
 }
 
-/// Calls `visit` for each array of the mesh without a memory charge.
+template <class T>
+std::uint64_t block_bytes(const Block<T>& block) {
+    return block.size() * sizeof(T);
+}
+std::uint64_t block_bytes(const Block<MorphTarget>& targets) { return table_bytes(targets.span()); }
+
+/// Calls `visit` for each array of the mesh without a memory charge. A table of targets that was visited before, as
+/// `visit` says, is not entered: many meshes share it.
 template <class Visit>
 void for_each_unpaid(const Mesh& m, const Visit& visit) {
     const auto look = [&](const auto& block) {
@@ -31,19 +38,21 @@ void for_each_unpaid(const Mesh& m, const Visit& visit) {
     look(m.more_influences);
     for (const Block<vec2>& set : m.texcoords) look(set);
     for (const VertexArray& a : m.arrays) look(a.values);
-    for (const MorphTarget& t : m.targets) look(t.positions), look(t.normals), look(t.tangents);
+    if (!m.targets.is_charged() && visit(m.targets))
+        for (const MorphTarget& t : m.targets) look(t.positions), look(t.normals), look(t.tangents);
 }
 
 void charge_new_arrays(const Mesh& made, const std::set<const void*>& own, Context& context) {
     for_each_unpaid(made, [&](const auto& block) {
-        if (own.contains(block.identity())) return;
-        const std::uint64_t bytes = block.size() * sizeof(block[0]) + bytes_beside_array;
+        if (own.contains(block.identity())) return false;
+        const std::uint64_t bytes = block_bytes(block) + bytes_beside_array;
         block.attach_charge(MemoryCharge(context.memory(), bytes, "the prepared scene"));
+        return true;
     });
 }
 
 void collect_unpaid(const Mesh& mesh, std::set<const void*>& arrays) {
-    for_each_unpaid(mesh, [&](const auto& block) { arrays.insert(block.identity()); });
+    for_each_unpaid(mesh, [&](const auto& block) { return arrays.insert(block.identity()).second; });
 }
 
 }  // namespace
@@ -65,14 +74,17 @@ void charge_new_arrays(const Mesh& made, const Mesh& source, Context& context) {
 }
 
 std::uint64_t table_bytes(const Node& node) {
-    return sizeof(Node) + name_bytes(node.name) + array_bytes(node.meshes) + array_bytes(node.morph_weights) +
+    return sizeof(Node) + name_bytes(node.name) + array_bytes(node.meshes) +
            (node.local.matrix ? allocated(sizeof(dmat4)) : 0);
 }
 
 std::uint64_t table_bytes(const Mesh& mesh) {
-    std::uint64_t bytes =
-        sizeof(Mesh) + name_bytes(mesh.name) + array_bytes(mesh.texcoords) + array_bytes(mesh.targets);
-    for (const MorphTarget& target : mesh.targets) bytes += name_bytes(target.name);
+    return sizeof(Mesh) + name_bytes(mesh.name) + array_bytes(mesh.texcoords);
+}
+
+std::uint64_t table_bytes(std::span<const MorphTarget> targets) {
+    std::uint64_t bytes = targets.size() * sizeof(MorphTarget);
+    for (const MorphTarget& target : targets) bytes += name_bytes(target.name);
     return bytes;
 }
 
@@ -84,8 +96,7 @@ std::uint64_t table_bytes(const Scene& scene) {
     for (const Texture& t : scene.textures) bytes += sizeof t + name_bytes(t.name);
     for (const Light& light : scene.lights) bytes += sizeof light + name_bytes(light.name);
     for (const Camera& camera : scene.cameras) bytes += sizeof camera + name_bytes(camera.name);
-    for (const Skin& skin : scene.skins)
-        bytes += sizeof skin + name_bytes(skin.name) + array_bytes(skin.joints) + array_bytes(skin.inverse_bind);
+    for (const Skin& skin : scene.skins) bytes += sizeof skin + name_bytes(skin.name) + array_bytes(skin.joints);
     for (const Animation& a : scene.animations) bytes += sizeof a + name_bytes(a.name) + array_bytes(a.channels);
     return bytes;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <set>
+#include <span>
 
 #include <rakelight/context.h>
 #include <rakelight/scene.h>
@@ -27,6 +28,7 @@ void charge_new_arrays(const Mesh& made, const Mesh& source, Context& context);
 std::uint64_t table_bytes(const Scene& scene);
 std::uint64_t table_bytes(const Node& node);
 std::uint64_t table_bytes(const Mesh& mesh);
+std::uint64_t table_bytes(std::span<const MorphTarget> targets);
 
 /// Appends meshes to a scene and charges the table before it grows. The scene holds the charge and must not be moved.
 class AddedMeshes {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <tuple>
 #include <vector>
 
 #include <rakelight/error.h>
@@ -65,10 +67,6 @@ ScenePose pose_of(const Scene& scene) {
 }
 
 void move_node(const AnimationChannel& channel, std::span<const float> v, ScenePose& pose) {
-    if (channel.path == AnimationPath::morph_weights) {
-        pose.morph_weights[channel.element].assign(v.begin(), v.end());
-        return;
-    }
     Transform& t = pose.local[channel.element];
     t = in_parts(t);
     if (channel.path == AnimationPath::translation)
@@ -79,12 +77,34 @@ void move_node(const AnimationChannel& channel, std::span<const float> v, SceneP
         t.scale = {v[0], v[1], v[2]};
 }
 
+/// Morph weights of a clip at a moment. Channels of the same keys share them.
+class SampledWeights {
+public:
+    Block<float> at(const AnimationChannel& channel, double time_s, std::size_t width) {
+        Block<float>& known =
+            sampled_[{channel.times.identity(), channel.values.identity(), channel.interpolation, width}];
+        if (!known.empty()) return known;
+        std::vector<float> values(width);
+        sample_channel(channel, time_s, values);
+        return known = std::move(values);
+    }
+
+private:
+    std::map<std::tuple<const void*, const void*, Interpolation, std::size_t>, Block<float>> sampled_;
+};
+
 void apply(const Animation& animation, double time_s, Scene& scene, ScenePose& pose) {
     std::vector<float> values;
+    SampledWeights weights;
     for (const AnimationChannel& channel : animation.channels) {
         if (channel.element == no_index || channel.times.empty()) continue;
-        values.resize(channel_width(scene, channel));
-        if (values.empty()) continue;
+        const std::size_t width = channel_width(scene, channel);
+        if (width == 0) continue;
+        if (channel.path == AnimationPath::morph_weights) {
+            pose.morph_weights[channel.element] = weights.at(channel, time_s, width);
+            continue;
+        }
+        values.resize(width);
         sample_channel(channel, time_s, values);
         if (channel.is_of_node())
             move_node(channel, values, pose);

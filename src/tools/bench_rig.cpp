@@ -40,6 +40,7 @@ void add_skeleton(Scene& scene, std::uint32_t joints) {
     scene.skins.resize(1);
     scene.animations.resize(1);
     scene.animations[0].name = "bend";
+    std::vector<dmat4> inverse_bind;
     for (std::uint32_t j = 0; j < joints; ++j) {
         Node node;
         node.name = "joint " + std::to_string(j);
@@ -52,9 +53,10 @@ void add_skeleton(Scene& scene, std::uint32_t joints) {
         turn.values = std::vector<float>{0, 0, 0, 1, 0, 0, float(sine), float(cosine), 0, 0, 0, 1};
         scene.animations[0].channels.push_back(std::move(turn));
         scene.skins[0].joints.push_back(std::uint32_t(scene.nodes.size()));
-        scene.skins[0].inverse_bind.push_back(translation(dvec3{0, -(low + step * j), 0}));
+        inverse_bind.push_back(translation(dvec3{0, -(low + step * j), 0}));
         scene.nodes.push_back(std::move(node));
     }
+    scene.skins[0].inverse_bind = std::move(inverse_bind);
 }
 
 }  // namespace

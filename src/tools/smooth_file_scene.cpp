@@ -9,6 +9,7 @@
 #include "prepare/repair_seams.h"
 #include "prepare/smooth_request.h"
 #include "prepare/variants.h"
+#include "scene/change_targets.h"
 #include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
 
@@ -71,11 +72,12 @@ Scene with_new_normals(const Scene& scene, const SmoothFileOptions& options, boo
     return out;
 }
 
-Scene without_tangents(Scene scene) {
+Scene without_tangents(Scene scene, Context& context) {
     for (const Instance& instance : drawn_instances(scene)) {
         Mesh& mesh = scene.meshes[instance.mesh];
         mesh.tangents = {};
-        for (MorphTarget& target : mesh.targets) target.tangents = {};
+        if (std::ranges::any_of(mesh.targets, [](const MorphTarget& target) { return !target.tangents.empty(); }))
+            change_targets(mesh, [](MorphTarget& target, std::size_t) { target.tangents = {}; }, context);
     }
     return scene;
 }
@@ -84,7 +86,7 @@ Scene without_tangents(Scene scene) {
 SmoothedScene repaired(const Scene& scene, const SmoothFileOptions& options, Context& context) {
     SmoothedScene out{with_new_normals(scene, options, true, context), SeamReport{}};
     out.missing_made = count_missing_normals(scene);
-    if (options.tangents == TangentChoice::never) out.scene = without_tangents(std::move(out.scene));
+    if (options.tangents == TangentChoice::never) out.scene = without_tangents(std::move(out.scene), context);
     const AttributeOptions& a = options.attributes;
     const SeamRequest request{{a.crease_angle_rad, a.weld_distance}, {}, options.keep_instances};
     out.scene = join_seams(std::move(out.scene), request, *out.seams, context);

@@ -55,7 +55,7 @@ Mesh placed(const Mesh& mesh, const dmat4& place, dvec3 origin, Context& context
     out.normals = {std::move(normals), std::move(charge)};
     out.tangents = {};
     out.influences = {}, out.more_influences = {};
-    out.targets.clear();
+    out.targets = {};
     if (turn.is_mirrored() && mesh.topology == Topology::triangles) {
         out.indices = rewound(mesh.indices, context);
         out.smoothing_hint = rewound(mesh.smoothing_hint, context);
@@ -74,7 +74,7 @@ Scene placed_in_world(const Scene& scene, bool holds_doubles, Context& context) 
         Node& node = out.nodes[n];
         node.parent = no_index;
         node.local = {};
-        node.morph_weights.clear();
+        node.morph_weights = {};
         node.skin = no_index;
         for (std::uint32_t& m : node.meshes) {
             context.throw_if_cancelled();

@@ -33,7 +33,7 @@ inline Scene arm() {
         }
     Scene scene;
     Mesh mesh;
-    mesh.targets.push_back({"swell", std::move(swelling), std::move(swelling_normals), {}});
+    mesh.targets = {{"swell", std::move(swelling), std::move(swelling_normals), {}}};
     mesh.positions = std::move(positions), mesh.normals = std::move(normals), mesh.tangents = std::move(tangents);
     mesh.influences = std::move(influences), mesh.indices = std::move(indices);
     scene.materials = {test::matte({0.7f, 0.5f, 0.3f})};

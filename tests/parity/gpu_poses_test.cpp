@@ -49,13 +49,13 @@ std::vector<T> read_back(const opengl::GlBuffer& buffer, std::size_t count) {
 /// Whether the blended matrix of a vertex is flat but for rounding, as halfway between a mirrored joint and one that is not:
 /// which side its directions are on is chance.
 bool is_flat(const MeshPose& pose, std::size_t v) {
-    if (!pose.joints) return false;
+    if (pose.joints.empty()) return false;
     dmat3 m{{dvec3{}, dvec3{}, dvec3{}}};
     for (const Block<JointInfluence>* const block : {&pose.influences, &pose.more_influences})
         for (std::size_t k = 0; k < 4 && !block->empty(); ++k) {
             const double weight = (*block)[v].weights[k];
             if (weight == 0) continue;
-            const geometry::JointColumns& joint = (*pose.joints)[(*block)[v].joints[k]];
+            const geometry::JointColumns& joint = pose.joints[(*block)[v].joints[k]];
             for (std::size_t c = 0; c < 3; ++c)
                 m[c] += dvec3{joint.columns[c][0], joint.columns[c][1], joint.columns[c][2]} * weight;
         }
@@ -196,7 +196,7 @@ TEST_P(GpuPoses, FlatTinyAndMirroredMatricesKeepDirectionsUnit) {
                              dvec3{0, 0, 0}, dvec3{-2, -3, 0.1}}) {
         UnposedScene unposed = valid::unposed_scene(bent(arm(), 0.3, 0.5f), context);
         std::vector<geometry::JointColumns> joints(2, geometry::columns_of(scaling(size)));
-        unposed.poses.at(0).joints = std::make_shared<const std::vector<geometry::JointColumns>>(joints);
+        unposed.poses.at(0).joints = joints;
         opengl::MeshStore meshes(renderer->driver());
         opengl::PoseStore store(renderer->driver());
         store.pose(unposed.scene, unposed.poses, meshes);

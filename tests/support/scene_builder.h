@@ -4,10 +4,33 @@
 #include <rakelight/scene.h>
 
 #include <utility>
+#include <vector>
 
 #include "math/linear.h"
 
 namespace rakelight::test {
+
+/// Blocks are equal where they share an array; this one is compared by its values.
+template <class T>
+std::vector<T> values_of(const Block<T>& block) {
+    return {block.begin(), block.end()};
+}
+
+/// A block with one more value at its end.
+template <class T>
+Block<T> with(const Block<T>& block, T value) {
+    std::vector<T> values(block.begin(), block.end());
+    values.push_back(std::move(value));
+    return values;
+}
+
+/// A block after change(values).
+template <class T, class Change>
+Block<T> changed(const Block<T>& block, const Change& change) {
+    std::vector<T> values(block.begin(), block.end());
+    change(values);
+    return values;
+}
 
 /// A square in the plane z = 0 facing +Z, side 2 about the origin, u to the right, v down, normals and tangents as glTF.
 inline Mesh square_mesh(std::uint32_t material = no_index, float half = 1) {

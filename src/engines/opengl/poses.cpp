@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 
 #include "engines/opengl/programs.h"
@@ -11,7 +12,7 @@
 namespace rakelight::opengl {
 namespace {
 
-using geometry::JointColumns, geometry::MeshPose, geometry::MeshPoses, geometry::PosedTarget;
+using geometry::JointColumns, geometry::MeshPose, geometry::MeshPoses;
 
 constexpr std::size_t joint_texels = 4;  // its columns
 
@@ -20,23 +21,24 @@ std::size_t rows_of(std::size_t texels) { return (texels + fetch_width - 1) / fe
 PoseFeatures features_of(const MeshPose& pose) {
     PoseFeatures f;
     f.has_normals = !pose.normals.empty(), f.has_tangents = !pose.tangents.empty();
-    f.is_skinned = pose.joints != nullptr, f.has_more = f.is_skinned && !pose.more_influences.empty();
+    f.is_skinned = !pose.joints.empty(), f.has_more = f.is_skinned && !pose.more_influences.empty();
     return f;
 }
 
 /// Blocks of offsets that a mesh of these arrays can use, in the order of its targets.
 template <class Visit>
 void for_each_offsets(const MeshPose& pose, const Visit& visit) {
-    for (const PosedTarget& t : pose.targets) {
-        visit(t, 0, t.positions);
-        visit(t, 1, pose.normals.empty() ? Block<vec3>() : t.normals);
-        visit(t, 2, pose.tangents.empty() ? Block<vec3>() : t.tangents);
+    for (std::size_t t = 0; t < pose.targets.size(); ++t) {
+        const MorphTarget& target = pose.targets[t];
+        visit(t, 0, target.positions);
+        visit(t, 1, pose.normals.empty() ? Block<vec3>() : target.normals);
+        visit(t, 2, pose.tangents.empty() ? Block<vec3>() : target.tangents);
     }
 }
 
 std::size_t offset_texels(const MeshPose& pose) {
     std::size_t texels = 0;
-    for_each_offsets(pose, [&](const PosedTarget&, int, const Block<vec3>& block) { texels += block.size(); });
+    for_each_offsets(pose, [&](std::size_t, int, const Block<vec3>& block) { texels += block.size(); });
     return texels;
 }
 
@@ -44,13 +46,12 @@ std::size_t offset_texels(const MeshPose& pose) {
 std::vector<vec4> target_texels(const MeshPose& pose) {
     std::vector<std::array<float, 3>> blocks(pose.targets.size(), {-1, -1, -1});
     float next = 0;
-    for_each_offsets(pose, [&](const PosedTarget& t, int which, const Block<vec3>& block) {
-        if (!block.empty()) blocks[std::size_t(&t - pose.targets.data())][std::size_t(which)] = next++;
+    for_each_offsets(pose, [&](std::size_t t, int which, const Block<vec3>& block) {
+        if (!block.empty()) blocks[t][std::size_t(which)] = next++;
     });
     std::vector<vec4> texels;
     for (std::size_t t = 0; t < blocks.size(); ++t)
-        if (pose.targets[t].weight != 0)
-            texels.push_back({pose.targets[t].weight, blocks[t][0], blocks[t][1], blocks[t][2]});
+        if (pose.weight(t) != 0) texels.push_back({pose.weight(t), blocks[t][0], blocks[t][1], blocks[t][2]});
     return texels;
 }
 
@@ -76,17 +77,17 @@ void make_room(GlBuffer& buffer, std::size_t bytes) {
 
 bool PoseStore::fits(const MeshPose& pose) const {
     const std::size_t most = std::size_t(driver_.texture_size);
-    const std::size_t joints = pose.joints ? pose.joints->size() : 0;
-    return rows_of(offset_texels(pose)) <= most && rows_of(pose.targets.size() + joint_texels * joints) <= most;
+    return rows_of(offset_texels(pose)) <= most &&
+           rows_of(pose.targets.size() + joint_texels * pose.joints.size()) <= most;
 }
 
 PoseStore::Identities PoseStore::arrays_of(const MeshPose& pose) {
-    Identities ids = {pose.positions.identity(), pose.normals.identity(), pose.tangents.identity(),
-                      pose.joints ? pose.influences.identity() : nullptr,
-                      pose.joints ? pose.more_influences.identity() : nullptr};
-    for (const PosedTarget& t : pose.targets)
-        ids.insert(ids.end(), {t.positions.identity(), t.normals.identity(), t.tangents.identity()});
-    return ids;
+    return {pose.positions.identity(),
+            pose.normals.identity(),
+            pose.tangents.identity(),
+            pose.targets.identity(),
+            pose.joints.empty() ? nullptr : pose.influences.identity(),
+            pose.joints.empty() ? nullptr : pose.more_influences.identity()};
 }
 
 void PoseStore::keep_only(const MeshPoses& poses) {
@@ -94,6 +95,7 @@ void PoseStore::keep_only(const MeshPoses& poses) {
         const auto pose = poses.find(entry.first);
         return pose == poses.end() || arrays_of(pose->second) != arrays_of(entry.second.of);
     });
+    std::erase_if(offsets_, [](const auto& entry) { return entry.second.expired(); });
     for (auto& [number, posed] : posed_) {
         posed.stands = false;
         posed.buffers.draw.reset();  // other arrays of the mesh may have changed
@@ -108,27 +110,32 @@ PosedBuffers* PoseStore::of(std::uint32_t mesh) {
 
 std::uint64_t PoseStore::bytes() const {
     std::uint64_t bytes = numbers_bytes_;
-    for (const auto& [number, posed] : posed_) {
+    for (const auto& [number, posed] : posed_)
         bytes += posed.of.positions.size() * sizeof(vec3) + posed.of.normals.size() * sizeof(vec3) +
                  posed.of.tangents.size() * sizeof(vec4);
-        bytes += posed.offset_bytes;
-    }
+    for (const auto& [key, offsets] : offsets_)
+        if (const std::shared_ptr<const Offsets> shared = offsets.lock()) bytes += shared->bytes;
     return bytes;
 }
 
 /// Blocks one after another, as for_each_offsets() goes.
-void PoseStore::upload_offsets(Posed& posed) const {
-    const std::size_t rows = rows_of(offset_texels(posed.of));
-    if (rows == 0) return;
+std::shared_ptr<const PoseStore::Offsets> PoseStore::offsets_of(const MeshPose& pose) {
+    std::weak_ptr<const Offsets>& known = offsets_[{pose.targets.identity(), features_of(pose)}];
+    if (std::shared_ptr<const Offsets> shared = known.lock()) return shared;
+    const auto offsets = std::make_shared<Offsets>();
+    known = offsets;
+    const std::size_t rows = rows_of(offset_texels(pose));
+    if (rows == 0) return offsets;
     std::vector<vec3> texels;
     texels.reserve(rows * fetch_width);
-    for_each_offsets(posed.of, [&](const PosedTarget&, int, const Block<vec3>& block) {
+    for_each_offsets(pose, [&](std::size_t, int, const Block<vec3>& block) {
         texels.insert(texels.end(), block.begin(), block.end());
     });
     texels.resize(rows * fetch_width);
     glActiveTexture(GLenum(GL_TEXTURE0 + driver_.texture_units));
-    set_texels(posed.offsets, GL_RGB32F, GL_RGB, GL_FLOAT, fetch_width, int(rows), texels.data());
-    posed.offset_bytes = texels.size() * sizeof(vec3);
+    set_texels(offsets->texture, GL_RGB32F, GL_RGB, GL_FLOAT, fetch_width, int(rows), texels.data());
+    offsets->bytes = texels.size() * sizeof(vec3);
+    return offsets;
 }
 
 PoseStore::Posed& PoseStore::posed_of(std::uint32_t number, const MeshPose& pose, const Mesh& mesh, MeshStore& meshes) {
@@ -140,7 +147,7 @@ PoseStore::Posed& PoseStore::posed_of(std::uint32_t number, const MeshPose& pose
         make_room(posed.buffers.positions, pose.positions.size() * sizeof(vec3));
         if (!pose.normals.empty()) make_room(posed.buffers.normals, pose.normals.size() * sizeof(vec3));
         if (!pose.tangents.empty()) make_room(posed.buffers.tangents, pose.tangents.size() * sizeof(vec4));
-        upload_offsets(posed);
+        posed.offsets = offsets_of(pose);
         while (!meshes.is_there(mesh, &pose)) meshes.upload_piece(mesh, &pose);
         bind_attributes(posed, mesh, meshes);
         check_gl("a mesh that moves");
@@ -155,27 +162,33 @@ void PoseStore::bind_attributes(Posed& posed, const Mesh& mesh, MeshStore& meshe
     glBindVertexArray(posed.bind.get());
     meshes.set_vertices(mesh);
     const MeshPose& pose = posed.of;
-    set_influences(3, pose.joints ? meshes.buffer_of(pose.influences) : 0);
-    set_influences(5, pose.joints ? meshes.buffer_of(pose.more_influences) : 0);
+    set_influences(3, pose.joints.empty() ? 0 : meshes.buffer_of(pose.influences));
+    set_influences(5, pose.joints.empty() ? 0 : meshes.buffer_of(pose.more_influences));
 }
 
-/// Targets and joints of the moment, one table for all meshes; joints that several follow stand in it once.
+/// Targets and joints of the moment, one table for all meshes; what several have in common stands in it once.
 std::map<std::uint32_t, PoseStore::Place> PoseStore::upload_numbers(const MeshPoses& poses,
                                                                     const std::vector<std::uint32_t>& numbers) {
     std::map<std::uint32_t, Place> places;
     std::map<const void*, GLint> joints;
+    std::map<std::tuple<const void*, const void*, PoseFeatures>, Place> weightings;
     std::vector<vec4> texels;
     for (const std::uint32_t number : numbers) {
         const MeshPose& pose = poses.at(number);
-        const std::vector<vec4> targets = target_texels(pose);
         Place& place = places[number];
-        place = {GLint(texels.size()), GLint(targets.size()), 0};
-        texels.insert(texels.end(), targets.begin(), targets.end());
-        if (!pose.joints) continue;
-        const auto [known, is_new] = joints.try_emplace(pose.joints.get(), GLint(texels.size()));
+        const auto [same, is_new_weighting] =
+            weightings.try_emplace({pose.targets.identity(), pose.weights.identity(), features_of(pose)});
+        if (is_new_weighting) {
+            const std::vector<vec4> targets = target_texels(pose);
+            same->second = {GLint(texels.size()), GLint(targets.size()), 0};
+            texels.insert(texels.end(), targets.begin(), targets.end());
+        }
+        place = same->second;
+        if (pose.joints.empty()) continue;
+        const auto [known, is_new] = joints.try_emplace(pose.joints.identity(), GLint(texels.size()));
         place.first_joint = known->second;
         if (!is_new) continue;
-        for (const JointColumns& joint : *pose.joints)
+        for (const JointColumns& joint : pose.joints)
             for (const auto& c : joint.columns) texels.push_back({c[0], c[1], c[2], c[3]});
     }
     const std::size_t rows = std::max<std::size_t>(rows_of(texels.size()), 1);
@@ -222,7 +235,7 @@ void PoseStore::run(const Posed& posed, const Place& place) {
     glActiveTexture(GLenum(GL_TEXTURE0 + driver_.texture_units));
     glBindTexture(GL_TEXTURE_2D, numbers_.name());
     glActiveTexture(GLenum(GL_TEXTURE0 + driver_.texture_units + 1));
-    glBindTexture(GL_TEXTURE_2D, posed.offsets ? posed.offsets.name() : no_offsets_.name());
+    glBindTexture(GL_TEXTURE_2D, posed.offsets->texture ? posed.offsets->texture.name() : no_offsets_.name());
     glBindVertexArray(posed.bind.name());
     GLuint next = 0;
     for (const GlBuffer* const to : {&posed.buffers.positions, &posed.buffers.normals, &posed.buffers.tangents})

@@ -2,8 +2,11 @@
 // Skins and morph targets on the GPU: transform feedback writes vertices as they stand into the buffers that programs read.
 // Bind pose, influences and offsets stay there from moment to moment, and so do the buffers; joints and weights come again.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include <rakelight/scene.h>
@@ -32,13 +35,18 @@ public:
     std::uint64_t bytes() const;  ///< of all buffers and textures that it holds
 
 private:
-    using Identities = std::vector<const void*>;  ///< of blocks
+    using Identities = std::array<const void*, 6>;  ///< of blocks
+    /// Of the targets; meshes with the same targets share them.
+    struct Offsets {
+        GlTexture texture;  ///< none: there are no offsets
+        std::uint64_t bytes = 0;
+    };
+    using OffsetsKey = std::pair<const void*, PoseFeatures>;  ///< by MeshPose::targets
     struct Posed {
         PosedBuffers buffers;
         GlVertexArray bind;
         geometry::MeshPose of;  ///< keeps the identities of its blocks their own
-        GlTexture offsets;      ///< of the targets
-        std::uint64_t offset_bytes = 0;
+        std::shared_ptr<const Offsets> offsets;
         bool stands = false;
     };
     struct Program {
@@ -51,7 +59,7 @@ private:
     };
     static Identities arrays_of(const geometry::MeshPose& pose);
     Posed& posed_of(std::uint32_t number, const geometry::MeshPose& pose, const Mesh& mesh, MeshStore& meshes);
-    void upload_offsets(Posed& posed) const;
+    std::shared_ptr<const Offsets> offsets_of(const geometry::MeshPose& pose);
     static void bind_attributes(Posed& posed, const Mesh& mesh, MeshStore& meshes);
     std::map<std::uint32_t, Place> upload_numbers(const geometry::MeshPoses& poses,
                                                   const std::vector<std::uint32_t>& numbers);
@@ -61,6 +69,7 @@ private:
 
     const Driver& driver_;
     std::map<std::uint32_t, Posed> posed_;  ///< by mesh
+    std::map<OffsetsKey, std::weak_ptr<const Offsets>> offsets_;
     std::map<PoseFeatures, Program> programs_;
     GlTexture numbers_, no_offsets_;
     GlRenderbuffer pixel_;

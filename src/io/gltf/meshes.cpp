@@ -7,6 +7,7 @@
 #include "io/gltf/influences.h"
 #include "io/gltf/plausibility.h"
 #include "io/gltf/topology.h"
+#include "scene/charge_arrays.h"
 
 namespace rakelight::io::gltf {
 namespace {
@@ -51,11 +52,13 @@ const LoadedMesh& Meshes::load(std::uint32_t index, const Value& from) {
     }
     check_targets_alike(scene_.meshes, loaded, mesh);
     const std::size_t targets = loaded.meshes.empty() ? 0 : scene_.meshes[loaded.meshes[0]].targets.size();
-    loaded.default_weights = mesh.reals("weights");
-    if (loaded.default_weights.size() != targets && !loaded.default_weights.empty())
+    std::vector<float> weights = mesh.reals("weights");
+    if (weights.size() != targets && !weights.empty())
         document().remark(Remark::dropped, mesh.place(),
                           "its number of morph weights is not that of its targets; they are taken as 0");
-    if (loaded.default_weights.size() != targets) loaded.default_weights.assign(targets, 0.0f);
+    if (weights.size() != targets) weights.assign(targets, 0.0f);
+    MemoryCharge charge(document().context().memory(), targets * sizeof(float), "morph weights");
+    loaded.default_weights = {std::move(weights), std::move(charge)};
     return loaded_.emplace(index, std::move(loaded)).first->second;
 }
 
@@ -137,6 +140,7 @@ void Meshes::read_targets(VertexData& vertices, const Value& mesh, const Value& 
     const Value extras = mesh.has("extras") && targets ? mesh.part("extras") : Value();
     const Value names =
         extras.is_object() && extras.part("targetNames").is_list() ? extras.list("targetNames") : Value();
+    std::vector<MorphTarget> read;
     for (std::size_t t = 0; t < targets.size(); ++t) {
         const Value target = targets.element(t, format_text("{}, target {}", primitive.place(), t));
         MorphTarget morph;
@@ -148,8 +152,10 @@ void Meshes::read_targets(VertexData& vertices, const Value& mesh, const Value& 
             if (name != "POSITION" && name != "NORMAL" && name != "TANGENT")
                 document().remark(Remark::dropped, target.place(),
                                   "morph targets of " + one_line(name, 40) + " are not supported");
-        result.targets.push_back(std::move(morph));
+        read.push_back(std::move(morph));
     }
+    MemoryCharge charge(document().context().memory(), table_bytes(read), "morph targets");
+    result.targets = {std::move(read), std::move(charge)};
 }
 
 }  // namespace rakelight::io::gltf

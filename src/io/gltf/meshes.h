@@ -11,9 +11,9 @@ namespace rakelight::io::gltf {
 /// What became of a glTF mesh.
 struct LoadedMesh {
     std::vector<std::uint32_t>
-        meshes;  ///< into Scene::meshes; fewer than its primitives when some hold nothing to draw
-    std::vector<float> default_weights;  ///< of its morph targets; empty without
-    std::uint32_t joints_used = 0;       ///< one more than the largest joint that a vertex follows; 0: not skinned
+        meshes;                     ///< into Scene::meshes; fewer than its primitives when some hold nothing to draw
+    Block<float> default_weights;   ///< of its morph targets; empty without
+    std::uint32_t joints_used = 0;  ///< one more than the largest joint that a vertex follows; 0: not skinned
 };
 
 class Meshes {

@@ -113,18 +113,17 @@ void Nodes::attach_mesh(const Value& source, std::uint32_t node) {
     const std::uint32_t mesh = source.index("mesh");
     if (mesh == no_index) return;
     const LoadedMesh& loaded = meshes_.load(mesh, source);
-    std::vector<float> weights = source.reals("weights");
-    const std::size_t targets = loaded.default_weights.size();
-    if (weights.size() != targets) {
-        if (!weights.empty())
+    document().scene_charge().grow(loaded.meshes.size() * bytes_per_placement, "placed meshes");
+    scene_.nodes[node].meshes = loaded.meshes;
+    scene_.nodes[node].morph_weights = loaded.default_weights;
+    if (std::vector<float> own = source.reals("weights"); own.size() != loaded.default_weights.size()) {
+        if (!own.empty())
             document().remark(Remark::dropped, source.place(),
                               "its number of morph weights is not that of its mesh's targets");
-        weights = loaded.default_weights;
+    } else if (!own.empty()) {
+        MemoryCharge charge(document().context().memory(), own.size() * sizeof(float), "morph weights");
+        scene_.nodes[node].morph_weights = {std::move(own), std::move(charge)};
     }
-    document().scene_charge().grow(loaded.meshes.size() * bytes_per_placement + targets * sizeof(float),
-                                   "placed meshes");
-    scene_.nodes[node].meshes = loaded.meshes;
-    scene_.nodes[node].morph_weights = std::move(weights);
     if (const Value instancing = source.extension("EXT_mesh_gpu_instancing")) add_instances(source, instancing, node);
 }
 
@@ -151,9 +150,8 @@ void Nodes::add_instances(const Value& source, const Value& extension, std::uint
     if (!count) return;
     const Node group = scene_.nodes[node];
     scene_.nodes[node].meshes.clear();
-    scene_.nodes[node].morph_weights.clear();
-    const std::uint64_t each = sizeof(Node) + 64 + group.name.size() + group.meshes.size() * bytes_per_placement +
-                               group.morph_weights.size() * sizeof(float);
+    scene_.nodes[node].morph_weights = {};
+    const std::uint64_t each = sizeof(Node) + 64 + group.name.size() + group.meshes.size() * bytes_per_placement;
     if (*count > (1ull << 40) / each) source.fail(std::to_string(*count) + " instances are too many");
     document().scene_charge().grow(*count * each, "instances");
     for (std::size_t i = 0; i < *count; ++i) {

@@ -22,7 +22,7 @@ bool same_indices(const Mesh& a, const Mesh& b) {
 
 /// The targets as they become: arrays that are still the file's own are left out.
 std::vector<MorphTarget> new_targets(const Mesh& before, const Mesh& after) {
-    std::vector<MorphTarget> targets = after.targets;
+    std::vector<MorphTarget> targets(after.targets.begin(), after.targets.end());
     for (std::size_t t = 0; t < std::min(targets.size(), before.targets.size()); ++t) {
         if (targets[t].normals == before.targets[t].normals) targets[t].normals = {};
         if (targets[t].tangents == before.targets[t].tangents) targets[t].tangents = {};

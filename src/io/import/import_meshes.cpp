@@ -88,8 +88,10 @@ void detail::add_meshes(import_stream::Import& import, const std::string& path, 
         mesh.polygons = block(std::move(part.polygons));
         for (auto& set : part.texcoords) mesh.texcoords.push_back(block(v_down(std::move(set))));
         mesh.colors = block(linear_colors(std::move(part.colors)));
+        std::vector<MorphTarget> targets;
         for (auto& s : part.shapes)
-            mesh.targets.push_back({std::move(s.name), block(std::move(s.positions)), block(std::move(s.normals)), {}});
+            targets.push_back({std::move(s.name), block(std::move(s.positions)), block(std::move(s.normals)), {}});
+        mesh.targets = block(std::move(targets));
     }
     import.parts.clear();
 }

@@ -84,13 +84,15 @@ std::vector<dmat4> matrices_to_world(const Scene& scene) {
 void add_skin(const Document& d, Scene& scene) {
     if (d.joints.empty()) return;
     Skin skin;
+    std::vector<dmat4> inverse_bind;
     for (const auto& j : d.joints) {
         if (!is_finite(j.inverse_bind))
             throw Error(ErrorCode::bad_file, "the bind matrix of a joint is not finite",
                         "node " + std::to_string(j.node));
         skin.joints.push_back(j.node);
-        skin.inverse_bind.push_back(affine(j.inverse_bind));
+        inverse_bind.push_back(affine(j.inverse_bind));
     }
+    skin.inverse_bind = std::move(inverse_bind);
     scene.skins.push_back(std::move(skin));
     for (Node& n : scene.nodes)
         for (std::uint32_t m : n.meshes)
@@ -101,7 +103,7 @@ void add_morph_weights(Scene& scene) {
     for (Node& n : scene.nodes)
         for (std::uint32_t m : n.meshes)
             if (n.morph_weights.size() < scene.meshes[m].targets.size())
-                n.morph_weights.resize(scene.meshes[m].targets.size(), 0.0f);
+                n.morph_weights = std::vector<float>(scene.meshes[m].targets.size(), 0.0f);
 }
 
 void add_animations(Document& d, Scene& scene) {

@@ -22,8 +22,11 @@ MeshPose random_pose(std::size_t vertices, bool is_skinned, bool is_morphed) {
         for (vec3& v : out) v = {number(random), number(random), number(random)};
         return out;
     };
-    MeshPose pose{.positions = vectors(), .normals = vectors(), .joints = nullptr};
-    if (is_morphed) pose.targets = {{0.75f, vectors(), {}, {}}, {0, vectors(), {}, {}}, {-2, vectors(), vectors(), {}}};
+    MeshPose pose{.positions = vectors(), .normals = vectors()};
+    if (is_morphed) {
+        pose.targets = {{"a", vectors(), {}, {}}, {"b", vectors(), {}, {}}, {"c", vectors(), vectors(), {}}};
+        pose.weights = {0.75f, 0, -2};
+    }
     if (!is_skinned) return pose;
     std::vector<JointInfluence> first(vertices), more(vertices);
     for (std::size_t v = 0; v < vertices; ++v) {
@@ -31,9 +34,8 @@ MeshPose random_pose(std::size_t vertices, bool is_skinned, bool is_morphed) {
         if (v % 3 == 0) more[v] = {{2, 0, 0, 0}, {0.5f, 0, 0, 0}};
     }
     pose.influences = std::move(first), pose.more_influences = std::move(more);
-    pose.joints = std::make_shared<const std::vector<JointColumns>>(
-        std::vector{columns_of(translation(dvec3{1, 2, 3})), columns_of(scaling(dvec3{2, -3, 0.5})),
-                    columns_of(translation(dvec3{-4, 0, 0}) * scaling(dvec3{0.1, 5, 1}))});
+    pose.joints = {columns_of(translation(dvec3{1, 2, 3})), columns_of(scaling(dvec3{2, -3, 0.5})),
+                   columns_of(translation(dvec3{-4, 0, 0}) * scaling(dvec3{0.1, 5, 1}))};
     return pose;
 }
 
@@ -62,10 +64,10 @@ TEST(MeshPose, VerticesThatAreNotFiniteAreOutsideOfItsBox) {
 TEST(MeshPose, ArraysThatNothingMovesAreShared) {
     Context context;
     MeshPose still = random_pose(40, false, true);
-    for (PosedTarget& target : still.targets) target.weight = 0;
+    still.weights = {};
     EXPECT_FALSE(still.moves());
     EXPECT_EQ(posed_arrays(still, context).positions.identity(), still.positions.identity());
-    still.targets[0].weight = 1;  // has no normals
+    still.weights = {1};  // the first has no normals
     EXPECT_TRUE(still.moves());
     const PosedArrays arrays = posed_arrays(still, context);
     EXPECT_NE(arrays.positions.identity(), still.positions.identity());

@@ -6,6 +6,7 @@
 #include "gltf_support.h"
 #include "io/gltf/elements.h"
 #include "io/gltf/topology.h"
+#include "support/scene_builder.h"
 
 namespace rakelight {
 namespace {
@@ -248,12 +249,12 @@ TEST(GltfGeometry, MorphTargetsAndTheirWeightsAreData) {
     EXPECT_EQ(scene.meshes[0].targets[1].name, "target 1");
     EXPECT_EQ(scene.meshes[0].targets[0].positions[2], (vec3{0, 0, 1}));
     EXPECT_TRUE(scene.meshes[0].targets[0].normals.empty());
-    EXPECT_EQ(scene.nodes[0].morph_weights, (std::vector<float>{0.25f, 0.5f}));
+    EXPECT_EQ(test::values_of(scene.nodes[0].morph_weights), (std::vector<float>{0.25f, 0.5f}));
     file.root["nodes"][0]["weights"] = {1, 0};
-    EXPECT_EQ(file.load().nodes[0].morph_weights, (std::vector<float>{1, 0}));
+    EXPECT_EQ(test::values_of(file.load().nodes[0].morph_weights), (std::vector<float>{1, 0}));
     file.root["nodes"][0]["weights"] = {1};
     Context context({.threads = 1});
-    EXPECT_EQ(file.load(context).nodes[0].morph_weights, (std::vector<float>{0.25f, 0.5f}));
+    EXPECT_EQ(test::values_of(file.load(context).nodes[0].morph_weights), (std::vector<float>{0.25f, 0.5f}));
     EXPECT_TRUE(is_said(context, Remark::dropped, "morph weights"));
 }
 

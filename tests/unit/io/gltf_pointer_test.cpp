@@ -7,6 +7,7 @@
 
 #include "gltf_support.h"
 #include "io/glb_writer.h"
+#include "support/scene_builder.h"
 
 namespace rakelight::test {
 namespace {
@@ -131,8 +132,9 @@ TEST(GltfPointer, NodesAndWeightsOfMeshesAreMoved) {
     const Scene scene = at(file, 1);
     ASSERT_TRUE(scene.pose);
     EXPECT_EQ(scene.pose->local[0].translation, (dvec3{1, 2, 3}));
-    EXPECT_EQ(scene.pose->morph_weights[0], std::vector<float>{0.5f});
-    EXPECT_EQ(scene.pose->morph_weights[5], std::vector<float>{0.125f}) << "a node's own weights go before the mesh's";
+    EXPECT_EQ(test::values_of(scene.pose->morph_weights[0]), std::vector<float>{0.5f});
+    EXPECT_EQ(test::values_of(scene.pose->morph_weights[5]), std::vector<float>{0.125f})
+        << "a node's own weights go before the mesh's";
 }
 
 TEST(GltfPointer, IsNoUnknownExtensionAndWhatItCannotMoveIsSaidOnce) {

@@ -46,7 +46,7 @@ Scene two_parts(double fold_rad) {
     scene.nodes.push_back(joint);
     scene.skins.resize(1);
     scene.skins[0].joints = {2, 3};
-    scene.skins[0].inverse_bind.assign(2, dmat4{});
+    scene.skins[0].inverse_bind = {dmat4{}, dmat4{}};
     scene.nodes[0].skin = scene.nodes[1].skin = 0;
     return scene;
 }
@@ -92,7 +92,7 @@ TEST(Skinning, SkinsWithAJointInCommonMeetByTheirInverseBindMatrices) {
     scene.meshes[1].positions = positions;
     const dmat4 inverse_bind = turned(-1.1, {0, 2, 0});
     scene.skins.resize(2);
-    scene.skins[0].inverse_bind.assign(2, inverse_bind);
+    scene.skins[0].inverse_bind = {inverse_bind, inverse_bind};
     scene.skins[1].joints = {3, 2};
     scene.skins[1].inverse_bind = {dmat4{},
                                    inverse_bind * own_to_bind};  // the first joint is not followed by any vertex
@@ -107,7 +107,7 @@ TEST(Skinning, SkinsWithAJointInCommonMeetByTheirInverseBindMatrices) {
 TEST(Skinning, AnUnskinnedPartMeetsTheModelWhereTheBonesStand) {
     Scene scene = two_parts(radians(40));
     scene.nodes[2].local = at({1, 2, 3});
-    scene.skins[0].inverse_bind[0] = translation(dvec3{-1, -2, -3});  // the joints are in the bind pose
+    scene.skins[0].inverse_bind = {translation(dvec3{-1, -2, -3}), dmat4{}};  // the joints are in the bind pose
     scene.nodes[1].skin = no_index;
     scene.nodes[1].local = {};
     Context context;
@@ -140,7 +140,7 @@ Scene skinned_balls(std::uint32_t placements) {
         scene.nodes[i].meshes = {i % 2};
         scene.nodes[i].skin = i;
         scene.skins[i].joints = {placements, placements + 1};
-        scene.skins[i].inverse_bind.assign(2, dmat4{});
+        scene.skins[i].inverse_bind = {dmat4{}, dmat4{}};
     }
     scene.nodes.resize(placements + 2);
     return scene;
@@ -194,7 +194,7 @@ TEST(Skinning, BrokenSkinsLeaveTheNodesOwnPlace) {
     for (const dmat4& broken : {dmat4{{{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}}},
                                 dmat4{{{1, 0, 0, 0.5}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}}) {
         Scene scene = two_parts(radians(40));
-        scene.skins[0].inverse_bind.assign(2, broken);
+        scene.skins[0].inverse_bind = {broken, broken};
         EXPECT_EQ(bind_pose_matrices(scene), world_matrices(scene));
         Context context;
         const Scene result = smoothed(scene, context);

@@ -271,7 +271,7 @@ TEST(MissingNormals, GapsKeepTangentsAndTargets) {
     std::vector<vec3> normals{{0, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 0, 0}};
     mesh.normals = normals;
     mesh.tangents = std::vector<vec4>(6, {0, 1, 0, 1});
-    mesh.targets.push_back({"t", std::vector<vec3>(6, {0, 0, 0}), std::vector<vec3>(6, {0.5f, 0, 0}), {}});
+    mesh.targets = {{"t", std::vector<vec3>(6, {0, 0, 0}), std::vector<vec3>(6, {0.5f, 0, 0}), {}}};
     mesh.texcoords.emplace_back(std::vector<vec2>(6, {0.5f, 0.25f}));
     Context context;
     SmoothSceneOptions options;
@@ -294,11 +294,11 @@ TEST(MissingNormals, FollowTheAuthorsInEveryPose) {
     b.positions = std::vector<vec3>{{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}};
     a.normals = std::vector<vec3>(4, {0, 0, 1});
     const vec3 slope = unit({-1, 0, 2});
-    a.targets.push_back({"up",
-                         std::vector<vec3>{{0, 0, 0}, {0, 0, 0.5f}, {0, 0, 0.5f}, {0, 0, 0}},
-                         std::vector<vec3>(4, slope - vec3{0, 0, 1}),
-                         {}});
-    b.targets.push_back({"up", std::vector<vec3>{{0, 0, 0.5f}, {0, 0, 0.5f}, {0, 0, 0.5f}, {0, 0, 0.5f}}, {}, {}});
+    a.targets = {{"up",
+                  std::vector<vec3>{{0, 0, 0}, {0, 0, 0.5f}, {0, 0, 0.5f}, {0, 0, 0}},
+                  std::vector<vec3>(4, slope - vec3{0, 0, 1}),
+                  {}}};
+    b.targets = {{"up", std::vector<vec3>{{0, 0, 0.5f}, {0, 0, 0.5f}, {0, 0, 0.5f}, {0, 0, 0.5f}}, {}, {}}};
     Scene scene = scene_of({a, b});
     for (Node& node : scene.nodes) node.morph_weights = {1};
     const Scene out = prepared(scene);

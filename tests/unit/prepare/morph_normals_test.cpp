@@ -6,6 +6,7 @@
 #include "prepare/morph_normals.h"
 #include "prepare/prepare.h"
 #include "scene/scene_tools.h"
+#include "support/scene_builder.h"
 #include "unit/prepare/meshes.h"
 
 namespace rakelight {
@@ -33,7 +34,7 @@ Mesh moved(Mesh mesh, const Block<vec3>& offsets) {
     std::vector<vec3> positions;
     for (std::size_t v = 0; v < offsets.size(); ++v) positions.push_back(mesh.positions[v] + offsets[v]);
     mesh.positions = std::move(positions);
-    mesh.targets.clear();
+    mesh.targets = {};
     return mesh;
 }
 
@@ -55,11 +56,7 @@ std::vector<Mesh> halves_of(const Mesh& ball) {
 
 TEST(MorphNormals, BasePlusOffsetIsTheNormalOfTheMorphedSurface) {
     Mesh ball = ball_mesh(24, 12);
-    ball.targets.resize(2);
-    ball.targets[0].name = "stretch";
-    ball.targets[0].positions = stretching(ball);
-    ball.targets[1].name = "none";
-    ball.targets[1].positions = std::vector<vec3>(ball.positions.size());
+    ball.targets = {{"stretch", stretching(ball), {}, {}}, {"none", std::vector<vec3>(ball.positions.size()), {}, {}}};
     Context context;
     const Mesh after = smooth_scene(scene_of({ball}), all_joined(), context).meshes[0];
     const Mesh expected =
@@ -77,11 +74,10 @@ TEST(MorphNormals, BasePlusOffsetIsTheNormalOfTheMorphedSurface) {
 
 TEST(MorphNormals, SplitVerticesCarryAndCreasesStayWhereTheyWere) {
     Mesh mesh = test::folded_mesh(radians(80));
-    mesh.targets.resize(1);
     const Mesh flat = test::folded_mesh(radians(10));  // unfolds below the crease angle: still two groups
     std::vector<vec3> offsets;
     for (std::size_t v = 0; v < 6; ++v) offsets.push_back(flat.positions[v] - mesh.positions[v]);
-    mesh.targets[0].positions = offsets;
+    mesh.targets = {{"", offsets, {}, {}}};
     SmoothSceneOptions options = all_joined();
     options.attributes.crease_angle_rad = radians(60);
     Context context;
@@ -103,9 +99,7 @@ TEST(MorphNormals, PartsWhoseTargetsHaveOneNameMoveTogether) {
     const Mesh ball = ball_mesh(24, 12);
     std::vector<Mesh> halves = halves_of(ball);
     for (Mesh& half : halves) {
-        half.targets.resize(1);
-        half.targets[0].name = "smile";
-        half.targets[0].positions = stretching(half);
+        half.targets = {{"smile", stretching(half), {}, {}}};
     }
     Context context;
     const Scene scene = scene_of(halves);
@@ -127,7 +121,7 @@ TEST(MorphNormals, PartsWhoseTargetsHaveOneNameMoveTogether) {
     }
     EXPECT_EQ(border, 24u);
     Scene other = scene;  // another name: the neighbor stands still meanwhile
-    other.meshes[1].targets[0].name = "blink";
+    other.meshes[1].targets = test::changed(other.meshes[1].targets, [](auto& targets) { targets[0].name = "blink"; });
     const Scene apart = smooth_scene(other, all_joined(), context);
     bool differs = false;
     for (const std::uint32_t v : apart.meshes[0].indices)
@@ -142,7 +136,7 @@ TEST(MorphNormals, MovementsOfModelsThatDoNotTouchStandInOnePose) {
             MorphTarget target;
             target.name = name + std::to_string(m);  // no two of one name
             target.positions = stretching(meshes[m]);
-            meshes[m].targets.push_back(std::move(target));
+            meshes[m].targets = test::with(meshes[m].targets, std::move(target));
         }
     const Scene scene = scene_of(meshes);
     const std::vector<std::uint32_t> numbers{0, 1, 2}, apart{0, 1, 2}, touching{0, 0, 2};
@@ -150,18 +144,17 @@ TEST(MorphNormals, MovementsOfModelsThatDoNotTouchStandInOnePose) {
     ASSERT_EQ(poses.size(), 2u);
     for (std::size_t p = 0; p < 2; ++p) {
         ASSERT_EQ(poses[p].targets.size(), 3u);
-        for (std::size_t m = 0; m < 3; ++m) EXPECT_EQ(poses[p].targets[m], std::pair(m, p));
+        for (std::size_t m = 0; m < 3; ++m)
+            EXPECT_EQ(poses[p].targets[m], std::pair(std::uint32_t(m), std::uint32_t(p)));
     }
     EXPECT_EQ(morph_poses(scene, numbers, touching).size(), 4u) << "one stands still while its neighbor moves";
 }
 
 TEST(MorphNormals, AModelFarOffChangesNothing) {
     Mesh ball = ball_mesh(24, 12);
-    ball.targets.resize(1);
-    ball.targets[0].name = "stretch";
-    ball.targets[0].positions = stretching(ball);
+    ball.targets = {{"stretch", stretching(ball), {}, {}}};
     Mesh far = ball;
-    far.targets[0].name = "squeeze";
+    far.targets = test::changed(far.targets, [](auto& targets) { targets[0].name = "squeeze"; });
     Scene both = scene_of({ball, far});
     both.nodes[1].local.translation = {100, 0, 0};
     Context context;
@@ -177,10 +170,9 @@ TEST(MorphNormals, AModelFarOffChangesNothing) {
 TEST(MorphNormals, TargetsThatKeptTheNormalsOfTheirMeshGoOnDoingSo) {
     Mesh ball = ball_mesh(12, 6);
     ball.normals = std::vector<vec3>(ball.positions.size(), {0, 0, 1});
-    ball.targets.resize(2);
-    ball.targets[0].positions = ball.targets[1].positions = stretching(ball);
-    ball.targets[1].name = "with normals";
-    ball.targets[1].normals = std::vector<vec3>(ball.positions.size(), {0.1f, 0, 0});
+    const Block<vec3> offsets = stretching(ball);
+    ball.targets = {{"", offsets, {}, {}},
+                    {"with normals", offsets, std::vector<vec3>(ball.positions.size(), {0.1f, 0, 0}), {}}};
     Context context;
     const Mesh after = smooth_scene(scene_of({ball}), all_joined(), context).meshes[0];
     EXPECT_TRUE(after.targets[0].normals.empty());
@@ -190,8 +182,7 @@ TEST(MorphNormals, TargetsThatKeptTheNormalsOfTheirMeshGoOnDoingSo) {
 
 TEST(MorphNormals, TargetsWithoutPositionsAreRefusedAloud) {
     Mesh cube = cube_mesh();
-    cube.targets.resize(1);
-    cube.targets[0].normals = std::vector<vec3>(8, {0, 0.5f, 0});
+    cube.targets = {{"", {}, std::vector<vec3>(8, {0, 0.5f, 0}), {}}};
     Context context;
     const Mesh after = smooth_scene(scene_of({cube}), all_joined(), context).meshes[0];
     EXPECT_TRUE(after.targets[0].normals.empty());
@@ -203,11 +194,9 @@ TEST(MorphNormals, TangentsOfTargetsFollowToo) {
     std::vector<vec2> uv;
     for (const vec3& p : mesh.positions) uv.push_back({p.x, p.y});
     mesh.texcoords = {Block<vec2>(std::move(uv))};
-    mesh.targets.resize(1);
     std::vector<vec3> offsets;
     for (const vec3& p : mesh.positions) offsets.push_back({0, 0, 0.5f * p.x});  // a ramp: the tangent rises with it
-    mesh.targets[0].positions = offsets;
-    mesh.targets[0].tangents = std::vector<vec3>(6);
+    mesh.targets = {{"", offsets, {}, std::vector<vec3>(6)}};
     SmoothSceneOptions options = all_joined();
     options.attributes.tangents = true;
     Context context;
@@ -219,14 +208,12 @@ TEST(MorphNormals, TangentsOfTargetsFollowToo) {
 
 TEST(MorphNormals, HostileTargetsGiveFiniteNormals) {
     Mesh cube = cube_mesh();
-    cube.targets.resize(2);
     std::vector<vec3> offsets(8);
     offsets[3] = {NAN, 0, 0};
     offsets[4] = {INFINITY, 1e30f, 0};
-    cube.targets[0].positions = offsets;
     std::vector<vec3> collapse;
     for (const vec3& p : cube.positions) collapse.push_back(vec3{0, 0, 0} - p);
-    cube.targets[1].positions = collapse;
+    cube.targets = {{"", offsets, {}, {}}, {"", collapse, {}, {}}};
     Context context;
     const Mesh after = smooth_scene(scene_of({cube}), all_joined(), context).meshes[0];
     for (const MorphTarget& target : after.targets) {

@@ -264,8 +264,7 @@ TEST(PrepareTangents, PublishedBitangentsAreKeptWhereAskedFor) {
 
 TEST(PrepareTangents, MeshesThatMoveHaveNoBitangentsOfTheirOwn) {
     Mesh mesh = sheared_quad();
-    mesh.targets.resize(1);
-    mesh.targets[0].positions = std::vector<vec3>(mesh.positions.size(), vec3{0, 0, 0.1f});
+    mesh.targets = {{"", std::vector<vec3>(mesh.positions.size(), vec3{0, 0, 0.1f}), {}, {}}};
     PrepareOptions options = by(NormalSource::model);
     options.all_tangents = options.bitangents = true;
     options.tangents = TangentMode::published;

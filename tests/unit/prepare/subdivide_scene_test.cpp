@@ -360,7 +360,7 @@ TEST(SubdivideScene, PartedEdgesAndLostTargetsAreSaid) {
     std::vector<std::uint32_t> turned(scene.meshes[2].indices.begin(), scene.meshes[2].indices.end());
     std::reverse(turned.begin(), turned.end());
     scene.meshes[2].indices = std::move(turned);
-    scene.meshes[0].targets.push_back({"open", std::vector<vec3>(4), {}, {}});
+    scene.meshes[0].targets = {{"open", std::vector<vec3>(4), {}, {}}};
     const Scene out = subdivide_scene(scene, {.level = 2}, context);
     EXPECT_TRUE(out.meshes[0].targets.empty());
     EXPECT_TRUE(remark_with(context, "4 edges have more than two faces"));

@@ -90,8 +90,7 @@ TEST(SplitVertices, ExtendEveryArrayOfTheMesh) {
     std::vector<JointInfluence> influences(4);
     influences[2].joints[0] = 9;
     mesh.influences = influences;
-    mesh.targets.resize(1);
-    mesh.targets[0].positions = std::vector<vec3>{{0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {0, 0, 3}};
+    mesh.targets = {{"", std::vector<vec3>{{0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {0, 0, 3}}, {}, {}}};
     split_vertices(mesh, {0, 1, 2, 5, 4, 3}, std::vector<std::uint32_t>{2, 0}, context);
     ASSERT_EQ(mesh.positions.size(), 6u);
     EXPECT_EQ(mesh.positions[4], (vec3{1, 1, 0}));

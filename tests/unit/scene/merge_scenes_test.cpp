@@ -28,7 +28,7 @@ Scene one_of_everything(const std::string& name) {
     mesh.positions = Block<vec3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     mesh.indices = Block<std::uint32_t>({0, 1, 2});
     mesh.influences = Block<JointInfluence>(std::vector<JointInfluence>(3, {{0, 0, 0, 0}, {1, 0, 0, 0}}));
-    mesh.targets.push_back({"up", mesh.positions, {}, {}});
+    mesh.targets = {{"up", mesh.positions, {}, {}}};
     mesh.material = 0;
     s.meshes = {mesh};
     Node base, child;
@@ -72,7 +72,7 @@ TEST(MergeScenes, EveryNumberGoesOnMeaningTheSameThing) {
     EXPECT_EQ(all.skins[1].joints, std::vector<std::uint32_t>{4});
     EXPECT_EQ(all.animations.at(1).channels[0].element, 4u);
     EXPECT_EQ(all.materials.at(all.meshes[1].material).name, "b");
-    EXPECT_EQ(all.meshes[1].targets.at(0).name, "up");
+    EXPECT_EQ(all.meshes[1].targets[0].name, "up");
     int uses = 0;
     for_each_texture_use(all.materials[1], [&](TextureUse& use) {
         EXPECT_EQ(all.textures.at(use.texture).name, "b");

@@ -74,10 +74,7 @@ TEST(Validate, RefusesVertexArraysOfAnotherSize) {
     expect_fault("2 smoothing hints for 6 corners",
                  [](Scene& s) { s.meshes[0].smoothing_hint = std::vector<vec3>(2); });
     expect_fault("1 joint influences for 4", [](Scene& s) { s.meshes[0].influences = std::vector<JointInfluence>(1); });
-    expect_fault("1 morph normals for 4", [](Scene& s) {
-        s.meshes[0].targets.emplace_back();
-        s.meshes[0].targets[0].normals = std::vector<vec3>(1);
-    });
+    expect_fault("1 morph normals for 4", [](Scene& s) { s.meshes[0].targets = {{"", {}, std::vector<vec3>(1), {}}}; });
 }
 
 TEST(Validate, RefusesParentsThatDoNotComeFirst) {
@@ -210,7 +207,7 @@ TEST(Validate, ChecksSharedNumbersOnceInEachUse) {
             a.element = b.element = 0;
             a.path = b.path = AnimationPath::morph_weights;
             s.nodes[0].morph_weights = {0};
-            for (std::uint32_t m : s.nodes[0].meshes) s.meshes[m].targets.resize(1);
+            for (std::uint32_t m : s.nodes[0].meshes) s.meshes[m].targets = {MorphTarget{}};
             a.times = times, a.values = first_values, b.times = second_times, b.values = second_values;
             s.animations.push_back({"one", {a}});
             s.animations.push_back({"two", {b}});

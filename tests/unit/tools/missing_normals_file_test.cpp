@@ -259,8 +259,8 @@ Scene folding(bool has_right_offsets) {
         return has_right_offsets ? std::vector<vec3>{first - up, second - up, third - up, fourth - up}
                                  : std::vector<vec3>(4);
     };
-    a.targets.push_back({"fold", std::vector<vec3>(4), offsets(up, edge, edge, up), {}});
-    b.targets.push_back({"fold", std::vector<vec3>{{}, down, down, {}}, offsets(edge, end, end, edge), {}});
+    a.targets = {{"fold", std::vector<vec3>(4), offsets(up, edge, edge, up), {}}};
+    b.targets = {{"fold", std::vector<vec3>{{}, down, down, {}}, offsets(edge, end, end, edge), {}}};
     Scene scene = scene_of({a, b});
     for (Node& node : scene.nodes) node.morph_weights = {0};
     return scene;

@@ -162,7 +162,7 @@ const Fault extremes[] = {
     {"SingularBind",
      [](Scene& s) {
          add_skin(s, follow(0), {"", {0}, {dmat4{}}});
-         s.skins[0].inverse_bind[0] = {{{}, {}, {}, {}}};
+         s.skins[0].inverse_bind = {dmat4{{{}, {}, {}, {}}}};
      }},
     {"SkinWithoutInfluences",
      [](Scene& s) {

@@ -148,7 +148,9 @@ const Fault numbers[] = {
     {"NanBind",
      [](Scene& s) {
          add_skin(s, follow(0), {"", {0}, {dmat4{}}});
-         s.skins[0].inverse_bind[0][0].x = nan_d;
+         dmat4 bind;
+         bind[0].x = nan_d;
+         s.skins[0].inverse_bind = {bind};
      },
      "an inverse bind matrix is not finite"},
     {"SubdivisionBelowZero", [](Scene& s) { s.meshes[0].subdivision.emplace().level = -1; },

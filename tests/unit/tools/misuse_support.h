@@ -70,7 +70,7 @@ inline void add_skin(Scene& s, JointInfluence influence, Skin skin) {
 inline JointInfluence follow(std::uint16_t joint) { return {{joint, joint, joint, joint}, {1, 0, 0, 0}}; }
 
 inline void add_target(Scene& s, Points positions, std::vector<float> weights) {
-    s.meshes[0].targets.emplace_back().positions = std::move(positions);
+    s.meshes[0].targets = test::with(s.meshes[0].targets, MorphTarget{"", std::move(positions), {}, {}});
     s.nodes[0].morph_weights = std::move(weights);
 }
 

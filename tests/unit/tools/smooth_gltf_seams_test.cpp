@@ -178,7 +178,7 @@ Scene bulged(const Scene& scene) {
         for (std::size_t v = 0; v < mesh.positions.size(); ++v)
             positions.push_back(mesh.positions[v] + mesh.targets[0].positions[v]);
         mesh.positions = std::move(positions);
-        mesh.targets.clear();
+        mesh.targets = {};
         mesh.normals = {};
     }
     return out;
