@@ -219,6 +219,25 @@ TEST(GltfSkins, JointsAreNodesOfTheScene) {
     EXPECT_EQ(scene.meshes[0].influences[0].joints[1], 0);
 }
 
+TEST(GltfSkins, BindMatricesOfOneAccessorAreReadOnce) {
+    GltfFile file = skinned(1);
+    std::vector<float> matrices(32, 0.0f);
+    for (const int k : {0, 5, 10, 15, 16, 21, 26, 31}) matrices[std::size_t(k)] = 1;
+    const int bind = file.accessor(matrices, f32, 16);
+    file.root["nodes"] = Json::parse(R"([{"mesh": 0, "skin": 0, "children": [1]}, {"children": [2]}, {},
+                                         {"mesh": 0, "skin": 1}, {"mesh": 0, "skin": 2}, {"mesh": 0, "skin": 3}])");
+    file.root["skins"] = {{{"joints", {1, 2}}, {"inverseBindMatrices", bind}},
+                          {{"joints", {2, 1}}, {"inverseBindMatrices", bind}},
+                          {{"joints", {1, 2}}},
+                          {{"joints", {2, 1}}}};
+    file.root["scenes"] = {{{"nodes", {0, 3, 4, 5}}}};
+    const Scene scene = file.load();
+    ASSERT_EQ(scene.skins.size(), 4u);
+    EXPECT_EQ(scene.skins[0].inverse_bind, scene.skins[1].inverse_bind);
+    EXPECT_EQ(scene.skins[2].inverse_bind, scene.skins[3].inverse_bind);
+    EXPECT_EQ(scene.skins[3].inverse_bind[1], dmat4{});
+}
+
 TEST(GltfSkins, AJointBeyondTheSkinIsRefused) { EXPECT_NE(skinned(2).refusal().find("joint 2"), std::string::npos); }
 
 TEST(GltfSkins, ASkinWithJointsOutsideTheSceneIsLeftOut) {
