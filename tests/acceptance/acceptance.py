@@ -34,10 +34,12 @@ import zlib
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent.parent / "tools")]
 import name_floods  # noqa: E402
+import posing_files  # noqa: E402
 from png8 import read_rgb  # noqa: E402
 
 FORMATS = {".glb", ".gltf", ".obj", ".fbx", ".stl", ".ply", ".dae", ".3ds", ".ase", ".blend", ".off", ".x"}
 SECONDS, GIB = 10, 2
+POSING = ("render", "inspect", "smooth")
 SANITIZED = os.environ.get("RAKELIGHT_SANITIZED") == "1"  # slower and hungrier: only the limits are lifted
 
 
@@ -240,11 +242,19 @@ def check_memory(program):
         (folder / "shapes.scene.toml").write_text("[[primitive]]\ntype = 'sphere'\nobjects = 1024\ntolerance = 0.001\n" * 4000)
         grid_gltf(folder / "grids.gltf", 1000, 300)
         grid_gltf(folder / "skins.gltf", 1000, 300, skins=1000)
+        posing_files.targets(folder / "targets.glb", 10000, 2000)
+        posing_files.targets(folder / "more_targets.glb", 3000, 20000)
+        posing_files.targets(folder / "own_weights.glb", 2000, 1000, own_weights=True)
+        posing_files.targets(folder / "moving_weights.glb", 8000, 2000, is_animated=True, has_normals=True)
+        posing_files.skins(folder / "joints.glb", 200, 60000)
+        posing_files.skins(folder / "other_joints.glb", 400, 30000, are_different=True)
         for model, verbs in (("quad.obj", ("render",)), ("images.gltf", ("render",)), ("objects.obj", ("render", "inspect", "smooth")),
                              ("nodes.gltf", ("render", "inspect", "smooth")), ("models.scene.toml", ("check", "render")),
                              ("fewer_models.scene.toml", ("check", "inspect", "render --roughness 0.5")), ("shapes.scene.toml", ("check", "render")),
                              ("grids.gltf", ("render --uv box", "render --subdivide 1", "render --normals model", "inspect")),
-                             ("skins.gltf", ("render", "smooth"))):
+                             ("skins.gltf", ("render", "smooth")), ("targets.glb", POSING), ("more_targets.glb", POSING), ("own_weights.glb", POSING),
+                             ("moving_weights.glb", (*POSING, "render --animation 0 --time 0.5", "render --engine gl --animation 0 --time 0.5")),
+                             ("joints.glb", POSING), ("other_joints.glb", POSING)):
             for verb, *options in map(str.split, verbs):
                 out = folder / ("out.png" if verb == "render" else "out" + pathlib.Path(model).suffix)
                 options += {"render": ["-o", str(out), "--resolution", "64,64"], "smooth": ["-o", str(out)]}.get(verb, [])
