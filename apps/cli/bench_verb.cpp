@@ -7,9 +7,9 @@
 #include <rakelight/tools/bench.h>
 #include <rakelight/tools/values.h>
 
+#include "../common/interrupt.h"
 #include "../common/picture_options.h"
 #include "help_texts.h"
-#include "interrupt.h"
 #include "verbs.h"
 
 namespace rakelight::cli {
@@ -242,7 +242,7 @@ void measure(const Run& run, const Options& options, const Bench& bench, Loudnes
     const std::uint64_t memory =
         run.max_memory != 0 ? run.max_memory : std::min(memory_for(options), memory_of_machine());
     Context context({.threads = run.threads, .max_memory = memory, .progress = progress.callback()});
-    const CancelOnInterrupt guard(context, {});
+    const CancelOnInterrupt guard(context, cancelled_line({}));
     const auto report = bench(options, context);
     progress.wipe();
     print_remarks(context.report(), remarks);

@@ -3,10 +3,10 @@
 
 #include <rakelight/tools/rows.h>
 
+#include "../common/interrupt.h"
 #include "../common/picture_options.h"
 #include "../common/view_command.h"
 #include "help_texts.h"
-#include "interrupt.h"
 #include "run_file.h"
 #include "verbs.h"
 

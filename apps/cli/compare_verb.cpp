@@ -8,10 +8,10 @@
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/values.h>
 
+#include "../common/interrupt.h"
 #include "../common/picture_options.h"
 #include "compare_pairs.h"
 #include "help_texts.h"
-#include "interrupt.h"
 #include "run_file.h"
 #include "verbs.h"
 

@@ -94,6 +94,10 @@ std::string error_line(const Error& error) {
     return (isatty(STDERR_FILENO) ? wipe_line : "") + line_of("error", "\033[31m", text_of(error));
 }
 
+std::string cancelled_line(const std::string& file) {
+    return error_line(Error(ErrorCode::failed, "cancelled").with_file(file));
+}
+
 void print_remarks(const Report& report, Loudness loudness) {
     if (loudness == Loudness::quiet) return;
     std::vector<ReportEntry> remarks = report.entries();

@@ -28,6 +28,9 @@ std::string text_of(const Error& error);
 /// The line of print_error(), with what wipes a progress line on a terminal: for who may not call print_error().
 std::string error_line(const Error& error);
 
+/// The same for work that was cancelled. @param file  may be empty
+std::string cancelled_line(const std::string& file);
+
 /// "rakelight: error: FILE: PLACE: REASON; ADVICE". Errors are shown at any loudness.
 void print_error(const Error& error);
 

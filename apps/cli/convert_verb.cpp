@@ -4,9 +4,9 @@
 #include <rakelight/convert_file.h>
 #include <rakelight/tools/rows.h>
 
+#include "../common/interrupt.h"
 #include "../common/picture_options.h"
 #include "help_texts.h"
-#include "interrupt.h"
 #include "run_file.h"
 #include "verbs.h"
 

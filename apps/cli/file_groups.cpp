@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "../common/interrupt.h"
 #include "console.h"
-#include "interrupt.h"
 
 namespace rakelight::cli {
 namespace {
@@ -38,7 +38,7 @@ std::vector<FileGroup> groups_by_borders(const Run& run, std::span<const std::st
                                          const SmoothFileOptions& options) {
     if (files.size() < 2) return each_alone(files);
     Context context({.threads = run.threads, .max_memory = run.max_memory});
-    const CancelOnInterrupt guard(context, files.front());
+    const CancelOnInterrupt guard(context, cancelled_line(files.front()));
     try {
         const FilesCutApart cut = files_cut_apart(files, options, context);
         std::string unclear;

@@ -112,7 +112,8 @@ All other channels are 0 in the background.
 Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found,
 4 file broken or nothing to draw, 5 beyond --ref-threshold; with several inputs the
 largest. A signal ends the program as that signal (130 or 143 in a shell) within half a
-second. No unfinished file remains; --json prints nothing if work was interrupted.)";
+second, unless all the work is done already: then the exit code is that of the work. No
+unfinished file remains; --json prints nothing if work was interrupted.)";
 
 inline constexpr const char* inspect_footer =
     R"(A border is a world position that two meshes share: objects, or parts of one object with

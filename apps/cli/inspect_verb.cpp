@@ -9,10 +9,10 @@
 #include <rakelight/tools/text_file.h>
 #include <rakelight/tools/values.h>
 
+#include "../common/interrupt.h"
 #include "../common/picture_options.h"
 #include "file_groups.h"
 #include "help_texts.h"
-#include "interrupt.h"
 #include "run_file.h"
 #include "verbs.h"
 

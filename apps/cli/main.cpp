@@ -5,11 +5,11 @@
 #include <rakelight/tools/exit_code.h>
 
 #include "../common/completion.h"
+#include "../common/interrupt.h"
 #include "../common/manual.h"
 #include "../common/view_command.h"
 #include "help_texts.h"
 #include "implied_verb.h"
-#include "interrupt.h"
 #include "run_file.h"
 #include "verbs.h"
 #include "version_text.h"
@@ -50,18 +50,20 @@ int run(int argc, const char* const* argv) {
     return verbs[number].run(run_of(commands[number], std::move(line)));
 }
 
+int run_or_say(int argc, const char* const* argv) {
+    try {
+        return CancelOnInterrupt::end_by_signal(run(argc, argv));
+    } catch (...) {
+        const Error error = current_error();
+        CancelOnInterrupt::words_are_said();
+        print_error(error);
+        return CancelOnInterrupt::end_by_signal(exit_code(error.code()));
+    }
+}
+
 }  // namespace
 }  // namespace rakelight::cli
 
 int main(int argc, char** argv) {
-    try {
-        const int code = rakelight::cli::run(argc, argv);
-        rakelight::cli::CancelOnInterrupt::die_of_signal();
-        return code;
-    } catch (...) {
-        const rakelight::Error error = rakelight::current_error();
-        rakelight::cli::print_error(error);
-        rakelight::cli::CancelOnInterrupt::die_of_signal();
-        return rakelight::exit_code(error.code());
-    }
+    return rakelight::cli::run_or_say(argc, argv);
 }

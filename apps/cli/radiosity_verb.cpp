@@ -4,9 +4,9 @@
 
 #include <rakelight/tools/radiosity_file.h>
 
+#include "../common/interrupt.h"
 #include "../common/picture_options.h"
 #include "help_texts.h"
-#include "interrupt.h"
 #include "map_size.h"
 #include "run_file.h"
 #include "verbs.h"

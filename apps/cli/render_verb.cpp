@@ -6,10 +6,10 @@
 
 #include <rakelight/tools/rows.h>
 
+#include "../common/interrupt.h"
 #include "../common/picture_options.h"
 #include "../common/watched_files.h"
 #include "help_texts.h"
-#include "interrupt.h"
 #include "output_names.h"
 #include "references.h"
 #include "run_file.h"
@@ -124,6 +124,7 @@ int draw_all(const Run& run, int frame, apps::WatchedFiles* watched) {
             watch(c.files());
             references.check(rows.size() - 1, row, c);
         });
+        if (row.result.done < 1) CancelOnInterrupt::words_are_said();  // its remark says how much is there
         if (code == 0) print_note(summary(row.result), run.loudness);
         if (code == 0 && run.given.has("stats") && !run.is_json) print_text(stats_text(row.result));
         worst = std::max({worst, code, references.print_failure(row)});
@@ -148,6 +149,7 @@ int run_render(const Run& run) {
             print_message("watching " + std::to_string(count) + (count == 1 ? " file" : " files") +
                               ": pictures are drawn again when one changes, until Ctrl+C",
                           run.loudness);
+        CancelOnInterrupt::stand_by();
         const std::string changed = watched.wait();
         print_message(one_line(changed, 160) + " has changed: drawing again", run.loudness);
     }

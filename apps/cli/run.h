@@ -11,12 +11,14 @@
 #include <rakelight/picture.h>
 
 #include "../common/command_line.h"
+#include "../common/interrupt.h"
 #include "console.h"
 #include "inputs.h"
 #include "progress_line.h"
 
 namespace rakelight::cli {
 
+using apps::CancelOnInterrupt;
 using apps::Command;
 using apps::Given;
 using apps::Option;

@@ -7,8 +7,8 @@
 #include <rakelight/tools/exit_code.h>
 #include <string>
 
+#include "../common/interrupt.h"
 #include "console.h"
-#include "interrupt.h"
 #include "progress_line.h"
 #include "run.h"
 
@@ -20,7 +20,7 @@ template <class Row>
 int run_file(const Run& run, const std::string& file, Row& row, const std::function<void(Context&)>& work) {
     ProgressLine progress(file, run.loudness, *run.files);
     Context context({.threads = run.threads, .max_memory = run.max_memory, .progress = progress.callback()});
-    const CancelOnInterrupt guard(context, file);
+    const CancelOnInterrupt guard(context, cancelled_line(file));
     try {
         work(context);
     } catch (...) {
@@ -30,7 +30,10 @@ int run_file(const Run& run, const std::string& file, Row& row, const std::funct
     row.remarks = context.report().entries();
     row.remarks_left_out = context.report().left_out();
     print_remarks(context.report(), run.loudness);
-    if (row.error) print_error(*row.error);
+    if (row.error) {
+        CancelOnInterrupt::words_are_said();
+        print_error(*row.error);
+    }
     return row.error ? exit_code(row.error->code()) : 0;
 }
 

@@ -12,7 +12,7 @@
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/values.h>
 
-#include "interrupt.h"
+#include "../common/interrupt.h"
 #include "output_names.h"
 #include "run_file.h"
 #include "stats_text.h"
