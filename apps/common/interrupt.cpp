@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interrupt.h"
 
+#include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -11,6 +12,13 @@
 #include <utility>
 
 #include <rakelight/tools/unfinished_outputs.h>
+
+#ifdef __GLIBC__
+/// Mesa lowers its thread that writes the cache of shaders to nice 19. A process is gone only when each of its threads
+/// has run once more, and on a busy machine such a thread waits for seconds. So threads of the programs keep their
+/// priority: libraries find this function before that of libc.
+extern "C" __attribute__((visibility("default"))) int setpriority(__priority_which_t, id_t, int) noexcept { return 0; }
+#endif
 
 namespace rakelight::apps {
 namespace {

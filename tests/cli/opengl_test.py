@@ -4,6 +4,8 @@
 
   opengl_test.py PROGRAM [unittest arguments]"""
 import json
+import os
+import pathlib
 import shutil
 import subprocess
 
@@ -33,6 +35,23 @@ class OpenGl(program.Case):
         self.assertEqual(self.draw(engine="soft").code, 0)
         soft = png(self.folder / "a.png")[3]
         self.assertLessEqual(max(abs(a - b) for r, s in zip(rows, soft) for a, b in zip(r, s)), 3)
+
+    def test_no_thread_has_a_lower_priority_than_the_program(self):
+        """A process is gone only when each of its threads has run once more: on a busy machine one of a low priority keeps it for seconds."""
+        self.require_opengl()
+        process = subprocess.Popen([program.PROGRAM, "render", "a.obj", "-o", "b.png", "--resolution", "4000,3000", "--engine", "gl"], cwd=self.folder)
+        priorities = {}  # [thread] the lowest that was seen
+        while process.poll() is None:
+            for stat in pathlib.Path(f"/proc/{process.pid}/task").glob("*/stat"):
+                try:
+                    name, _, fields = stat.read_text().rpartition(")")
+                except OSError:
+                    continue
+                nice = int(fields.split()[16])
+                priorities[stat.parent.name] = max(nice, priorities.get(stat.parent.name, nice))
+        self.assertEqual(process.returncode, 0)
+        self.assertGreater(len(priorities), 2)
+        self.assertEqual(set(priorities.values()), {os.nice(0)})
 
     def test_times_of_passes_are_in_the_json(self):
         self.require_opengl()
