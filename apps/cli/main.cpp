@@ -7,6 +7,7 @@
 #include "../common/completion.h"
 #include "../common/interrupt.h"
 #include "../common/manual.h"
+#include "../common/stack.h"
 #include "../common/view_command.h"
 #include "help_texts.h"
 #include "implied_verb.h"
@@ -65,5 +66,5 @@ int run_or_say(int argc, const char* const* argv) {
 }  // namespace rakelight::cli
 
 int main(int argc, char** argv) {
-    return rakelight::cli::run_or_say(argc, argv);
+    return rakelight::apps::with_enough_stack([&] { return rakelight::cli::run_or_say(argc, argv); });
 }

@@ -21,10 +21,9 @@ using namespace std::chrono_literals;
 
 constexpr auto between_looks = 10ms;
 
-/// Of the process's first thread, which is who starts programs; empty where the kernel does not tell.
-std::vector<pid_t> children() {
-    const std::string self = std::to_string(getpid());
-    std::ifstream list("/proc/" + self + "/task/" + self + "/children");
+/// Of one thread; empty where the kernel does not tell.
+std::vector<pid_t> children(pid_t thread) {
+    std::ifstream list("/proc/self/task/" + std::to_string(thread) + "/children");
     std::vector<pid_t> out;
     for (pid_t child = 0; list >> child;) out.push_back(child);
     return out;
@@ -59,10 +58,10 @@ std::string memory_reason(const Limits& limits) {
 }
 
 /// Which limit is passed; empty: none.
-std::string passed(const Limits& limits, double seconds) {
+std::string passed(const Limits& limits, pid_t starter, double seconds) {
     double cpu = cpu_seconds_of(getpid()) + ended_cpu_seconds();
     std::uint64_t bytes = bytes_of(getpid());
-    for (const pid_t child : children()) cpu += cpu_seconds_of(child), bytes += bytes_of(child);
+    for (const pid_t child : children(starter)) cpu += cpu_seconds_of(child), bytes += bytes_of(child);
     const std::string time = std::to_string(int(limits.cpu_seconds * 1000)) + " ms of processor time";
     const double until_end =
         2 * std::chrono::duration<double>(between_looks).count();  // the next look, and ending itself
@@ -84,7 +83,7 @@ std::string line_of(const std::string& reason, const std::string& file) {
 }  // namespace
 
 ProcessLimits::ProcessLimits(const Limits& limits, const std::string& file)
-    : limits_(limits), file_(file), memory_line_(line_of(memory_reason(limits), file)) {
+    : limits_(limits), starter_(gettid()), file_(file), memory_line_(line_of(memory_reason(limits), file)) {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose own memory is more
     const rlimit most{limits.bytes, limits.bytes};
     setrlimit(RLIMIT_DATA, &most);  // fails where a lower one is there, which is as good
@@ -107,7 +106,7 @@ void ProcessLimits::watch() {
     std::unique_lock lock(mutex_);
     try {
         while (!changed_.wait_for(lock, between_looks, [this] { return is_over_; })) {
-            const std::string reason = passed(limits_, duration<double>(steady_clock::now() - begun).count());
+            const std::string reason = passed(limits_, starter_, duration<double>(steady_clock::now() - begun).count());
             if (!reason.empty()) end_process(line_of(reason, file_));
         }
     } catch (const std::bad_alloc&) {  // the hard limit holds for this thread too

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // For runs that somebody waits for and that must not cost more than they are worth: thumbnails.
 #pragma once
+#include <sys/types.h>
+
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
@@ -31,6 +33,7 @@ private:
     void watch();
 
     Limits limits_;
+    pid_t starter_;  ///< the thread that this was made in, which is who starts programs
     std::string file_;
     std::string memory_line_;  ///< made while there is memory
     std::mutex mutex_;
