@@ -79,13 +79,23 @@ int write_all(int fd, std::span<const std::byte> bytes) {
     return 0;
 }
 
+/// A device, a FIFO or a file, as it is. A FIFO that nobody reads would be waited for; where somebody does, writes wait
+/// as usual. @return the descriptor, or -1 with errno
+int open_as_it_is(const std::string& path, int flags = 0) {
+    const int fd = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK | flags);
+    if (fd >= 0) ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) & ~O_NONBLOCK);
+    return fd;
+}
+
+[[noreturn]] void refuse_open(const std::string& path, int code) {
+    refuse_output(path, code, code == ENXIO ? "nobody reads from it" : cannot_be_written);
+}
+
 }  // namespace
 
 void overwrite_file(const std::string& path, std::span<const std::byte> bytes) {
-    // Else a FIFO that nobody reads would be waited for. Where somebody does, writes wait as usual.
-    Descriptor file{::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_TRUNC | O_NOCTTY | O_NONBLOCK)};
-    if (file.fd < 0) refuse_output(path, errno, errno == ENXIO ? "nobody reads from it" : cannot_be_written);
-    ::fcntl(file.fd, F_SETFL, ::fcntl(file.fd, F_GETFL) & ~O_NONBLOCK);
+    Descriptor file{open_as_it_is(path, O_TRUNC)};
+    if (file.fd < 0) refuse_open(path, errno);
     int code = write_all(file.fd, bytes);
     if (code != 0) static_cast<void>(!::ftruncate(file.fd, 0));
     const bool is_closed =
@@ -147,9 +157,8 @@ void OutputFile::open_file() {
     if (!exists && behind == path_) folders_.make_above(path_);  // none for a link that leads nowhere
     path_ = behind;
     if (exists && ::stat(path_.c_str(), &status) != 0) refuse_output(path_, errno);  // /dev/stdout of a deleted file
-    Descriptor file{direct ? ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY)
-                           : create_beside(path_, temporary_, unfinished_)};
-    if (file.fd < 0) refuse_output(path_, errno);
+    Descriptor file{direct ? open_as_it_is(path_) : create_beside(path_, temporary_, unfinished_)};
+    if (file.fd < 0) refuse_open(path_, errno);
     if (exists && !direct) static_cast<void>(::fchmod(file.fd, status.st_mode & 0777));
     file_ = ::fdopen(file.fd, "wb");
     if (file_ == nullptr) {

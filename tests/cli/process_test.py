@@ -43,6 +43,37 @@ class Process(program.Case):
         self.assertIn("cannot be written", done.stderr)
         self.assertEqual(self.files(), ["a.obj"])
 
+    def test_a_small_stack_is_enough(self):
+        """With a hard limit: the program cannot raise it. The environment has to fit into it too."""
+        self.write("a.obj", program.TWO_PARTS)
+        self.write("b.obj")
+        small = ("--resolution", "64,48")
+        runs = [("render", "a.obj", "-o", "a.png", *small, "--engine", engine) for engine in ("soft", "trace")]
+        runs += [("inspect", "a.obj"), ("inspect", "a.obj", "--heatmap", "heat.png"), ("smooth", "a.obj", "-o", "s.glb"), ("convert", "a.obj", "-o", "c.glb"),
+                 ("explain", "a.obj", "--pixel", "32,24"), ("stages", "a.obj", "-o", "stages", *small), ("check", "a.obj"),
+                 ("compare", "a.obj", "--engines", "soft,trace", "-o", "d.png", *small), ("thumbnail", "a.obj", "-o", "t.png"),
+                 ("bake", "a.obj", "b.obj", "-o", "bake.png", "--size", "16"), ("bench", "smooth", "--triangles", "1000"), ("--help",), ("--man",),
+                 ("radiosity", "builtin:cornell", "-o", "r.glb", "--patches", "10"), ("render", "a.obj", "-o", "f.apng", "--turntable", "3", *small)]
+        for words in runs:
+            with self.subTest(words=words):
+                plain = subprocess.run([program.PROGRAM, *words], cwd=self.folder, capture_output=True, text=True, timeout=120)
+                done = subprocess.run([program.PROGRAM, *words], cwd=self.folder, capture_output=True, text=True, timeout=120, env={"PATH": os.environ["PATH"]},
+                                      preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_STACK, (65536, 65536)))
+                self.assertEqual(done.returncode, plain.returncode, done.stderr)
+
+    def test_an_output_that_nobody_reads_is_not_waited_for(self):
+        self.write("a.obj")
+        for name in ("a.png", "a.exr", "a.glb"):
+            os.mkfifo(self.folder / name)
+            self.check_refused(self.run_program("convert" if name == "a.glb" else "render", "a.obj", "-o", name, "--quiet"), 1, name, "nobody reads from it")
+        with subprocess.Popen(["cat", "a.png"], cwd=self.folder, stdout=subprocess.PIPE) as reader:
+            while True:  # it has opened it
+                run = self.run_program("render", "a.obj", "-o", "a.png", "--resolution", "16,12")
+                if "nobody reads" not in run.err:
+                    break
+            self.assertEqual(run.code, 0, run.err)
+            self.assertEqual(reader.stdout.read()[:4], b"\x89PNG")
+
     def test_an_instruction_set_that_cannot_be_had_is_exit_2(self):
         self.write("a.obj")
         self.check_refused(self.run_program("render", "a.obj", "-o", "a.png", RAKELIGHT_ISA="mmx"), 2, "mmx")
