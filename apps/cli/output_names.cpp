@@ -39,14 +39,21 @@ Error no_name_for_each(std::string_view command) {
                  "-o 'out/{model}.png', or a folder: -o out/; --as-one puts them into one");
 }
 
+/// A text that a file chose, as a name in a path: it leads to no other folder.
+std::string as_name(std::string text) {
+    if (text.find_first_not_of('.') == text.npos) text.assign(std::max<std::size_t>(text.size(), 1), '_');
+    for (char& c : text) c = c == '/' ? '-' : c;
+    return text;
+}
+
 /// Without folder and ending.
 std::string name_of(const std::string& input) {
     if (input == "-" || input.starts_with("standard input")) return "stdin";
     std::string stem = input.starts_with("builtin:") ? input.substr(8) : fs::path(input).stem().string();
     if (input.starts_with("builtin:"))  // of "sphere:radius=2" too a name
-        for (char& c : stem) c = c == ':' || c == '=' || c == '/' ? '-' : c;
+        for (char& c : stem) c = c == ':' || c == '=' ? '-' : c;
     if (is_world_file(input)) stem = fs::path(stem).stem().string();  // of NAME.scene.toml
-    return stem;
+    return as_name(std::move(stem));
 }
 
 /// A number of at least so many digits: "{n:3}".
@@ -78,6 +85,13 @@ void walk(std::string_view pattern, const Text& text, const Part& part) {
             ++at;
         }
     }
+}
+
+/// Of a template, in which single braces are placeholders.
+std::string doubled_braces(std::string_view text) {
+    std::string doubled;
+    for (const char c : text) doubled.append(c == '{' || c == '}' ? 2 : 1, c);
+    return doubled;
 }
 
 bool is_number_part(std::string_view part) {
@@ -175,22 +189,22 @@ std::string OutputNames::example_of_parts(const std::string& input) const {
 std::string OutputNames::of(const std::string& input, const OutputParts& parts) {
     ++count_;
     const auto folder = run_.folders.find(input);
+    const InputFolder lies = folder == run_.folders.end() ? InputFolder{".", "."} : folder->second;
     std::string output;
-    walk(
-        template_, [&](std::string_view text) { output += text; },
-        [&](std::string_view part) {
-            const std::string_view word = word_of(part);
-            if (word == "model") output += name_of(input);
-            if (word == "ext") output += file_ending(input);
-            if (word == "dir") output += folder == run_.folders.end() ? "." : folder->second.as_written;
-            if (word == "n") output += padded(count_, part);
-            if (word == "camera") output += parts.camera;
-            if (word == "frame")
-                output += parts.frame ? padded(std::size_t(*parts.frame), part) : "{" + std::string(part) + "}";
-        });
+    const auto add = [&](std::string_view text) { output += parts.frame ? std::string(text) : doubled_braces(text); };
+    walk(template_, add, [&](std::string_view part) {
+        const std::string_view word = word_of(part);
+        if (word == "model") add(name_of(input));
+        if (word == "ext") add(as_name(file_ending(input)));
+        if (word == "dir") add(lies.as_written);
+        if (word == "n") add(padded(count_, part));
+        if (word == "camera") add(as_name(parts.camera));
+        if (word == "frame")
+            output += parts.frame ? padded(std::size_t(*parts.frame), part) : "{" + std::string(part) + "}";
+    });
     if (is_folder_) {
-        const std::string below = folder == run_.folders.end() ? "." : folder->second.below;
-        output = (fs::path(output) / below / (name_of(input) + "." + ending_in_folder(run_, input))).string();
+        if (!output.ends_with('/')) output += '/';
+        add(lies.below + "/" + name_of(input) + "." + ending_in_folder(run_, input));
     }
     if (output != template_) output = fs::path(output).lexically_normal().string();
     const auto [entry, is_new] = inputs_of_.emplace(fs::path(output).lexically_normal().string(), input);

@@ -13,7 +13,8 @@ struct Run;
 /// What a template is filled in with.
 struct OutputParts {
     std::string camera = "default";  ///< camera or side
-    std::optional<int> frame = 1;    ///< with --watch: how often it was drawn; absent: {frame} stays as it is
+    std::optional<int> frame =
+        1;  ///< with --watch: how often it was drawn; absent: the name stays a template for frame_name()
 };
 
 class OutputNames {

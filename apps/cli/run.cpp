@@ -119,8 +119,7 @@ void check_requests(std::vector<InputRequest>& requests) {
 }
 
 std::string camera_of(const PictureRequest& picture) {
-    std::string name = !picture.view.camera.empty() ? picture.view.camera : picture.view.side;
-    for (char& c : name) c = c == '/' ? '-' : c;
+    const std::string& name = !picture.view.camera.empty() ? picture.view.camera : picture.view.side;
     return name.empty() ? "default" : name;
 }
 

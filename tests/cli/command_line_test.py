@@ -134,6 +134,25 @@ class CommandLine(program.Case):
         self.fine("models/sub/a.obj", "-o", "{dir}/named.png", *SIZE)
         self.assertIn("models/sub/named.png", self.pictures())
 
+    def test_names_of_files_and_cameras_lead_to_no_other_folder(self):
+        (self.folder / "in").mkdir()
+        for name, made in (("...obj", "__"), ("..obj", "_"), ("....obj", "___"), ("a..obj", "a.")):
+            with self.subTest(name=name):
+                self.write(f"in/{name}")
+                self.fine("render", f"in/{name}", "-o", "out/{model}/x.png", *SIZE)
+                self.fine("render", f"in/{name}", "-o", "out/{model}.png", *SIZE)
+                self.assertEqual(self.pictures(), sorted([f"out/{made}/x.png", f"out/{made}.png"]))
+                shutil.rmtree(self.folder / "out")
+                (self.folder / "in" / name).unlink()
+        self.write("a.obj")
+        for camera, made in (("..", "__"), (".", "_"), ("../../up", "..-..-up"), ("/x", "-x"), ("a/../b", "a-..-b")):
+            with self.subTest(camera=camera):
+                self.write("w.scene.toml", f'[[model]]\nfile = "a.obj"\n[[camera]]\nname = "{camera}"\nposition = [0, 0, 5]\ntarget = [0, 0, 0]\n'
+                           f'[render]\ncamera-index = "{camera}"\n')
+                self.fine("render", "w.scene.toml", "-o", "out/{camera}/x.png", *SIZE)
+                self.assertEqual(self.pictures(), [f"out/{made}/x.png"])
+                shutil.rmtree(self.folder / "out")
+
     def test_names_that_clash_and_empty_folders_are_refused_before_any_work(self):
         self.make_models()
         self.write("models/a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n")
