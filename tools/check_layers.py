@@ -67,7 +67,7 @@ PUBLIC = {
     "vector": "math", "linear": "math", "joint_influence": "math",
     "block": "image", "morph_target": "image", "image": "image", "colormap": "image",
     "attributes": "geometry", "seams": "geometry", "matching_borders": "geometry",
-    "scene": "scene", "motion": "scene", "scene_queries": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "image_sources": "io", "movie": "io", "unfinished_outputs": "io",
+    "scene": "scene", "motion": "scene", "scene_queries": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "image_sources": "io", "movie": "io", "unfinished_outputs": "io", "folder_lock": "io",
     "prepare": "prepare", "bake": "bake", "lightmap": "bake",
     "engine": "engines", "line": "engines", "values": "world", "request": "world", "settings_file": "world", "material_changes": "world", "load": "world",
     "radiosity": "radiosity", "render": "render", "session": "render", "gl_view": "render", "draw_alike": "render", "strip_sink": "engines", "exit_code": "base", "rows": "tools",

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <memory>
 #include <set>
 
 #include <rakelight/movie.h>
 #include <rakelight/sequence.h>
 #include <rakelight/tools/file_ending.h>
+#include <rakelight/tools/folder_lock.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/values.h>
 
@@ -29,7 +31,7 @@ std::vector<Option> sequence_options() {
             {"movie", group, "FILE",
              "Also make a movie of the frames: .mp4 .webm .gif (by the program ffmpeg), .apng .webp (lossless)",
              apps::Form::list},
-            {"skip-existing", group, "", "Skip frames whose pictures exist: continues an interrupted run",
+            {"skip-existing", group, "", "Skip frames whose pictures exist and are whole: continues an interrupted run",
              apps::Form::flag},
             {"keep-frames", group, "", "If -o is a movie, keep its frames in FILE.frames/", apps::Form::flag}};
 }
@@ -81,6 +83,9 @@ void refuse_others(const Run& run) {
     for (const char* const other : {"watch", "ref", "reference", "keep-partial"})
         if (run.given.has(other))
             throw Error(ErrorCode::usage, "applies to single pictures, but a sequence is requested").about(other);
+    for (const std::string& movie : run.given.words("movie"))
+        if (has_frame_number(movie))
+            throw Error(ErrorCode::usage, "a movie has all pictures, so its name has no {frame}").about("movie");
     if (is_standard_output(run.picture.output))
         throw Error(ErrorCode::usage, "a sequence needs output files", {},
                     "write -o 'out/{frame:4}.png' or -o FILE.mp4");
@@ -113,14 +118,14 @@ std::vector<Job> jobs_of(const Run& run) {
         Job& job = jobs.emplace_back();
         PictureRequest& picture = input.picture;
         if (is_movie_output(run)) {
-            job.movies.push_back(picture.output);
+            job.movies.push_back(frame_name(picture.output, 0));  // which has no number
             picture.output += ".frames/{frame:4}.png";
         } else if (!has_frame_number(picture.output)) {
             picture.output = with_number(picture.output);
             job.is_numbered_anew = true;
         }
         for (OutputNames& names : movie_names)
-            job.movies.push_back(names.of(picture.input, {camera_of(picture), std::nullopt}));
+            job.movies.push_back(names.of(picture.input, {.camera = camera_of(picture)}));
         SequenceRequest& sequence = job.sequence;
         sequence.picture = picture;
         if (run.given.has("frames")) sequence.frames = range_of(run.given.word("frames"));
@@ -141,6 +146,17 @@ void remove_frames(const std::vector<PictureRow>& rows) {
     std::error_code ignored;
     for (const PictureRow& row : rows) fs::remove(row.result.output, ignored);
     if (!rows.empty()) fs::remove(fs::path(rows[0].result.output).parent_path(), ignored);
+}
+
+/// The pictures of a movie go into a folder of their own, and are removed with it in the end: no other process may work there.
+std::unique_ptr<FolderLock> lock_frames(const Run& run, const Job& job) {
+    if (!is_movie_output(run)) return {};
+    const fs::path first = frame_name(job.sequence.picture.output, 0);
+    try {
+        return std::make_unique<FolderLock>(first.parent_path().string());
+    } catch (const Error& error) {
+        throw error.advising("wait for its end, or give -o another name");
+    }
 }
 
 /// What one job made.
@@ -234,6 +250,7 @@ int run_sequence(const Run& run) {
                     Remark::note, job.sequence.picture.input, "",
                     "the pictures are numbered: " + frame_name(job.sequence.picture.output, job.sequence.frames.first) +
                         " and so on");
+            const auto lock = lock_frames(run, job);
             draw(run, job, made, context);
             make_movies(run, job, made, context);
         });

@@ -32,8 +32,8 @@ struct SequenceRequest {
     /// point, so that the model seems to turn to the right, as in the viewer. Lights of the file stay in place. Default
     /// and studio lights move with the camera.
     int turntable = 0;
-    /// Existing pictures are not drawn again. A PNG file counts as existing if it is complete and of the right size. In
-    /// other formats every file of the right name counts.
+    /// Existing pictures are not drawn again. A file counts as existing if all of it can be decoded and it has the
+    /// right size. A damaged one is drawn again, with a remark.
     bool skip_existing = false;
 };
 
@@ -62,7 +62,8 @@ RL_API std::int64_t render_sequence(const SequenceRequest& request, Context& con
 /// @throws Error usage or failed
 RL_API void check_sequence(const SequenceRequest& request);
 
-/// The file name of a picture: {frame:4} becomes its number with at least four digits. All other braces stay.
+/// The file name of a picture: {frame:4} becomes its number with at least four digits, {{ and }} become single braces. All
+/// other braces stay.
 RL_API std::string frame_name(const std::string& output, std::int64_t frame);
 /// Whether a name contains {frame}.
 RL_API bool has_frame_number(const std::string& output);

@@ -9,11 +9,10 @@
 #include <rakelight/tools/file_ending.h>
 #include <rakelight/validate.h>
 
-#include "io/file.h"
-#include "io/movie/png_chunks.h"
 #include "render/draw_to_memory.h"
 #include "render/drawable.h"
 #include "render/engines.h"
+#include "render/frames_there.h"
 #include "render/look.h"
 #include "render/picture_files.h"
 #include "render/picture_steps.h"
@@ -43,16 +42,6 @@ bool changes_materials(const PictureRequest& request) {
     return !(request.materials == MaterialOverrides{}) || request.preset != Preset::none || request.coloring.is_on;
 }
 
-/// The picture is there: whole and, where that can be seen by a glance at the file, as large as it shall be.
-bool is_there(const PictureRequest& request) {
-    const std::string& path = request.output;
-    if (file_ending(path) != "png") return io::is_regular_file(path);
-    const std::optional<io::PngHeader> header = io::header_of_whole_png(path);
-    const Window window = whole_window(request.settings);
-    return header && header->width == std::uint32_t(window.width) && header->height == std::uint32_t(window.height) &&
-           header->has_alpha() == (request.settings.background.w < 1);
-}
-
 class Sequence {
 public:
     Sequence(const SequenceRequest& request, Session& session, Context& context)
@@ -69,11 +58,14 @@ public:
 
     void draw(const std::function<void(const SequenceFrame&)>& done) {
         const std::vector<std::int64_t> frames = plan_.frames();
+        check_frame_names(request_, frames);
+        const std::vector<char> there =
+            skips_existing_ ? frames_there(request_, frames, context_) : std::vector<char>(frames.size());
         SequenceWriter writer(context_.threads(), done);
         for (std::size_t i = 0; i < frames.size(); ++i) {
             context_.throw_if_cancelled();
             context_.set_progress_range(double(i) / double(frames.size()), double(i + 1) / double(frames.size()));
-            draw_frame(frames[i], writer);
+            draw_frame(frames[i], there[i], writer);
         }
         writer.finish();
         if (drawn_ > 0 && !shows_model_ && request_.settings.colors)
@@ -82,7 +74,7 @@ public:
     std::int64_t count() const { return plan_.count(); }
 
 private:
-    void draw_frame(std::int64_t number, SequenceWriter& writer);
+    void draw_frame(std::int64_t number, bool is_there, SequenceWriter& writer);
     void begin();
     Scene asked_scene_at(double time_s, Context& context);
     void draw_picture(SequenceFrame frame, const PictureRequest& request, SequenceWriter& writer, Context& context);
@@ -169,12 +161,12 @@ void Sequence::draw_picture(SequenceFrame frame, const PictureRequest& request, 
         writer.add(std::move(frame));
 }
 
-void Sequence::draw_frame(std::int64_t number, SequenceWriter& writer) {
+void Sequence::draw_frame(std::int64_t number, bool is_there, SequenceWriter& writer) {
     SequenceFrame frame{.frame = number, .time_s = plan_.has_clip() ? plan_.time_of(number) : 0};
     PictureRequest request = request_;
     request.output = frame_name(request_.output, number);
     frame.picture.file = request.input, frame.picture.output = request.output;
-    frame.is_skipped = skips_existing_ && is_there(request);
+    frame.is_skipped = is_there;
     if (frame.is_skipped) return writer.add(std::move(frame));
     clock_.lap_ms();
     if (!views_) {
@@ -187,35 +179,51 @@ void Sequence::draw_frame(std::int64_t number, SequenceWriter& writer) {
     draw_picture(std::move(frame), request, writer, drawn_ == 0 ? context_ : quiet_);
 }
 
-/// Where {frame} or {frame:N} stands in a name.
-struct NumberPlace {
-    std::size_t at = std::string::npos, length = 0;
+/// A {frame} or {frame:N}.
+struct NumberPart {
+    std::size_t length = 0;  ///< 0: there is none
     int digits = 1;
 };
 
-NumberPlace number_place(const std::string& name) {
-    for (std::size_t at = name.find("{frame"); at != name.npos; at = name.find("{frame", at + 1)) {
-        std::size_t end = at + 6;
-        int digits = 0;
-        if (end < name.size() && name[end] == ':')
-            for (++end; end < name.size() && name[end] >= '0' && name[end] <= '9'; ++end)
-                digits = std::min(9, 10 * digits + (name[end] - '0'));
-        if (end < name.size() && name[end] == '}') return {at, end + 1 - at, std::max(1, digits)};
-    }
+NumberPart number_part(std::string_view name) {
+    if (!name.starts_with("{frame")) return {};
+    std::size_t end = 6;
+    int digits = 0;
+    if (end < name.size() && name[end] == ':')
+        for (++end; end < name.size() && name[end] >= '0' && name[end] <= '9'; ++end)
+            digits = std::min(9, 10 * digits + (name[end] - '0'));
+    if (end < name.size() && name[end] == '}') return {end + 1, std::max(1, digits)};
     return {};
+}
+
+/// Calls text(character) and number(part) in their order.
+template <class Text, class Number>
+void walk_name(std::string_view name, const Text& text, const Number& number) {
+    while (!name.empty()) {
+        const bool is_doubled = name.starts_with("{{") || name.starts_with("}}");
+        const NumberPart part = is_doubled ? NumberPart{} : number_part(name);
+        part.length > 0 ? number(part) : text(name[0]);
+        name.remove_prefix(part.length > 0 ? part.length : is_doubled ? 2 : 1);
+    }
 }
 
 }  // namespace
 
-bool has_frame_number(const std::string& output) { return number_place(output).at != std::string::npos; }
+bool has_frame_number(const std::string& output) {
+    bool has_number = false;
+    walk_name(
+        output, [](char) {}, [&](const NumberPart&) { has_number = true; });
+    return has_number;
+}
 
 std::string frame_name(const std::string& output, std::int64_t frame) {
-    std::string name = output;
-    for (NumberPlace place = number_place(name); place.at != name.npos; place = number_place(name)) {
-        std::string digits = std::to_string(frame);
-        digits.insert(0, std::size_t(std::max(0, place.digits - int(digits.size()))), '0');
-        name.replace(place.at, place.length, digits);
-    }
+    const std::string digits = std::to_string(frame);
+    std::string name;
+    const auto add_number = [&](const NumberPart& part) {
+        name.append(std::size_t(std::max(0, part.digits - int(digits.size()))), '0') += digits;
+    };
+    walk_name(
+        output, [&](char c) { name += c; }, add_number);
     return name;
 }
 

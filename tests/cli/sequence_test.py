@@ -3,11 +3,13 @@
 """Sequences: clips and turntables as numbered pictures and as movies (docs/sequences.md). What needs ffmpeg is skipped where that is not installed.
 
   sequence_test.py PROGRAM [unittest arguments]"""
+import fcntl
 import json
 import os
 import pathlib
 import shutil
 import signal
+import socket
 import struct
 import subprocess
 import time
@@ -224,6 +226,103 @@ class Sequences(Case):
         first = (self.folder / "m.apng").read_bytes()
         self.assertEqual(self.run_program("render", "clip.glb", *options).code, 0)
         self.assertEqual((self.folder / "m.apng").read_bytes(), first)
+
+    def damaged_pngs(self, whole):
+        """(what, bytes) of a PNG file that is damaged between its first and its last bytes."""
+        middle = len(whole) // 2
+        yield "a changed byte", whole[:middle] + bytes([whole[middle] ^ 1]) + whole[middle + 1:]
+        yield "zeros", whole[:middle] + bytes(len(whole) - middle - 12) + whole[-12:]
+        at = whole.index(b"IDAT") - 4
+        end = at + 12 + struct.unpack(">I", whole[at:at + 4])[0]
+        data = whole[at + 8:end - 4]
+        for what, kept in (("data that end too early", data[:len(data) // 2]), ("no data", None)):  # with the right checksums
+            chunk = b"" if kept is None else struct.pack(">I", len(kept)) + b"IDAT" + kept + struct.pack(">I", zlib.crc32(b"IDAT" + kept))
+            yield what, whole[:at] + chunk + whole[end:]
+
+    def test_a_damaged_frame_is_drawn_again_with_a_remark(self):
+        options = ("-o", "f{frame}.png", "--frames", "0:3", "--fps", "4", "--background", "#406080")
+        self.render(*options)
+        whole = self.pictures()
+        for what, bytes_ in self.damaged_pngs(whole["f2.png"]):
+            with self.subTest(what=what):
+                (self.folder / "f2.png").write_bytes(bytes_)
+                run = self.render(*options, "--skip-existing", "--json")
+                self.assertEqual([r["skipped"] for r in json.loads(run.out)["rows"]], [True, True, False, True])
+                self.assertEqual(len(run.lines), 1, run.err)
+                self.assertTrue(run.err.startswith("rakelight: warning: f2.png: is damaged, so it is drawn again: "), run.err)
+                self.assertEqual(self.pictures(), whole)
+
+    def test_damaged_frames_of_other_formats_are_drawn_again(self):
+        for ending in ("exr", "webp", "jpg", "hdr"):
+            with self.subTest(ending=ending):
+                options = ("-o", "f{frame}." + ending, "--frames", "0:1", "--fps", "4")
+                self.render(*options)
+                path = self.folder / f"f1.{ending}"
+                whole = path.read_bytes()
+                path.write_bytes(whole[:2 * len(whole) // 3])
+                run = self.render(*options, "--skip-existing")
+                self.assertIn(f"f1.{ending}: is damaged", run.err)
+                self.assertEqual(path.read_bytes(), whole)
+                run = self.render(*options, "--skip-existing", "--json")
+                self.assertEqual(([r["skipped"] for r in json.loads(run.out)["rows"]], run.err), ([True, True], ""))
+
+    def test_what_is_no_file_but_has_the_name_of_a_frame_is_refused(self):
+        os.mkfifo(self.folder / "pipe1.png")
+        (self.folder / "folder1.png").mkdir()
+        with socket.socket(socket.AF_UNIX) as there:
+            there.bind(str(self.folder / "socket1.png"))
+        os.symlink("/dev/full", self.folder / "device1.png")
+        before = self.files()
+        for name in ("pipe", "folder", "socket", "device"):
+            for more in ((), ("--skip-existing",), ("--movie", "m.apng")):
+                with self.subTest(name=name, more=more):
+                    run = self.run_program("render", "clip.glb", *SIZE, "-o", name + "{frame}.png", "--frames", "0:2", *more)
+                    self.check_refused(run, 1, f"{name}1.png: ", "the name of a picture")
+                    self.assertEqual(self.files(), before)
+
+    def test_two_processes_do_not_work_on_one_movie(self):
+        folder = self.folder / "m.apng.frames"
+        folder.mkdir()
+        (folder / "0000.png").write_bytes(b"of the other one")
+        other = os.open(folder, os.O_RDONLY)
+        fcntl.flock(other, fcntl.LOCK_EX)  # as a process that draws it
+        run = self.run_program("render", "clip.glb", *SIZE, "-o", "m.apng", "--frames", "0:2")
+        self.check_refused(run, 1, "m.apng.frames: another process works in this folder", "another name")
+        self.assertEqual(self.pictures("m.apng.frames"), {"0000.png": b"of the other one"})
+        os.close(other)  # or it has ended
+        self.render("-o", "m.apng", "--frames", "0:2")
+        self.assertEqual(self.files(), ["clip.glb", "m.apng"])
+
+    def test_a_run_of_a_movie_holds_the_lock(self):
+        process = subprocess.Popen([program.PROGRAM, "render", "clip.glb", "-o", "m.apng", "--resolution", "640,480", "--samples", "8", "--fps", "200"],
+                                   cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        self.wait_for("m.apng.frames/0001.png")
+        os.kill(process.pid, signal.SIGSTOP)
+        try:
+            run = self.run_program("render", "clip.glb", *SIZE, "-o", "m.apng", "--frames", "0:2", "--skip-existing")
+            self.check_refused(run, 1, "another process works in this folder")
+        finally:
+            process.kill()
+            process.communicate()
+        self.render("-o", "m.apng", "--frames", "0:2")  # what was killed holds it no more
+
+    def test_braces_of_a_models_name_are_no_placeholders(self):
+        for name in ("a{frame}", "{frame:3}b", "c{{frame}}"):
+            with self.subTest(name=name):
+                shutil.copy(self.folder / "clip.glb", self.folder / f"{name}.glb")
+                self.render("-o", "out/{model}-{frame:2}.png", "--frames", "0:1", model=f"{name}.glb")
+                self.assertEqual(list(self.pictures("out")), [f"{name}-00.png", f"{name}-01.png"])
+                self.render("-o", "folder/", "--frames", "1:1", model=f"{name}.glb")
+                self.assertEqual(list(self.pictures("folder")), [f"{name}.0001.png"])
+                self.render("-o", "movies/{model}.apng", "--frames", "0:1", model=f"{name}.glb")
+                self.assertTrue((self.folder / f"movies/{name}.apng").is_file())
+                self.render("-o", "{frame}.png", "--movie", "more/{model}.apng", "--frames", "0:1", model=f"{name}.glb")
+                self.assertTrue((self.folder / f"more/{name}.apng").is_file())
+                shutil.rmtree(self.folder / "out")
+                shutil.rmtree(self.folder / "folder")
+        self.render("-o", "{{frame}}-{frame}.png", "--frames", "0:0")
+        self.assertTrue((self.folder / "{frame}-0.png").is_file())
+        self.check_refused(self.run_program("render", "clip.glb", *SIZE, "-o", "{frame}.png", "--movie", "m{frame}.apng"), 2, "--movie", "{frame}")
 
     def test_apng_has_the_pictures(self):
         self.render("-o", "a.apng", "--fps", "10", "--keep-frames")

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/movie/png_chunks.h"
 
-#include <algorithm>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 
 #include <rakelight/error.h>
 
@@ -14,8 +11,6 @@ namespace {
 constexpr std::size_t around = 12;  ///< [bytes] length, type and checksum
 constexpr std::size_t header_bytes = 13;
 constexpr std::uint32_t most_in_chunk = 0x7fffffff;
-/// IEND has no data: it is the same in every file.
-constexpr std::array<std::uint8_t, 12> end_chunk{0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
 
 /// PNG, annex D: the sums of single bytes.
 constexpr std::array<std::uint32_t, 256> byte_sums() {
@@ -79,23 +74,6 @@ PngHeader png_header(std::span<const PngChunk> chunks) {
         throw broken("it has no header");
     const std::span<const std::byte> data = chunks[0].data;
     return {u32_at(data, 0), u32_at(data, 4), std::uint8_t(data[8]), std::uint8_t(data[9]), std::uint8_t(data[12])};
-}
-
-std::optional<PngHeader> header_of_whole_png(const std::string& path) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    std::array<std::byte, png_signature.size() + around + header_bytes> first{};
-    std::array<std::byte, end_chunk.size()> last{};
-    if (!file || std::fread(first.data(), 1, first.size(), file.get()) != first.size() || !begins_as_png(first))
-        return {};
-    if (std::fseek(file.get(), -long(last.size()), SEEK_END) != 0 ||
-        std::fread(last.data(), 1, last.size(), file.get()) != last.size() ||
-        std::memcmp(last.data(), end_chunk.data(), last.size()) != 0)
-        return {};
-    const std::span<const std::byte> type = std::span(first).subspan(png_signature.size() + 4, 4),
-                                     data = std::span(first).subspan(png_signature.size() + 8, header_bytes);
-    const PngChunk header{{reinterpret_cast<const char*>(type.data()), type.size()}, data};
-    if (header.type != "IHDR") return {};
-    return png_header(std::span(&header, 1));
 }
 
 void put_u16(std::vector<std::byte>& to, std::uint32_t value) {

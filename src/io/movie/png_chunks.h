@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,9 +30,6 @@ struct PngHeader {
 };
 /// @throws Error bad_file: it does not begin with a whole IHDR
 PngHeader png_header(std::span<const PngChunk> chunks);
-
-/// The header of a PNG file that is there and whole, by its first and its last bytes; nothing: it is not.
-std::optional<PngHeader> header_of_whole_png(const std::string& path);
 
 /// Numbers as PNG writes them, the highest byte first.
 void put_u16(std::vector<std::byte>& to, std::uint32_t value);

@@ -13,6 +13,7 @@
 #include "io/movie/ffmpeg_process.h"
 #include "io/movie/movie_writers.h"
 #include "io/output_place.h"
+#include "io/whole_picture.h"
 
 namespace rakelight {
 namespace io {
@@ -34,21 +35,35 @@ const Kind* find_kind(const std::string& path) {
     return found == kinds.end() ? nullptr : &*found;
 }
 
-/// All pictures have the first one's header; their data are read later, one by one.
-PngHeader common_header(std::span<const std::string> pictures) {
-    std::optional<PngHeader> first;
-    for (const std::string& file : pictures) {
-        if (!is_regular_file(file)) throw Error(ErrorCode::not_found, "there is no such picture").with_file(file);
-        const std::optional<PngHeader> header = header_of_whole_png(file);
-        if (!header) throw Error(ErrorCode::bad_file, "is not a complete PNG picture").with_file(file);
-        if (!first) first = header;
-        if (!(*header == *first))
-            throw Error(ErrorCode::bad_file, "has another size or kind of color than the movie's first picture")
-                .with_file(file);
+/// Of each picture, decoded whole: its header, or what is wrong with it.
+struct Checked {
+    PngHeader header{};
+    std::optional<Error> error{};
+};
+
+Checked checked(const std::string& file, Context& context) {
+    try {
+        return {header_of_whole_png(file, context)};
+    } catch (const Error& error) {
+        context.throw_if_cancelled();
+        return {{}, error};
     }
-    if (first->bit_depth != 8 || first->color_type == 3 || first->interlace != 0)
+}
+
+/// All pictures have the first one's header, and none is damaged; their data are read again later, one by one.
+PngHeader common_header(std::span<const std::string> pictures, Context& context) {
+    std::vector<Checked> all(pictures.size());
+    context.parallel_for(pictures.size(), [&](std::size_t i) { all[i] = checked(pictures[i], context); });
+    const PngHeader& first = all[0].header;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        if (all[i].error) throw *all[i].error;
+        if (!(all[i].header == first))
+            throw Error(ErrorCode::bad_file, "has another size or kind of color than the movie's first picture")
+                .with_file(pictures[i]);
+    }
+    if (first.bit_depth != 8 || first.color_type == 3 || first.interlace != 0)
         throw Error(ErrorCode::bad_file, "movies are made of plain PNG pictures of 8 bits").with_file(pictures[0]);
-    return *first;
+    return first;
 }
 
 }  // namespace
@@ -89,7 +104,7 @@ void write_movie(const std::string& path, std::span<const std::string> pictures,
     if (!(fps >= 0.01 && fps <= 1000))
         throw Error(ErrorCode::usage, "frames per second must be 0.01 to 1000").with_file(path);
     check_movie(path, {});
-    const io::MoviePictures all{pictures, fps, io::common_header(pictures)};
+    const io::MoviePictures all{pictures, fps, io::common_header(pictures, context)};
     check_movie(path, {int(all.header.width), int(all.header.height), all.header.has_alpha()});
     context.progress("movie", 0);
     switch (const io::MovieKind kind = *io::movie_kind(path)) {

@@ -3,12 +3,14 @@
 #include <rakelight/movie.h>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <array>
 #include <cstring>
 
 #include "io/image_io.h"
 #include "io/movie/png_chunks.h"
+#include "io/whole_picture.h"
 #include "unit/io/image_io_support.h"
 
 namespace rakelight {
@@ -32,6 +34,27 @@ protected:
         std::vector<std::string> names;
         for (int i = 0; i < count; ++i) names.push_back(picture(i, 21, 14, channels));
         return names;
+    }
+    std::string write(const std::string& name, const std::vector<std::byte>& bytes) {
+        return folder_.write(name, std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    }
+    /// The error of a movie whose second picture is `bad`; nothing is left of it.
+    Error refused(const std::string& ending, const std::string& bad) {
+        const std::string movie = folder_.file("refused" + ending);
+        const std::vector<std::string> names{picture(0), bad};
+        const Error error = error_of([&] { write_movie(movie, names, 25, context_); });
+        EXPECT_EQ(error.code(), ErrorCode::bad_file) << ending;
+        EXPECT_EQ(error.file(), bad) << ending;
+        EXPECT_FALSE(std::filesystem::exists(movie)) << ending;
+        return error;
+    }
+    static bool has_ffmpeg() {
+        try {
+            check_movie("a.mp4", {});
+            return true;
+        } catch (const Error&) {
+            return false;
+        }
     }
     Pixels decoded(const std::string& path) { return io::decode_image(bytes_of_file(path), context_); }
 
@@ -147,13 +170,33 @@ TEST_F(Movies, PicturesThatDifferInKindAreRefused) {
 TEST_F(Movies, DamagedDataAreFound) {
     std::vector<std::byte> bytes = bytes_of_file(picture(0));
     bytes[bytes.size() - 30] ^= std::byte(1);
-    const std::string bad =
-        folder_.write("bad.png", std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-    const std::vector<std::string> names{bad};
-    const Error error = error_of([&] { write_movie(folder_.file("a.apng"), names, 30, context_); });
-    EXPECT_EQ(error.code(), ErrorCode::bad_file);
+    const Error error = refused(".apng", write("bad.png", bytes));
     EXPECT_NE(error.reason().find("checksum"), std::string::npos);
-    EXPECT_FALSE(std::filesystem::exists(folder_.file("a.apng")));
+}
+
+TEST_F(Movies, APictureThatIsDamagedInItsMiddleIsRefusedByName) {
+    const std::vector<std::byte> whole = bytes_of_file(picture(1));
+    std::vector<std::byte> changed = whole;
+    changed[changed.size() / 2] ^= std::byte(1);
+    std::vector<std::byte> shortened;  // whole chunks with data that end too early
+    for (const std::uint8_t byte : io::png_signature) shortened.push_back(std::byte(byte));
+    for (const PngChunk& chunk : png_chunks(whole))
+        io::put_chunk(shortened, chunk.type, {},
+                      chunk.type == "IDAT" ? chunk.data.first(chunk.data.size() / 2) : chunk.data);
+    for (const std::string ending : {".apng", ".webp", ".mp4", ".gif", ".webm"}) {
+        if (ending != ".apng" && ending != ".webp" && !has_ffmpeg()) continue;
+        refused(ending, write("changed.png", changed));
+        refused(ending, write("shortened.png", shortened));
+    }
+}
+
+TEST_F(Movies, AFifoWithThePicturesNameIsNotWaitedFor) {
+    const std::string fifo = folder_.file("fifo.png");
+    ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+    const std::vector<std::string> names{picture(0), fifo};
+    const Error error = error_of([&] { write_movie(folder_.file("a.apng"), names, 30, context_); });
+    EXPECT_EQ(error.code(), ErrorCode::not_found);
+    EXPECT_EQ(error.file(), fifo);
 }
 
 TEST_F(Movies, EveryCutFileIsRefusedInOneWay) {
@@ -174,14 +217,21 @@ TEST_F(Movies, WhatAFormatDoesNotHaveIsSaidBefore) {
 
 TEST_F(Movies, OnlyWholeFilesCountAsThere) {
     const std::string path = picture(0);
-    const auto header = io::header_of_whole_png(path);
-    ASSERT_TRUE(header);
-    EXPECT_EQ(header->width, 21u);
-    EXPECT_EQ(header->height, 14u);
+    const io::PngHeader header = io::header_of_whole_png(path, context_);
+    EXPECT_EQ(header.width, 21u);
+    EXPECT_EQ(header.height, 14u);
     std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
-    EXPECT_FALSE(io::header_of_whole_png(path));
-    EXPECT_FALSE(io::header_of_whole_png(folder_.write("empty.png", "")));
-    EXPECT_FALSE(io::header_of_whole_png(folder_.file("none.png")));
+    for (const std::string& other : {path, folder_.write("empty.png", ""), folder_.file("none.png")})
+        EXPECT_EQ(error_of([&] { io::header_of_whole_png(other, context_); }).file(), other);
+}
+
+TEST_F(Movies, DecodingAWholePictureHoldsItsFileAndAFewRows) {
+    const std::string path = picture(0, 600, 2000);
+    const std::uint64_t file = std::filesystem::file_size(path), all_rows = 600ull * 2000 * 3;
+    Context context({.threads = 1, .max_memory = file + all_rows / 10});
+    EXPECT_EQ(io::header_of_whole_png(path, context).height, 2000u);
+    Context small({.threads = 1, .max_memory = file - 1});
+    EXPECT_EQ(error_of([&] { io::header_of_whole_png(path, small); }).code(), ErrorCode::bad_file);
 }
 
 }  // namespace
