@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "../common/interrupt.h"
 #include "display_path.h"
 
 namespace rakelight::viewer {
@@ -27,10 +28,10 @@ double seconds(std::chrono::steady_clock::duration d) { return std::chrono::dura
 
 App::App(Start start)
     : start_(std::move(start)),
-      loader_([this] { wake(); }, start_.threads, start_.max_memory),
-      writer_([this] { wake(); }, start_.threads, start_.max_memory),
-      explainer_([this] { wake(); }, start_.threads, start_.max_memory),
-      seam_search_([this] { wake(); }, start_.threads, start_.max_memory),
+      loader_([this] { wake(); }, start_.threads, start_.max_memory, start_.everything),
+      writer_([this] { wake(); }, start_.threads, start_.max_memory, start_.everything),
+      explainer_([this] { wake(); }, start_.threads, start_.max_memory, start_.everything),
+      seam_search_([this] { wake(); }, start_.threads, start_.max_memory, start_.everything),
       remembered_(read_settings()),
       ui_(remembered_.ui) {
     if (!start_.files.empty()) load_current(false);  // beside the opening of the window
@@ -88,7 +89,7 @@ int App::run() {
 void App::loop() {
     int faults = 0;  // one after another
     woke_ = Clock::now();
-    while (!window_->is_closing() && !is_quitting_) try {
+    while (!window_->is_closing() && !is_quitting_ && !apps::CancelOnInterrupt::happened()) try {
             step();
             faults = 0;
         } catch (const Error& error) {

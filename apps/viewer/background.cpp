@@ -29,8 +29,8 @@ struct Background::Run {
     std::thread thread{};
 };
 
-Background::Background(std::function<void()> wake, int threads, std::uint64_t max_memory)
-    : wake_(std::move(wake)), threads_(threads), max_memory_(max_memory) {}
+Background::Background(std::function<void()> wake, int threads, std::uint64_t max_memory, const Context* parent)
+    : wake_(std::move(wake)), threads_(threads), max_memory_(max_memory), parent_(parent) {}
 
 Background::~Background() { end(); }
 
@@ -62,8 +62,8 @@ void Background::begin_next() {
 void Background::begin(Job job) {
     progress_.set(job.title, 0);
     const auto report = [this](std::string_view stage, double fraction) { progress_.set(stage, fraction); };
-    auto context =
-        std::make_unique<Context>(ContextOptions{.threads = threads_, .max_memory = max_memory_, .progress = report});
+    auto context = std::make_unique<Context>(
+        ContextOptions{.threads = threads_, .max_memory = max_memory_, .progress = report, .parent = parent_});
     current_ = runs_.emplace_back(new Run{std::move(job.work), std::move(job.failed), std::move(context)}).get();
     current_->thread = std::thread([this, run = current_] { this->run(*run); });
 }

@@ -29,8 +29,8 @@ private:
 class Background {
 public:
     /// @param wake  called from the thread when there is something new to see
-    /// @param threads, max_memory  as ContextOptions
-    Background(std::function<void()> wake, int threads, std::uint64_t max_memory);
+    /// @param threads, max_memory, parent  as ContextOptions
+    Background(std::function<void()> wake, int threads, std::uint64_t max_memory, const Context* parent = nullptr);
     ~Background();
     Background(const Background&) = delete;
     Background& operator=(const Background&) = delete;
@@ -67,6 +67,7 @@ private:
     std::function<void()> wake_;
     int threads_;
     std::uint64_t max_memory_;
+    const Context* parent_;
     Progress progress_;
     Run* current_ = nullptr;                  ///< the newest of runs_; null: its end was polled
     std::vector<std::unique_ptr<Run>> runs_;  ///< those before it were cancelled

@@ -2,10 +2,13 @@
 #include "gather.h"
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <vector>
 
 #include <rakelight/error.h>
+#include <rakelight/tools/text_file.h>
 
 namespace rakelight::viewer {
 namespace {
@@ -18,6 +21,19 @@ bool is_outside(const fs::path& name) {
 
 /// "folder/scene.scene.toml": "folder/scene-files"
 fs::path files_beside(const fs::path& world) { return world.parent_path() / (world.stem().stem().string() + "-files"); }
+
+Error not_copied(const fs::path& from, const std::string& why) {
+    return Error(ErrorCode::failed, "cannot be copied beside the scene: " + why).with_file(from.string());
+}
+
+std::string bytes_of(const fs::path& from) {
+    std::error_code fault;
+    if (!fs::is_regular_file(from, fault)) throw not_copied(from, fault ? fault.message() : "it is not a regular file");
+    std::ifstream file(from, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    if (!file) throw not_copied(from, "it cannot be read");
+    return bytes;
+}
 
 /// Copies that are to be made, and then those that were; they go again unless they are kept.
 class Copies {
@@ -45,13 +61,10 @@ public:
         if (!names_.empty()) is_folder_made_ = fs::create_directories(files_, fault);
         for (const auto& [name, copy] : names_) {
             const fs::path from = fs::path(name).is_absolute() ? fs::path(name) : folder_ / name;
-            made_.push_back(files_ / (copy.string() + ".part"));
-            if (!fault) fs::copy_file(from, made_.back(), fault);
-            if (!fault) fs::rename(made_.back(), files_ / copy, fault);
-            if (fault)
-                throw Error(ErrorCode::failed, "cannot be copied beside the scene: " + fault.message())
-                    .with_file(from.string());
-            made_.back() = files_ / copy;
+            if (fault) throw not_copied(from, fault.message());
+            const std::string bytes = bytes_of(from);
+            made_.push_back(files_ / copy);
+            save_text(made_.back().string(), bytes);
         }
     }
     void keep() { made_.clear(), is_folder_made_ = false; }

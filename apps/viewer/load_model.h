@@ -19,6 +19,7 @@ struct Start {
     int threads = 0;
     std::uint64_t max_memory = 0;
     bool wants_stats = false;
+    const Context* everything = nullptr;  ///< cancelled with it; may be null
 };
 
 /// @throws Error not_found, bad_file, usage; failed: cancelled

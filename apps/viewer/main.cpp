@@ -7,6 +7,8 @@
 #include <rakelight/tools/values.h>
 
 #include "../common/command_line.h"
+#include "../common/interrupt.h"
+#include "../common/stack.h"
 #include "../common/view_command.h"
 #include "app.h"
 
@@ -33,23 +35,33 @@ Start start_of(const apps::Command& command, const apps::CommandLine& line) {
     return start;
 }
 
-int run(int argc, char** argv) {
+int run(int argc, char** argv, const Context& everything) {
     const apps::Command commands[] = {apps::view_command()};
     const apps::Program program{"rakelight", "Shows 3D models made of many parts in a window.", "", commands};
     const apps::CommandLine line = apps::read_command_line(program, words_of(argc, argv));
     if (!line.help.empty()) return std::fputs(line.help.c_str(), stdout) < 0;
-    return App(start_of(commands[0], line)).run();
+    Start start = start_of(commands[0], line);
+    start.everything = &everything;
+    return App(std::move(start)).run();
+}
+
+int run_or_say(int argc, char** argv) {
+    using apps::CancelOnInterrupt;
+    Context everything({.threads = 1});
+    const CancelOnInterrupt guard(everything, "rakelight: ended by a signal\n");
+    try {
+        return CancelOnInterrupt::end_by_signal(run(argc, argv, everything));
+    } catch (...) {
+        const Error error = current_error();
+        CancelOnInterrupt::words_are_said();
+        std::fprintf(stderr, "rakelight: error: %s\n", error.what());
+        return CancelOnInterrupt::end_by_signal(exit_code(error.code()));
+    }
 }
 
 }  // namespace
 }  // namespace rakelight::viewer
 
 int main(int argc, char** argv) {
-    try {
-        return rakelight::viewer::run(argc, argv);
-    } catch (...) {
-        const rakelight::Error error = rakelight::current_error();
-        std::fprintf(stderr, "rakelight: error: %s\n", error.what());
-        return rakelight::exit_code(error.code());
-    }
+    return rakelight::apps::with_enough_stack([&] { return rakelight::viewer::run_or_say(argc, argv); });
 }
