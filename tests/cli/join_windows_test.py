@@ -41,6 +41,17 @@ class JoinWindows(program.Case):
                 self.join(self.parts(ending, *options), "joined" + ending)
                 self.same_bytes("whole" + ending, "joined" + ending)
 
+    def test_a_window_that_is_damaged_in_its_middle_is_refused_by_name(self):
+        for ending in (".png", ".exr", ".hdr"):
+            with self.subTest(ending=ending):
+                names = self.parts(ending)
+                whole = (self.folder / names[2]).read_bytes()
+                cut = len(whole) // 2
+                damaged = whole[:cut] + bytes(len(whole) - cut - 12) + whole[-12:] if ending == ".png" else whole[:cut]
+                (self.folder / names[2]).write_bytes(damaged)
+                self.check_refused(self.run_program("join-windows", *names, "-o", "joined" + ending), 4, names[2])
+                self.assertFalse((self.folder / ("joined" + ending)).exists())
+
     def test_data_channels_are_joined_as_they_are(self):
         layers = ("--channels", "depth,normal,object,triangle,uv", "--channel-files", "layers,png")
         self.draw("-o", "whole.exr", *SIZE, *layers)
