@@ -117,6 +117,7 @@ int draw_all(const Run& run, int frame, apps::WatchedFiles* watched) {
         const int code = run_input(run, input, row, [&](Context& c) {
             try {
                 row.result = is_piped ? draw_to_standard_output(request, c) : render_picture(request, c);
+                if (request.keep_partial && c.cancelled()) CancelOnInterrupt::words_are_said();  // by a remark
             } catch (...) {
                 watch(c.files());
                 throw;
@@ -124,7 +125,6 @@ int draw_all(const Run& run, int frame, apps::WatchedFiles* watched) {
             watch(c.files());
             references.check(rows.size() - 1, row, c);
         });
-        if (row.result.done < 1) CancelOnInterrupt::words_are_said();  // its remark says how much is there
         if (code == 0) print_note(summary(row.result), run.loudness);
         if (code == 0 && run.given.has("stats") && !run.is_json) print_text(stats_text(row.result));
         worst = std::max({worst, code, references.print_failure(row)});
