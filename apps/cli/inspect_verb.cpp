@@ -275,7 +275,7 @@ std::vector<InputRequest> requests_of(Run run) {
 
 void write_reports(const Reports& reports, const InspectionPage& page, const std::vector<InspectionRow>& rows,
                    const std::optional<CheckLimits>& limits) {
-    if (CancelOnInterrupt::happened()) return;
+    if (!reports.is_any() || CancelOnInterrupt::happened()) return;
     for (const std::string& file : reports.pages) page.save(file);
     for (const std::string& file : reports.junit) save_text(file, to_junit(rows, *limits));
 }
