@@ -244,6 +244,7 @@ def check_memory(program):
         grid_gltf(folder / "skins.gltf", 1000, 300, skins=1000)
         posing_files.targets(folder / "targets.glb", 10000, 2000)
         posing_files.targets(folder / "more_targets.glb", 3000, 20000)
+        posing_files.targets(folder / "stacked_targets.glb", 4000, 1000, step=0)
         posing_files.targets(folder / "own_weights.glb", 2000, 1000, own_weights=True)
         posing_files.targets(folder / "moving_weights.glb", 8000, 2000, is_animated=True, has_normals=True)
         posing_files.skins(folder / "joints.glb", 200, 60000)
@@ -252,8 +253,8 @@ def check_memory(program):
                              ("nodes.gltf", ("render", "inspect", "smooth")), ("models.scene.toml", ("check", "render")),
                              ("fewer_models.scene.toml", ("check", "inspect", "render --roughness 0.5")), ("shapes.scene.toml", ("check", "render")),
                              ("grids.gltf", ("render --uv box", "render --subdivide 1", "render --normals model", "inspect")),
-                             ("skins.gltf", ("render", "smooth")), ("targets.glb", POSING), ("more_targets.glb", POSING), ("own_weights.glb", POSING),
-                             ("moving_weights.glb", (*POSING, "render --animation 0 --time 0.5", "render --engine gl --animation 0 --time 0.5")),
+                             ("skins.gltf", ("render", "smooth")), ("targets.glb", POSING), ("more_targets.glb", POSING), ("stacked_targets.glb", POSING), ("own_weights.glb", POSING),
+                             ("moving_weights.glb", (*POSING, "render --animation-index 0 --animation-time 0.5", "render --engine gl --animation-index 0 --animation-time 0.5")),
                              ("joints.glb", POSING), ("other_joints.glb", POSING)):
             for verb, *options in map(str.split, verbs):
                 out = folder / ("out.png" if verb == "render" else "out" + pathlib.Path(model).suffix)

@@ -31,8 +31,8 @@ class File:
         path.write_bytes(b"glTF" + struct.pack("<III", 2, 28 + len(text) + len(self.data), len(text)) + b"JSON" + text + struct.pack("<I", len(self.data)) + b"BIN\0" + self.data)
 
 
-def targets(path, nodes, count, own_weights=False, is_animated=False, has_normals=False):
-    """One mesh with `count` targets that `nodes` nodes show beside one another; in half of its targets a corner moves.
+def targets(path, nodes, count, step=2, own_weights=False, is_animated=False, has_normals=False):
+    """One mesh with `count` targets that `nodes` nodes show `step` beside one another; in half of its targets a corner moves.
 
     own_weights: each node has a list of its own; is_animated: a clip has a channel for each, all of the same keys."""
     file = File()
@@ -43,7 +43,7 @@ def targets(path, nodes, count, own_weights=False, is_animated=False, has_normal
         mesh |= {"targets": [{"POSITION": turned if t % 2 else moved, "NORMAL": moved} for t in range(count)]}
     else:
         mesh |= {"targets": [{"POSITION": turned if t % 2 else moved} for t in range(count)]}
-    shown = [{"mesh": 0, "translation": [2 * n, 0, 0]} | ({"weights": [(n + t) % 9 / 8 for t in range(count)]} if own_weights else {}) for n in range(nodes)]
+    shown = [{"mesh": 0, "translation": [step * n, 0, 0]} | ({"weights": [(n + t) % 9 / 8 for t in range(count)]} if own_weights else {}) for n in range(nodes)]
     more = {}
     if is_animated:
         sampler = {"input": file.accessor([0, 1], "SCALAR", min=[0], max=[1]), "output": file.accessor([0] * count + [1] * count, "SCALAR")}
