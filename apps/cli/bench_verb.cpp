@@ -98,7 +98,8 @@ Command bench_command() {
              {"SCENE",
               "For render: a model or world file, or builtin:teapot; for pose: a model with clips (default: generated)",
               false, false}},
-            apps::joined({options_of_pictures(), options_of_measurement(), apps::common_options()})};
+            apps::joined(
+                {options_of_pictures(), options_of_measurement(), {apps::shader_option()}, apps::common_options()})};
 }
 
 namespace {

@@ -28,7 +28,9 @@ namespace {
 void check_render(const Run& run, const std::string& input, const Scene& scene, Context& context) {
     if (!is_world_file(input)) return;
     const auto takes = [](std::string_view key) { return apps::refuse_options_of_the_run(key), true; };
-    const WorldRequest world = read_world_request(input, run.picture.load, {.values = {}, .accepts = takes}, context);
+    LoadOptions options = run.picture.load;
+    options.allow_shaders = true;  // nothing compiles them here
+    const WorldRequest world = read_world_request(input, options, {.values = {}, .accepts = takes}, context);
     try {
         check_picture(scene, world.picture, context);
     } catch (const Error& error) {

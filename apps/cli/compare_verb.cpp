@@ -214,6 +214,7 @@ Command compare_command() {
             {{"A B", "Two pictures, two folders of pictures, or two scenes to draw; with --engines, scenes"}},
             apps::joined({own_options(),
                           apps::without(apps::picture_options(), {"channels", "channel-files", "exr-colors"}),
+                          {apps::shader_option()},
                           apps::common_options()})};
 }
 

@@ -78,7 +78,8 @@ std::string with_options(std::string text, const std::vector<std::string>& setti
 
 std::string text_of(const Error& error) {
     if (error.code() == ErrorCode::bad_file && file_ending(error.file()) == "toml")
-        return error.what();  // its keys, of a world or a configuration
+        return with_options(error.what(),
+                            {"allow-outside", "allow-shaders"});  // else its keys, of a world or a configuration
     const std::string setting =
         error.setting().empty() || is_positional(error.setting()) ? error.setting() : "--" + error.setting();
     const auto named = [&](const std::string& text) { return with_options(text, error.related()); };

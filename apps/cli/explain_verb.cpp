@@ -36,7 +36,8 @@ Command explain_command() {
             "Explain the color of a pixel, with every number that leads to it",
             explain_footer,
             {{"MODEL", models_help}},
-            apps::joined({{pixel, output}, apps::input_options(), options, apps::common_options()})};
+            apps::joined(
+                {{pixel, output}, apps::input_options(), options, {apps::shader_option()}, apps::common_options()})};
 }
 
 namespace {

@@ -48,7 +48,7 @@ Command render_command() {
                           apps::input_options(),
                           apps::picture_options(),
                           sequence_options(),
-                          {stats, partial},
+                          {stats, partial, apps::shader_option()},
                           reference_options(),
                           apps::common_options()})};
 }

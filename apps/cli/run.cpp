@@ -90,6 +90,7 @@ Run run_of(const Command& command, apps::CommandLine line) {
     if (given.has("threads")) run.threads = values::integer("threads", given.word("threads"), 1, 1024);
     if (given.has("max-memory")) run.max_memory = values::byte_size("max-memory", given.word("max-memory"));
     run.picture.load.allow_outside = given.has("allow-outside");
+    run.picture.load.allow_shaders = given.has("allow-shaders");
     run.picture.output = path_of_uri(given.word("output"));
     run.picture.look = Look::standard;
     if (given.has("config")) take_config(run);

@@ -31,7 +31,8 @@ Command stages_command() {
             "Show the result of each pipeline stage for a model, as a web page",
             stages_footer,
             {{"MODEL", models_help}},
-            apps::joined({{folder, single}, apps::input_options(), options, apps::common_options()})};
+            apps::joined(
+                {{folder, single}, apps::input_options(), options, {apps::shader_option()}, apps::common_options()})};
 }
 
 int run_stages(const Run& run) {

@@ -287,6 +287,11 @@ std::vector<Option> picture_options() {
     return options;
 }
 
+Option shader_option() {
+    return {"allow-shaders", "Machine", "",
+            "Let [render] of a world file name GLSL files, which the OpenGL driver compiles and runs", Form::flag};
+}
+
 void hide_drawn_lines(std::vector<Option>& options) {
     for (const char* name : {"edges", "wireframe", "points", "point-sprites"}) find(options, name).is_hidden = true;
 }

@@ -13,6 +13,9 @@ std::vector<std::string> engine_words();
 /// All, in the order of the help.
 std::vector<Option> picture_options();
 
+/// Of commands that draw or look into pictures: --allow-shaders.
+Option shader_option();
+
 /// For commands that look into surfaces: --edges and the like are refused with their own message, so the help leaves them
 /// out.
 void hide_drawn_lines(std::vector<Option>& options);

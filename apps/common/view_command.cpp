@@ -9,9 +9,10 @@ Command view_command() {
     const Option stats = {
         "stats", "Output", "",
         "Print on exit how long the first picture, the window's longest pause and pictures in motion took", Form::flag};
-    std::vector<Option> options = without(joined({{input_options()[0]}, picture_options(), {stats}, common_options()}),
-                                          {"window", "channels", "channel-files", "exr-colors", "config", "json",
-                                           "grid", "axis", "filename", "metadata", "bar"});
+    std::vector<Option> options =
+        without(joined({{input_options()[0]}, picture_options(), {stats, shader_option()}, common_options()}),
+                {"window", "channels", "channel-files", "exr-colors", "config", "json", "grid", "axis", "filename",
+                 "metadata", "bar"});
     find(options, "resolution").help = "Size of the window in pixels, also WxH";
     return {"view",
             "Open models in a window",
@@ -21,8 +22,9 @@ Command view_command() {
 }
 
 void refuse_options_of_the_run(std::string_view key) {
-    for (const std::string_view name : {"output", "help", "json", "quiet", "verbose", "stats", "threads", "max-memory",
-                                        "allow-outside", "config", "recursive", "format", "as-one", "watch"})
+    for (const std::string_view name :
+         {"output", "help", "json", "quiet", "verbose", "stats", "threads", "max-memory", "allow-outside",
+          "allow-shaders", "config", "recursive", "format", "as-one", "watch"})
         if (key == name)
             throw Error(ErrorCode::bad_file, "'" + std::string(key) + "' is an option of the command line only");
 }

@@ -27,6 +27,7 @@ Start start_of(const apps::Command& command, const apps::CommandLine& line) {
     Start start{.files = line.positionals, .settings = given.settings()};
     start.takes = [&command](std::string_view key) { return apps::takes_setting(command, key); };
     start.load.allow_outside = given.has("allow-outside");
+    start.load.allow_shaders = given.has("allow-shaders");
     if (given.has("threads")) start.threads = values::integer("threads", given.word("threads"), 1, 1024);
     if (given.has("max-memory")) start.max_memory = values::byte_size("max-memory", given.word("max-memory"));
     start.wants_stats = given.has("stats");

@@ -219,6 +219,7 @@ std::string command_line_of(const Look& look, const Model& model, int width, int
     PictureRequest request = request_of(look, width, height);
     std::string text = "rakelight render " + quoted(model.file) + " -o " + quoted(stem_of(model.file) + ".png");
     if (request.load.allow_outside) text += " --allow-outside";
+    if (request.load.allow_shaders) text += " --allow-shaders";
     text += " --look plain";  // what the default look chose is reported below
     const bool is_listed = !request.settings.material_shading && request.settings.shading == Shading::phong;
     if (is_listed) text += " --shading phong";  // the default, but here it takes away what materials say

@@ -22,6 +22,7 @@ struct MemoryFile {
 /// Options of load().
 struct LoadOptions {
     bool allow_outside = false;  ///< references may leave the model's folder tree
+    bool allow_shaders = false;  ///< [render] of a world file may name GLSL files, which the OpenGL driver runs
     std::vector<MemoryFile> memory_files{};
     /// Paths of further inputs. load() merges them into the scene of `path`. Each input keeps its coordinates.
     std::vector<std::string> joined{};

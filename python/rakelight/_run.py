@@ -114,6 +114,7 @@ _elsewhere = {
     "threads": "use set_threads()",
     "output": "use render_file() or Picture.save()",
     "allow-outside": "it is an argument of load()",
+    "allow-shaders": "it is an argument of load()",
     "max-memory": "it is an argument of load() and of Session",
     "turntable": "draw the frames with Session and Camera.orbit()",
     "frames": "draw each frame with animation_time",

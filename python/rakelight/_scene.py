@@ -233,11 +233,14 @@ def _mesh(core: _core.Scene, index: int) -> Mesh:
     )
 
 
-def load(path: Path, *, allow_outside: bool = False, max_memory: int = 0, progress: Progress = None) -> Scene:
+def load(
+    path: Path, *, allow_outside: bool = False, allow_shaders: bool = False, max_memory: int = 0, progress: Progress = None
+) -> Scene:
     """Loads a model (glTF, GLB, OBJ, PLY, FBX, DAE, 3DS, STL, ...), a world (.scene.toml), or ``"builtin:teapot"``.
 
     Args:
         allow_outside: the file may refer to files outside of its own folder
+        allow_shaders: a world may name GLSL files in [render], which the OpenGL driver compiles and runs
         max_memory: [bytes] that its data may ask for; 0: 2 GiB, or 64 bytes for each byte of its files
     Raises:
         NotFoundError, BadFileError: with file and place
@@ -246,7 +249,7 @@ def load(path: Path, *, allow_outside: bool = False, max_memory: int = 0, progre
     if isinstance(path, (bytes, bytearray, memoryview)):
         raise UsageError("a file's name is expected, not bytes; load_bytes(data, 'model.glb') loads what lies in memory")
     with told(progress) as tell:
-        core, rows = _core.load(name_of(path), bool(allow_outside), threads(), memory, tell)
+        core, rows = _core.load(name_of(path), bool(allow_outside), bool(allow_shaders), threads(), memory, tell)
     return Scene(core, remarks_of(rows))
 
 

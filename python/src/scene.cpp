@@ -54,11 +54,12 @@ py::tuple derived(const SceneHandle& from, Scene scene, Runner& runner) {
                           remarks_of(runner.context().report()));
 }
 
-py::tuple load_file(const std::string& path, bool allow_outside, int threads, std::uint64_t max_memory,
+py::tuple load_file(const std::string& path, bool allow_outside, bool allow_shaders, int threads, std::uint64_t max_memory,
                     const py::object& progress) {
     Runner runner(threads, max_memory);
     LoadOptions options;
     options.allow_outside = allow_outside;
+    options.allow_shaders = allow_shaders;
     SceneHandle handle{runner.run(progress, [&] { return load(path, options, runner.context()); }),
                        is_world_file(path) ? absolute(path) : std::string(), options};
     make_paths_absolute(handle);

@@ -141,7 +141,8 @@ Scene turned_for_output(const ModelRewrite& model, const Scene& after, Report& r
 bool has_z_up(const ModelRewrite& model, Context& context) {
     const std::string& source = model.before.source;
     if (!is_world_file(source)) return is_z_up(source, model.load.joined);
-    const std::optional<dvec3> up = request_of_world(source, model.load, context).view.world_up;
+    const RenderOverrides axis{.accepts = [](std::string_view key) { return key == "up"; }};
+    const std::optional<dvec3> up = read_world_request(source, model.load, axis, context).picture.view.world_up;
     const bool is_z = up == dvec3{0, 0, 1};
     if (up && !is_z && *up != dvec3{0, 1, 0})
         context.report().add(Remark::warning, model.output, {},

@@ -13,6 +13,10 @@
 namespace rakelight {
 namespace {
 
+bool names_lighting_file(const WorldValue& value) {
+    return value.key == "lighting" && !value.words.empty() && is_lighting_file(value.words[0]);
+}
+
 bool has(std::span<const WorldValue> values, std::string_view key) {
     return std::ranges::find(values, key, &WorldValue::key) != values.end();
 }
@@ -47,11 +51,21 @@ void check_flag(const WorldValue& value, const RenderKey& key) {
         throw Error(ErrorCode::bad_file, "'" + value.key + "' must be true or false");
 }
 
+bool names_shader(const WorldValue& value) { return value.key == "vertex-shader" || names_lighting_file(value); }
+
+/// A world comes from anywhere, and a driver's compiler bounds neither its memory nor its time (docs/untrusted-files.md).
+void refuse_shader(const WorldValue& value) {
+    const std::string file = value.words.empty() ? "" : " '" + one_line(value.words[0], 80) + "'";
+    throw Error(ErrorCode::bad_file, "a world may not name the GLSL file" + file + " by itself", {},
+                "use 'allow-shaders' if you trust the file")
+        .naming({"allow-shaders"});
+}
+
 /// Separates the file's settings into applied and overridden ones.
 class Taking {
 public:
-    Taking(const std::string& path, const RenderOverrides& overrides, bool allow_outside)
-        : path_(path), overrides_(overrides), allow_outside_(allow_outside) {}
+    Taking(const std::string& path, const RenderOverrides& overrides, const LoadOptions& options)
+        : path_(path), overrides_(overrides), options_(options) {}
 
     void take(WorldValue value) {
         try {
@@ -60,7 +74,8 @@ public:
             if (is_overridden(overrides_.values, value.key)) return overridden.push_back(value.key);
             if (!is_wanted) return;
             check_flag(value, key);
-            if (names_files(value)) resolve(value, path_, allow_outside_);
+            if (!options_.allow_shaders && names_shader(value)) refuse_shader(value);
+            if (names_files(value)) resolve(value, path_, options_.allow_outside);
             taken.push_back(std::move(value));
         } catch (const Error& error) {
             const ErrorCode code = error.code() == ErrorCode::usage ? ErrorCode::bad_file : error.code();
@@ -74,7 +89,7 @@ public:
 private:
     const std::string& path_;
     const RenderOverrides& overrides_;
-    bool allow_outside_;
+    const LoadOptions& options_;
 };
 
 /// The settings of an error: the first word of the main one, then the related ones.
@@ -103,8 +118,7 @@ std::optional<Error> disagreement(const Error& error, const WorldRequest& world,
 
 bool names_files(const WorldValue& value) {
     const RenderKey* const key = find_render_key(value.key);
-    return (key && key->kind == RenderKey::Kind::file) ||
-           (value.key == "lighting" && !value.words.empty() && is_lighting_file(value.words[0]));
+    return (key && key->kind == RenderKey::Kind::file) || names_lighting_file(value);
 }
 
 bool sets_preset(std::span<const WorldValue> settings) {
@@ -131,7 +145,7 @@ namespace {
 
 WorldRequest request_of(std::vector<WorldValue> render, const std::string& path, const LoadOptions& options,
                         const RenderOverrides& overrides, Look look) {
-    Taking taking(path, overrides, options.allow_outside);
+    Taking taking(path, overrides, options);
     for (WorldValue& value : render) taking.take(std::move(value));
     WorldRequest world;
     world.picture.input = path;
@@ -162,7 +176,12 @@ WorldRequest read_world_request(const std::string& path, const LoadOptions& opti
 
 WorldRequest read_settings_file(const std::string& path, const LoadOptions& options, const RenderOverrides& overrides,
                                 Context& context) {
-    return request_of(io::world::read_settings(path, context), path, options, overrides, Look::plain);
+    LoadOptions trusted = options;
+    trusted.allow_shaders |=
+        !is_world_file(path);  // settings that the user wrote, unlike a world, which may be anybody's
+    WorldRequest request = request_of(io::world::read_settings(path, context), path, trusted, overrides, Look::plain);
+    request.picture.load.allow_shaders = options.allow_shaders;
+    return request;
 }
 
 PictureRequest request_of_world(const std::string& path, const LoadOptions& options, Context& context) {

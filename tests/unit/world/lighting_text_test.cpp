@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include <rakelight/request.h>
+#include <rakelight/tools/settings_file.h>
 
 #include "support/temporary_folder.h"
 #include "support/thrown_error.h"
@@ -63,11 +64,54 @@ TEST(LightingText, AWorldNamesItFromItsFolderAndNotBeyond) {
     const std::string inside =
         folder.write("a.scene.toml", "[[primitive]]\ntype = \"sphere\"\n[render]\nlighting = \"steps.glsl\"\n");
     Context context;
-    EXPECT_EQ(request_of_world(inside, {}, context).settings.lighting_text, text);
+    EXPECT_EQ(request_of_world(inside, {.allow_shaders = true}, context).settings.lighting_text, text);
     folder.write("in/b.scene.toml", "[[primitive]]\ntype = \"sphere\"\n[render]\nlighting = \"../steps.glsl\"\n");
-    const Error error =
-        test::error_of([&] { request_of_world((folder.path() / "in/b.scene.toml").string(), {}, context); });
+    const Error error = test::error_of(
+        [&] { request_of_world((folder.path() / "in/b.scene.toml").string(), {.allow_shaders = true}, context); });
     EXPECT_EQ(error.code(), ErrorCode::bad_file) << error.what();
+    EXPECT_NE(error.reason().find("leaves"), std::string::npos) << error.what();
+}
+
+TEST(LightingText, AWorldNamesGlslOnlyWhereThatIsAllowed) {
+    const test::TemporaryFolder folder;
+    folder.write("steps.glsl", text);
+    Context context;
+    for (const char* const key : {"lighting", "vertex-shader"}) {
+        const std::string world = folder.write(
+            "a.scene.toml", "[[primitive]]\ntype = \"sphere\"\n[render]\n" + std::string(key) + " = \"steps.glsl\"\n");
+        const Error error = test::error_of([&] { request_of_world(world, {}, context); });
+        EXPECT_EQ(error.code(), ErrorCode::bad_file);
+        EXPECT_EQ(error.place(), "line 4, column 1") << error.what();
+        EXPECT_EQ(error.setting(), key);
+        EXPECT_EQ(error.related(), std::vector<std::string>{"allow-shaders"});
+    }
+    const std::string plain =
+        folder.write("b.scene.toml", "[[primitive]]\ntype = \"sphere\"\n[render]\nlighting = \"ward\"\n");
+    EXPECT_EQ(request_of_world(plain, {}, context).settings.lighting, Lighting::ward) << "a word names no file";
+}
+
+TEST(LightingText, WhatTheCallerGivesNeedsNoPermission) {
+    const test::TemporaryFolder folder;
+    const std::string mine = folder.write("mine.glsl", text);
+    const std::string world =
+        folder.write("a.scene.toml", "[[primitive]]\ntype = \"sphere\"\n[render]\nlighting = \"other.glsl\"\n");
+    Context context;
+    const WorldRequest request =
+        read_world_request(world, {}, {.values = {{.key = "lighting", .words = {mine}}}}, context);
+    EXPECT_EQ(request.picture.settings.lighting_name, mine) << "that of the world is not read";
+}
+
+TEST(LightingText, SettingsOfTheUsersOwnMayNameGlslButNotThoseInAWorld) {
+    const test::TemporaryFolder folder;
+    folder.write("steps.glsl", text);
+    Context context;
+    const char* const render = "[render]\nlighting = \"steps.glsl\"\n";
+    const std::string own = folder.write("mine.toml", render), world = folder.write("a.scene.toml", render);
+    const WorldRequest request = read_settings_file(own, {}, {}, context);
+    EXPECT_EQ(request.picture.settings.lighting_text, text);
+    EXPECT_FALSE(request.picture.load.allow_shaders) << "it permits nothing to the worlds that are drawn";
+    EXPECT_EQ(test::error_of([&] { read_settings_file(world, {}, {}, context); }).related(),
+              std::vector<std::string>{"allow-shaders"});
 }
 
 constexpr const char* moving =
@@ -113,14 +157,15 @@ TEST(UniformKey, AWorldGivesValuesAndNamesTheFileFromItsFolder) {
                                            "[[primitive]]\ntype = \"plane\"\n[render]\nvertex-shader = \"move.glsl\"\n"
                                            "uniform = [\"height=0.5\", \"tint=0,0,1\"]\n");
     Context context;
-    const RenderSettings settings = request_of_world(world, {}, context).settings;
+    const LoadOptions allowing{.allow_shaders = true};
+    const RenderSettings settings = request_of_world(world, allowing, context).settings;
     EXPECT_EQ(settings.vertex_text, moving);
     ASSERT_EQ(settings.uniforms.size(), 2u);
     EXPECT_EQ(settings.uniforms[1], (ShaderUniform{"tint", {0, 0, 1}}));
     const std::string wrong = folder.write(
         "b.scene.toml",
         "[[primitive]]\ntype = \"plane\"\n[render]\nvertex-shader = \"move.glsl\"\nuniform = [\"width=0.5\"]\n");
-    const Error error = test::error_of([&] { request_of_world(wrong, {}, context); });
+    const Error error = test::error_of([&] { request_of_world(wrong, allowing, context); });
     EXPECT_EQ(error.code(), ErrorCode::bad_file);
     EXPECT_NE(error.place().find("line 5"), std::string::npos) << error.what();
 }

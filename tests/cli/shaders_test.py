@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""GLSL files that worlds name, and texts that would take a driver's compiler too much memory or time. Standard library only.
+
+  shaders_test.py PROGRAM [unittest arguments]"""
+import os
+import subprocess
+
+import program
+
+LIGHTING = ("RL_FN LightTerms user_terms(RL_IN(MaterialSurface) s, RL_IN(LightSample) light)\n{\n"
+            "    LightTerms terms = no_terms();\n    terms.diffuse = vec3(0.0f, 1.0f, 0.0f);\n    return terms;\n}\n")
+VERTEX = "void user_vertex(RL_INOUT(Vertex) v)\n{\n}\n"
+WORLD = "[[primitive]]\ntype = 'sphere'\n[render]\nengine = 'gl'\nresolution = [64, 48]\n{key} = '{file}'\n"
+MOST_BYTES = 3 << 29
+
+
+class Shaders(program.Case):
+    def setUp(self):
+        super().setUp()
+        self.write("own.glsl", LIGHTING)
+        self.write("move.glsl", VERTEX)
+        self.write("w.scene.toml", WORLD.format(key="lighting", file="own.glsl"))
+        self.write("v.scene.toml", WORLD.format(key="vertex-shader", file="move.glsl"))
+
+    def run_program(self, *arguments, **environment):
+        return super().run_program(*arguments, **{"RAKELIGHT_GL_CACHE": "off", **environment})
+
+    def require_opengl(self):
+        result = self.run_program("render", "builtin:sphere", "-o", "o.png", "--resolution", "8,8", "--engine", "gl")
+        if result.code == 1:
+            self.skipTest(result.err.strip())
+        (self.folder / "o.png").unlink()
+
+    def peak_of(self, *arguments):
+        """(result, the largest memory of the program and of each program that it runs [bytes])"""
+        done = subprocess.Popen([program.PROGRAM, *arguments], cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE, env={**os.environ, "RAKELIGHT_GL_CACHE": "off"})
+        out, err = done.stdout.read(), done.stderr.read()
+        _, status, usage = os.wait4(done.pid, 0)  # of it and of those that it waited for
+        done.returncode = os.waitstatus_to_exitcode(status)
+        done.stdout.close(), done.stderr.close()
+        return program.Result(subprocess.CompletedProcess([], done.returncode, out.decode(), err.decode())), usage.ru_maxrss * 1024
+
+
+class Worlds(Shaders):
+    def test_a_world_names_glsl_only_where_that_is_allowed(self):
+        before = self.files()
+        for command in (("render", "-o", "a.png"), ("explain", "--pixel", "3,3"), ("stages", "-o", "pages"), ("bench", "render"),
+                        ("render", "--turntable", "3", "-o", "{frame}.png"), ("compare", "--engines", "gl,soft"), ("render", "--as-one", "-o", "a.png"),
+                        ("thumbnail",)):
+            for world, key in (("w", "lighting"), ("v", "vertex-shader")):
+                last = ("t.png", "32") if command[0] == "thumbnail" else ()
+                words = (command[:2] if command[0] == "bench" else command[:1]) + (f"{world}.scene.toml", *last) + command[2 if command[0] == "bench" else 1:]
+                self.check_refused(self.run_program(*words), 4, f"{world}.scene.toml", "line 6, column 1", key, "--allow-shaders")
+        self.assertEqual(self.files(), before, "nothing is written")
+
+    def test_it_draws_where_it_is(self):
+        self.require_opengl()
+        result = self.run_program("render", "w.scene.toml", "-o", "a.png", "--allow-shaders")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual(tuple(program.png(self.folder / "a.png")[3][24][96:99]), (0, 255, 0))
+        self.assertEqual(self.run_program("render", "v.scene.toml", "-o", "b.png", "--allow-shaders").code, 0)
+
+    def test_what_the_command_line_names_needs_no_leave(self):
+        self.require_opengl()
+        for arguments in (("builtin:sphere", "--engine", "gl", "--lighting", "own.glsl"), ("w.scene.toml", "--lighting", "own.glsl"),
+                          ("w.scene.toml", "--lighting", "phong")):
+            result = self.run_program("render", *arguments, "-o", "a.png", "--resolution", "8,8")
+            self.assertEqual((result.code, result.err), (0, ""), arguments)
+
+    def test_settings_of_the_users_own_may_name_glsl_but_those_of_worlds_not(self):
+        self.require_opengl()
+        render = "[render]\nengine = 'gl'\nlighting = 'own.glsl'\n"
+        self.write("mine.toml", render)
+        self.write("c.scene.toml", render)
+        draw = ("render", "builtin:sphere", "-o", "a.png", "--resolution", "8,8", "--config")
+        self.assertEqual(self.run_program(*draw, "mine.toml").code, 0)
+        self.check_refused(self.run_program(*draw, "c.scene.toml"), 4, "line 3, column 1", "--allow-shaders")
+        self.assertEqual(self.run_program(*draw, "c.scene.toml", "--allow-shaders").code, 0)
+
+    def test_a_file_cannot_allow_it_to_itself(self):
+        self.write("s.scene.toml", "[render]\nallow-shaders = true\nlighting = 'own.glsl'\n[[primitive]]\ntype = 'sphere'\n")
+        self.check_refused(self.run_program("render", "s.scene.toml", "-o", "a.png"), 4, "line 2", "option of the command line only")
+
+    def test_verbs_that_draw_nothing_read_the_world(self):
+        for command in (("check", "w.scene.toml"), ("inspect", "w.scene.toml"), ("smooth", "w.scene.toml", "-o", "s.glb"), ("convert", "w.scene.toml", "-o", "c.glb")):
+            result = self.run_program(*command)
+            self.assertEqual(result.code, 0, result.err)
+
+    def test_a_watched_world_says_it_too(self):
+        running = subprocess.Popen([program.PROGRAM, "render", "w.scene.toml", "-o", "a.png", "--watch"], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        try:
+            lines = [running.stderr.readline() for _ in range(2)]
+        finally:
+            running.terminate()
+            running.communicate(timeout=60)
+        self.assertTrue(any("--allow-shaders" in line for line in lines), lines)
+
+
+if __name__ == "__main__":
+    program.main()
