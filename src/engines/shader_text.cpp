@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <span>
 
 #include <rakelight/error.h>
 
 #include "base/format_text.h"
+#include "engines/shader_arrays.h"
+#include "engines/shader_macros.h"
+#include "engines/shader_tokens.h"
 
 namespace rakelight {
 namespace {
@@ -16,100 +18,12 @@ namespace {
 constexpr std::size_t most_variables = 64;  ///< of a kind in a text
 constexpr int most_elements = 16;           ///< of an array
 
-bool is_name_char(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
-}
-
-/// A word, a number or one character of another kind.
-struct Token {
-    std::string_view text;
-    std::size_t at = 0;  ///< in the whole text
-    int line = 1;
-};
-
-[[noreturn]] void refuse(const std::string& name, int line, const std::string& reason) {
-    throw Error(ErrorCode::bad_file, reason, "line " + std::to_string(line), "see docs/user-shaders.md")
-        .with_file(one_line(name, 200));
-}
-
-/// The text with blanks in place of comments; lines stay as they are.
-std::string without_comments(const std::string& name, std::string_view text) {
-    std::string out(text);
-    const auto blank = [&out](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i)
-            if (out[i] != '\n') out[i] = ' ';
-    };
-    for (std::size_t at = text.find('/'); at < text.size(); at = text.find('/', at)) {
-        const std::string_view rest = text.substr(at);
-        std::size_t end = at + 1;
-        if (rest.starts_with("//")) {
-            end = std::min(text.find('\n', at), text.size());
-            blank(at, end);
-        } else if (rest.starts_with("/*")) {
-            end = text.find("*/", at + 2);
-            if (end == text.npos)
-                refuse(name, 1 + int(std::ranges::count(text.substr(0, at), '\n')),
-                       "a comment begins that does not end");
-            blank(at, end += 2);
-        }
-        at = end;
-    }
-    return out;
-}
-
-/// The tokens outside of preprocessor lines; #if and brackets that do not end are refused.
-class Tokens {
-public:
-    Tokens(const std::string& name, std::string_view text) : name_(name), text_(text) {
-        while (at_ < text_.size()) take_next();
-        if (!branches_.empty()) refuse(name, branches_.back(), "an #if begins that does not end");
-    }
-    std::vector<Token> all;
-    int last_line() const { return line_; }
-
-private:
-    void take_next() {
-        const char c = text_[at_];
-        if (c == '\n')
-            ++line_, is_line_begin_ = true, ++at_;
-        else if (c == ' ' || c == '\t' || c == '\r')
-            ++at_;
-        else if (c == '#' && is_line_begin_)
-            take_directive();
-        else
-            take_token();
-    }
-    void take_token() {
-        const std::size_t first = at_++;
-        if (is_name_char(text_[first]))
-            while (at_ < text_.size() && is_name_char(text_[at_])) ++at_;
-        all.push_back({text_.substr(first, at_ - first), first, line_});
-        is_line_begin_ = false;
-    }
-    void take_directive() {
-        std::size_t word = text_.find_first_not_of(" \t", at_ + 1);
-        const std::string_view rest = word == text_.npos ? std::string_view() : text_.substr(word);
-        if (rest.starts_with("if")) branches_.push_back(line_);
-        if (rest.starts_with("endif")) {
-            if (branches_.empty()) refuse(name_, line_, "an #endif without its #if");
-            branches_.pop_back();
-        }
-        for (; at_ < text_.size() && text_[at_] != '\n'; ++at_)
-            if (text_[at_] == '\\' && at_ + 1 < text_.size() && text_[at_ + 1] == '\n') ++at_, ++line_;
-    }
-
-    const std::string& name_;
-    std::string_view text_;
-    std::size_t at_ = 0;
-    int line_ = 1;
-    bool is_line_begin_ = true;
-    std::vector<int> branches_;  ///< lines of #if that have not ended
-};
+bool is_word(std::string_view text) { return ShaderToken{text}.is_word(); }
 
 /// Reads declarations; what stands in brackets is passed over.
 class Declarations {
 public:
-    Declarations(const std::string& name, ShaderText& out, const std::vector<Token>& tokens)
+    Declarations(const std::string& name, ShaderText& out, const std::vector<ShaderToken>& tokens)
         : name_(name), out_(out), tokens_(tokens) {
         while (at_ < tokens_.size()) take_statement();
     }
@@ -125,17 +39,18 @@ private:
 
     /// To behind the bracket that closes the one here.
     void pass_brackets() {
-        std::vector<Token> open;
+        std::vector<ShaderToken> open;
         do {
-            const Token& t = tokens_[at_++];
+            const ShaderToken& t = tokens_[at_++];
             if (t.text == "(" || t.text == "{" || t.text == "[") open.push_back(t);
             if (t.text != ")" && t.text != "}" && t.text != "]") continue;
             const std::string_view begin = t.text == ")" ? "(" : t.text == "}" ? "{" : "[";
             if (open.empty() || open.back().text != begin)
-                refuse(name_, t.line, "'" + std::string(t.text) + "' closes nothing");
+                refuse_shader(name_, t.line, "'" + std::string(t.text) + "' closes nothing");
             open.pop_back();
         } while (!open.empty() && at_ < tokens_.size());
-        if (!open.empty()) refuse(name_, open.back().line, "'" + std::string(open.back().text) + "' is not closed");
+        if (!open.empty())
+            refuse_shader(name_, open.back().line, "'" + std::string(open.back().text) + "' is not closed");
     }
 
     /// One declaration or function.
@@ -144,7 +59,8 @@ private:
             const std::string_view word = peek();
             if (word == "uniform" || word == "in" || word == "out") {
                 if (at_ != first)
-                    refuse(name_, line(), "'" + std::string(word) + "' must begin its declaration, without qualifiers");
+                    refuse_shader(name_, line(),
+                                  "'" + std::string(word) + "' must begin its declaration, without qualifiers");
                 return take_declaration();
             }
             if (word.size() == 1 && std::string_view("({[)}]").find(word[0]) != std::string_view::npos) {
@@ -165,16 +81,17 @@ private:
         constexpr std::string_view known[] = {"float", "int", "vec2", "vec3", "vec4"};
         const bool is_known = std::ranges::find(known, type) != std::end(known);
         if (!is_known || (type == "int" && kind != "uniform"))
-            refuse(name_, line(),
-                   format_text("'{} {}' is not supported: declare {}", std::string(kind), one_line(type, 40),
-                               kind == "uniform" ? "float, int, vec2, vec3 or vec4" : "float, vec2, vec3 or vec4"));
+            refuse_shader(
+                name_, line(),
+                format_text("'{} {}' is not supported: declare {}", std::string(kind), one_line(type, 40),
+                            kind == "uniform" ? "float, int, vec2, vec3 or vec4" : "float, vec2, vec3 or vec4"));
         auto& all = kind == "uniform" ? out_.uniforms : kind == "in" ? out_.inputs : out_.outputs;
         do {
             all.push_back(take_variable(type, kind == "uniform"));
             if (all.size() > most_variables)
-                refuse(name_, line(), format_text("more than {} of '{}'", most_variables, std::string(kind)));
+                refuse_shader(name_, line(), format_text("more than {} of '{}'", most_variables, std::string(kind)));
         } while (peek() == "," && ++at_);
-        if (peek() != ";") refuse(name_, line(), "';' is missing after a declaration");
+        if (peek() != ";") refuse_shader(name_, line(), "';' is missing after a declaration");
         const std::size_t end = tokens_[at_++].at + 1;
         for (std::size_t i = begin; i < end; ++i)
             if (out_.body[i] != '\n') out_.body[i] = ' ';
@@ -186,16 +103,16 @@ private:
         ++at_;
         v.value.assign(std::size_t(v.components()), 0.0f);
         if (peek() == "[") {
-            if (is_uniform) refuse(name_, v.line, "'" + v.name + "': a uniform cannot be an array");
+            if (is_uniform) refuse_shader(name_, v.line, "'" + v.name + "': a uniform cannot be an array");
             ++at_;
             const std::string_view count = next();
             const auto [end, fault] = std::from_chars(count.data(), count.data() + count.size(), v.count);
             if (fault != std::errc() || end != count.data() + count.size() || v.count < 1 || v.count > most_elements ||
                 next() != "]")
-                refuse(name_, v.line, format_text("'{}' must have 1 to {} elements", v.name, most_elements));
+                refuse_shader(name_, v.line, format_text("'{}' must have 1 to {} elements", v.name, most_elements));
         }
         if (peek() == "=") {
-            if (!is_uniform) refuse(name_, v.line, "'" + v.name + "': only a uniform can have a value here");
+            if (!is_uniform) refuse_shader(name_, v.line, "'" + v.name + "': only a uniform can have a value here");
             ++at_;
             take_value(v);
         }
@@ -203,17 +120,16 @@ private:
     }
 
     void check_name(const ShaderVariable& v) const {
-        const bool is_word = !v.name.empty() && is_name_char(v.name[0]) && !(v.name[0] >= '0' && v.name[0] <= '9') &&
-                             v.name.find('.') == v.name.npos;
-        if (!is_word) refuse(name_, v.line, "a name is missing in a declaration");
+        if (!is_word(v.name)) refuse_shader(name_, v.line, "a name is missing in a declaration");
         if (v.name.size() > max_uniform_name)
-            refuse(name_, v.line, format_text("a name has more than {} characters", max_uniform_name));
+            refuse_shader(name_, v.line, format_text("a name has more than {} characters", max_uniform_name));
         for (const std::string_view own : {"rl_", "RL_", "gl_", "m_", "v_", "a_", "o_"})
             if (v.name.starts_with(own))
-                refuse(name_, v.line, format_text("'{}': names with '{}' are the engine's", v.name, std::string(own)));
+                refuse_shader(name_, v.line,
+                              format_text("'{}': names with '{}' are the engine's", v.name, std::string(own)));
         for (const auto* const all : {&out_.uniforms, &out_.inputs, &out_.outputs})
             if (std::ranges::find(*all, v.name, &ShaderVariable::name) != all->end())
-                refuse(name_, v.line, "'" + v.name + "' is declared twice");
+                refuse_shader(name_, v.line, "'" + v.name + "' is declared twice");
     }
 
     float take_number(const ShaderVariable& v) {
@@ -229,7 +145,7 @@ private:
         const char* const begin = text.data();
         const auto [end, fault] = std::from_chars(begin, begin + text.size(), value);
         if (fault != std::errc() || end != begin + text.size() || !std::isfinite(value))
-            refuse(name_, v.line, "the value of '" + v.name + "' must be a number, or " + v.type + "(numbers)");
+            refuse_shader(name_, v.line, "the value of '" + v.name + "' must be a number, or " + v.type + "(numbers)");
         return is_negative ? -value : value;
     }
 
@@ -245,16 +161,16 @@ private:
                 if (is_vector) numbers.push_back(take_number(v));
             while (is_vector && numbers.size() < n && peek() == "," && ++at_);
             if (!is_vector || next() != ")" || (numbers.size() != 1 && numbers.size() != n))
-                refuse(name_, v.line, "the value of '" + v.name + "' must be " + v.type + "(numbers)");
+                refuse_shader(name_, v.line, "the value of '" + v.name + "' must be " + v.type + "(numbers)");
             for (std::size_t i = 0; i < n; ++i) v.value[i] = numbers[numbers.size() == 1 ? 0 : i];
         }
         if (v.type == "int" && v.value[0] != std::trunc(v.value[0]))
-            refuse(name_, v.line, "the value of '" + v.name + "' must be a whole number");
+            refuse_shader(name_, v.line, "the value of '" + v.name + "' must be a whole number");
     }
 
     const std::string& name_;
     ShaderText& out_;
-    const std::vector<Token>& tokens_;
+    const std::vector<ShaderToken>& tokens_;
     std::size_t at_ = 0;
 };
 
@@ -263,8 +179,9 @@ private:
 ShaderText parse_shader_text(const std::string& name, std::string_view text) {
     ShaderText out{.body = std::string(text)};
     const std::string code = without_comments(name, text);
-    const Tokens tokens(name, code);
-    out.last_line = tokens.last_line();
+    const ShaderTokens tokens = shader_tokens(name, code);
+    check_shader_arrays(name, expanded_macros(name, tokens));
+    out.last_line = tokens.last_line;
     if (!tokens.all.empty()) Declarations(name, out, tokens.all);
     return out;
 }

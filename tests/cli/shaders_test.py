@@ -98,5 +98,33 @@ class Worlds(Shaders):
         self.assertTrue(any("--allow-shaders" in line for line in lines), lines)
 
 
+class Bombs(Shaders):
+    """Texts that took the driver's compiler 12 GB and minutes, or 4.7 GB."""
+
+    def check_bomb(self, name, text, *words):
+        self.write(name, text)
+        self.write("b.scene.toml", WORLD.format(key="lighting", file=name))
+        result, peak = self.peak_of("render", "b.scene.toml", "-o", "a.png")
+        self.check_refused(result, 4, "b.scene.toml", "line 6", "--allow-shaders")
+        self.assertLess(peak, 200 << 20)
+        for arguments in (("b.scene.toml", "--allow-shaders"), ("builtin:sphere", "--engine", "gl", "--lighting", name)):
+            result, peak = self.peak_of("render", *arguments, "-o", "a.png", "--resolution", "64,48")
+            self.check_refused(result, 4, name, *words)
+            self.assertLess(peak, MOST_BYTES)
+        self.assertNotIn("a.png", self.files())
+
+    def test_nested_macros(self):
+        self.check_bomb("macro.glsl", "#define A(x) x x x x x x x x x x\n#define B(x) A(A(A(A(A(A(A(x)))))))\nfloat q=0.0;\nvoid g(){B(q+=1.0;)}\n" + LIGHTING,
+                        "macro.glsl: line 4", "200000 tokens")
+
+    def test_macros_that_double(self):
+        doubling = "#define A0 x += 1.0;\n" + "".join(f"#define A{i + 1} A{i} A{i}\n" for i in range(30))
+        self.check_bomb("double.glsl", doubling + LIGHTING.replace("    return", "    float x = 0.0; A30\n    return"), "double.glsl: line 36", "200000 tokens")
+
+    def test_large_local_arrays(self):
+        for declaration in ("float a[200000000];", "const int N = 1 << 28; float a[N];", "struct S { float a[1000][1000]; }; S a[3];"):
+            self.check_bomb("arr.glsl", LIGHTING.replace("    return", f"    {declaration}\n    return"), "arr.glsl: line 5", "65536 numbers")
+
+
 if __name__ == "__main__":
     program.main()
