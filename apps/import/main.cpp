@@ -23,10 +23,10 @@
 #include <rakelight/tools/current_error.h>
 #include <rakelight/tools/file_ending.h>
 
+#include "../common/helper_limits.h"
 #include "convert.h"
 #include "folder_io.h"
 #include "io/import/stream_writer.h"
-#include "limits.h"
 
 namespace rakelight::import_helper {
 namespace {
@@ -206,7 +206,7 @@ int main(int argc, char** argv) {
         std::fputs("rakelight-import is started by rakelight; use that\n", stderr);
         return 2;
     }
-    rakelight::import_helper::limit_this_process(options.memory_bytes, options.seconds);
+    rakelight::apps::limit_this_process(options.memory_bytes, options.seconds);
     try {
         return rakelight::import_helper::run(options);
     } catch (...) {  // no memory for as much as a refusal: the reader says that this ended early

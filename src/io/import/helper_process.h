@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The helper executable as a child process: found, started, read from with a deadline, and always ended afterwards.
+// The import helper as a child process.
 #pragma once
-#include <chrono>
 #include <string>
 
 #include <rakelight/context.h>
 
+#include "base/child_process.h"
 #include "io/import/stream_reader.h"
 
 namespace rakelight::io {
@@ -26,21 +26,14 @@ struct HelperLimits {
 class HelperProcess final : public import_stream::Source {
 public:
     HelperProcess(const std::string& helper, const std::string& model, const HelperLimits& limits, Context& context);
-    ~HelperProcess() override;
-    HelperProcess(const HelperProcess&) = delete;
-    HelperProcess& operator=(const HelperProcess&) = delete;
     /// @throws Error bad_file: crashed, out of time, ended too early; failed: cancelled.
     void read(std::span<std::byte> to) override;
 
 private:
-    void wait_for_bytes();
     [[noreturn]] void ended_early();
-    void kill_and_reap() noexcept;
     Context& context_;
     HelperLimits limits_;
-    std::chrono::steady_clock::time_point deadline_;
-    int pipe_ = -1;
-    int child_ = -1;
+    ChildProcess child_;
 };
 
 }  // namespace rakelight::io

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "limits.h"
+#include "helper_limits.h"
 
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
-namespace rakelight::import_helper {
+namespace rakelight::apps {
 namespace {
 
-void limit(int what, rlim_t value) {
-    const rlimit both{value, value};
+/// @param last  the limit that ends the process without a signal that names it
+void limit(int what, rlim_t value, rlim_t last) {
+    const rlimit both{value, last};
     setrlimit(__rlimit_resource_t(what),
               &both);  // a lower limit that is already there makes this fail, which is as good
 }
+void limit(int what, rlim_t value) { limit(what, value, value); }
 
 }  // namespace
 
@@ -22,7 +24,7 @@ void limit_this_process(std::uint64_t memory_bytes, std::uint64_t seconds) {
 #else
     static_cast<void>(memory_bytes);
 #endif
-    limit(RLIMIT_CPU, seconds);
+    limit(RLIMIT_CPU, seconds, seconds + 1);  // SIGXCPU says why
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, 0);
     limit(RLIMIT_NOFILE, 64);
@@ -30,4 +32,4 @@ void limit_this_process(std::uint64_t memory_bytes, std::uint64_t seconds) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 }
 
-}  // namespace rakelight::import_helper
+}  // namespace rakelight::apps
