@@ -4,6 +4,8 @@
 
   shaders_test.py PROGRAM [unittest arguments]"""
 import os
+import pathlib
+import shutil
 import subprocess
 
 import program
@@ -124,6 +126,63 @@ class Bombs(Shaders):
     def test_large_local_arrays(self):
         for declaration in ("float a[200000000];", "const int N = 1 << 28; float a[N];", "struct S { float a[1000][1000]; }; S a[3];"):
             self.check_bomb("arr.glsl", LIGHTING.replace("    return", f"    {declaration}\n    return"), "arr.glsl: line 5", "65536 numbers")
+
+    def test_functions_that_double_pass_the_counts_and_end_in_the_check(self):
+        self.require_opengl()
+        calls = "float f0(float x) { return sin(x) * x; }\n" + "".join(f"float f{i + 1}(float x) {{ return f{i}(x) + f{i}(x * 1.1); }}\n" for i in range(30))
+        self.write("calls.glsl", calls + LIGHTING.replace("    return", "    terms.diffuse *= f30(s.roughness);\n    return"))
+        result, peak = self.peak_of("render", "builtin:sphere", "--engine", "gl", "--lighting", "calls.glsl", "-o", "a.png", "--resolution", "64,48")
+        self.check_refused(result, 4, "calls.glsl", "needs more than 1024 MiB")
+        self.assertLess(peak, MOST_BYTES)
+        self.assertNotIn("a.png", self.files())
+
+
+class Check(Shaders):
+    """The process in which texts go through the driver first."""
+
+    def setUp(self):
+        super().setUp()
+        self.require_opengl()
+
+    def wrapper(self, body):
+        path = self.write("check.sh", f"#!/bin/sh\n{body}\n")
+        path.chmod(0o755)
+        return str(path)
+
+    def draw(self, *arguments, **environment):
+        return self.run_program("render", "builtin:sphere", "--engine", "gl", "--resolution", "32,32", "-o", "a.png", *arguments, **environment)
+
+    def test_a_text_is_checked_once_for_all_pictures(self):
+        real = pathlib.Path(program.PROGRAM).parent / "rakelight-shader-check"
+        counting = self.wrapper(f'echo x >> "{self.folder}/log"; exec "{real}" "$@"')
+        result = self.run_program("render", "builtin:sphere", "--engine", "gl", "--lighting", "own.glsl", "--resolution", "32,32", "-o", "f{frame}.png",
+                                  "--turntable", "5", RAKELIGHT_SHADER_CHECK=counting)
+        self.assertEqual(result.code, 0, result.err)
+        self.assertEqual((self.folder / "log").read_text(), "x\n")
+        self.assertEqual(self.draw(RAKELIGHT_SHADER_CHECK=counting).code, 0)
+        self.assertEqual((self.folder / "log").read_text(), "x\n", "without a text of the user's there is nothing to check")
+
+    def test_one_that_is_not_there_or_misbehaves_is_one_line(self):
+        lighting = ("--lighting", "own.glsl")
+        self.check_refused(self.draw(*lighting, RAKELIGHT_SHADER_CHECK="/no/such"), 1, "RAKELIGHT_SHADER_CHECK names '/no/such'")
+        self.check_refused(self.draw(*lighting, RAKELIGHT_SHADER_CHECK=self.wrapper("kill -SEGV $$")), 4, "own.glsl", "crashes on it")
+        self.check_refused(self.draw(*lighting, RAKELIGHT_SHADER_CHECK=self.wrapper("kill -XCPU $$")), 4, "own.glsl", "more than 10 s")
+        self.check_refused(self.draw(*lighting, RAKELIGHT_SHADER_CHECK=self.wrapper("echo maybe")), 1, "answers something else")
+        away = shutil.copy(program.PROGRAM, self.folder / "rakelight")
+        result = program.Result(subprocess.run([away, "render", "builtin:sphere", "--engine", "gl", "--lighting", "own.glsl", "-o", "a.png"],
+                                               cwd=self.folder, capture_output=True, text=True, env={**os.environ, "RAKELIGHT_GL_CACHE": "off"}))
+        if result.code != 0:  # else one is installed
+            self.check_refused(result, 1, "rakelight-shader-check, which is not there", "RAKELIGHT_SHADER_CHECK")
+
+    def test_the_check_writes_no_file_and_takes_only_what_it_is_given(self):
+        real = pathlib.Path(program.PROGRAM).parent / "rakelight-shader-check"
+        for words in ((), ("--memory", "0", "--seconds", "1"), ("--memory", "1000000000", "--seconds", "x")):
+            done = subprocess.run([real, *words], capture_output=True, text=True, stdin=subprocess.DEVNULL)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn("is started by rakelight", done.stderr)
+        for text in (b"", b"12", b"99999\nvoid", b"-1\nvoid"):
+            done = subprocess.run([real, "--memory", "1000000000", "--seconds", "10"], capture_output=True, input=text)
+            self.assertEqual((done.returncode, done.stdout), (2, b""), text)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@
 #include <rakelight/error.h>
 
 #include "engines/opengl/program_cache.h"
+#include "engines/opengl/shader_check.h"
 
 namespace rakelight::opengl {
 namespace {
@@ -24,61 +25,32 @@ namespace {
         .about(is_vertex ? "vertex-shader" : "lighting");
 }
 
-class Shader {
-public:
-    Shader(GLenum stage, const std::string& lines) : name_(glCreateShader(stage)) {
-        const char* const source = lines.c_str();
-        glShaderSource(name_, 1, &source, nullptr);
-        glCompileShader(name_);
-    }
-    Shader(const Shader&) = delete;
-    Shader& operator=(const Shader&) = delete;
-    ~Shader() { glDeleteShader(name_); }
-    GLuint name() const { return name_; }
-    bool is_good() const {
-        GLint good = 0;
-        glGetShaderiv(name_, GL_COMPILE_STATUS, &good);
-        return good != 0;
-    }
-    std::string log() const {
-        std::string words(4096, '\0');
-        GLsizei length = 0;
-        glGetShaderInfoLog(name_, GLsizei(words.size()), &length, words.data());
-        return words.substr(0, std::size_t(length));
-    }
-
-private:
-    GLuint name_;
-};
-
-bool is_linked(GLuint program) {
-    GLint good = 0;
-    glGetProgramiv(program, GL_LINK_STATUS, &good);
-    return good != 0;
+[[noreturn]] void fail(const CompileFault& fault, const ProgramText& text) {
+    if (fault.part == CompileFault::Part::pixels)
+        fail(named_fault(fault.log, text.pixels.files), text.pixels.user(), false);
+    const bool is_vertex = text.has_vertex_shader;
+    if (fault.part == CompileFault::Part::vertices)
+        fail(named_fault(fault.log, text.vertices.files), text.vertices.user(), is_vertex);
+    fail(fault.log.substr(0, fault.log.find('\n')), is_vertex ? text.vertices.user() : text.pixels.user(), is_vertex);
 }
 
 void compile(GLuint program, const ProgramText& text, std::span<const char* const> caught = {}) {
-    // Pixels first: the vertices may have the lighting's text, too.
-    const Shader pixels(GL_FRAGMENT_SHADER, text.pixels.text), vertices(GL_VERTEX_SHADER, text.vertices.text);
-    if (!pixels.is_good()) fail(named_fault(pixels.log(), text.pixels.files), text.pixels.user(), false);
-    if (!vertices.is_good()) {
-        const bool is_vertex = text.has_vertex_shader;
-        fail(named_fault(vertices.log(), text.vertices.files), text.vertices.user(), is_vertex);
-    }
-    glAttachShader(program, vertices.name());
-    glAttachShader(program, pixels.name());
-    if (!caught.empty())
-        glTransformFeedbackVaryings(program, GLsizei(caught.size()), caught.data(), GL_SEPARATE_ATTRIBS);
-    glLinkProgram(program);
-    glDetachShader(program, vertices.name());
-    glDetachShader(program, pixels.name());
-    if (is_linked(program)) return;
-    std::string words(4096, '\0');
-    GLsizei length = 0;
-    glGetProgramInfoLog(program, GLsizei(words.size()), &length, words.data());
-    words = words.substr(0, std::size_t(length));
-    words = words.substr(0, words.find('\n'));
-    fail(words, text.has_vertex_shader ? text.vertices.user() : text.pixels.user(), text.has_vertex_shader);
+    if (const auto fault = compile_program(program, {text.vertices.text, text.pixels.text}, caught)) fail(*fault, text);
+}
+
+/// A text of the user's compiles here once it has done so elsewhere.
+void check_apart(const ProgramText& text) try {
+    if (text.pixels.user().empty() && text.vertices.user().empty()) return;
+    if (const auto fault = checked_apart(text)) fail(*fault, text);
+} catch (const Error& error) {
+    if (error.code() != ErrorCode::bad_file || !error.setting().empty()) throw;
+    const std::string& lighting = text.pixels.user();
+    const std::string both = lighting.empty() ? text.vertices.user()
+                             : text.vertices.user().empty() || text.vertices.user() == lighting
+                                 ? lighting
+                                 : lighting + " and " + text.vertices.user();
+    throw Error(ErrorCode::bad_file, both + ": " + error.reason(), {}, "see docs/user-shaders.md")
+        .about(lighting.empty() ? "vertex-shader" : "lighting");
 }
 
 /// Names of uniforms -> places; samplers -> units.
@@ -143,6 +115,7 @@ std::unique_ptr<Program> Programs::make_of(const ProgramText& text, const Featur
     const GLuint name = program->name.get();
     const ProgramCache cache(driver_, text);
     if (!cache.load(name) || !is_linked(name)) {
+        check_apart(text);
         cache.prepare(name);
         compile(name, text);
         cache.store(name);
