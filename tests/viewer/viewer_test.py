@@ -289,6 +289,14 @@ class Viewer(Case):
         self.addCleanup(process.kill)
         self.assertRegex(process.stderr.readline(), "^rakelight: error: .*nowhere.glb")
 
+    def test_a_world_that_names_glsl_is_told_of_too(self):
+        (self.folder / "own.glsl").write_text("user_terms")
+        (self.folder / "w.scene.toml").write_text("[[primitive]]\ntype = 'sphere'\n[render]\nlighting = 'own.glsl'\n")
+        process = subprocess.Popen([support.VIEWER, "w.scene.toml"], cwd=self.folder, stderr=subprocess.PIPE, text=True, env=dict(os.environ, XDG_CONFIG_HOME=str(self.folder)))
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        self.assertRegex(process.stderr.readline(), "^rakelight: error: .*w.scene.toml: line 4, column 1: .*allow-shaders")
+
 
 if __name__ == "__main__":
     sys.exit(support.main())

@@ -29,7 +29,7 @@ protected:
         return (folder_.path() / "model.obj").string();
     }
     std::shared_ptr<const Model> model(const std::string& file) {
-        Start start;
+        Start start{.load = {.allow_shaders = true}};
         start.takes = [](std::string_view) { return true; };
         return load_model(file, start, context_);
     }

@@ -110,6 +110,21 @@ TEST_F(Looks, LightingFilesOfSavedScenesAreFoundFromAnywhere) {
     EXPECT_TRUE(look.request.settings.lighting_text.empty()) << "another lighting model takes its place";
 }
 
+TEST_F(Looks, AWorldThatNamesGlslOpensOnlyWhereThatIsAllowed) {
+    write_model();
+    folder_.write("steps.glsl", "user_terms");
+    const std::string world = world_with(folder_, "lighting = 'steps.glsl'\n");
+    try {
+        load_model(world, {}, context_);
+        ADD_FAILURE() << "it is opened";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.place(), "line 4, column 1");
+        EXPECT_EQ(error.related(), std::vector<std::string>{"allow-shaders"});
+    }
+    const auto m = model(world);
+    EXPECT_NE(command_line_of(first_look(*m), *m, width, height).find(" --allow-shaders"), std::string::npos);
+}
+
 TEST_F(Looks, ChangedLightsGoOverTheDefaultOnes) {
     write_model();
     const auto m = model(world_with(folder_, "light = 'default'\n"));
