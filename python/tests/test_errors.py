@@ -68,6 +68,17 @@ def test_every_option_of_the_program_is_a_setting_or_is_said_to_be_none(teapot):
             assert f"`--{name}`" in page or name.startswith("ref-"), name
 
 
+def test_worlds_name_glsl_only_where_that_is_allowed(tmp_path):
+    (tmp_path / "own.glsl").write_text("LightTerms user_terms(MaterialSurface s, LightSample light) { return no_terms(); }\n")
+    world = tmp_path / "a.scene.toml"
+    world.write_text("[[primitive]]\ntype = 'sphere'\n[render]\nlighting = 'own.glsl'\n")
+    with pytest.raises(rakelight.BadFileError, match="allow-shaders") as refused:
+        rakelight.load(world).render(resolution=(8, 8))
+    assert refused.value.place == "line 4, column 1"
+    with pytest.raises(rakelight.UsageError, match="engine soft cannot"):
+        rakelight.load(world, allow_shaders=True).render(resolution=(8, 8))
+
+
 def test_a_camera_that_is_not_there_names_the_sides(teapot, tmp_path):
     for draw in (rakelight.render, lambda scene, camera: rakelight.explain(scene, 1, 1, camera),
                  lambda scene, camera: rakelight.render_file(scene, tmp_path / "a.png", camera)):  # fmt: skip

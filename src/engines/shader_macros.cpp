@@ -2,7 +2,6 @@
 #include "engines/shader_macros.h"
 
 #include <algorithm>
-#include <deque>
 #include <map>
 #include <optional>
 
@@ -57,7 +56,7 @@ public:
         }
         expand_piece(tokens.all, at, tokens.all.size());
     }
-    List take() { return std::move(out_); }
+    ExpandedShader take() { return std::move(out_); }
 
 private:
     struct Reading {
@@ -69,7 +68,7 @@ private:
     void expand_piece(const List& all, std::size_t from, std::size_t to) {
         if (branches_.state() == Branch::dead || from == to) return;
         const List expanded = expand({all.begin() + std::ptrdiff_t(from), all.begin() + std::ptrdiff_t(to)});
-        out_.insert(out_.end(), expanded.begin(), expanded.end());
+        out_.all.insert(out_.all.end(), expanded.begin(), expanded.end());
     }
 
     void take_directive(const ShaderDirective& directive) {
@@ -254,9 +253,9 @@ private:
     /// @param pastes  the first becomes one token with the last that is there
     void append(List& made, List piece, bool pastes) {
         if (pastes && !made.empty() && !piece.empty()) {
-            pasted_.push_back(std::string(made.back().text) + std::string(piece[0].text));
-            count(pasted_.back().size());  // its letters are memory, too
-            made.back().text = pasted_.back(), made.back().is_painted = false;
+            out_.pasted.push_back(std::string(made.back().text) + std::string(piece[0].text));
+            count(out_.pasted.back().size());  // its letters are memory, too
+            made.back().text = out_.pasted.back(), made.back().is_painted = false;
             piece.erase(piece.begin());
         }
         made.insert(made.end(), piece.begin(), piece.end());
@@ -265,8 +264,7 @@ private:
     const std::string& name_;
     Table macros_;
     ShaderBranches branches_;
-    std::deque<std::string> pasted_;
-    List out_;
+    ExpandedShader out_;
     std::size_t made_ = 0;
     int depth_ = 0;
     int line_ = 1;
@@ -274,7 +272,7 @@ private:
 
 }  // namespace
 
-std::vector<ShaderToken> expanded_macros(const std::string& name, const ShaderTokens& tokens) {
+ExpandedShader expanded_macros(const std::string& name, const ShaderTokens& tokens) {
     return Expander(name, tokens).take();
 }
 

@@ -180,7 +180,7 @@ ShaderText parse_shader_text(const std::string& name, std::string_view text) {
     ShaderText out{.body = std::string(text)};
     const std::string code = without_comments(name, text);
     const ShaderTokens tokens = shader_tokens(name, code);
-    check_shader_arrays(name, expanded_macros(name, tokens));
+    check_shader_arrays(name, expanded_macros(name, tokens).all);
     out.last_line = tokens.last_line;
     if (!tokens.all.empty()) Declarations(name, out, tokens.all);
     return out;

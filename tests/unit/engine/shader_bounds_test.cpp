@@ -19,8 +19,8 @@ std::string expanded(const std::string& text) {
     const std::string code = without_comments("a.glsl", text);
     const ShaderTokens tokens = shader_tokens("a.glsl", code);
     std::string out;
-    for (const ShaderToken& token : expanded_macros("a.glsl", tokens))
-        out += (out.empty() ? "" : " ") + std::string(token.text);
+    const ExpandedShader all = expanded_macros("a.glsl", tokens);
+    for (const ShaderToken& token : all.all) out += (out.empty() ? "" : " ") + std::string(token.text);
     return out;
 }
 
