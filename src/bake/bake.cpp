@@ -166,13 +166,6 @@ void add_remarks(const Scene& high, const Scene& low, const BakeReport& r, bool 
                                "'distance' holds them",
                                r.beyond, r.texels),
                    {"distance"});
-    if (r.overlapping > 0)
-        report.add(Remark::warning, low.source, {},
-                   format_text("{} of {} charts lie on others or on themselves: {} texels are baked once, for the "
-                               "first that is not mirrored",
-                               r.overlapping, r.charts, r.overlapping_texels));
-    if (r.mirrored > 0)
-        report.add(Remark::note, low.source, {}, format_text("{} of {} charts are mirrored", r.mirrored, r.charts));
 }
 
 }  // namespace

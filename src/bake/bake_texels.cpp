@@ -11,6 +11,7 @@
 #include "bake/surface_colors.h"
 #include "bake/tangent_frame.h"
 #include "bake/texel_owners.h"
+#include "base/format_text.h"
 
 namespace rakelight::bake {
 namespace {
@@ -58,7 +59,7 @@ public:
         }
     }
 
-    Counts bake(const OwnerBand& band, std::vector<std::uint8_t>& covered) const {
+    Counts bake(const OwnerBand& band, std::vector<std::uint8_t>& covered, const Context& context) const {
         Counts counts;
         const std::size_t samples = std::size_t(options_.samples), width = std::size_t(result_.width);
         for (std::size_t i = 0; i < std::size_t(band.rows) * width; ++i) {
@@ -69,6 +70,7 @@ public:
                 if (owner[s] != no_index) add(owner[s], owners_.sample_at(x, y, int(s)), s, sum);
             if (sum.tried == 0 && band.nearest[i] != no_index) add(band.nearest[i], {x + 0.5, y + 0.5}, 0, sum);
             if (sum.tried == 0) continue;
+            context.throw_if_cancelled();
             covered[sum.texel] = 1;
             ++counts.texels;
             counts.missed += sum.met == 0;
@@ -173,17 +175,22 @@ bool has(const BakeResult& result, BakeMap wanted) {
 struct Found {
     std::mutex mutex;
     Counts counts;
-    std::uint64_t overlapping = 0;
-    std::vector<std::uint8_t> charts;  ///< [charts] 1: overlaps another one
     int bands = 0;
 };
 
-void fill_report(const Found& found, const MapCharts& charts, BakeReport& report) {
-    report.texels = found.counts.texels, report.missed = found.counts.missed, report.beyond = found.counts.beyond;
-    report.overlapping_texels = found.overlapping;
-    report.charts = std::uint32_t(charts.is_mirrored.size());
-    report.mirrored = std::uint32_t(std::ranges::count(charts.is_mirrored, std::uint8_t(1)));
-    report.overlapping = std::uint32_t(std::ranges::count(found.charts, std::uint8_t(1)));
+/// Known before the rays, so that a bake that is wrong can be stopped early.
+void report_charts(const MapCharts& charts, const Overlaps& overlaps, const std::string& file, BakeReport& r,
+                   Report& report) {
+    r.charts = std::uint32_t(charts.is_mirrored.size());
+    r.mirrored = std::uint32_t(std::ranges::count(charts.is_mirrored, std::uint8_t(1)));
+    r.overlapping = overlaps.charts, r.overlapping_texels = overlaps.texels;
+    if (r.overlapping > 0)
+        report.add(Remark::warning, file, {},
+                   format_text("{} of {} charts lie on others or on themselves: {} texels are baked once, for the "
+                               "first that is not mirrored",
+                               r.overlapping, r.charts, r.overlapping_texels));
+    if (r.mirrored > 0)
+        report.add(Remark::note, file, {}, format_text("{} of {} charts are mirrored", r.mirrored, r.charts));
 }
 
 }  // namespace
@@ -200,20 +207,19 @@ std::vector<std::uint8_t> bake_texels(const Scene& high_scene, const Scene& low_
     report.curvature_radius = options.curvature_radius > 0 ? options.curvature_radius : high.diagonal() / 50;
     const MapCharts charts = find_map_charts(low, context);
     const TexelOwners owners(low, charts, result.width, result.height, options.samples, context);
+    report_charts(charts, owners.overlaps(context), low_scene.source, report, context.report());
     const TexelBaker baker(high, low, lit ? &*lit : nullptr, owners, options, result);
     std::vector<std::uint8_t> covered(std::size_t(result.width) * std::size_t(result.height), 0);
-    Found found{.charts = std::vector<std::uint8_t>(charts.is_mirrored.size(), 0)};
+    Found found;
     context.parallel_for(std::size_t(owners.bands()), [&](std::size_t number) {
-        const OwnerBand band = owners.band(int(number));
-        const Counts counts = baker.bake(band, covered);
+        const OwnerBand band = owners.band(int(number), context);
+        const Counts counts = baker.bake(band, covered, context);
         const std::lock_guard lock(found.mutex);
         found.counts.texels += counts.texels, found.counts.missed += counts.missed,
             found.counts.beyond += counts.beyond;
-        found.overlapping += band.overlapping_texels;
-        for (const std::uint32_t chart : band.overlapping_charts) found.charts[chart] = 1;
         context.progress("bake", double(++found.bands) / owners.bands());
     });
-    fill_report(found, charts, report);
+    report.texels = found.counts.texels, report.missed = found.counts.missed, report.beyond = found.counts.beyond;
     return covered;
 }
 

@@ -91,18 +91,16 @@ LightmapTexels lightmap_texels(const Scene& lit, std::uint32_t set, const Lightm
     const SurfaceColors colors(lit, context);
     const LitTexels texels(surface, owners, colors, options, out);
     std::mutex mutex;
-    std::vector<std::uint8_t> overlaps(charts.is_mirrored.size(), 0);
     int bands = 0;
     context.parallel_for(std::size_t(owners.bands()), [&](std::size_t number) {
-        const OwnerBand band = owners.band(int(number));
+        const OwnerBand band = owners.band(int(number), context);
         const std::uint64_t filled = texels.fill(band);
         const std::lock_guard lock(mutex);
         report.texels += filled;
-        for (const std::uint32_t chart : band.overlapping_charts) overlaps[chart] = 1;
         context.progress("lightmap", double(++bands) / owners.bands());
     });
-    report.charts = std::uint32_t(overlaps.size());
-    report.overlapping = std::uint32_t(std::ranges::count(overlaps, std::uint8_t(1)));
+    report.charts = std::uint32_t(charts.is_mirrored.size());
+    report.overlapping = owners.overlaps(context).charts;
     pad(out, options, context);
     return out;
 }

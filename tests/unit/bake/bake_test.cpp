@@ -227,6 +227,22 @@ TEST_F(Bake, MirroredAndOverlappingChartsAreReportedAndBakedOnce) {
         EXPECT_NEAR(v, 0.02, 1e-6);  // of the one that is not mirrored, though second
 }
 
+TEST_F(Bake, OverlapsAreReportedBeforeTheRays) {
+    Scene low = scene_of(square_mesh());
+    add_object(low, square_mesh(), translation(dvec3{4, 0, 0}));
+    std::vector<std::string> known;  // when the first rows have their rays
+    Context* running = nullptr;
+    Context context({.threads = 1, .progress = [&](std::string_view stage, double fraction) {
+                         if (stage != "bake" || fraction == 0) return;
+                         for (const ReportEntry& entry : running->report().entries()) known.push_back(entry.message);
+                         running->cancel();
+                     }});
+    running = &context;
+    EXPECT_THROW(bake_maps(low, low, options_for({BakeMap::normal}, 64, 64), context), Error);
+    ASSERT_EQ(known.size(), 1u);
+    EXPECT_NE(known[0].find("1 of 2 charts lie on others"), std::string::npos) << known[0];
+}
+
 TEST_F(Bake, NumbersAreTheSameForAnyNumberOfThreadsAndAnyInstructionSet) {
     const Scene high = load("builtin:teapot", {}, context_);
     BakeOptions options =
