@@ -36,9 +36,13 @@ bool edge_at(const PlacedMeshes& placed, std::uint32_t corner, BorderEdge& edge)
 
 }  // namespace
 
+void check_matching_memory(std::size_t open_edges, Context& context) {
+    context.memory().check(open_edges * (2 * sizeof(BorderEdge) + 512), "matching open borders");
+}
+
 std::vector<BorderEdge> border_edges(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
                                      Context& context) {
-    context.memory().check(open_corners.size() * (2 * sizeof(BorderEdge) + 512), "matching open borders");
+    check_matching_memory(open_corners.size(), context);
     std::vector<BorderEdge> edges;
     edges.reserve(open_corners.size());
     CancelCheck check(context);

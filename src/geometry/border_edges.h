@@ -25,6 +25,10 @@ struct BorderEdge {
     dvec3 normal(double t) const { return normalize_or(normal_a * (1 - t) + normal_b * t, dvec3{}); }
 };
 
+/// Whether so many open edges can be matched.
+/// @throws Error bad_file: over the memory budget
+void check_matching_memory(std::size_t open_edges, Context& context);
+
 /// In the order of the open corners. Skips edges without length, edges of faces without area, and edges with an
 /// unusable normal at an end.
 /// @throws Error bad_file: over the memory budget

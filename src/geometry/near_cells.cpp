@@ -57,8 +57,11 @@ NearCells::NearCells(const std::vector<std::uint32_t>& representative, const Att
     std::vector<std::uint32_t> cursor(chunks.size() * partitions_, 0);
     context.parallel_for(chunks.size(), [&](std::size_t c) {
         std::vector<std::uint32_t> counts(partitions_, 0);
+        std::size_t vertices = 0;
+        for_each_range(chunks[c], input.vertex_base,
+                       [&](std::uint32_t, std::uint32_t first, std::uint32_t last) { vertices += last - first; });
+        sent[c].reserve(vertices * 9 / 4);  // once: a chunk may have thousands of small meshes
         for_each_range(chunks[c], input.vertex_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
-            sent[c].reserve(sent[c].size() + std::size_t(last - first) * 9 / 4);
             for (std::uint32_t v = first; v != last; ++v) {
                 const std::uint32_t vertex = input.vertex_base[m] + v;
                 if (representative[vertex] != vertex) continue;

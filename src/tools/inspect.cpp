@@ -193,11 +193,21 @@ void name_meshes(BorderSummary& border, const Scene& scene, const Surfaces& surf
     border.material_a = scene.meshes[border.mesh_a].material, border.material_b = scene.meshes[border.mesh_b].material;
 }
 
+/// Whether any two meshes have a vertex at one place.
+bool share_places(const geometry::PlacedMeshes& placed) {
+    const std::vector<std::uint32_t>& base = placed.input.vertex_base;
+    for (std::size_t m = 0; m + 1 < base.size(); ++m)
+        for (std::uint32_t v = base[m]; v < base[m + 1]; ++v)
+            if (placed.place[v] < base[m] || placed.place[v] >= base[m + 1]) return true;
+    return false;
+}
+
 void look_at_borders(Inspection& result, const Scene& scene, const Surfaces& surfaces,
                      const geometry::PlacedMeshes& placed, const geometry::EdgeCensus& census,
                      const InspectOptions& options, Context& context) {
-    const bool shares = surfaces.meshes.size() > 1, measures = options.border_distance > 0,
-               proposes = !measures && options.surfaces && have_open_borders(placed, census);
+    const bool shares = share_places(placed), measures = options.border_distance > 0,
+               proposes = !measures && options.surfaces && have_open_borders(placed, census) &&
+                          can_propose_border_distance(result.file, census, context);
     SeamNormals normals;
     if (shares || measures || proposes) normals.before = normals_before(surfaces, options, context);
     if (shares || measures) normals.after = normals_after(surfaces, options, context);

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/border_edges.h"
 #include "geometry/border_measure.h"
 #include "geometry/border_proposal.h"
 #include "tools/borders.h"
@@ -96,6 +97,24 @@ void add_seam_lines(std::vector<SeamLine>& lines, std::span<const BorderSample> 
         if (seam_of(s) > 0) lines.push_back({s.a, s.b, float(s.deg), float(s.deg)});
 }
 
+/// Does the work of the optional proposal.
+/// @return false: it needs more memory than there is, which is noted
+template <class Work>
+bool unless_too_large(const std::string& file, Context& context, const Work& work) {
+    const std::uint64_t refusals = context.memory().refusals();
+    try {
+        work();
+        return true;
+    } catch (const Error& error) {
+        if (context.memory().refusals() == refusals) throw;
+        context.report().add(
+            Remark::note, file, {},
+            "no distance is proposed for open borders: " + error.reason() + "; raise it with 'max-memory'",
+            {"max-memory"});
+        return false;
+    }
+}
+
 }  // namespace
 
 bool have_open_borders(const geometry::PlacedMeshes& placed, const geometry::EdgeCensus& census) {
@@ -128,8 +147,13 @@ void look_at_matched_borders(Inspection& result, const Surfaces& surfaces, SeamN
     if (options.seam_lines) add_seam_lines(result.seam_lines, before.samples, context);
 }
 
-void propose_border_distance(Inspection& result, const Surfaces& surfaces, const std::vector<PartNormals>& before,
-                             const InspectOptions& options, Context& context) {
+bool can_propose_border_distance(const std::string& file, const geometry::EdgeCensus& census, Context& context) {
+    return unless_too_large(file, context,
+                            [&] { geometry::check_matching_memory(census.open_corners.size(), context); });
+}
+
+static void propose(Inspection& result, const Surfaces& surfaces, const std::vector<PartNormals>& before,
+                    const InspectOptions& options, Context& context) {
     const double least_deg = *CheckLimits().max_seam_deg;
     const MeshesWithNormals meshes = meshes_with_normals(surfaces, before, all_parts(surfaces), context);
     const geometry::ProposedDistance p =
@@ -140,6 +164,11 @@ void propose_border_distance(Inspection& result, const Surfaces& surfaces, const
     double seam_deg = 0;
     for (const BorderSample& s : m.samples) seam_deg = std::max(seam_deg, seam_of(s));
     if (seam_deg > least_deg) result.proposal = {p.distance, m.open_length, m.matched_length, m.gap_max, seam_deg};
+}
+
+void propose_border_distance(Inspection& result, const Surfaces& surfaces, const std::vector<PartNormals>& before,
+                             const InspectOptions& options, Context& context) {
+    unless_too_large(result.file, context, [&] { propose(result, surfaces, before, options, context); });
 }
 
 double MatchedSeams::unmatched_length() const {

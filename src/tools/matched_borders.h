@@ -18,7 +18,10 @@ bool have_open_borders(const geometry::PlacedMeshes& placed, const geometry::Edg
 void look_at_matched_borders(Inspection& result, const Surfaces& surfaces, SeamNormals& normals,
                              const InspectOptions& options, Context& context);
 
-/// Fills Inspection::proposal.
+/// Whether the open edges of a model fit into memory for propose_border_distance(). If not, a note says so.
+bool can_propose_border_distance(const std::string& file, const geometry::EdgeCensus& census, Context& context);
+
+/// Fills Inspection::proposal. Where that needs too much memory there is none, and a note says so.
 void propose_border_distance(Inspection& result, const Surfaces& surfaces, const std::vector<PartNormals>& before,
                              const InspectOptions& options, Context& context);
 

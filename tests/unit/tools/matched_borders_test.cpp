@@ -183,6 +183,30 @@ TEST(MatchedBorders, NothingIsProposedWhereNoneRunAlongEachOther) {
               std::string::npos);
 }
 
+TEST(MatchedBorders, AProposalThatNeedsTooMuchMemoryIsLeftOutWithANote) {
+    Scene scene = test::two_squares();
+    scene.nodes.resize(1);
+    for (std::uint32_t i = 1; i < 2000; ++i) {  // apart from each other: only the proposal looks at all their borders
+        Node node = scene.nodes[0];
+        node.local.translation = {3.0 * i, 0, 0};
+        scene.nodes.push_back(node);
+    }
+    scene.source = "many.obj";
+    Context large, small({.max_memory = 6 << 20});
+    const Inspection whole = inspect(scene, {}, large), left_out = inspect(scene, {}, small);
+    EXPECT_TRUE(large.report().entries().empty());
+    ASSERT_EQ(small.report().entries().size(), 1u);
+    const ReportEntry note = small.report().entries()[0];
+    EXPECT_EQ(note.remark, Remark::note);
+    EXPECT_EQ(note.message.rfind("no distance is proposed for open borders: matching open borders: ", 0), 0u)
+        << note.message;
+    ASSERT_EQ(left_out.surfaces.size(), 2000u);
+    EXPECT_EQ(left_out.surfaces[1999].open_edges, 4u);
+    EXPECT_EQ(to_text(left_out), to_text(whole));
+    const InspectOptions asked{.border_distance = 0.1};
+    EXPECT_THROW(inspect(scene, asked, small), Error);  // a distance that is given is no option of the report's
+}
+
 TEST(MatchedBorders, TheSeamLimitCountsThemAndNamesPairAndPlace) {
     const test::CutSurface cut = torn_cylinder();
     Scene scene = with_true_normals(scene_of(cut), cut);
