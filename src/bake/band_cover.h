@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bake/map_triangle.h"
-#include "bake/open_places.h"
+#include "base/open_places.h"
 
 namespace rakelight::bake {
 

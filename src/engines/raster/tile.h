@@ -92,6 +92,7 @@ public:
     std::vector<std::uint32_t> tile_lights;         ///< of many lights, those that may reach the tile
     std::vector<lighting::LightParameters> lights;  ///< those that may reach the run of pixels that is shaded
     std::uint64_t covered = 0, shaded = 0, not_finite = 0, marked = 0;
+    std::uint64_t mark_tests = 0;  ///< of pixels against lines and points, of all tiles so far
     std::uint64_t samples_covered = 0;       ///< by something opaque
     std::shared_ptr<SampleScratch> samples;  ///< of multisampled pictures
     std::shared_ptr<LayerScratch> layers;    ///< of pictures with blended surfaces

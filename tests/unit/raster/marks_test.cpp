@@ -8,7 +8,9 @@
 #include <cstdlib>
 #include <random>
 
+#include "engines/raster/draw_tile.h"
 #include "unit/raster/marked_scene.h"
+#include "unit/raster/one_tile.h"
 
 using namespace rakelight;
 using namespace rakelight::test;
@@ -56,7 +58,38 @@ Scene busy_scene() {
     return scene;
 }
 
+/// Large points that nearly lie in one place.
+Scene crowd(int count, bool has_colors) {
+    Scene scene;
+    std::vector<vec3> places;
+    std::vector<vec4> colors;
+    std::mt19937 random(5);
+    std::normal_distribution<float> part(0, 0.01f);
+    for (int n = 0; n < count; ++n) {
+        places.push_back({part(random), part(random), part(random) - 2});
+        colors.push_back({float(n % 7) / 7, float(n % 11) / 11, 1, 1});
+    }
+    add_marks(scene, Topology::points, places, {1, 1, 1, 1}, has_colors ? std::move(colors) : std::vector<vec4>{});
+    return scene;
+}
+
+/// Tests of the only tile's pixels against points.
+std::uint64_t tests_of(const Scene& scene, float point_size) {
+    RenderSettings s = one_tile;
+    s.point_size = point_size, s.points = PointShape::disc;
+    OneTile t(scene, s);
+    t.job.marks = &t.drawn.marks;
+    raster::find_visible(t.job, 0, t.scratch);
+    raster::draw_marks(t.job, 0, t.scratch);
+    return t.scratch.mark_tests;
+}
+
 }  // namespace
+
+TEST(Marks, ManyLargePointsInOnePlaceCostThePixelsAndTheirBorders) {
+    constexpr std::uint64_t pixels = 64 * 64, count = 5000, border = 2 * 42;  // a disc covers 1257 pixels
+    EXPECT_LT(tests_of(crowd(int(count), false), 40), 8 * pixels + border * count);
+}
 
 TEST(Marks, ALineOfOnePixelAlongPixelCentersCoversThemAndNothingElse) {
     const Frame f = draw(one_line(place(10.5, 20.5), place(50.5, 20.5)), flat_camera(), settings());

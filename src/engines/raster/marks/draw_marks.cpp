@@ -23,7 +23,9 @@ void draw_marks(const TileJob& job, std::size_t tile, TileScratch& s) {
         PendingMark& pending = s.pending[f.pixel];
         if (pending.coverage == 0) touched.push_back(f.pixel);
         pending.add(f, lay_on(f.pixel));
+        return pending.coverage >= 1;
     });
+    s.mark_tests += marks.tests();
     for (const std::uint32_t p : touched) s.pending[p].finish(lay_on(p));
     marks.put_channels();
 }

@@ -55,13 +55,18 @@ public:
         int first, last;
     };
     Span rows(const Window& area) const { return clip(top_, bottom_, area.y, area.height); }
-    /// Of a line those as near to its carrier as it reaches.
+    /// Of a line those as near to its carrier as it reaches, of a disc those as near to its center.
     Span columns(int row, const Window& area) const {
         double left = left_, right = right_;
         if (std::fabs(across_.x) > 1e-6 && scale_ > 0) {
             const double middle = x_ - 0.5 - across_.y / across_.x * (row + 0.5 - y_);
             const double side = reach_ / std::fabs(across_.x) + 1e-6;
             left = std::max(left, std::ceil(middle - side)), right = std::min(right, std::floor(middle + side));
+        }
+        if (shape_ == Mark::Shape::disc) {
+            const double down = row + 0.5 - y_, square = reach_ * reach_ - down * down;
+            const double side = square > 0 ? std::sqrt(square) + 1e-6 : 1e-6;
+            left = std::max(left, std::ceil(x_ - 0.5 - side)), right = std::min(right, std::floor(x_ - 0.5 + side));
         }
         return clip(left, right, area.x, area.width);
     }

@@ -15,7 +15,11 @@ MarkLayers::MarkLayers(const TileJob& job, std::size_t tile, TileScratch& scratc
       oy_(job.grid.origin_y(tile)),
       lists_(tile_pixels),
       has_any_(tile_pixels) {
-    marks_.for_each_fragment([this](const MarkFragment& f) { take(f); });
+    marks_.for_each_fragment([this](const MarkFragment& f) {
+        take(f);
+        return false;  // those in front of a blended surface hide none behind it
+    });
+    s_.mark_tests += marks_.tests();
 }
 
 MarkLayers::~MarkLayers() { job_.front.memory.remove(charged_); }

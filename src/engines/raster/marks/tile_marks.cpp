@@ -18,12 +18,31 @@ TileMarks::TileMarks(const TileJob& job, std::size_t tile, TileScratch& scratch)
       oy_(job.grid.origin_y(tile)),
       first_(job.binned.offsets[tile]),
       items_(marks_.items.begin() + marks_.offsets[tile], marks_.items.begin() + marks_.offsets[tile + 1]),
+      open_(tile_pixels),
       surfaces_(tile_pixels) {
+    close_hidden();
     if (job.front.settings.channels != 0) top_.resize(tile_pixels);
     if (marks_.is_of_one_color) return;
     const auto depth = [this](std::uint64_t item) { return marks_.at(item).key[0] + marks_.at(item).key[1]; };
     std::stable_sort(items_.begin(), items_.end(),
                      [&](std::uint64_t a, std::uint64_t b) { return depth(a) < depth(b); });
+}
+
+/// Pixels outside of the window, and those where even the nearest mark is hidden.
+void TileMarks::close_hidden() {
+    float nearest = 0, width = 0;
+    for (const std::uint64_t item : items_) {
+        const Mark& m = marks_.at(item);
+        nearest = std::max({nearest, m.key[0], m.key[1]});
+        width = std::max(width, size_of(m));
+    }
+    for (int y = 0; y < tile_size; ++y)
+        for (int x = 0; x < tile_size; ++x) {
+            const auto p = std::size_t(y * tile_size + x);
+            const bool is_inside = x + ox_ >= area_.x && x + ox_ < area_.x + area_.width && y + oy_ >= area_.y &&
+                                   y + oy_ < area_.y + area_.height;
+            if (!is_inside || is_hidden(p, double(nearest), mark_reach(width))) open_.close(p);
+        }
 }
 
 /// Between the ends' own colors, as attributes of triangles are: part / w is affine on the screen.
@@ -59,7 +78,7 @@ void TileMarks::put_channels() {
 
 const Draw* TileMarks::draw_at(std::size_t pixel) {
     top_.assign(tile_pixels, TopMark{});
-    for_each_fragment([](const MarkFragment&) {});
+    for_each_fragment([](const MarkFragment&) { return false; });
     return top_[pixel].key < 0 ? nullptr : marks_.draws[top_[pixel].item >> 32];
 }
 

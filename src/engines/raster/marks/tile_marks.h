@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/open_places.h"
 #include "engines/raster/marks/mark_coverage.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility/coverage.h"
@@ -72,6 +73,8 @@ public:
 
     /// Calls take(MarkFragment) for what no opaque surface hides, mark by mark: in the order of the scene, or far to
     /// near where colors differ. Of the opaque points that cover a whole pixel it shows one.
+    /// @param take  returns whether fragments of the same color cannot change the pixel any more: with one color, no
+    ///              more of them are made there
     template <class Take>
     void for_each_fragment(const Take& take) {
         if (!marks_.is_of_one_color) find_nearest();
@@ -83,6 +86,7 @@ public:
     /// Where the center of a pixel lies in an opaque mark, the channels hold the nearest such mark. After everything
     /// that compares depths.
     void put_channels();
+    std::uint64_t tests() const { return tests_; }  ///< of a pixel against a mark so far
     /// Whose mark they hold at a pixel of the tile; null: none's.
     const Draw* draw_at(std::size_t pixel);
 
@@ -95,27 +99,36 @@ private:
         std::uint64_t item;
     };
 
-    MarkShape shape_of(const Mark& m) const {
-        return {m, m.shape == Mark::Shape::line ? job_.front.settings.line_width : job_.front.settings.point_size};
+    float size_of(const Mark& m) const {
+        return m.shape == Mark::Shape::line ? job_.front.settings.line_width : job_.front.settings.point_size;
     }
+    MarkShape shape_of(const Mark& m) const { return {m, size_of(m)}; }
     bool is_opaque(const Mark& m) const { return marks_.colors[m.color[0]].w >= 1 && marks_.colors[m.color[1]].w >= 1; }
     /// By which marks hide each other: the nearer one has more.
     float order_of(const Mark& m, const MarkShape& shape, const MarkShape::Near& near, double key) const {
         return float(m.shape == Mark::Shape::line ? key : paraboloid_.key(key, shape.sunk(near)));
     }
 
+    /// From `y` on.
+    int first_open_row(int y) { return oy_ + int(open_.from(std::size_t(y - oy_) * tile_size)) / tile_size; }
+    void close_hidden();
     /// Calls run(pixel, near, key) where the mark may cover something and no opaque surface hides it.
     template <class Run>
     void for_each_pixel(const Mark& m, const MarkShape& shape, const Run& run) {
         const auto [top, bottom] = shape.rows(area_);
         for (int y = top; y <= bottom; ++y) {
+            if (const int open = first_open_row(y); open != y) {
+                y = open - 1;
+                continue;
+            }
             const auto [left, right] = shape.columns(y, area_);
-            for (int x = left; x <= right; ++x) {
-                const auto p = std::uint32_t((y - oy_) * tile_size + x - ox_);
-                const MarkShape::Near near = shape.nearest(x, y);
+            const int row = (y - oy_) * tile_size - ox_, end = row + right;
+            for (auto p = int(open_.from(std::size_t(row + left))); p <= end; p = int(open_.from(std::size_t(p) + 1))) {
+                ++tests_;
+                const MarkShape::Near near = shape.nearest(p - row, y);
                 if (shape.is_out_of_reach(near)) continue;
                 const double key = double(m.key[0]) + (double(m.key[1]) - double(m.key[0])) * near.t;
-                if (!is_hidden(p, key, shape.reach())) run(p, near, key);
+                if (!is_hidden(std::size_t(p), key, shape.reach())) run(std::uint32_t(p), near, key);
             }
         }
     }
@@ -130,8 +143,9 @@ private:
             const float order = order_of(m, shape, near, key);
             if (!top_.empty() && shape.has_center(near)) show(p, m, {float(key), order, float(near.t), item});
             if (!nearest_.empty() && m.shape != Mark::Shape::line && order < nearest_[p]) return;
-            take(MarkFragment{p, color, float(key), float(covered), float(shape.reach()), color_at(m, key, near.t), &m,
-                              marks_.draws[item >> 32]});
+            const bool is_whole = take(MarkFragment{p, color, float(key), float(covered), float(shape.reach()),
+                                                    color_at(m, key, near.t), &m, marks_.draws[item >> 32]});
+            if (is_whole && marks_.colors.size() == 1 && top_.empty()) open_.close(p);
         });
     }
 
@@ -162,6 +176,8 @@ private:
     std::vector<std::uint64_t> items_;
     std::vector<TopMark> top_;    ///< [tile_pixels] where channels are requested
     std::vector<float> nearest_;  ///< [tile_pixels] order of the opaque point that fills the pixel; empty: unknown
+    OpenPlaces open_;             ///< [tile_pixels] closed: no mark changes the pixel any more
+    std::uint64_t tests_ = 0;
     std::vector<DepthTolerance> surfaces_;  ///< [tile_pixels] what is seen there, where it was requested
 };
 

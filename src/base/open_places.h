@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-namespace rakelight::bake {
+namespace rakelight {
 
 class OpenPlaces {
 public:
@@ -27,4 +27,4 @@ private:
     std::size_t open_;
 };
 
-}  // namespace rakelight::bake
+}  // namespace rakelight
