@@ -59,12 +59,12 @@ Scene busy_scene() {
 }
 
 /// Large points that nearly lie in one place.
-Scene crowd(int count, bool has_colors) {
+Scene crowd(int count, bool has_colors, float spread = 0.01f) {
     Scene scene;
     std::vector<vec3> places;
     std::vector<vec4> colors;
     std::mt19937 random(5);
-    std::normal_distribution<float> part(0, 0.01f);
+    std::normal_distribution<float> part(0, spread);
     for (int n = 0; n < count; ++n) {
         places.push_back({part(random), part(random), part(random) - 2});
         colors.push_back({float(n % 7) / 7, float(n % 11) / 11, 1, 1});
@@ -89,6 +89,22 @@ std::uint64_t tests_of(const Scene& scene, float point_size) {
 TEST(Marks, ManyLargePointsInOnePlaceCostThePixelsAndTheirBorders) {
     constexpr std::uint64_t pixels = 64 * 64, count = 5000, border = 2 * 42;  // a disc covers 1257 pixels
     EXPECT_LT(tests_of(crowd(int(count), false), 40), 8 * pixels + border * count);
+    EXPECT_LT(tests_of(crowd(int(count), true, 0.1f), 40), 8 * pixels + border * count);
+}
+
+/// Colors of the only tile, with the points that hide others found block by block, or with channels, where all count.
+TEST(Marks, PointsThatHideOthersBlockByBlockGiveTheSameBits) {
+    for (const PointShape shape : {PointShape::disc, PointShape::square})
+        for (const float size : {3.0f, 24.0f, 40.0f}) {
+            Scene scene = crowd(600, true, 0.05f);
+            add_object(scene, square_mesh(add_unlit(scene, {0.9f, 0.5f, 0.2f, 1})),
+                       compose({0.4, 0, -2}, {0.3, 0.3, 0, 0.9}, {0.3, 0.3, 0.3}));
+            RenderSettings s = one_tile;
+            s.points = shape, s.point_size = size;
+            const Frame plain = draw(scene, camera_at_origin(), s);
+            s.channels = channel_object;
+            EXPECT_EQ(plain.color, draw(scene, camera_at_origin(), s).color) << size;
+        }
 }
 
 TEST(Marks, ALineOfOnePixelAlongPixelCentersCoversThemAndNothingElse) {

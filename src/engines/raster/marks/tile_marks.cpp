@@ -2,6 +2,7 @@
 #include "engines/raster/marks/tile_marks.h"
 
 #include <limits>
+#include <utility>
 
 #include "engines/channel_arrays.h"
 #include "math/linear.h"
@@ -16,6 +17,7 @@ TileMarks::TileMarks(const TileJob& job, std::size_t tile, TileScratch& scratch)
       paraboloid_(job.front.view, 0.5 * double(job.front.settings.point_size)),
       ox_(job.grid.origin_x(tile)),
       oy_(job.grid.origin_y(tile)),
+      blocks_(paraboloid_, 0.5 * double(job.front.settings.point_size), ox_, oy_),
       first_(job.binned.offsets[tile]),
       items_(marks_.items.begin() + marks_.offsets[tile], marks_.items.begin() + marks_.offsets[tile + 1]),
       open_(tile_pixels),
@@ -23,9 +25,16 @@ TileMarks::TileMarks(const TileJob& job, std::size_t tile, TileScratch& scratch)
     close_hidden();
     if (job.front.settings.channels != 0) top_.resize(tile_pixels);
     if (marks_.is_of_one_color) return;
-    const auto depth = [this](std::uint64_t item) { return marks_.at(item).key[0] + marks_.at(item).key[1]; };
-    std::stable_sort(items_.begin(), items_.end(),
-                     [&](std::uint64_t a, std::uint64_t b) { return depth(a) < depth(b); });
+    sort_far_to_near();
+}
+
+void TileMarks::sort_far_to_near() {
+    std::vector<std::pair<float, std::uint64_t>> by_depth;  // marks lie far apart in memory
+    by_depth.reserve(items_.size());
+    for (const std::uint64_t item : items_)
+        by_depth.emplace_back(marks_.at(item).key[0] + marks_.at(item).key[1], item);
+    std::ranges::stable_sort(by_depth, {}, &std::pair<float, std::uint64_t>::first);
+    for (std::size_t i = 0; i < items_.size(); ++i) items_[i] = by_depth[i].second;
 }
 
 /// Pixels outside of the window, and those where even the nearest mark is hidden.
@@ -54,16 +63,32 @@ vec4 TileMarks::mixed_color(const Mark& m, double key, double t) const {
     return a + (b - a) * float(part);
 }
 
+/// From near to far, so that most of many points in one place are found to be hidden. Channels hold the first of equal
+/// ones, so all are looked at for them.
 void TileMarks::find_nearest() {
     nearest_.assign(tile_pixels, std::numeric_limits<float>::lowest());
-    for (const std::uint64_t item : items_) {
-        const Mark& m = marks_.at(item);
-        if (job_.is_cancelled() || m.shape == Mark::Shape::line || !is_opaque(m)) continue;
+    const bool has_surfaces = std::ranges::any_of(s_.visible, [](std::int32_t v) { return v >= 0; });
+    if (top_.empty()) shown_.assign(items_.size(), ~PointBlocks::Mask(0));
+    for (std::size_t i = items_.size(); i-- > 0;) {
+        const Mark& m = marks_.at(items_[i]);
+        if (job_.is_cancelled() || m.shape == Mark::Shape::line) continue;
         const MarkShape shape = shape_of(m);
-        for_each_pixel(m, shape, [&](std::uint32_t p, const MarkShape::Near& near, double key) {
-            if (shape.fills(near)) nearest_[p] = std::max(nearest_[p], order_of(m, shape, near, key));
-        });
+        if (!shown_.empty()) shown_[i] = blocks_.shown(m, shape.reach());
+        if (!is_opaque(m)) continue;
+        for_each_window(i, [&](const Window& window) { fill(m, shape, window); });
+        if (!shown_.empty() && shown_[i] != 0 && !has_surfaces) blocks_.add(m, shape);
     }
+}
+
+void TileMarks::fill(const Mark& m, const MarkShape& shape, const Window& window) {
+    int filled = 0;
+    for_each_pixel(m, shape, window, [&](std::uint32_t p, const MarkShape::Near& near, double key) {
+        if (!shape.fills(near)) return;
+        nearest_[p] = std::max(nearest_[p], order_of(m, shape, near, key));
+        ++filled;
+    });
+    if (filled == PointBlocks::side * PointBlocks::side && window.width == PointBlocks::side)
+        blocks_.add(((window.y - oy_) * PointBlocks::across + window.x - ox_) / PointBlocks::side, m);
 }
 
 void TileMarks::show(std::uint32_t pixel, const Mark& m, const TopMark& here) {

@@ -3,11 +3,13 @@
 // channels hold.
 #pragma once
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
 #include "base/open_places.h"
 #include "engines/raster/marks/mark_coverage.h"
+#include "engines/raster/marks/point_blocks.h"
 #include "engines/raster/tile.h"
 #include "engines/raster/visibility/coverage.h"
 
@@ -44,29 +46,6 @@ private:
     KeyPlane c_{};
 };
 
-/// Which of two points per pixel shows that both cover: that whose paraboloid is nearer. It opens away from the eye, with its
-/// vertex at the point, and is a radius deep at the border, so that points at equal depth part at their bisector (Schuetz & Wimmer
-/// 2015, "High-Quality Point-Based Rendering Using Fast Single-Pass Interpolation", section 3).
-class PointParaboloid {
-public:
-    /// @param half  [px] the radius of points
-    PointParaboloid(const PictureCamera& view, double half)
-        : is_parallel_(view.orthographic),
-          radius_(2 * half / (view.scale_y * view.height)),
-          per_depth_(is_parallel_ ? 1 / (view.z_far - view.z_near) : 1) {}
-
-    /// @param key   reversed depth of the point
-    /// @param sunk  MarkShape::sunk()
-    double key(double key, double sunk) const {
-        return is_parallel_ ? key - radius_ * sunk * per_depth_ : key / (1 + radius_ * sunk);
-    }
-
-private:
-    bool is_parallel_;
-    double radius_;  ///< [m] in parallel views; else over the distance along the view axis
-    double per_depth_;
-};
-
 class TileMarks {
 public:
     TileMarks(const TileJob& job, std::size_t tile, TileScratch& scratch);
@@ -78,9 +57,9 @@ public:
     template <class Take>
     void for_each_fragment(const Take& take) {
         if (!marks_.is_of_one_color) find_nearest();
-        for (const std::uint64_t item : items_) {
+        for (std::size_t i = 0; i < items_.size(); ++i) {
             if (job_.is_cancelled()) return;
-            draw(item, marks_.at(item), take);
+            for_each_window(i, [&](const Window& window) { draw(items_[i], marks_.at(items_[i]), window, take); });
         }
     }
     /// Where the center of a pixel lies in an opaque mark, the channels hold the nearest such mark. After everything
@@ -111,17 +90,25 @@ private:
 
     /// From `y` on.
     int first_open_row(int y) { return oy_ + int(open_.from(std::size_t(y - oy_) * tile_size)) / tile_size; }
+    void sort_far_to_near();
     void close_hidden();
+    /// The parts of the tile where an item may be shown.
+    template <class Run>
+    void for_each_window(std::size_t item, const Run& run) const {
+        if (shown_.empty()) return run(area_);
+        for (PointBlocks::Mask left = shown_[item]; left != 0; left &= left - 1)
+            run(blocks_.window(std::countr_zero(left)));
+    }
     /// Calls run(pixel, near, key) where the mark may cover something and no opaque surface hides it.
     template <class Run>
-    void for_each_pixel(const Mark& m, const MarkShape& shape, const Run& run) {
-        const auto [top, bottom] = shape.rows(area_);
+    void for_each_pixel(const Mark& m, const MarkShape& shape, const Window& window, const Run& run) {
+        const auto [top, bottom] = shape.rows(window);
         for (int y = top; y <= bottom; ++y) {
             if (const int open = first_open_row(y); open != y) {
                 y = open - 1;
                 continue;
             }
-            const auto [left, right] = shape.columns(y, area_);
+            const auto [left, right] = shape.columns(y, window);
             const int row = (y - oy_) * tile_size - ox_, end = row + right;
             for (auto p = int(open_.from(std::size_t(row + left))); p <= end; p = int(open_.from(std::size_t(p) + 1))) {
                 ++tests_;
@@ -134,10 +121,10 @@ private:
     }
 
     template <class Take>
-    void draw(std::uint64_t item, const Mark& m, const Take& take) {
+    void draw(std::uint64_t item, const Mark& m, const Window& window, const Take& take) {
         const MarkShape shape = shape_of(m);
         const std::uint32_t color = m.color[0] == m.color[1] ? m.color[0] : no_index;
-        for_each_pixel(m, shape, [&](std::uint32_t p, const MarkShape::Near& near, double key) {
+        for_each_pixel(m, shape, window, [&](std::uint32_t p, const MarkShape::Near& near, double key) {
             const double covered = shape.coverage(near);
             if (!(covered > 1e-6)) return;
             const float order = order_of(m, shape, near, key);
@@ -163,6 +150,7 @@ private:
     }
     vec4 mixed_color(const Mark& m, double key, double t) const;
     void find_nearest();
+    void fill(const Mark& m, const MarkShape& shape, const Window& window);
     void show(std::uint32_t pixel, const Mark& m, const TopMark& here);
     void put(std::size_t pixel, const TopMark& top);
 
@@ -172,11 +160,13 @@ private:
     Window area_;
     PointParaboloid paraboloid_;
     int ox_, oy_;
+    PointBlocks blocks_;
     std::uint32_t first_;
     std::vector<std::uint64_t> items_;
     std::vector<TopMark> top_;    ///< [tile_pixels] where channels are requested
     std::vector<float> nearest_;  ///< [tile_pixels] order of the opaque point that fills the pixel; empty: unknown
-    OpenPlaces open_;             ///< [tile_pixels] closed: no mark changes the pixel any more
+    std::vector<PointBlocks::Mask> shown_;  ///< [items_] where others do not hide them; empty: unknown
+    OpenPlaces open_;                       ///< [tile_pixels] closed: no mark changes the pixel any more
     std::uint64_t tests_ = 0;
     std::vector<DepthTolerance> surfaces_;  ///< [tile_pixels] what is seen there, where it was requested
 };
