@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "support/scene_builder.h"
 #include "support/temporary_folder.h"
 
 namespace rakelight::test {
