@@ -74,34 +74,6 @@ void add_facets(const Elements& elements, std::span<const std::uint32_t> members
         if (facet.area > 0) facets.push_back(normalize_or(facet.normal, dvec3{}) * facet.area);
 }
 
-/// Members that near receivers look at: by how densely they fill the patch, so that a compact surface has them all.
-std::size_t near_members(const Patch& patch, std::size_t members) {
-    constexpr double members_of_full = 256, least = 4;  ///< full: an area of the squared bounding radius
-    const double wanted = std::ceil(members_of_full * patch.area / (patch.reach * patch.reach));
-    return wanted < double(members) ? std::size_t(std::max(wanted, least)) : members;
-}
-
-/// All members, or those at the middles of `count` equal shares of the area.
-void add_near(const Elements& elements, std::span<const std::uint32_t> members, const Patch& patch, Patches& out) {
-    const std::size_t count = near_members(patch, members.size());
-    if (count >= members.size()) {
-        for (const std::uint32_t i : members) out.near.push_back({i, 1});
-        return;
-    }
-    ++out.scattered;
-    const double share = patch.area / double(count);
-    double before = 0;
-    std::size_t next = 0;  // share
-    for (const std::uint32_t i : members) {
-        const double area = elements.list[i].area, from = before;
-        before += area;
-        std::size_t own = 0;
-        while (next < count && (double(next) + 0.5) * share >= from && (double(next) + 0.5) * share < before)
-            ++next, ++own;
-        if (own > 0) out.near.push_back({i, double(own) * share / area});
-    }
-}
-
 }  // namespace
 
 Patches make_patches(const Elements& elements, double size, PatchesOf of) {
@@ -120,9 +92,6 @@ Patches make_patches(const Elements& elements, double size, PatchesOf of) {
         patch.facets_begin = std::uint32_t(out.facets.size());
         add_facets(elements, out.of(patch), out.facets);
         patch.facets_end = std::uint32_t(out.facets.size());
-        patch.near_begin = std::uint32_t(out.near.size());
-        add_near(elements, out.of(patch), patch, out);
-        patch.near_end = std::uint32_t(out.near.size());
         out.list.push_back(patch);
         first = end;
     }

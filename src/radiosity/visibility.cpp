@@ -35,10 +35,9 @@ double FormFactors::unblocked(const Receiver& r, const Patch& patch) const {
     if (is_far && std::fabs(dot(r.normal, way)) >= patch.reach)
         return of_small_area(r, patch.center, patches_.facets_of(patch));
     double sum = 0;
-    for (const NearMember& member : patches_.near_of(patch)) {
-        const Element& e = elements_.list[member.element];
-        if (dot(e.face_normal, r.at - e.corner[0]) > 0)
-            sum += member.factor * form_factor_of_triangle(r.at, r.normal, e.corner);
+    for (const std::uint32_t i : patches_.of(patch)) {
+        const Element& e = elements_.list[i];
+        if (dot(e.face_normal, r.at - e.corner[0]) > 0) sum += form_factor_of_triangle(r.at, r.normal, e.corner);
     }
     return std::min(sum, 1.0);
 }

@@ -60,16 +60,6 @@ void remark_what_is_left_out(const Scene& scene, const std::vector<bool>& used, 
     if (!scene.animations.empty()) note("the light is that of one moment, clips are left out");
 }
 
-void remark_what_is_sampled(const Patches& patches, const std::string& file, Report& report) {
-    if (patches.scattered > 0)
-        report.add(
-            Remark::note, file, "",
-            format_text("radiosity: {} of {} patches are of scattered small triangles: nearby light is that of a "
-                        "few of these",
-                        patches.scattered, patches.list.size()),
-            {"method"});
-}
-
 /// The requested number, or more if the scene has more triangles.
 /// @param sides  of them
 std::uint64_t max_elements(const Scene& scene, const RadiositySettings& s, std::uint64_t sides, Report& report) {
@@ -161,7 +151,6 @@ Scene solve(Scene scene, const RadiositySettings& settings, RadiosityReport& rep
     const CutScene cut{scene, parts, colors};
     const std::size_t wanted = std::clamp<std::size_t>(most / elements_a_patch, min_patches, max_patches);
     PatchLevel level = cut_to_patches(cut, whole, wanted, sides + (most - sides) / 4, context);
-    remark_what_is_sampled(level.patches, scene.source, context.report());
     const raytrace::SurfaceRays rays(scene, context);
     const double diagonal = rays.list().bounds.diagonal();
     const FormFactors form_factors(level.elements, level.patches, rays, gap_share * diagonal);

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <random>
 
 #include <rakelight/radiosity.h>
 #include <rakelight/validate.h>
@@ -110,47 +109,6 @@ TEST(Radiosity, OfADistantPatchAcrossTheHorizonThePartAboveItCounts) {
             EXPECT_EQ(factors(receiver, p, 1), form_factor_of_triangle(receiver.at, receiver.normal, e.corner));
         }
     }
-}
-
-/// Small triangles, all facing +z, anywhere in a cube of 1 m about the origin.
-Elements dust(std::size_t count, double size) {
-    std::mt19937 random(4);
-    std::uniform_real_distribution<double> part(-0.5, 0.5), sizes(0.2, 1);
-    Elements out;
-    for (std::size_t i = 0; i < count; ++i) {
-        const dvec3 at{part(random), part(random), part(random)};
-        const double s = size * sizes(random);
-        Element e{.corner = {at, at + dvec3{s, 0, 0}, at + dvec3{0, s, 0}}, .center = at + dvec3{s / 3, s / 3, 0}};
-        e.normal = e.face_normal = {0, 0, 1}, e.area = s * s / 2;
-        out.list.push_back(e);
-    }
-    out.base = {0, std::uint32_t(count)};
-    return out;
-}
-
-TEST(Radiosity, ScatteredSmallTrianglesAreAskedByAFewOfThem) {
-    constexpr std::size_t count = 5000;
-    const Elements elements = dust(count, 1e-3);
-    const Patches patches = make_patches(elements, 10);
-    ASSERT_LE(patches.list.size(), 8u);  // the cells about the origin
-    EXPECT_EQ(patches.scattered, patches.list.size());
-    EXPECT_LE(patches.near.size(), 4 * patches.list.size());
-    for (const Patch& patch : patches.list) {
-        double area = 0, factor = 0, all = 0;
-        const dvec3 at = patch.center + dvec3{0, 0, 3 * patch.reach};
-        for (const NearMember& m : patches.near_of(patch)) {
-            area += m.factor * elements.list[m.element].area;
-            factor += m.factor * form_factor_of_triangle(at, {0, 0, -1}, elements.list[m.element].corner);
-        }
-        for (const std::uint32_t i : patches.of(patch))
-            all += form_factor_of_triangle(at, {0, 0, -1}, elements.list[i].corner);
-        EXPECT_NEAR(area, patch.area, 1e-9 * patch.area);
-        EXPECT_NEAR(factor, all, 0.25 * all);
-    }
-    const Patches dense = make_patches(dust(200, 0.5), 10);  // as much area as the cube has, and more
-    EXPECT_EQ(dense.scattered, 0u);
-    EXPECT_EQ(dense.near.size(), 200u);
-    for (const NearMember& m : dense.near) EXPECT_EQ(m.factor, 1);
 }
 
 TEST(Radiosity, ALightGivesIrradianceByItsCosineAndTheBaseColorStays) {
