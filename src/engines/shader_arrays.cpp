@@ -180,7 +180,7 @@ private:
         const std::optional<std::int64_t> number =
             value.empty() ? std::nullopt : constant_value(value.subspan(1), constants_);
         const auto [at, is_new] = constants_.try_emplace(name, number);
-        if (!is_new && at->second != number) at->second = std::nullopt;
+        if (!is_new) at->second = std::max(at->second, number);  // of several scopes or branches, the largest
     }
 
     /// Behind all of [2][3].
@@ -200,11 +200,9 @@ private:
             const std::size_t end = std::min(brackets_[at_], tokens_.size());
             const Tokens size = Tokens(tokens_).subspan(at_ + 1, end - at_ - 1);
             if (!size.empty()) {
-                const std::optional<std::int64_t> count = constant_value(size, constants_);
-                if (!count || *count < 1)
-                    refuse_shader(name_, line(),
-                                  "the size of an array is no constant that can be told: write a number");
-                numbers = checked(numbers * *count);
+                // What cannot be told here is left to the process that compiles the text first, within limits.
+                const std::int64_t count = constant_value(size, constants_).value_or(1);
+                numbers = checked(numbers * std::max<std::int64_t>(count, 1));
             }
             at_ = end + 1;
         }

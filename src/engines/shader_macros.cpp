@@ -13,6 +13,10 @@
 namespace rakelight {
 namespace {
 
+// Both are searched one by one.
+constexpr std::size_t most_parameters = 64;
+constexpr std::size_t most_meanings = 64;  ///< of a name, by branches of #if of which only the driver knows
+
 using List = std::vector<ShaderToken>;
 constexpr int deepest = 200;  ///< calls in arguments of calls
 
@@ -113,18 +117,27 @@ private:
                    other.parameters == macro.parameters;
         };
         if (std::ranges::none_of(known.all, is_same)) known.all.push_back(std::move(macro));
+        if (known.all.size() > most_meanings)
+            refuse_shader(
+                name_, words[1].line,
+                format_text("'{}' has more than {} meanings", one_line(std::string(words[1].text), 60), most_meanings));
     }
     std::size_t take_parameters(const List& words, Macro& macro) const {
         macro.has_parameters = true;
         std::size_t at = 3;
         for (; at < words.size() && words[at] != ")"; ++at) {
             if (words[at].is_word())
-                macro.parameters.push_back(words[at].text);
+                add_parameter(words[at], macro);
             else if (words[at] != ",")
                 refuse_shader(name_, words[at].line, "a #define has parameters of another form than (a, b)");
         }
         if (at == words.size()) refuse_shader(name_, words[1].line, "the parameters of a #define do not end");
         return at + 1;
+    }
+    void add_parameter(const ShaderToken& word, Macro& macro) const {
+        if (macro.parameters.size() == most_parameters)
+            refuse_shader(name_, word.line, format_text("a #define has more than {} parameters", most_parameters));
+        macro.parameters.push_back(word.text);
     }
     void undefine(std::string_view macro) {
         if (branches_.state() == Branch::live)

@@ -37,6 +37,25 @@ void bind_blocks(GLuint program, GlBuffer& zeros) {
     for (GLint i = 0; i < count; ++i) glUniformBlockBinding(program, GLuint(i), 0);
 }
 
+/// Numbers of the text's own uniforms are 1: loops step and divide by them.
+void set_own_uniforms(GLuint program) {
+    GLint count = 0;
+    glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        char name[256];
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(program, GLuint(i), sizeof name, nullptr, &size, &type, name);
+        const GLint place = glGetUniformLocation(program, name);
+        if (place < 0 || std::string_view(name).starts_with("rl_")) continue;
+        if (type == GL_FLOAT) glUniform1f(place, 1);
+        if (type == GL_FLOAT_VEC2) glUniform2f(place, 1, 1);
+        if (type == GL_FLOAT_VEC3) glUniform3f(place, 1, 1, 1);
+        if (type == GL_FLOAT_VEC4) glUniform4f(place, 1, 1, 1, 1);
+        if (type == GL_INT) glUniform1i(place, 1);
+    }
+}
+
 void draw(GLuint program) {
     GlTexture picture;
     GlFramebuffer target;
@@ -50,6 +69,7 @@ void draw(GLuint program) {
     glBindVertexArray(corners.get());
     glUseProgram(program);
     bind_blocks(program, zeros);
+    set_own_uniforms(program);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     std::vector<unsigned char> pixels(std::size_t(side) * side * 4);
     glReadPixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());  // waits for it
