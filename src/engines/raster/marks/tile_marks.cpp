@@ -68,7 +68,8 @@ vec4 TileMarks::mixed_color(const Mark& m, double key, double t) const {
 void TileMarks::find_nearest() {
     nearest_.assign(tile_pixels, std::numeric_limits<float>::lowest());
     const bool has_surfaces = std::ranges::any_of(s_.visible, [](std::int32_t v) { return v >= 0; });
-    if (top_.empty()) shown_.assign(items_.size(), ~PointBlocks::Mask(0));
+    const bool can_cover_blocks = job_.front.settings.point_size >= PointBlocks::side;
+    if (top_.empty() && can_cover_blocks) shown_.assign(items_.size(), ~PointBlocks::Mask(0));
     for (std::size_t i = items_.size(); i-- > 0;) {
         const Mark& m = marks_.at(items_[i]);
         if (job_.is_cancelled() || m.shape == Mark::Shape::line) continue;

@@ -89,7 +89,6 @@ private:
     void for_each_fragment(const BatchPart& part, const Take& take);
     void lay(const BlendedFragment& f);
     void make_room(std::size_t count);
-    void put(std::uint32_t at, const BlendedFragment& f);
     void wait_counted(const BatchPart& part);
     void lay_early(const BlendedFragment& added);
     BlendedFragment waiting(std::uint32_t at) const {
