@@ -26,22 +26,6 @@ bool is_as_requested(const PictureRequest& request, const std::string& path, Con
            header.has_alpha() == (request.settings.background.w < 1);
 }
 
-/// What a file of this name is: there, or, if not, why it does not count.
-struct Found {
-    bool is_there = false;
-    std::string damage{};  ///< empty: there is no such picture
-};
-
-Found found(const PictureRequest& request, const std::string& path, Context& context) {
-    if (!io::is_regular_file(path)) return {};
-    try {
-        return {.is_there = is_as_requested(request, path, context)};
-    } catch (const Error& error) {
-        context.throw_if_cancelled();
-        return {.damage = error.reason()};
-    }
-}
-
 }  // namespace
 
 void check_frame_names(const PictureRequest& request, std::span<const std::int64_t> frames) {
@@ -59,16 +43,16 @@ void check_frame_names(const PictureRequest& request, std::span<const std::int64
 }
 
 std::vector<char> frames_there(const PictureRequest& request, std::span<const std::int64_t> frames, Context& context) {
-    std::vector<Found> all(frames.size());
-    context.parallel_for(
-        frames.size(), [&](std::size_t i) { all[i] = found(request, frame_name(request.output, frames[i]), context); });
-    std::vector<char> there;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        there.push_back(all[i].is_there);
-        if (!all[i].damage.empty())
+    std::vector<char> there(frames.size(), false);
+    const auto look = [&](std::size_t i) {
+        const std::string path = frame_name(request.output, frames[i]);
+        there[i] = io::is_regular_file(path) && is_as_requested(request, path, context);
+    };
+    const auto faults = io::faults_of_pictures(frames.size(), look, context);
+    for (std::size_t i = 0; i < faults.size(); ++i)
+        if (faults[i])
             context.report().add(Remark::warning, frame_name(request.output, frames[i]), "",
-                                 "is damaged, so it is drawn again: " + all[i].damage);
-    }
+                                 "is damaged, so it is drawn again: " + faults[i]->reason());
     return there;
 }
 

@@ -253,7 +253,7 @@ class Sequences(Case):
                 self.assertEqual(self.pictures(), whole)
 
     def test_damaged_frames_of_other_formats_are_drawn_again(self):
-        for ending in ("exr", "webp", "jpg", "hdr"):
+        for ending in ("exr", "webp", "jpg", "hdr", "ppm"):
             with self.subTest(ending=ending):
                 options = ("-o", "f{frame}." + ending, "--frames", "0:1", "--fps", "4")
                 self.render(*options)
@@ -265,6 +265,14 @@ class Sequences(Case):
                 self.assertEqual(path.read_bytes(), whole)
                 run = self.render(*options, "--skip-existing", "--json")
                 self.assertEqual(([r["skipped"] for r in json.loads(run.out)["rows"]], run.err), ([True, True], ""))
+
+    def test_memory_that_many_frames_would_need_together_is_no_damage(self):
+        options = ("-o", "f{frame}.hdr", "--frames", "0:15", "--fps", "30", "--threads", "16")
+        self.render(*options)
+        for path in self.folder.glob("f*.hdr"):  # what follows a picture is not read, but it is in memory
+            path.write_bytes(path.read_bytes() + bytes(3 << 20))
+        run = self.render(*options, "--skip-existing", "--json", "--max-memory", "24M")
+        self.assertEqual(([r["skipped"] for r in json.loads(run.out)["rows"]], run.err), ([True] * 16, ""))
 
     def test_what_is_no_file_but_has_the_name_of_a_frame_is_refused(self):
         os.mkfifo(self.folder / "pipe1.png")

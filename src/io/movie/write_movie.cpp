@@ -35,29 +35,15 @@ const Kind* find_kind(const std::string& path) {
     return found == kinds.end() ? nullptr : &*found;
 }
 
-/// Of each picture, decoded whole: its header, or what is wrong with it.
-struct Checked {
-    PngHeader header{};
-    std::optional<Error> error{};
-};
-
-Checked checked(const std::string& file, Context& context) {
-    try {
-        return {header_of_whole_png(file, context)};
-    } catch (const Error& error) {
-        context.throw_if_cancelled();
-        return {{}, error};
-    }
-}
-
 /// All pictures have the first one's header, and none is damaged; their data are read again later, one by one.
 PngHeader common_header(std::span<const std::string> pictures, Context& context) {
-    std::vector<Checked> all(pictures.size());
-    context.parallel_for(pictures.size(), [&](std::size_t i) { all[i] = checked(pictures[i], context); });
-    const PngHeader& first = all[0].header;
+    std::vector<PngHeader> all(pictures.size());
+    const auto faults = faults_of_pictures(
+        pictures.size(), [&](std::size_t i) { all[i] = header_of_whole_png(pictures[i], context); }, context);
+    const PngHeader& first = all[0];
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-        if (all[i].error) throw *all[i].error;
-        if (!(all[i].header == first))
+        if (faults[i]) throw *faults[i];
+        if (!(all[i] == first))
             throw Error(ErrorCode::bad_file, "has another size or kind of color than the movie's first picture")
                 .with_file(pictures[i]);
     }
