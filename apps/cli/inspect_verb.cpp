@@ -225,7 +225,7 @@ void inspect_file(const PictureRequest& picture, Task task, InspectionRow& row, 
                   Context& context) {
     Scene loaded = load(picture.input, picture.load, context);
     const std::vector<ClipTime> clips = clips_of(loaded, picture.motion);
-    const Scene scene = scene_at(std::move(loaded), clips);
+    const Scene scene = scene_at(std::move(loaded), clips, context.memory());
     task.options.prepare = picture.prepare;
     task.options.weld_distance = picture.prepare.weld_distance;
     task.options.border_distance = picture.prepare.border_distance;
@@ -283,6 +283,7 @@ void write_reports(const Reports& reports, const InspectionPage& page, const std
 /// Seams between files are not among those of each file.
 void note_groups(const Run& run, const Task& task) {
     if (run.inputs.size() < 2 || !task.options.borders || run.loudness == Loudness::quiet) return;
+    if (CancelOnInterrupt::happened()) return;
     SmoothFileOptions options;
     options.attributes.weld_distance = run.picture.prepare.weld_distance;
     options.load = run.picture.load;

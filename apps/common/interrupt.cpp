@@ -28,9 +28,9 @@ constexpr const char* plain_words = "rakelight: error: cancelled\n";
 constexpr int not_settled = -1;
 std::atomic<Context*> running{nullptr};
 std::atomic<const char*> last_words{plain_words};
-std::atomic<int> interrupted{0};  // the signal
-std::atomic<bool> may_finish{false}, is_cut_short{false};
-std::atomic<int> settled_code{not_settled};  // of a program whose work is done
+std::atomic<int> interrupted{0};                                            // the signal
+std::atomic<bool> may_finish{false}, is_cut_short{false}, are_said{false};  // the words of the end
+std::atomic<int> settled_code{not_settled};                                 // of a program whose work is done
 constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
 static_assert(std::atomic<Context*>::is_always_lock_free, "a signal handler may use it");
 
@@ -76,7 +76,7 @@ void handle_signals(void (*handler)(int)) {
 
 CancelOnInterrupt::CancelOnInterrupt(Context& context, std::string words) : last_words_(std::move(words)) {
     running = &context;
-    last_words = last_words_.c_str();
+    if (!are_said) last_words = last_words_.c_str();
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGALRM, end_at_once);
     if (interrupted)
@@ -98,6 +98,7 @@ bool CancelOnInterrupt::happened() {
 
 void CancelOnInterrupt::words_are_said() {
     if (!happened()) return;
+    are_said = true;
     last_words = "";
     if (!may_finish) set_alarm(patience_us);  // again, so that it does not end within the words
 }

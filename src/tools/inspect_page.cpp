@@ -102,6 +102,15 @@ std::string verdict_html(const InspectionRow& row) {
     return "";
 }
 
+/// Of "out/left.obj + out/right.obj", too: folder names may be private.
+std::string without_folders(const std::string& files) {
+    constexpr std::string_view between = " + ";
+    const std::size_t end = files.find(between);
+    const std::string first = std::filesystem::path(files.substr(0, end)).filename().string();
+    return end == files.npos ? first
+                             : first + std::string(between) + without_folders(files.substr(end + between.size()));
+}
+
 }  // namespace
 
 ReportPicture report_picture(std::string caption, const Frame& frame) {
@@ -113,8 +122,7 @@ ReportPicture report_picture(std::string caption, const Frame& frame) {
 }
 
 void InspectionPage::add(const InspectionRow& row, std::span<const ReportPicture> pictures) {
-    const std::string id = "model-" + std::to_string(++models_),
-                      name = std::filesystem::path(row.file).filename().string();  // folder names may be private
+    const std::string id = "model-" + std::to_string(++models_), name = without_folders(row.file);
     const std::string seam = row.inspection ? seam_cell(*row.inspection) : "-";
     contents_ += "<tr><td><a href=\"#" + id + "\">" + html_text(name) + "</a></td><td class=\"r\">" +
                  (row.inspection ? std::to_string(row.inspection->objects.size()) : "-") + "</td><td class=\"r\">" +

@@ -232,6 +232,12 @@ class CommandLine(program.Case):
         self.assertEqual(row["file"], "left.obj + right.obj")
         many = self.fine("inspect", "left.obj", "right.obj", "left.obj", "right.obj", "--as-one").out
         self.assertTrue(many.startswith("left.obj + 3 more files\n"), many)
+        (self.folder / "private").mkdir()
+        self.write("private/left.obj", square(0))
+        self.fine("inspect", "private/left.obj", "right.obj", "--as-one", "--report", "r.html", "--resolution", "64,48")
+        page = (self.folder / "r.html").read_text()
+        self.assertIn("<h2>left.obj + right.obj</h2>", page)
+        self.assertNotIn("private", page)
         self.assertEqual((len(row["objects"]), row["shared_positions"]), (2, 2))
         self.check_refused(self.run_program("left.obj", "gone.obj", "--as-one", "-o", "c.png", *SIZE), 3, "gone.obj")
 

@@ -67,6 +67,23 @@ TEST(InterruptDeathTest, WordsThatWereSaidAreNotSaidAgain) {
         KilledBySignal(SIGTERM), Eq(words));
 }
 
+TEST(InterruptDeathTest, WordsThatWereSaidAreNotSaidByALaterGuard) {
+    EXPECT_EXIT(
+        {
+            Context context({.threads = 1});
+            {
+                const CancelOnInterrupt guard(context, words);
+                std::raise(SIGTERM);
+                fail_in_words();
+            }
+            Context other({.threads = 1});
+            { const CancelOnInterrupt guard(other, ""); }
+            CancelOnInterrupt::happened();
+            end(1);
+        },
+        KilledBySignal(SIGTERM), Eq(words));
+}
+
 TEST(InterruptDeathTest, ASignalAfterTheWorkChangesNothing) {
     const auto work = [] {
         Context context({.threads = 1});
