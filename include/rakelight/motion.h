@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <rakelight/export.h>
+#include <rakelight/memory_budget.h>
 #include <rakelight/scene.h>
 
 namespace rakelight {
@@ -32,8 +33,10 @@ RL_API ClipSpan clip_span(const Animation& animation);
 /// Interpolation as in glTF 2.0, appendix C: step, linear (rotations along the shorter arc), or cubic Hermite splines.
 /// If several clips animate one property, the last clip applies. Meshes are shared; the cost depends on the number of
 /// channels only.
-/// @throws Error usage: no such clip, a non-finite time; bad_file: see validate()
+/// @param memory  that morph weights are charged to; without it, to a budget of their own with the default limit
+/// @throws Error usage: no such clip, a non-finite time; bad_file: see validate(), over the memory budget
 RL_API Scene scene_at(Scene scene, std::span<const ClipTime> clips);
+RL_API Scene scene_at(Scene scene, std::span<const ClipTime> clips, MemoryBudget& memory);
 
 /// The name of the clip that holds the keyframes of a world file. It is the last clip of the scene, and has
 /// Animation::plays_always.

@@ -28,7 +28,7 @@ using geometry::JointColumns, geometry::MeshPose, geometry::MeshPoses;
 constexpr double far_away = 4096;
 
 /// [skins] The first one with the same joints and bind matrices: files repeat a skin for each of its meshes.
-std::vector<std::uint32_t> first_alike(const std::vector<Skin>& skins) {
+std::vector<std::uint32_t> first_of_like_skins(const std::vector<Skin>& skins) {
     const auto joints = [&](std::uint32_t a, std::uint32_t b) {
         return std::lexicographical_compare_three_way(skins[a].joints.begin(), skins[a].joints.end(),
                                                       skins[b].joints.begin(), skins[b].joints.end());
@@ -52,7 +52,7 @@ public:
         : scene_(scene),
           context_(context),
           world_(world_matrices(scene)),
-          alike_(first_alike(scene.skins)),
+          alike_(first_of_like_skins(scene.skins)),
           sides_(scene.skins.size()),
           check_(context) {
         const auto first = std::ranges::find_if(moving, [&](const Instance& i) { return is_skinned(i); });
@@ -134,7 +134,7 @@ private:
     const Scene& scene_;
     Context& context_;
     std::vector<dmat4> world_;
-    std::vector<std::uint32_t> alike_;  ///< [skins] of first_alike()
+    std::vector<std::uint32_t> alike_;  ///< [skins] of first_of_like_skins()
     dvec3 origin_{0, 0, 0};
     std::vector<std::vector<std::int8_t>> sides_;  ///< [skins][joints] -1: it mirrors, 0: not known yet
     /// By skin and influences.
@@ -280,15 +280,21 @@ PoseTaker::Key PoseTaker::key_of(const MeshPose& p) {
             p.influences.identity(), p.more_influences.identity(), p.joints.identity(),   p.weights.identity()};
 }
 
+PoseTaker::PoseTaker(UnposedScene& unposed, Context& context) : unposed_(unposed), context_(context) {
+    for (const auto& [number, pose] : unposed.poses) ++posed_[key_of(pose)].left;
+}
+
 void PoseTaker::take(std::uint32_t number) {
     const auto found = unposed_.poses.find(number);
     if (found == unposed_.poses.end()) return;
     context_.throw_if_cancelled();
-    const auto [known, is_new] = posed_.try_emplace(key_of(found->second));
-    if (is_new) known->second = {found->second, geometry::posed_arrays(found->second, context_)};
-    const geometry::PosedArrays& arrays = known->second.arrays;
+    const auto known = posed_.find(key_of(found->second));
+    Posed& posed = known->second;
+    if (!posed.arrays) posed.arrays = geometry::posed_arrays(found->second, context_);
     Mesh& mesh = unposed_.scene.meshes[number];
-    mesh.positions = arrays.positions, mesh.normals = arrays.normals, mesh.tangents = arrays.tangents;
+    mesh.positions = posed.arrays->positions, mesh.normals = posed.arrays->normals;
+    mesh.tangents = posed.arrays->tangents;
+    if (--posed.left == 0) posed_.erase(known);
     unposed_.poses.erase(found);
 }
 

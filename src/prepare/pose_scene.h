@@ -22,7 +22,7 @@ struct UnposedScene {
 /// Poses vertices. Meshes of the same arrays in the same pose share them.
 class PoseTaker {
 public:
-    PoseTaker(UnposedScene& unposed, Context& context) : unposed_(unposed), context_(context) {}
+    PoseTaker(UnposedScene& unposed, Context& context);
     /// Of one mesh, which may have no pose.
     void take(std::uint32_t number);
     void take_all();
@@ -30,8 +30,8 @@ public:
 private:
     using Key = std::array<const void*, 8>;  ///< all blocks of a pose
     struct Posed {
-        geometry::MeshPose of;  ///< keeps the identities of its blocks their own
-        geometry::PosedArrays arrays;
+        std::size_t left = 0;  ///< poses of these blocks that are not taken yet; they hold them
+        std::optional<geometry::PosedArrays> arrays{};
     };
     static Key key_of(const geometry::MeshPose& pose);
 

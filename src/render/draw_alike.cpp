@@ -149,7 +149,7 @@ Scene loaded_with_clips(PictureRequest& request, Context& context) {
         request.output.clear();
         request.settings.channels = 0;
         check_drawing(request);
-        return with_requested_clips(load(request.input, request.load, context), request);
+        return with_requested_clips(load(request.input, request.load, context), request, context);
     } catch (const Error& error) {
         throw error.with_file(request.input);
     }

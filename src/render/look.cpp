@@ -174,7 +174,7 @@ Scene with_requested_look(Scene scene, PictureRequest& request, Context& context
 }
 
 Scene looked_as_asked(Scene scene, PictureRequest& request, Context& context) {
-    scene = with_requested_clips(std::move(scene), request);
+    scene = with_requested_clips(std::move(scene), request, context);
     apply_look(scene, request, context);
     request.coloring = completed(scene, request.coloring);
     return with_splats(as_requested(std::move(scene), request, context), request, context);

@@ -99,13 +99,13 @@ private:
 
 Scene Sequence::asked_scene_at(double time_s, Context& context) {
     const std::vector<ClipTime> clips = plan_.clips_at(time_s);
-    if (!is_asked_at_moments_) return scene_at(asked_, clips);
-    return with_splats(as_requested(scene_at(loaded_, clips), request_, context), request_, context);
+    if (!is_asked_at_moments_) return scene_at(asked_, clips, context.memory());
+    return with_splats(as_requested(scene_at(loaded_, clips, context.memory()), request_, context), request_, context);
 }
 
 /// What is chosen once for all pictures, by the begin of the clip and by the whole of it.
 void Sequence::begin() {
-    const Scene first = scene_at(loaded_, plan_.clips_at(plan_.begin_s()));
+    const Scene first = scene_at(loaded_, plan_.clips_at(plan_.begin_s()), context_.memory());
     apply_look(first, request_, context_);
     request_.coloring = completed(first, request_.coloring);
     is_asked_at_moments_ = moves_materials(loaded_) && changes_materials(request_);

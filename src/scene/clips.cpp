@@ -80,22 +80,26 @@ void move_node(const AnimationChannel& channel, std::span<const float> v, SceneP
 /// Morph weights of a clip at a moment. Channels of the same keys share them.
 class SampledWeights {
 public:
+    explicit SampledWeights(MemoryBudget& memory) : memory_(memory) {}
+    /// @throws Error bad_file: over the memory budget
     Block<float> at(const AnimationChannel& channel, double time_s, std::size_t width) {
         Block<float>& known =
             sampled_[{channel.times.identity(), channel.values.identity(), channel.interpolation, width}];
         if (!known.empty()) return known;
+        MemoryCharge charge(memory_, width * sizeof(float), "morph weights");
         std::vector<float> values(width);
         sample_channel(channel, time_s, values);
-        return known = std::move(values);
+        return known = {std::move(values), std::move(charge)};
     }
 
 private:
+    MemoryBudget& memory_;
     std::map<std::tuple<const void*, const void*, Interpolation, std::size_t>, Block<float>> sampled_;
 };
 
-void apply(const Animation& animation, double time_s, Scene& scene, ScenePose& pose) {
+void apply(const Animation& animation, double time_s, MemoryBudget& memory, Scene& scene, ScenePose& pose) {
     std::vector<float> values;
-    SampledWeights weights;
+    SampledWeights weights(memory);
     for (const AnimationChannel& channel : animation.channels) {
         if (channel.element == no_index || channel.times.empty()) continue;
         const std::size_t width = channel_width(scene, channel);
@@ -135,6 +139,11 @@ ClipSpan clip_span(const Animation& animation) {
 }
 
 Scene scene_at(Scene scene, std::span<const ClipTime> clips) {
+    MemoryBudget own;  // its account lives as long as what is charged to it
+    return scene_at(std::move(scene), clips, own);
+}
+
+Scene scene_at(Scene scene, std::span<const ClipTime> clips, MemoryBudget& memory) {
     for (const ClipTime& clip : clips) {
         if (clip.animation >= scene.animations.size())
             throw Error(ErrorCode::usage, format_text("there is no animation {}: the scene has {}", clip.animation,
@@ -147,7 +156,7 @@ Scene scene_at(Scene scene, std::span<const ClipTime> clips) {
     const std::vector<Camera> before = scene.cameras;
     for (const ClipTime& clip : clips) {
         const Animation animation = scene.animations[clip.animation];  // arrays are shared
-        apply(animation, clip.time_s, scene, pose);
+        apply(animation, clip.time_s, memory, scene, pose);
     }
     for (const ClipTime& clip : clips) settle(scene.animations[clip.animation], before, scene);
     scene.pose = pose;

@@ -11,12 +11,12 @@ namespace rakelight {
 
 Scene scene_of_request(const PictureRequest& request, Context& context) {
     check_settings(request.settings);
-    return as_requested(with_requested_clips(load(request.input, request.load, context), request), request, context);
+    return as_requested(with_requested_clips(load(request.input, request.load, context), request, context), request, context);
 }
 
-Scene with_requested_clips(Scene scene, const PictureRequest& request) {
+Scene with_requested_clips(Scene scene, const PictureRequest& request, Context& context) {
     const std::vector<ClipTime> clips = clips_of(scene, request.motion);
-    return scene_at(std::move(scene), clips);
+    return scene_at(std::move(scene), clips, context.memory());
 }
 
 Scene as_requested(Scene scene, const PictureRequest& request, Context& context) {

@@ -18,7 +18,7 @@ bool is_lit_by_environment(const Scene& scene);
 
 /// The scene at the moment of the requested clips.
 /// @throws Error usage: see clips_of()
-Scene with_requested_clips(Scene scene, const PictureRequest& request);
+Scene with_requested_clips(Scene scene, const PictureRequest& request, Context& context);
 
 /// A scene with the materials and the environment of a request.
 Scene as_requested(Scene scene, const PictureRequest& request, Context& context);

@@ -100,10 +100,15 @@ void add_skin(const Document& d, Scene& scene) {
 }
 
 void add_morph_weights(Scene& scene) {
+    std::map<std::size_t, Block<float>> zeros;  // by their number
     for (Node& n : scene.nodes)
-        for (std::uint32_t m : n.meshes)
-            if (n.morph_weights.size() < scene.meshes[m].targets.size())
-                n.morph_weights = std::vector<float>(scene.meshes[m].targets.size(), 0.0f);
+        for (std::uint32_t m : n.meshes) {
+            const std::size_t targets = scene.meshes[m].targets.size();
+            if (n.morph_weights.size() >= targets) continue;
+            Block<float>& shared = zeros[targets];
+            if (shared.empty()) shared = std::vector<float>(targets, 0.0f);
+            n.morph_weights = shared;
+        }
 }
 
 void add_animations(Document& d, Scene& scene) {

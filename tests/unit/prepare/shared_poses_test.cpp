@@ -78,6 +78,31 @@ TEST(SharedPoses, ChannelsOfTheSameKeysShareTheirWeights) {
     EXPECT_EQ(posed.pose->morph_weights[2], scene.nodes[2].morph_weights);
 }
 
+/// Every node has keys of its own, so nothing can be shared.
+TEST(SharedPoses, WeightsOfChannelsAreCharged) {
+    constexpr std::size_t nodes = 20, targets = 1000;
+    Scene scene = lifted(nodes);
+    scene.meshes[0].targets = std::vector<MorphTarget>(targets, scene.meshes[0].targets[0]);
+    Animation clip;
+    for (std::uint32_t n = 0; n < nodes; ++n) {
+        AnimationChannel channel;
+        channel.element = n, channel.path = AnimationPath::morph_weights;
+        channel.times = {0, 1};
+        channel.values = std::vector<float>(2 * targets);
+        clip.channels.push_back(std::move(channel));
+    }
+    scene.animations = {clip};
+    const ClipTime half{.animation = 0, .time_s = 0.5};
+    MemoryBudget enough(nodes * targets * sizeof(float)), little(nodes * targets * sizeof(float) - 1);
+    {
+        const Scene posed = scene_at(scene, {&half, 1}, enough);
+        EXPECT_EQ(enough.charged(), nodes * targets * sizeof(float));
+    }
+    EXPECT_EQ(enough.charged(), 0u);
+    const Error error = test::error_of([&] { scene_at(scene, {&half, 1}, little); });
+    EXPECT_EQ(error.reason().find("morph weights"), 0u) << error.reason();
+}
+
 /// Squares that follow one joint each, by a skin of `joints` times that joint.
 Scene skinned(std::size_t nodes, std::size_t joints, double bind_of_last = 0) {
     Scene scene;
