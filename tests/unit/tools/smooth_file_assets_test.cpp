@@ -321,7 +321,19 @@ bool are_same(const Block<T>& a, const Block<T>& b) {
 }
 
 void expect_same_content(const Scene& a, const Scene& b) {
-    EXPECT_TRUE(a.nodes == b.nodes && a.skins == b.skins && a.cameras.size() == b.cameras.size());
+    EXPECT_EQ(a.cameras.size(), b.cameras.size());
+    ASSERT_EQ(a.nodes.size(), b.nodes.size());
+    for (std::size_t n = 0; n < a.nodes.size(); ++n) {
+        Node node = a.nodes[n];
+        EXPECT_TRUE(are_same(node.morph_weights, b.nodes[n].morph_weights)) << n;
+        node.morph_weights = b.nodes[n].morph_weights;
+        EXPECT_EQ(node, b.nodes[n]) << n;
+    }
+    ASSERT_EQ(a.skins.size(), b.skins.size());
+    for (std::size_t k = 0; k < a.skins.size(); ++k)
+        EXPECT_TRUE(a.skins[k].name == b.skins[k].name && a.skins[k].joints == b.skins[k].joints &&
+                    are_same(a.skins[k].inverse_bind, b.skins[k].inverse_bind))
+            << k;
     ASSERT_EQ(a.meshes.size(), b.meshes.size());
     for (std::size_t m = 0; m < a.meshes.size(); ++m) {
         const Mesh &x = a.meshes[m], &y = b.meshes[m];
