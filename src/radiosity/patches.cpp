@@ -9,6 +9,9 @@
 namespace rakelight::radiosity {
 namespace {
 
+/// Patches of more members are halved.
+constexpr std::size_t max_members = 8;
+
 /// Key of small elements of one patch: part, grid cell, main axis of the normal.
 struct Key {
     std::uint32_t part = 0, axis = 0;
@@ -37,20 +40,6 @@ Key key_of(const Element& e, std::uint32_t part, std::uint32_t number, double si
     return key;
 }
 
-Patch patch_of(const Elements& elements, std::span<const std::uint32_t> members) {
-    Patch out;
-    for (const std::uint32_t i : members) {
-        const Element& e = elements.list[i];
-        out.area += e.area;
-        out.center += e.center * e.area;
-        out.emission += e.emission * e.area;
-    }
-    out.center = out.center / out.area, out.emission = out.emission / out.area;
-    for (const std::uint32_t i : members)
-        for (const dvec3 corner : elements.list[i].corner) out.reach = std::max(out.reach, length(corner - out.center));
-    return out;
-}
-
 /// The one of nine cells of a cube-map face that a normal hits.
 std::size_t part_of_face(dvec3 n) {
     const std::uint32_t axis = main_axis(n) / 2;
@@ -74,6 +63,54 @@ void add_facets(const Elements& elements, std::span<const std::uint32_t> members
         if (facet.area > 0) facets.push_back(normalize_or(facet.normal, dvec3{}) * facet.area);
 }
 
+Patch patch_of(const Elements& elements, std::uint32_t begin, std::uint32_t end, Patches& patches) {
+    Patch out{.begin = begin, .end = end};
+    const std::span<const std::uint32_t> members = patches.of(out);
+    for (const std::uint32_t i : members) {
+        const Element& e = elements.list[i];
+        out.area += e.area;
+        out.center += e.center * e.area;
+        out.emission += e.emission * e.area;
+    }
+    out.center = out.center / out.area, out.emission = out.emission / out.area;
+    for (const std::uint32_t i : members)
+        for (const dvec3 corner : elements.list[i].corner) out.reach = std::max(out.reach, length(corner - out.center));
+    out.facets_begin = std::uint32_t(patches.facets.size());
+    add_facets(elements, members, patches.facets);
+    out.facets_end = std::uint32_t(patches.facets.size());
+    return out;
+}
+
+/// Orders the members along the longest axis of their centers.
+/// @return the first of the second half
+std::uint32_t halve_members(const Elements& elements, const Patch& patch, Patches& patches) {
+    const std::span<std::uint32_t> members(patches.members.data() + patch.begin, patch.end - patch.begin);
+    dvec3 low{INFINITY, INFINITY, INFINITY}, high = -low;
+    for (const std::uint32_t i : members) {
+        low = min(low, elements.list[i].center), high = max(high, elements.list[i].center);
+    }
+    const dvec3 size = high - low;
+    const std::size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const auto middle = members.begin() + std::ptrdiff_t(members.size() / 2);
+    std::nth_element(members.begin(), middle, members.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const double at = elements.list[a].center[axis], bt = elements.list[b].center[axis];
+        return at != bt ? at < bt : a < b;
+    });
+    return patch.begin + std::uint32_t(members.size() / 2);
+}
+
+void add_halves(const Elements& elements, Patch& patch, Patches& patches) {
+    if (patch.end - patch.begin <= max_members) return;
+    const std::uint32_t middle = halve_members(elements, patch, patches);
+    patch.halves = std::uint32_t(patches.parts.size());
+    patches.parts.resize(patches.parts.size() + 2);
+    for (std::uint32_t half = 0; half < 2; ++half) {
+        Patch part = patch_of(elements, half == 0 ? patch.begin : middle, half == 0 ? middle : patch.end, patches);
+        add_halves(elements, part, patches);
+        patches.parts[patch.halves + half] = part;
+    }
+}
+
 }  // namespace
 
 Patches make_patches(const Elements& elements, double size, PatchesOf of) {
@@ -87,11 +124,8 @@ Patches make_patches(const Elements& elements, double size, PatchesOf of) {
     for (std::size_t first = 0; first < keys.size();) {
         std::size_t end = first;
         while (end < keys.size() && keys[end].first == keys[first].first) out.members.push_back(keys[end++].second);
-        Patch patch = patch_of(elements, {out.members.data() + first, end - first});
-        patch.begin = std::uint32_t(first), patch.end = std::uint32_t(end);
-        patch.facets_begin = std::uint32_t(out.facets.size());
-        add_facets(elements, out.of(patch), out.facets);
-        patch.facets_end = std::uint32_t(out.facets.size());
+        Patch patch = patch_of(elements, std::uint32_t(first), std::uint32_t(end), out);
+        add_halves(elements, patch, out);
         out.list.push_back(patch);
         first = end;
     }

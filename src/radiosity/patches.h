@@ -14,6 +14,7 @@ struct Patch {
     std::uint32_t begin = 0, end = 0;                ///< of Patches::members
     dvec3 center;                                    ///< mean by area
     std::uint32_t facets_begin = 0, facets_end = 0;  ///< of Patches::facets
+    std::uint32_t halves = 0;                        ///< of Patches::parts, two of them; 0: none
     double area = 0;                                 ///< [m^2]
     double reach = 0;                                ///< [m] bounding radius about the center
     dvec3 emission;                                  ///< radiance, mean by area
@@ -25,6 +26,12 @@ struct Patches {
     /// [m^2] grouped by patch, for distant receivers: areas of members of similar orientation, projected on their mean
     /// normal.
     std::vector<dvec3> facets;
+    /// Halves of patches of many members, and of such halves, for near receivers: what is far from them is not summed
+    /// over its members. The first is of no patch.
+    std::vector<Patch> parts = std::vector<Patch>(1);
+    std::span<const Patch> halves_of(const Patch& p) const {
+        return p.halves == 0 ? std::span<const Patch>() : std::span(parts).subspan(p.halves, 2);
+    }
     std::span<const std::uint32_t> of(const Patch& p) const { return {members.data() + p.begin, p.end - p.begin}; }
     std::span<const dvec3> facets_of(const Patch& p) const {
         return {facets.data() + p.facets_begin, p.facets_end - p.facets_begin};

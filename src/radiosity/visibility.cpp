@@ -34,6 +34,8 @@ double FormFactors::unblocked(const Receiver& r, const Patch& patch) const {
     // Patches cut by the receiver's horizon need more than their center, which may be below it.
     if (is_far && std::fabs(dot(r.normal, way)) >= patch.reach)
         return of_small_area(r, patch.center, patches_.facets_of(patch));
+    if (const std::span<const Patch> halves = patches_.halves_of(patch); !halves.empty())
+        return std::min(unblocked(r, halves[0]) + unblocked(r, halves[1]), 1.0);
     double sum = 0;
     for (const std::uint32_t i : patches_.of(patch)) {
         const Element& e = elements_.list[i];
