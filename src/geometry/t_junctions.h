@@ -27,9 +27,10 @@ struct TJunctions {
 /// fits neither the short nor the long edges. Expected O(n log n).
 /// @param open_corners edges of one face only (EdgeCensus::open_corners); only their ends are examined
 /// @param max_places maximum length of `places`
-/// @param visits_per_edge bound of the work: average number of visited boxes, with an allowance for small models
+/// @param visits_per_edge bound of the work: average number of visited boxes, with an allowance for small models; real
+/// models take up to 20
 TJunctions find_t_junctions(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
                             std::uint32_t objects, std::size_t max_places, const Context& context,
-                            std::uint64_t visits_per_edge = 256);
+                            std::uint64_t visits_per_edge = 64);
 
 }  // namespace rakelight::geometry
