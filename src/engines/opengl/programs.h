@@ -66,10 +66,10 @@ private:
     using Table = std::map<Features, Kept>;
     const Program& find(const Features& features, Table& in,
                         std::unique_ptr<Program> (Programs::*make)(const Features&) const) {
-        Kept& kept = in[features];
-        if (!kept.program) kept.program = (this->*make)(features);
-        kept.used = picture_;
-        return *kept.program;
+        auto at = in.find(features);
+        if (at == in.end()) at = in.emplace(features, Kept{(this->*make)(features)}).first;
+        at->second.used = picture_;
+        return *at->second.program;
     }
     std::unique_ptr<Program> make(const Features& features) const;
     std::unique_ptr<Program> make_marks(const Features& features) const;

@@ -83,9 +83,12 @@ private:
                 format_text("it takes the OpenGL driver more than {} s to compile it", shader_check_seconds));
 }
 
-/// The end of a check that has not answered.
+/// The end of a check that has not answered. Drivers without memory raise a signal or exit with 1; other exits are its
+/// own.
 [[noreturn]] void ended_early(std::optional<int> status) {
     if (!status || (WIFSIGNALED(*status) && WTERMSIG(*status) == SIGXCPU)) too_slow();
+    if (WIFEXITED(*status) && WEXITSTATUS(*status) != 1)
+        throw Error(ErrorCode::failed, format_text("the shader check ends with exit code {}", WEXITSTATUS(*status)));
     throw Error(ErrorCode::bad_file,
                 format_text("the OpenGL driver needs more than {} MiB to compile it, or crashes on it",
                             shader_check_bytes >> 20));

@@ -86,6 +86,9 @@ TEST_F(ShaderCheck, OneThatMisbehavesIsOneClearError) {
         EXPECT_EQ(error.code(), ErrorCode::failed) << lie;
         EXPECT_NE(error.reason().find("something else"), std::string::npos) << error.what();
     }
+    const Error own = error_by("exit 3", "color = vec4(2.0);");
+    EXPECT_EQ(own.code(), ErrorCode::failed);
+    EXPECT_NE(own.reason().find("exit code 3"), std::string::npos) << own.what();
     const Error none = error_by("echo 'no context'; echo 'libEGL is missing'", "color = vec4(2.0);");
     EXPECT_EQ(none.code(), ErrorCode::failed);
     EXPECT_NE(none.reason().find("libEGL is missing"), std::string::npos) << none.what();
