@@ -192,14 +192,16 @@ RenderBenchOptions render_options(const Run& run) {
     read_count(given, "objects", o.objects, 1, 100'000);
     if (given.has("lights")) {
         std::vector<std::uint32_t> lights;
-        for (const std::string_view number : values::split(given.word("lights"), ','))
+        const std::string numbers = given.word("lights");
+        for (const std::string_view number : values::split(numbers, ','))
             lights.push_back(std::uint32_t(count("lights", std::string(number), 0, 10'000)));
         o.lights = lights.front(), o.other_lights.assign(lights.begin() + 1, lights.end());
     }
     read_count(given, "frames", o.frames, 1, 10'000);
     if (given.has("engine")) {
-        o.engines.clear();
-        for (const std::string_view name : values::split(given.word("engine"), ',')) o.engines.emplace_back(name);
+        const std::string names = given.word("engine");
+        const std::vector<std::string_view> parts = values::split(names, ',');
+        o.engines.assign(parts.begin(), parts.end());
     }
     o.picture.settings = o.settings;  // in full HD
     read_render_keys(given.settings(), o.picture);

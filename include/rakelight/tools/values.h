@@ -3,6 +3,7 @@
 // wrong, a parser throws an Error usage about `setting`, with the expected form. Numbers are parsed by std::from_chars,
 // independent of the locale.
 #pragma once
+#include <concepts>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -84,5 +85,8 @@ T word(const std::string& setting, std::string_view text, std::initializer_list<
 
 /// The parts between separators; "a,,b" has an empty part.
 RL_API std::vector<std::string_view> split(std::string_view text, char separator);
+/// The parts of a temporary string would dangle.
+template <std::same_as<std::string> Text>
+std::vector<std::string_view> split(Text&& text, char separator) = delete;
 
 }  // namespace rakelight::values
