@@ -78,11 +78,7 @@ std::optional<Scene> without_useless_normals(const Scene& scene, Context& contex
         for (const Finding& f : findings)
             context.report().add(f.remark, scene.source, Place{"mesh", number, mesh.name}.text(), f.message);
         if (!mesh.normals.empty()) continue;
-        if (!out) {
-            SharedCharge charge = share(MemoryCharge(context.memory(), table_bytes(scene), "the scene"));
-            out = scene;
-            out->charges.push_back(std::move(charge));
-        }
+        if (!out) out = charged_copy(scene, context);
         out->meshes[number] = std::move(mesh);
     }
     return out;

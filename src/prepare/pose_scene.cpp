@@ -313,7 +313,7 @@ Scene valid::posed_scene(Scene scene, Context& context) {
 
 std::optional<Scene> posed_outline(const Scene& scene, Context& context) {
     if (!is_posable(scene)) return {};
-    Scene outline = scene;
+    Scene outline = charged_copy(scene, context);
     for (const Instance& i : moving_placements(scene))
         outline.meshes[i.mesh].normals = {}, outline.meshes[i.mesh].tangents = {};
     return valid::posed_scene(std::move(outline), context);

@@ -86,7 +86,15 @@ Inputs inputs_of(const Scene& scene, const SmoothSelection& s, const std::vector
     return in;
 }
 
-/// Charges results, because their size depends on the number of instances in the file.
+/// Before they are made: the number of instances in a file may be large.
+void check_inputs(const SmoothSelection& s, Context& context) {
+    const std::uint64_t each = sizeof(AttributeMesh) + 2 * sizeof(MeshAttributes) +
+                               4 * sizeof(std::uint64_t) +  // the other arrays of Inputs, which grow
+                               2 * sizeof(Instance);
+    context.memory().check((s.computed.size() + s.beside.size()) * each, "normals and tangents of all instances");
+}
+
+/// With the results.
 void check_memory(const std::vector<AttributeMesh>& meshes, Context& context) {
     std::uint64_t bytes = meshes.size() * (sizeof(AttributeMesh) + 2 * sizeof(MeshAttributes));
     for (const AttributeMesh& m : meshes)
@@ -213,6 +221,7 @@ Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context)
     const std::vector<dmat4> world = bind_pose_matrices(scene);
     const SmoothSelection s = select_instances(scene, request, world);
     if (s.instances.empty()) return scene;
+    check_inputs(s, context);
     std::vector<std::uint32_t> numbers;
     Computed computed;
     bool keeps_plan = false;

@@ -9,6 +9,7 @@
 #include "engines/posing_engine.h"
 #include "engines/raster/raster_engine.h"
 #include "render/engines.h"
+#include "scene/charge_arrays.h"
 #ifdef RL_HAVE_OPENGL
 #include "engines/opengl/opengl_engine.h"
 #endif
@@ -97,7 +98,7 @@ public:
         } else if (draws_on_gpu_) {
             check_abilities(soft_->name(), soft_->capabilities(), settings);
             say("it uses engine soft for what engine gl cannot do", Remark::note, scene().source, context);
-            soft_->prepare(posed(gpu_->scene(), context), context);
+            soft_->prepare(posed(charged_copy(gpu_->scene(), context), context), context);
             draws_on_gpu_ = false;
         }
         return soft_->render(camera, settings, sink, context);
@@ -106,8 +107,8 @@ public:
 private:
     void prepare_on_gpu(const Scene& scene, Context& context) {
         auto* const posing = dynamic_cast<PosingEngine*>(gpu_.get());
-        if (posing && poses_) return posing->prepare_unposed(scene, poses_, context);
-        gpu_->prepare(posed(scene, context), context);
+        if (posing && poses_) return posing->prepare_unposed(charged_copy(scene, context), poses_, context);
+        gpu_->prepare(posed(charged_copy(scene, context), context), context);
     }
     /// The scene as soft takes it: meshes posed by the GPU are posed again on the processor.
     Scene posed(Scene scene, Context& context) const {

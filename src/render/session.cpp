@@ -15,6 +15,7 @@
 #include "render/lit_scenes.h"
 #include "render/picture_steps.h"
 #include "render/prepared_scene.h"
+#include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -273,7 +274,7 @@ void Session::State::warm_up(const RenderSettings& settings, const Camera& camer
     }
     taken.reset();  // what fails leaves the engine with another scene, or none
     auto* const posing = ready->poses ? dynamic_cast<PosingEngine*>(engine.get()) : nullptr;
-    Scene drawn = posing ? ready->scene : ready->posed(context);
+    Scene drawn = charged_copy(posing ? ready->scene : ready->posed(context), context);
     drawn.lights = std::move(lights);
     if (posing)
         posing->prepare_unposed(std::move(drawn), ready->poses, context);

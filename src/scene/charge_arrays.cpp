@@ -101,6 +101,13 @@ std::uint64_t table_bytes(const Scene& scene) {
     return bytes;
 }
 
+Scene charged_copy(const Scene& scene, Context& context) {
+    SharedCharge charge = share(MemoryCharge(context.memory(), table_bytes(scene), "a copy of the scene"));
+    Scene copy = scene;
+    copy.charges.push_back(std::move(charge));
+    return copy;
+}
+
 std::uint32_t AddedMeshes::add(Mesh mesh) {
     if (!charge_) {
         charge_ = std::make_shared<MemoryCharge>(context_.memory());

@@ -13,6 +13,8 @@ namespace rakelight {
 
 /// Approximate overhead of a block: its record and two allocations.
 constexpr std::uint64_t bytes_beside_array = 112;
+/// What stages make for each node while they work: matrices of three stages, an instance. Readers charge it with the node.
+constexpr std::uint64_t bytes_beside_node = 3 * sizeof(dmat4) + 32;
 
 /// Uncharged arrays of the scene's meshes, created by the caller. By Block::identity().
 std::set<const void*> unpaid_arrays(const Scene& scene);
@@ -29,6 +31,10 @@ std::uint64_t table_bytes(const Scene& scene);
 std::uint64_t table_bytes(const Node& node);
 std::uint64_t table_bytes(const Mesh& mesh);
 std::uint64_t table_bytes(std::span<const MorphTarget> targets);
+
+/// A copy that holds the charge of its tables.
+/// @throws Error bad_file: over the memory budget
+Scene charged_copy(const Scene& scene, Context& context);
 
 /// Appends meshes to a scene and charges the table before it grows. The scene holds the charge and must not be moved.
 class AddedMeshes {

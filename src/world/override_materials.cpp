@@ -11,6 +11,7 @@
 #include "io/file.h"
 #include "io/image_io.h"
 #include "io/world/material_keys.h"
+#include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
 #include "world/change_material.h"
 #include "world/own_materials.h"
@@ -91,7 +92,7 @@ Scene override_materials(const Scene& scene, const MaterialOverrides& overrides,
 
 Scene with_material_changes(Scene scene, std::span<const MaterialChanges> changes, Context& context) {
     validate(scene);
-    const Scene before = scene;
+    const Scene before = charged_copy(scene, context);
     name_default_material(scene);
     Pictures pictures(scene, context);
     for (const MaterialChanges& change : changes) {

@@ -7,6 +7,7 @@
 #include "io/position_origin.h"
 #include "math/linear.h"
 #include "prepare/bind_pose.h"
+#include "scene/charge_arrays.h"
 #include "scene/placed_normal.h"
 
 namespace rakelight {
@@ -68,7 +69,7 @@ Mesh placed(const Mesh& mesh, const dmat4& place, dvec3 origin, Context& context
 Scene placed_in_world(const Scene& scene, bool holds_doubles, Context& context) {
     const std::vector<dmat4> world = bind_pose_matrices(scene);
     const dvec3 origin = holds_doubles ? origin_of(scene, world) : dvec3{};
-    Scene out = scene;
+    Scene out = charged_copy(scene, context);
     out.meshes.clear();
     for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
         Node& node = out.nodes[n];

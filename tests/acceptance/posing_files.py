@@ -51,6 +51,14 @@ def targets(path, nodes, count, step=2, own_weights=False, is_animated=False, ha
     file.write(path, shown, meshes=[{"weights": [0.5] * count, "primitives": [mesh]}], **more)
 
 
+def instances(path, count):
+    """A triangle that EXT_mesh_gpu_instancing shows `count` times, at zeros that no byte of the file holds."""
+    file = File()
+    mesh = {"primitives": [{"attributes": {"POSITION": file.triangle()}}]}
+    file.tree["accessors"].append({"componentType": F32, "count": count, "type": "VEC3"})
+    file.write(path, [{"mesh": 0, "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 1}}}}], meshes=[mesh], extensionsUsed=["EXT_mesh_gpu_instancing"])
+
+
 def skins(path, count, joints, are_different=False):
     """As many nodes as skins, each of one joint over and over again; are_different: no two skins are alike."""
     file = File()

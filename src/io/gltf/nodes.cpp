@@ -6,6 +6,7 @@
 
 #include "base/format_text.h"
 #include "io/gltf/transform.h"
+#include "scene/charge_arrays.h"
 
 namespace rakelight::io::gltf {
 namespace {
@@ -93,7 +94,7 @@ void Nodes::place(const Waiting& waiting, std::vector<Waiting>& stack) {
         throw Error(ErrorCode::bad_file,
                     "it is placed twice: the node hierarchy has a cycle or a node with two parents", source.place());
     MemoryCharge& charge = document().scene_charge();
-    charge.grow(sizeof(Node), "nodes");
+    charge.grow(sizeof(Node) + bytes_beside_node, "nodes");
     const auto index = std::uint32_t(scene_.nodes.size());
     scene_of_[waiting.file] = index;
     placed_.push_back({waiting.file, index});
@@ -151,9 +152,11 @@ void Nodes::add_instances(const Value& source, const Value& extension, std::uint
     const Node group = scene_.nodes[node];
     scene_.nodes[node].meshes.clear();
     scene_.nodes[node].morph_weights = {};
-    const std::uint64_t each = sizeof(Node) + 64 + group.name.size() + group.meshes.size() * bytes_per_placement;
+    const std::uint64_t each =
+        sizeof(Node) + bytes_beside_node + 64 + group.name.size() + group.meshes.size() * bytes_per_placement;
     if (*count > (1ull << 40) / each) source.fail(std::to_string(*count) + " instances are too many");
     document().scene_charge().grow(*count * each, "instances");
+    scene_.nodes.reserve(scene_.nodes.size() + *count);  // many: doubling would take three times what was charged
     for (std::size_t i = 0; i < *count; ++i) {
         Node instance;
         instance.name = format_text("{} instance {}", group.name, i);

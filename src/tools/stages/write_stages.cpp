@@ -9,6 +9,7 @@
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/text_file.h>
 
+#include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
 #include "tools/open_engine.h"
 #include "tools/report_json.h"
@@ -30,7 +31,7 @@ void check_size(const RenderSettings& settings) {
 
 std::vector<stages::Stage> make_stages(PictureRequest request, Context& context) {
     const Scene loaded = load_for_engine(request, context);
-    const auto engine = open_engine(loaded, request, context);
+    const auto engine = open_engine(charged_copy(loaded, context), request, context);
     context.progress("stages", 0);
     if (triangle_count(engine->list().scene) == 0)
         context.report().add(Remark::warning, request.input, "",

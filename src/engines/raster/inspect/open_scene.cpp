@@ -4,6 +4,7 @@
 #include "engines/raster/material_jobs.h"
 #include "engines/raster/occlusion/occlusion.h"
 #include "engines/raster/visibility/visibility_methods.h"
+#include "scene/charge_arrays.h"
 #include "shading/draw_choices.h"
 #include "shading/lights.h"
 
@@ -37,7 +38,8 @@ OpenScene::~OpenScene() = default;
 const AmbientOcclusion* OpenScene::occlusion() const { return depths_ ? &*depths_->occlusion : nullptr; }
 
 OpenScene::OpenScene(const Scene& scene, const Camera& camera, const RenderSettings& settings, Context& context)
-    : settings_(settings_for_method(settings)), list_(cpu_shading::make_draw_list(scene, textures_, context)) {
+    : settings_(settings_for_method(settings)),
+      list_(cpu_shading::make_draw_list(charged_copy(scene, context), textures_, context)) {
     shading::EnvironmentCache environments;
     cpu_shading::set_environment(list_.scene, environments, false, list_.views, context);
     settings_.window = {};
