@@ -37,10 +37,7 @@ void set_target_directions(const Scene& scene, Mesh& mesh, std::uint32_t number,
         if (new_normals) target.normals = normals;
         target.tangents = tangents;
     };
-    const bool stays = !directions && std::ranges::all_of(mesh.targets, [&](const MorphTarget& target) {
-        return (!new_normals || target.normals.empty()) && target.tangents.empty();
-    });
-    if (!stays) change_targets(mesh, set, context);
+    change_targets(mesh, set, context);
     if (refused)
         context.report().add(Remark::dropped, scene.source, format_text("mesh {} '{}'", number, mesh.name),
                              "normals and tangents of morph targets do not fit the new ones and are left out");
@@ -126,8 +123,18 @@ Mesh ResultPlacer::made_mesh(std::uint32_t number, MeshAttributes& made, TargetD
         return with_gaps_filled(from, std::move(made), targets, context_);
     if (!keeps_bitangents(from)) made.bitangents = {};
     Mesh mesh = with_attributes(from, std::move(made), new_normals, context_);
-    set_target_directions(scene_, mesh, number, new_normals, targets, context_);
+    if (targets || has_directions(mesh.targets, new_normals))
+        set_target_directions(scene_, mesh, number, new_normals, targets, context_);
     return mesh;
+}
+
+bool ResultPlacer::has_directions(const Block<MorphTarget>& targets, bool with_normals) {
+    const auto [known, is_new] = has_directions_.try_emplace(targets.identity(), false);
+    if (is_new)
+        known->second = std::ranges::any_of(targets, [&](const MorphTarget& target) {
+            return (with_normals && !target.normals.empty()) || !target.tangents.empty();
+        });
+    return known->second;
 }
 
 bool ResultPlacer::keeps_bitangents(const Mesh& mesh) const {

@@ -35,6 +35,8 @@ private:
     const Mesh& source(std::uint32_t number);
     Mesh made_mesh(std::uint32_t number, MeshAttributes& made, TargetDirections* targets);
     bool keeps_bitangents(const Mesh& mesh) const;
+    /// Normals (if asked) or tangents of targets, which many meshes may share.
+    bool has_directions(const Block<MorphTarget>& targets, bool with_normals);
 
     Scene& scene_;
     const SmoothRequest& request_;
@@ -44,6 +46,7 @@ private:
     MeshVariants variants_;
     std::vector<std::uint32_t> uses_;  ///< [meshes] upper bound of the results of each
     std::map<std::uint32_t, Mesh> originals_;
+    std::map<const void*, bool> has_directions_;  ///< by tables of targets
 };
 
 }  // namespace rakelight

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <unordered_set>
 
 #include <rakelight/error.h>
 
@@ -16,7 +17,8 @@
 namespace rakelight {
 namespace {
 
-void check_node(const Scene& scene, std::size_t i) {
+/// @param seen  weights of earlier nodes, which often share them
+void check_node(const Scene& scene, std::size_t i, std::unordered_set<const void*>& seen) {
     const Node& node = scene.nodes[i];
     const Place place{"node", i, node.name};
     if (node.parent != no_index && node.parent >= i)
@@ -24,7 +26,8 @@ void check_node(const Scene& scene, std::size_t i) {
     for (const std::uint32_t mesh : node.meshes) place.index("mesh", mesh, scene.meshes.size());
     place.index_or_none("skin", node.skin, scene.skins.size());
     if (node.shading) place.enumerator("shading", *node.shading, Shading::automatic);
-    for (const float w : node.morph_weights) place.finite("a morph weight", w);
+    if (seen.insert(node.morph_weights.identity()).second)
+        for (const float w : node.morph_weights) place.finite("a morph weight", w);
     check_transform(place, node.local);
 }
 
@@ -162,7 +165,8 @@ void validate(const Scene& scene, const Scene* known) {
     for (const std::size_t count :
          {scene.nodes.size(), scene.meshes.size(), scene.materials.size(), scene.textures.size()})
         if (count >= no_index) throw Error(ErrorCode::bad_file, "too many elements for 32-bit indices");
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) check_node(scene, i);
+    std::unordered_set<const void*> weights;
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) check_node(scene, i, weights);
     std::vector<std::uint32_t> joints_needed(scene.meshes.size());
     for (std::size_t i = 0; i < scene.meshes.size(); ++i)
         joints_needed[i] = check_mesh(scene, i, known && i < known->meshes.size() ? &known->meshes[i] : nullptr);

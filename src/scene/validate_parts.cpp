@@ -214,8 +214,10 @@ void check_pose(const Scene& scene) {
     const Place place{"scene", 0, scene.source};
     place.size("placements of the pose", scene.pose->local.size(), scene.nodes.size(), "nodes");
     place.size("morph weights of the pose", scene.pose->morph_weights.size(), scene.nodes.size(), "nodes");
+    std::unordered_set<const void*> seen;
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         check_transform(Place{"node", i, scene.nodes[i].name}, scene.pose->local[i]);
+        if (!seen.insert(scene.pose->morph_weights[i].identity()).second) continue;
         for (const float weight : scene.pose->morph_weights[i])
             Place{"node", i, scene.nodes[i].name}.finite("a morph weight", weight);
     }

@@ -40,6 +40,19 @@ TEST(SharedPoses, NodesOfOneMeshAndTheSameWeightsShareTheirVertices) {
     EXPECT_EQ(posed.meshes[posed.nodes[2].meshes[0]].positions[0].z, 0.25f);
 }
 
+TEST(SharedPoses, NormalsThatSmoothingMadeEqualArePosedOnce) {
+    Scene scene = lifted(3);
+    Context context;
+    scene = with_own_meshes(std::move(scene), context);
+    for (Mesh& mesh : scene.meshes) mesh.normals = std::vector<vec3>(4, {0, 0, 1});  // arrays of their own
+    scene.meshes[2].normals = std::vector<vec3>(4, {1, 0, 0});
+    const Scene posed = posed_scene(scene, context);
+    const auto normals = [&](std::size_t node) { return posed.meshes[posed.nodes[node].meshes[0]].normals; };
+    EXPECT_EQ(posed_identity(posed, 0), posed_identity(posed, 1));
+    EXPECT_EQ(normals(0).identity(), normals(1).identity());
+    EXPECT_EQ(normals(2)[0], (vec3{1, 0, 0}));
+}
+
 TEST(SharedPoses, MeshesOfTheirOwnShareTheTableOfTargets) {
     const Scene scene = lifted(3);
     Context context;
