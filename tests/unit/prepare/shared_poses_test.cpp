@@ -45,7 +45,7 @@ TEST(SharedPoses, NormalsThatSmoothingMadeEqualArePosedOnce) {
     Context context;
     scene = with_own_meshes(std::move(scene), context);
     for (Mesh& mesh : scene.meshes) mesh.normals = std::vector<vec3>(4, {0, 0, 1});  // arrays of their own
-    scene.meshes[2].normals = std::vector<vec3>(4, {1, 0, 0});
+    scene.meshes[scene.nodes[2].meshes[0]].normals = std::vector<vec3>(4, {1, 0, 0});
     const Scene posed = posed_scene(scene, context);
     const auto normals = [&](std::size_t node) { return posed.meshes[posed.nodes[node].meshes[0]].normals; };
     EXPECT_EQ(posed_identity(posed, 0), posed_identity(posed, 1));
