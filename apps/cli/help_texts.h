@@ -113,7 +113,7 @@ Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found,
 4 file broken or nothing to draw, 5 beyond --ref-threshold; with several inputs the
 largest. A signal ends the program as that signal (130 or 143 in a shell) within half a
 second, unless all the work is done already: then the exit code is that of the work. No
-unfinished file remains; --json prints nothing if work was interrupted.)";
+unfinished file remains. With --json, what was interrupted has the error "cancelled".)";
 
 inline constexpr const char* inspect_footer =
     R"(A border is a world position that two meshes share: objects, or parts of one object with
@@ -206,7 +206,7 @@ Exit codes: 0 done, 1 failed or cancelled, 2 wrong usage, 3 input not found, 4 f
 broken or too large.)";
 
 inline constexpr const char* thumbnail_footer =
-    R"(If a model needs more, the program ends with exit code 1. So no file can keep a file
+    R"(If a model needs more, the program ends with exit code 1 or 4. So no file can keep a file
 manager waiting. Textures are decoded at a reduced size. The less important ones are left
 out if decoding would take more than about half of that time. Textures are read from the
 folder of the model, if the file manager gives the program access to it.

@@ -19,7 +19,9 @@ std::string read_shader_file(const std::string& path, const std::string& key, co
     const std::string name = "'" + one_line(path, 80) + "'";
     std::error_code fault;
     if (!std::filesystem::is_regular_file(path, fault))
-        throw Error(ErrorCode::not_found, name + ": there is no such file").about(key);
+        throw Error(ErrorCode::not_found, name + (std::filesystem::exists(path, fault) ? " is not a regular file"
+                                                                                       : ": there is no such file"))
+            .about(key);
     if (std::filesystem::file_size(path, fault) > max_shader_bytes)
         throw Error(ErrorCode::bad_file, format_text("{} has more than {} bytes", name, max_shader_bytes)).about(key);
     std::ifstream file(path, std::ios::binary);

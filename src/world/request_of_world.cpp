@@ -34,7 +34,10 @@ void resolve(WorldValue& value, const std::string& world, bool allow_outside) {
         std::string file = resolve_in_world(world, word, allow_outside);
         std::error_code ignored;
         if (!std::filesystem::is_regular_file(file, ignored))
-            throw Error(ErrorCode::not_found, "'" + one_line(word, 80) + "': there is no such file");
+            throw Error(
+                ErrorCode::not_found,
+                "'" + one_line(word, 80) +
+                    (std::filesystem::exists(file, ignored) ? "' is not a regular file" : "': there is no such file"));
         word = std::move(file);
     }
 }

@@ -71,6 +71,12 @@ class Worlds(Shaders):
             result = self.run_program("render", *arguments, "-o", "a.png", "--resolution", "8,8")
             self.assertEqual((result.code, result.err), (0, ""), arguments)
 
+    def test_a_fifo_is_named_as_what_it_is(self):
+        os.mkfifo(self.folder / "fifo.glsl")
+        draw = ("render", "builtin:sphere", "--engine", "gl", "-o", "a.png", "--lighting")
+        self.check_refused(self.run_program(*draw, "fifo.glsl"), 3, "'fifo.glsl' is not a regular file")
+        self.check_refused(self.run_program(*draw, "none.glsl"), 3, "'none.glsl': there is no such file")
+
     def test_settings_of_the_users_own_may_name_glsl_but_those_of_worlds_not(self):
         self.require_opengl()
         render = "[render]\nengine = 'gl'\nlighting = 'own.glsl'\n"
