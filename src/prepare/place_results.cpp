@@ -123,7 +123,7 @@ Mesh ResultPlacer::made_mesh(std::uint32_t number, MeshAttributes& made, TargetD
         return with_gaps_filled(from, std::move(made), targets, context_);
     if (!keeps_bitangents(from)) made.bitangents = {};
     Mesh mesh = with_attributes(from, std::move(made), new_normals, context_);
-    if (targets || has_directions(mesh.targets, new_normals))
+    if (targets || has_directions(from.targets, new_normals))
         set_target_directions(scene_, mesh, number, new_normals, targets, context_);
     return mesh;
 }

@@ -224,15 +224,17 @@ private:
 
 /// Lets meshes of the same positions share normals and tangents that are equal, so that they are posed once: smoothing
 /// makes them for each placement. Compared are the first few of each kind.
-void share_equal_vertices(Scene& scene, const std::vector<Instance>& moving) {
+void share_equal_vertices(Scene& scene, const std::vector<Instance>& moving, const Context& context) {
     constexpr std::size_t searched = 16;
+    const auto are_equal = [](const auto& a, const auto& b) { return a == b || std::ranges::equal(a, b); };
     std::map<const void*, std::vector<std::uint32_t>> firsts;  // by positions
     for (const Instance& i : moving) {
+        context.throw_if_cancelled();
         Mesh& mesh = scene.meshes[i.mesh];
         std::vector<std::uint32_t>& known = firsts[mesh.positions.identity()];
         const auto is_equal = [&](std::uint32_t first) {
             const Mesh& other = scene.meshes[first];
-            return std::ranges::equal(other.normals, mesh.normals) && std::ranges::equal(other.tangents, mesh.tangents);
+            return are_equal(other.normals, mesh.normals) && are_equal(other.tangents, mesh.tangents);
         };
         if (const auto same = std::ranges::find_if(known, is_equal); same != known.end())
             mesh.normals = scene.meshes[*same].normals, mesh.tangents = scene.meshes[*same].tangents;
@@ -266,7 +268,7 @@ UnposedScene valid::unposed_scene(Scene scene, Context& context) {
     MeshPoses poses;
     {
         const std::vector<Instance> moving = moving_placements(scene);
-        share_equal_vertices(scene, moving);
+        share_equal_vertices(scene, moving, context);
         check_memory(scene, moving, context);
         Skeleton skeleton(scene, moving, context);
         std::map<std::uint32_t, dmat4> placed;

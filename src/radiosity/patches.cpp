@@ -91,8 +91,7 @@ std::uint32_t halve_members(const Elements& elements, const Patch& patch, Patche
     }
     const dvec3 size = high - low;
     const std::size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const auto middle = members.begin() + std::ptrdiff_t(members.size() / 2);
-    std::nth_element(members.begin(), middle, members.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::ranges::sort(members, [&](std::uint32_t a, std::uint32_t b) {
         const double at = elements.list[a].center[axis], bt = elements.list[b].center[axis];
         return at != bt ? at < bt : a < b;
     });

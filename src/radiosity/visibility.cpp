@@ -34,6 +34,7 @@ double FormFactors::unblocked(const Receiver& r, const Patch& patch) const {
     // Patches cut by the receiver's horizon need more than their center, which may be below it.
     if (is_far && std::fabs(dot(r.normal, way)) >= patch.reach)
         return of_small_area(r, patch.center, patches_.facets_of(patch));
+    if (dot(r.normal, way) <= -patch.reach) return 0;  // all below the horizon
     if (const std::span<const Patch> halves = patches_.halves_of(patch); !halves.empty())
         return std::min(unblocked(r, halves[0]) + unblocked(r, halves[1]), 1.0);
     double sum = 0;

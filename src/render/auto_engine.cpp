@@ -90,10 +90,10 @@ public:
                 return gpu_->render(camera, settings, watched, context);
             } catch (const Error& error) {
                 if (watched.has_begun()) throw;
-                const Scene scene = gpu_->scene();
+                Scene scene = charged_copy(gpu_->scene(), context);
                 give_up(error, scene.source, context);
                 check_abilities(soft_->name(), soft_->capabilities(), settings);
-                soft_->prepare(posed(scene, context), context);
+                soft_->prepare(posed(std::move(scene), context), context);
             }
         } else if (draws_on_gpu_) {
             check_abilities(soft_->name(), soft_->capabilities(), settings);

@@ -13,8 +13,9 @@ namespace rakelight {
 
 /// Approximate overhead of a block: its record and two allocations.
 constexpr std::uint64_t bytes_beside_array = 112;
-/// What stages make for each node while they work: matrices of three stages, an instance. Readers charge it with the node.
-constexpr std::uint64_t bytes_beside_node = 3 * sizeof(dmat4) + 32;
+/// What stages make for each node while they work: matrices of four stages, an instance. The reader of glTF, where a few
+/// bytes make millions of nodes, charges it with the node.
+constexpr std::uint64_t bytes_beside_node = 4 * sizeof(dmat4) + 32;
 
 /// Uncharged arrays of the scene's meshes, created by the caller. By Block::identity().
 std::set<const void*> unpaid_arrays(const Scene& scene);

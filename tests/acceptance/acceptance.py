@@ -250,18 +250,19 @@ def check_memory(program):
         posing_files.skins(folder / "joints.glb", 200, 60000)
         posing_files.skins(folder / "other_joints.glb", 400, 30000, are_different=True)
         posing_files.instances(folder / "instances.glb", 1700000)
-        posing_files.instances(folder / "more_instances.glb", 3500000)
+        posing_files.instances(folder / "fewer_instances.glb", 1300000)
+        posing_files.instances(folder / "more_instances.glb", 2100000)
         for model, verbs in (("quad.obj", ("render",)), ("images.gltf", ("render",)), ("objects.obj", ("render", "inspect", "smooth")),
                              ("nodes.gltf", ("render", "inspect", "smooth")), ("models.scene.toml", ("check", "render")),
                              ("fewer_models.scene.toml", ("check", "inspect", "render --roughness 0.5")), ("shapes.scene.toml", ("check", "render")),
                              ("grids.gltf", ("render --uv box", "render --subdivide 1", "render --normals model", "inspect")),
                              ("skins.gltf", ("render", "smooth")), ("targets.glb", POSING), ("more_targets.glb", POSING), ("stacked_targets.glb", POSING), ("own_weights.glb", POSING),
                              ("moving_weights.glb", (*POSING, "render --animation-index 0 --animation-time 0.5", "render --engine gl --animation-index 0 --animation-time 0.5")),
-                             ("joints.glb", POSING), ("other_joints.glb", POSING), ("instances.glb", POSING),
-                             ("more_instances.glb", (*POSING, "explain --pixel 3,3"))):
+                             ("joints.glb", POSING), ("other_joints.glb", POSING), ("fewer_instances.glb", ("explain --pixel 3,3", "stages")), ("instances.glb", (*POSING, "explain --pixel 3,3", "stages")),
+                             ("more_instances.glb", (*POSING, "explain --pixel 3,3", "stages"))):
             for verb, *options in map(str.split, verbs):
                 out = folder / ("out.png" if verb == "render" else "out" + pathlib.Path(model).suffix)
-                options += {"render": ["-o", str(out), "--resolution", "64,64"], "smooth": ["-o", str(out)]}.get(verb, [])
+                options += {"render": ["-o", str(out), "--resolution", "64,64"], "smooth": ["-o", str(out)], "stages": ["-o", str(folder / "stages")]}.get(verb, [])
                 code, errors, peak = run_alone([program, verb, str(folder / model), *options], seconds, folder)
                 case = f"{verb} {model} {' '.join(o for o in options if o != str(out) and o != '-o')}"
                 print(f"{case}: exit {code}, {peak:.0f} MiB")

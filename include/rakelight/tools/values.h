@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include <rakelight/error.h>
@@ -86,7 +87,9 @@ T word(const std::string& setting, std::string_view text, std::initializer_list<
 /// The parts between separators; "a,,b" has an empty part.
 RL_API std::vector<std::string_view> split(std::string_view text, char separator);
 /// The parts of a temporary string would dangle.
-template <std::same_as<std::string> Text>
-std::vector<std::string_view> split(Text&& text, char separator) = delete;
+template <class Text>
+requires std::same_as<std::remove_const_t<Text>, std::string> std::vector<std::string_view> split(Text&& text,
+                                                                                                  char separator)
+= delete;
 
 }  // namespace rakelight::values

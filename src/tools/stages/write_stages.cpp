@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <new>
+#include <optional>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -9,6 +11,8 @@
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/text_file.h>
 
+#include "prepare/displace.h"
+#include "render/prepared_scene.h"
 #include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
 #include "tools/open_engine.h"
@@ -30,8 +34,11 @@ void check_size(const RenderSettings& settings) {
 }
 
 std::vector<stages::Stage> make_stages(PictureRequest request, Context& context) {
-    const Scene loaded = load_for_engine(request, context);
-    const auto engine = open_engine(charged_copy(loaded, context), request, context);
+    Scene loaded = load_for_engine(request, context);
+    std::optional<Scene> base;  // of the displacement stage
+    if (wants_displacement(loaded, options_for(request.prepare, request.settings, loaded).displacement))
+        base = charged_copy(loaded, context);
+    const auto engine = open_engine(std::move(loaded), request, context);
     context.progress("stages", 0);
     if (triangle_count(engine->list().scene) == 0)
         context.report().add(Remark::warning, request.input, "",
@@ -41,8 +48,8 @@ std::vector<stages::Stage> make_stages(PictureRequest request, Context& context)
     context.progress("stages", 0.5);
     const stages::Sources sources{*engine, open, drawn, pixels, request.tone};
     std::vector<stages::Stage> all;
-    if (stages::has_displacement(sources, request))
-        all.push_back(stages::displacement_stage(sources, loaded, request, context));
+    if (base && stages::has_displacement(sources, request))
+        all.push_back(stages::displacement_stage(sources, *base, request, context));
     for (const auto part : {stages::space_stages, stages::projection_stages, stages::clip_stages, stages::screen_stages,
                             stages::pixel_stages})
         for (stages::Stage& stage : part(sources)) all.push_back(std::move(stage));
