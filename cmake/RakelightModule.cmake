@@ -10,6 +10,8 @@
 # It makes the static library rakelight_<name> (alias rakelight::<name>) and the test program test_<name>. These libraries are
 # for tests; RakelightPackage.cmake puts their objects together as the one that is installed.
 
+include(RakelightUnits)
+
 # Flags of every C++ source. Bits must not depend on the machine: no contraction, no fast-math; sqrt without errno.
 add_library(rl_flags INTERFACE)
 target_compile_features(rl_flags INTERFACE cxx_std_20)
@@ -110,6 +112,9 @@ function(rl_add_module)
   target_link_libraries(${target} ${scope} $<BUILD_INTERFACE:rl_flags>)
   target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
+  if(M_SOURCES)
+    rl_units(${target})
+  endif()
   foreach(below IN LISTS M_DEPENDS)
     target_link_libraries(${target} ${scope} rakelight_${below})
   endforeach()

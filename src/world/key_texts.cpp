@@ -36,7 +36,7 @@ std::string display_of(float linear) {
                    [linear](double display) { return linear_from_srgb(float(display)) == linear; });
 }
 
-std::string text_of(vec3 v) { return shortest(v.x) + "," + shortest(v.y) + "," + shortest(v.z); }
+std::string text_of_three(vec3 v) { return shortest(v.x) + "," + shortest(v.y) + "," + shortest(v.z); }
 
 void add(std::string& text, const char* name, const std::string& value) {
     text += std::string(":") + name + "=" + value;
@@ -44,12 +44,12 @@ void add(std::string& text, const char* name, const std::string& value) {
 
 void add_classical(const Light& l, std::string& text) {
     const Light plain;
-    if (l.diffuse != plain.diffuse) add(text, "color", text_of(l.diffuse));
-    if (l.specular != l.diffuse) add(text, "specular", text_of(l.specular));
-    if (l.ambient != plain.ambient) add(text, "ambient", text_of(l.ambient));
+    if (l.diffuse != plain.diffuse) add(text, "color", text_of_three(l.diffuse));
+    if (l.specular != l.diffuse) add(text, "specular", text_of_three(l.specular));
+    if (l.ambient != plain.ambient) add(text, "ambient", text_of_three(l.ambient));
     if (l.type == LightType::directional) return;
     if (l.constant != 1 || l.linear != 0 || l.quadratic != 0)
-        add(text, "attenuation", text_of(vec3{l.constant, l.linear, l.quadratic}));
+        add(text, "attenuation", text_of_three(vec3{l.constant, l.linear, l.quadratic}));
     if (l.type != LightType::spot) return;
     if (l.cutoff_rad != plain.cutoff_rad) add(text, "cutoff", degrees_of_float(l.cutoff_rad));
     if (l.exponent != 0) add(text, "exponent", shortest(l.exponent));
@@ -57,7 +57,7 @@ void add_classical(const Light& l, std::string& text) {
 
 void add_photometric(const Light& l, std::string& text) {
     const Light plain;
-    if (l.color != plain.color) add(text, "color", text_of(l.color));
+    if (l.color != plain.color) add(text, "color", text_of_three(l.color));
     if (l.intensity != plain.intensity) add(text, "intensity", shortest(l.intensity));
     if (l.type != LightType::spot) return;
     if (l.inner_cone_rad != plain.inner_cone_rad) add(text, "inner", degrees_of_float(l.inner_cone_rad));
@@ -111,7 +111,7 @@ std::string color_of(vec3 linear) {
 
 std::string text_of(const Light& l) {
     std::string text = name_of(l);
-    if (l.type == LightType::ambient) return text + ":" + text_of(l.ambient);
+    if (l.type == LightType::ambient) return text + ":" + text_of_three(l.ambient);
     text += ":" + text_of(l.type == LightType::directional ? l.direction : l.position);
     if (l.type == LightType::spot && l.direction != Light{}.direction) add(text, "direction", text_of(l.direction));
     l.units == LightUnits::classical ? add_classical(l, text) : add_photometric(l, text);

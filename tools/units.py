@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Which sources may be compiled together as one unit. Standard library only.
+
+  units.py MOST FILE...    prints FILE,NUMBER lines: the sources of each number make one unit, of at most MOST sources; others are not named
+
+Two sources may share a unit if no name that one keeps to itself (in an unnamed namespace, or static) is mentioned in the other: neither can a
+name be defined twice, nor can an overload of one source win a call of the other in silence. Sources of one unit have the same using-directives,
+and one that defines a macro stays alone."""
+import re
+import sys
+
+KEYWORDS = set("TEST TEST_F TEST_P TYPED_TEST INSTANTIATE_TEST_SUITE_P TYPED_TEST_SUITE alignas catch const constexpr decltype defined for if noexcept operator requires return sizeof static_assert switch throw while template typename namespace struct class union enum using".split())
+NO_TYPES = set("return throw else case new delete goto not and or co_return co_yield typename struct class enum union namespace using".split())
+COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
+DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*$", re.M)
+
+
+def without_text(source):
+    """Without comments, strings and directives."""
+    return DIRECTIVE.sub("", COMMENT_OR_STRING.sub(lambda m: " 0 " if m[0][0] != "/" else " ", source))
+
+
+def outermost(text, begin):
+    """Up to the brace that closes the block at `begin`, with nested blocks as {} and parentheses as ()."""
+    out, depth, at = [], [], begin
+    while at < len(text):
+        c = text[at]
+        if c in "{(":
+            if not depth:
+                out.append(c)
+            depth.append(c)
+        elif c in "})":
+            if not depth:
+                break
+            depth.pop()
+            if not depth:
+                out.append(c)
+        elif not depth:
+            out.append(c)
+        at += 1
+    return "".join(out)
+
+
+def own_names(text):
+    """Names at the outermost level of unnamed namespaces, static functions and using-declarations; rather too many than too few."""
+    names = set()
+    for opening in re.finditer(r"\bnamespace\s*\{", text):
+        level = re.sub(r"=[^;]*;", ";", outermost(text, opening.end()))
+        names.update(re.findall(r"\b(?:struct|class|union|enum(?:\s+class)?|concept|using|namespace)\s+(\w+)(?!\w|::)", level))
+        names.update(re.findall(r"(?<![:.])\b(\w+)\s*(?:\(\)|\[[^\]]*\]|\{\}|;)", level))
+    names.update(re.findall(r"^using\s+[\w:]+::(\w+);", text, re.M))
+    names.update(re.findall(r"^static\s[^;{}()=]*?(\w+)\s*[(=;]", text, re.M))
+    return {name for name in names if name not in KEYWORDS and not name.isdigit() and name != "fs"}
+
+
+def declared_names(text):
+    """Variables and parameters: mentions of these are of the source's own."""
+    names = {name for before, name in re.findall(r"(\w+)\s+(\w+)\s*(?=[=;,)({\[:])", text) if before not in NO_TYPES}
+    names.update(re.findall(r"[\w>\])][&*>]+\s(\w+)\s*(?=[=;,)({\[:])", text))  # "a & b" has a blank before, too
+    for bound in re.findall(r"\bauto\s*&{0,2}\s*\[([^\]]*)\]", text):
+        names.update(re.findall(r"\w+", bound))
+    return names
+
+
+class Source:
+    def __init__(self, path):
+        self.path = path
+        with open(path, encoding="utf-8") as file:
+            whole = file.read()
+        text = without_text(whole)
+        self.has_macros = bool(re.search(r"^\s*#\s*(define|undef|pragma)", whole, re.M))
+        self.directives = set(re.findall(r"^using (?:namespace|enum) [^;]*", text, re.M))
+        self.own = own_names(text)
+        mentioned = set(re.findall(r"(?<![\w.:>])[A-Za-z_]\w*", text)) | set(re.findall(r"(?<=[^:]:)[A-Za-z_]\w*|(?<=[^-]>)[A-Za-z_]\w*", text))
+        self.mentioned = mentioned - declared_names(text) | self.own
+
+    def fits(self, other):
+        return self.directives == other.directives and not (self.own & other.mentioned or other.own & self.mentioned)
+
+
+def units_of(sources, most):
+    units = []
+    for source in sources:
+        if source.has_macros:
+            continue
+        for unit in units:
+            if len(unit) < most and all(source.fits(other) for other in unit):
+                unit.append(source)
+                break
+        else:
+            units.append([source])
+    return [unit for unit in units if len(unit) > 1]
+
+
+def main():
+    sources = [Source(path) for path in sys.argv[2:]]
+    for number, unit in enumerate(units_of(sources, int(sys.argv[1]))):
+        for source in unit:
+            print(f"{source.path},{number}")
+
+
+if __name__ == "__main__":
+    main()
