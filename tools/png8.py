@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""8-bit RGB and RGBA PNG in and out with the standard library alone, for the small tools beside."""
+"""8-bit PNG in and out with the standard library alone, for the tests and the small tools beside."""
 import collections
+import itertools
 import struct
 import zlib
 
 
 def read_pixels(path):
-    """(width, height, channels 3 or 4, bytes of rows) of an 8-bit RGB or RGBA PNG without interlace."""
+    """(width, height, channels, bytes of rows) of an 8-bit PNG without palette and interlace."""
     with open(path, "rb") as file:
         blob = file.read()
     at, data, header = 8, b"", None
@@ -19,9 +20,9 @@ def read_pixels(path):
         elif kind == b"IDAT":
             data += chunk
     width, height, depth, color, _, _, interlace = header
-    if depth != 8 or color not in (2, 6) or interlace:
-        raise ValueError(f"{path}: want 8-bit RGB or RGBA without interlace")
-    channels = 3 if color == 2 else 4
+    if depth != 8 or color == 3 or interlace:
+        raise ValueError(f"{path}: want 8 bits without palette and interlace")
+    channels = {0: 1, 2: 3, 4: 2, 6: 4}[color]
     raw, stride = zlib.decompress(data), width * channels
     previous, rows = bytearray(stride), []
     for y in range(height):
@@ -36,6 +37,8 @@ def read_pixels(path):
 def read_rgb(path):
     """(width, height, bytes of RGB rows); alpha is dropped."""
     width, height, channels, pixels = read_pixels(path)
+    if channels < 3:
+        raise ValueError(f"{path}: want RGB or RGBA")
     if channels == 4:
         rgb = bytearray(width * height * 3)
         for c in range(3):
@@ -44,21 +47,28 @@ def read_rgb(path):
     return width, height, pixels
 
 
-def unfilter(kind, row, previous, step):
-    """Undoes the row filters of the PNG specification (section 9)."""
-    for x in range(len(row)):
-        left = row[x - step] if x >= step else 0
-        up, corner = previous[x], previous[x - step] if x >= step else 0
-        if kind == 1:
-            row[x] = (row[x] + left) & 255
-        elif kind == 2:
-            row[x] = (row[x] + up) & 255
-        elif kind == 3:
-            row[x] = (row[x] + (left + up) // 2) & 255
-        elif kind == 4:
-            guess = left + up - corner
-            a, b, c = abs(guess - left), abs(guess - up), abs(guess - corner)
-            row[x] = (row[x] + (left if a <= b and a <= c else up if b <= c else corner)) & 255
+def unfilter(kind, row, above, channels):
+    """Undoes the row filters of the PNG specification (section 9), each in a loop of its own: pictures are large."""
+    if kind == 1:
+        for c in range(channels):
+            row[c::channels] = bytes(v & 255 for v in itertools.accumulate(row[c::channels]))
+    elif kind == 2:
+        row[:] = bytes((v + b) & 255 for v, b in zip(row, above))
+    elif kind == 3:
+        for x, b in enumerate(above):
+            row[x] = (row[x] + ((row[x - channels] if x >= channels else 0) + b) // 2) & 255
+    elif kind == 4:
+        for c in range(channels):
+            row[c::channels] = bytes(paeth(row[c::channels], above[c::channels]))
+
+
+def paeth(row, above):
+    left = corner = 0
+    for v, up in zip(row, above):
+        a, b, c = abs(up - corner), abs(left - corner), abs(left + up - 2 * corner)
+        left = (v + (left if a <= b and a <= c else up if b <= c else corner)) & 255
+        corner = up
+        yield left
 
 
 def write_rgb(path, width, height, pixels):

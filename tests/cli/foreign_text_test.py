@@ -43,9 +43,8 @@ class ForeignText(program.Case):
         self.write(self.file, model(ODD))
 
     def check_text(self, text, lines=None):
-        for character in text:
-            self.assertTrue(character == "\n" or unicodedata.category(character) not in ("Cc", "Cf", "Zl", "Zp", "Cs"),
-                            f"U+{ord(character):04X} in {text!r}")
+        odd = {f"U+{ord(c):04X}" for c in set(text) - {"\n"} if unicodedata.category(c) in ("Cc", "Cf", "Zl", "Zp", "Cs")}
+        self.assertEqual(odd, set(), text)
         if lines is not None:
             self.assertEqual(len(text.splitlines()), lines, text)
 

@@ -3,13 +3,14 @@
 import os
 import pathlib
 import shutil
-import struct
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
-import zlib
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+import png8  # noqa: E402
 
 PROGRAM = ""  # main() sets it
 SANITIZED = os.environ.get("RAKELIGHT_SANITIZED") == "1"
@@ -26,29 +27,8 @@ class Result:
 
 def png(path):
     """(width, height, channels, rows of bytes) of an 8-bit, non-interlaced PNG."""
-    data, at, packed = pathlib.Path(path).read_bytes(), 8, b""
-    while at < len(data):
-        size, kind = struct.unpack(">I4s", data[at:at + 8])
-        chunk = data[at + 8:at + 8 + size]
-        at += 12 + size
-        if kind == b"IHDR":
-            width, height, depth, color, _, _, interlace = struct.unpack(">IIBBBBB", chunk)
-        if kind == b"IDAT":
-            packed += chunk
-    assert (depth, interlace) == (8, 0)
-    channels = {0: 1, 2: 3, 4: 2, 6: 4}[color]
-    raw, stride, rows, above = zlib.decompress(packed), width * channels, [], bytearray(width * channels)
-    for y in range(height):
-        kind, row = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
-        for x in range(stride):
-            a = row[x - channels] if x >= channels else 0
-            b, c = above[x], above[x - channels] if x >= channels else 0
-            p = a + b - c
-            nearest = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
-            row[x] = (row[x] + (0, a, b, (a + b) // 2, nearest)[kind]) & 255
-        rows.append(row)
-        above = row
-    return width, height, channels, rows
+    width, height, channels, pixels = png8.read_pixels(path)
+    return width, height, channels, [pixels[at:at + width * channels] for at in range(0, len(pixels), width * channels)]
 
 
 class Case(unittest.TestCase):

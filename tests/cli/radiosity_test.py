@@ -26,7 +26,7 @@ class Radiosity(program.Case):
     def setUp(self):
         super().setUp()
         self.write("w.scene.toml", ROOM)
-        run = self.run_program("render", "w.scene.toml", "-o", "try.png", *SIZE, *PLAIN)
+        run = self.run_program("render", "w.scene.toml", "-o", "try.png", *SIZE, "--engine", "trace", "--method", "cast")
         if run.code != 0 and ("Embree" in run.err or "engine trace" in run.err):
             self.skipTest("rays are not there")
         self.assertEqual(run.code, 0, run.err)

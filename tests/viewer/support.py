@@ -17,10 +17,11 @@ import xdnd  # noqa: E402
 
 PROGRAM, VIEWER = "", ""
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-NEEDED = ("xvfb-run", "xdotool", "import")
+NEEDED = ("xvfb-run", "xdotool")
 SHARED = pathlib.Path(os.environ.get("RAKELIGHT_SHARED", ROOT.parent / "shared"))
 SIZE = (640, 480)
 PATIENCE = 10  # [s] for what has to happen; a wait ends as soon as it has
+STILL = 0.6  # [s] without a change, after which nothing more is expected: the next finer picture takes less
 
 PARTS = ("mtllib m.mtl\no left\nv -2 -1 0\nv 0 -1 0\nv 0 1 0.6\nv -2 1 0\nusemtl red\nf 1 2 3 4\n"
          "o right\nv 0 -1 0\nv 2 -1 0\nv 2 1 0\nv 0 1 0.6\nusemtl gray\nf 5 6 7 8\n")
@@ -65,20 +66,19 @@ class Window:
 
     def picture(self):
         """Rows of the display's pixels; the panels and texts are in it."""
-        path = self.folder / "display.png"
-        subprocess.run(["import", "-silent", "-window", "root", "-crop", "%dx%d+0+0" % SIZE, "+repage", "-depth", "8", "-type", "TrueColor", f"png24:{path}"], check=True)
-        return png(path)[3]
+        return self.desktop().pixels(*SIZE)
 
     def settled_picture(self):
         """The display once it stands still: coarse pictures become fine ones."""
-        last = self.picture()
-        for _ in range(100):
-            time.sleep(0.15)
+        end, last, since = time.monotonic() + 3 * PATIENCE, self.picture(), time.monotonic()
+        while time.monotonic() - since < STILL:
+            if time.monotonic() > end:
+                raise AssertionError("the picture does not stand still")
+            time.sleep(0.1)
             now = self.picture()
-            if now == last:
-                return now
-            last = now
-        raise AssertionError("the picture does not stand still")
+            if now != last:
+                last, since = now, time.monotonic()
+        return last
 
     def shows_a_picture(self):
         rows = self.picture()

@@ -4,7 +4,7 @@
 
   viewer_test.py PROGRAM VIEWER [unittest arguments]
 
-Runs itself under xvfb-run. Without xvfb-run, xdotool, ImageMagick or python3-xlib it is skipped, loudly (exit code 77)."""
+Runs itself under xvfb-run. Without xvfb-run, xdotool or python3-xlib it is skipped, loudly (exit code 77)."""
 import os
 import shutil
 import subprocess

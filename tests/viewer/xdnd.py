@@ -35,13 +35,22 @@ class Desktop:
     def __init__(self):
         self.display = display.Display()
         self.atom = self.display.intern_atom
-        root = self.display.screen().root
-        self.window = root.create_window(0, 0, 1, 1, 0, X.CopyFromParent, override_redirect=True, event_mask=X.PropertyChangeMask)
+        screen = self.display.screen()
+        corner = screen.width_in_pixels - 1, screen.height_in_pixels - 1  # where it hides nothing that is compared
+        self.window = screen.root.create_window(*corner, 1, 1, 0, X.CopyFromParent, override_redirect=True, event_mask=X.PropertyChangeMask)
         self.window.map()
         self.display.sync()
 
     def close(self):
         self.display.close()
+
+    def pixels(self, width, height):
+        """Rows of RGB: what the display shows in its upper left corner."""
+        data = self.display.screen().root.get_image(0, 0, width, height, X.ZPixmap, 0xffffffff).data  # blue, green, red, nothing
+        rgb = bytearray(3 * width * height)
+        for channel in range(3):
+            rgb[channel::3] = data[2 - channel::4]
+        return [bytes(rgb[at:at + 3 * width]) for at in range(0, len(rgb), 3 * width)]
 
     def drop(self, target, files, x, y, modifiers=()):
         """Drags files to pixel x, y of the window `target` and lets go. modifiers: names of keys that are held, as "Control_L"."""
