@@ -138,7 +138,7 @@ function(rl_add_module)
     add_executable(test_${M_NAME} ${M_TESTS})
     target_link_libraries(test_${M_NAME} PRIVATE ${target} rl_test_support GTest::gtest GTest::gtest_main ${M_TEST_EXTERNAL})
     target_include_directories(test_${M_NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-    target_compile_options(test_${M_NAME} PRIVATE $<$<CONFIG:Release>:-O1>)  # a third less time to compile than -O2
+    rl_test_units(test_${M_NAME})
     gtest_discover_tests(test_${M_NAME} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 PROPERTIES LABELS unit)
   endif()
 endfunction()

@@ -6,13 +6,14 @@
 
 Two sources may share a unit if no name that one keeps to itself (in an unnamed namespace, or static) is mentioned in the other: neither can a
 name be defined twice, nor can an overload of one source win a call of the other in silence. Sources of one unit have the same using-directives,
-and one that defines a macro stays alone."""
+a using-declaration or alias is the same in the other or not mentioned there, and one that defines a macro stays alone."""
 import re
 import sys
 
-KEYWORDS = set("TEST TEST_F TEST_P TYPED_TEST INSTANTIATE_TEST_SUITE_P TYPED_TEST_SUITE alignas catch const constexpr decltype defined for if noexcept operator requires return sizeof static_assert switch throw while template typename namespace struct class union enum using".split())
+KEYWORDS = set("TEST TEST_F TEST_P TYPED_TEST INSTANTIATE_TEST_SUITE_P TYPED_TEST_SUITE alignas catch const constexpr decltype defined for if noexcept operator requires return sizeof static_assert switch throw while template typename namespace struct class union enum using void try bool char int unsigned long float double auto".split())
 NO_TYPES = set("return throw else case new delete goto not and or co_return co_yield typename struct class enum union namespace using".split())
 COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
+USING = re.compile(r"^using\s+(?:namespace\s+|enum\s+)?[\w:]+(?:\s*=[^;]*)?;", re.M)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*$", re.M)
 
 
@@ -43,13 +44,15 @@ def outermost(text, begin):
 
 
 def own_names(text):
-    """Names at the outermost level of unnamed namespaces, static functions and using-declarations; rather too many than too few."""
+    """Names at the outermost level of unnamed namespaces, and static functions; rather too many than too few."""
     names = set()
+    text = USING.sub("", text)
     for opening in re.finditer(r"\bnamespace\s*\{", text):
-        level = re.sub(r"=[^;]*;", ";", outermost(text, opening.end()))
+        level = outermost(text, opening.end())
+        names.update(re.findall(r"\b(\w+)\s*=(?!=)", level))  # of "int a = 1, b = 2;" the second, too
+        level = re.sub(r"=[^;]*;|\btemplate\s*<[^;(){}]*?>(?=\s)", ";", level)
         names.update(re.findall(r"\b(?:struct|class|union|enum(?:\s+class)?|concept|using|namespace)\s+(\w+)(?!\w|::)", level))
         names.update(re.findall(r"(?<![:.])\b(\w+)\s*(?:\(\)|\[[^\]]*\]|\{\}|;)", level))
-    names.update(re.findall(r"^using\s+[\w:]+::(\w+);", text, re.M))
     names.update(re.findall(r"^static\s[^;{}()=]*?(\w+)\s*[(=;]", text, re.M))
     return {name for name in names if name not in KEYWORDS and not name.isdigit() and name != "fs"}
 
@@ -71,19 +74,26 @@ class Source:
         text = without_text(whole)
         self.has_macros = bool(re.search(r"^\s*#\s*(define|undef|pragma)", whole, re.M))
         self.directives = set(re.findall(r"^using (?:namespace|enum) [^;]*", text, re.M))
+        self.used = {name.rpartition("::")[2]: name for name in re.findall(r"^using ([\w:]+::\w+);", text, re.M)}
+        self.used |= re.findall(r"^using (\w+) = ([^;]*);", text, re.M)
         self.own = own_names(text)
         mentioned = set(re.findall(r"(?<![\w.:>])[A-Za-z_]\w*", text)) | set(re.findall(r"(?<=[^:]:)[A-Za-z_]\w*|(?<=[^-]>)[A-Za-z_]\w*", text))
         self.mentioned = mentioned - declared_names(text) | self.own
 
     def fits(self, other):
-        return self.directives == other.directives and not (self.own & other.mentioned or other.own & self.mentioned)
+        return (self.directives == other.directives and not (self.own & other.mentioned or other.own & self.mentioned) and
+                self.lends_no_name(other) and other.lends_no_name(self))
+
+    def lends_no_name(self, other):
+        """By a using-declaration or an alias."""
+        return all(other.used.get(name) == whole or name not in other.mentioned for name, whole in self.used.items())
 
 
 def units_of(sources, most):
+    """First fit, after those that fit with the fewest."""
+    sources = [source for source in sources if not source.has_macros]
     units = []
-    for source in sources:
-        if source.has_macros:
-            continue
+    for source in sorted(sources, key=lambda s: sum(s.fits(other) for other in sources)):
         for unit in units:
             if len(unit) < most and all(source.fits(other) for other in unit):
                 unit.append(source)

@@ -8,7 +8,7 @@
 namespace rakelight::apps {
 namespace {
 
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
     std::string out = "'";
     for (const char c : text) out += (c == '\'' || c == '\\' ? "\\" : "") + std::string(1, c);
     return out + "'";
@@ -24,17 +24,17 @@ std::string arguments_of(const Option& option) {
     else if (answers.takes_value)
         out += " -x";
     if (answers.is_list)
-        out += " -a " + quoted("(__fish_complete_list , \"string split , " + joined_words(answers.words, ",") + "\")");
+        out += " -a " + in_quotes("(__fish_complete_list , \"string split , " + joined_words(answers.words, ",") + "\")");
     else if (!answers.words.empty() && answers.takes_value)
-        out += " -a " + quoted(joined_words(answers.words, " "));
-    return out + " -d " + quoted(brief(option.help));
+        out += " -a " + in_quotes(joined_words(answers.words, " "));
+    return out + " -d " + in_quotes(brief(option.help));
 }
 
 /// Where none of them is there.
 std::string positional_words(const std::string& program, const Command& command, const Positional& positional) {
     const std::string words = joined_words(positional.words(), " ");
     return " -n '__" + program + "_is " + command.name + "; and not __fish_seen_subcommand_from " + words + "' -f -a " +
-           quoted(words);
+           in_quotes(words);
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ std::string fish_completion(const Program& program) {
     std::map<std::string, std::string> commands_of;
     for (const Command& command : program.commands) {
         verbs += " " + std::string(command.name);
-        out += complete + " -n " + is_first + " -a " + command.name + " -d " + quoted(command.help) + "\n";
+        out += complete + " -n " + is_first + " -a " + command.name + " -d " + in_quotes(command.help) + "\n";
         for (const Positional& p : command.positionals)
             if (p.words) out += complete + positional_words(name, command, p) + "\n";
         for (const Option& option : command.options) {
@@ -76,7 +76,7 @@ end
 )" + complete +
            " -n " + is_first + " -l version -s V -d 'Say version, formats, engines and instruction sets'\n" + complete +
            " -n '" + is_first + "; or contains -- --completion (commandline -opc)' -l completion -x -a " +
-           quoted(joined_words(completion_shells(), " ")) + " -d 'Print the script by which a shell completes'\n" +
+           in_quotes(joined_words(completion_shells(), " ")) + " -d 'Print the script by which a shell completes'\n" +
            complete + " -l help -s h -d 'Show the help'\n" + out;
 }
 

@@ -7,7 +7,7 @@ namespace rakelight::apps {
 namespace {
 
 /// In single quotes.
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
     std::string out = "'";
     for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return out + "'";
@@ -38,7 +38,7 @@ std::string specifications(const Option& option) {
         std::string text = option.form == Form::list ? "*" : "(" + joined_words(names, " ") + ")";
         text += name + (name.starts_with("--") && answers.takes_value ? "=" : "");
         text += "[" + escaped(brief(option.help)) + "]" + value_of(option, answers);
-        out += "        " + quoted(text) + " \\\n";
+        out += "        " + in_quotes(text) + " \\\n";
     }
     return out;
 }
@@ -49,7 +49,7 @@ std::string function_of(const std::string& program, const Command& command) {
         if (!option.is_hidden) out += specifications(option);
     out += "        '(-h --help)'{-h,--help}'[Show the help]'";
     for (const Positional& p : command.positionals)
-        out += std::string(" \\\n        ") + quoted(std::string(p.is_list ? "*" : "") + ":" + escaped(p.name) + ":" +
+        out += std::string(" \\\n        ") + in_quotes(std::string(p.is_list ? "*" : "") + ":" + escaped(p.name) + ":" +
                                                      (p.words ? "(" + joined_words(p.words(), " ") + ")" : "_files"));
     return out + "\n}\n";
 }
@@ -61,7 +61,7 @@ std::string zsh_completion(const Program& program) {
     std::string out = "#compdef " + name + "\n# written by `" + name + " --completion zsh`\n", verbs, names;
     for (const Command& command : program.commands) {
         out += function_of(name, command);
-        verbs += "            " + quoted(std::string(command.name) + ":" + command.help) + "\n";
+        verbs += "            " + in_quotes(std::string(command.name) + ":" + command.help) + "\n";
         names += (names.empty() ? "" : "|") + std::string(command.name);
     }
     return out + "_" + name + R"(() {

@@ -32,7 +32,7 @@ void read_range(PictureRequest& r, Words w) {
     r.coloring.range = dvec2{ends[0], ends[1]};
 }
 
-constexpr RenderKey table[] = {
+constexpr RenderKey table_of_coloring[] = {
     {"scalar-coloring", Kind::flag,
      [](PictureRequest& r, Words w) { r.coloring.is_on = r.coloring.is_on || w[0] == "on"; },
      [](const PictureRequest& r) -> Written {
@@ -49,6 +49,6 @@ constexpr RenderKey table[] = {
 
 }  // namespace
 
-std::span<const RenderKey> coloring_keys() { return table; }
+std::span<const RenderKey> coloring_keys() { return table_of_coloring; }
 
 }  // namespace rakelight::keys

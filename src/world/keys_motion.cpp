@@ -13,7 +13,7 @@ void read_name(PictureRequest& r, Words w) {
     r.motion.name = w[0];
 }
 
-constexpr RenderKey table[] = {
+constexpr RenderKey table_of_motion[] = {
     RL_KEY("animation-index", value, r.motion.index, values::integer("animation-index", w[0], all_clips, max_clips),
            {std::to_string(*r.motion.index)}),
     {"animation-name", Kind::value, read_name, RL_WRITE(r.motion.name, {r.motion.name})},
@@ -24,6 +24,6 @@ constexpr RenderKey table[] = {
 
 }  // namespace
 
-std::span<const RenderKey> motion_keys() { return table; }
+std::span<const RenderKey> motion_keys() { return table_of_motion; }
 
 }  // namespace rakelight::keys

@@ -70,7 +70,7 @@ Written write_subdivide(const PictureRequest& r) {
     return {std::to_string(s.level)};
 }
 
-constexpr RenderKey table[] = {
+constexpr RenderKey table_of_normal[] = {
     RL_WORD_KEY("normals", r.prepare.normals, normal_words),
     {"crease-angle", Kind::value, read_crease,
      RL_WRITE(r.prepare.crease_angle_rad, {degrees_of(r.prepare.crease_angle_rad)})},
@@ -105,6 +105,6 @@ constexpr RenderKey table[] = {
 
 }  // namespace
 
-std::span<const RenderKey> normal_keys() { return table; }
+std::span<const RenderKey> normal_keys() { return table_of_normal; }
 
 }  // namespace rakelight::keys

@@ -178,7 +178,7 @@ void read_point_sprites(PictureRequest& r, Words w) {
     r.settings.surfaces = false;
 }
 
-constexpr RenderKey table[] = {
+constexpr RenderKey table_of_picture[] = {
     {"preset", Kind::value, read_preset, RL_WRITE(r.preset, (name_in(preset_words, r.preset)))},
     {"engine", Kind::value, read_engine, RL_WRITE(r.engine, {r.engine})},
     {"method", Kind::value, read_method, RL_WRITE(r.settings.method, (name_in(method_words, r.settings.method)))},
@@ -243,6 +243,6 @@ constexpr RenderKey table[] = {
 
 }  // namespace
 
-std::span<const RenderKey> picture_keys() { return table; }
+std::span<const RenderKey> picture_keys() { return table_of_picture; }
 
 }  // namespace rakelight::keys

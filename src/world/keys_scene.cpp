@@ -52,7 +52,7 @@ Written write_material(const PictureRequest& r) {
 
 constexpr Word<Look> look_words[] = {{"plain", Look::plain}, {"default", Look::standard}};
 
-constexpr RenderKey table[] = {
+constexpr RenderKey table_of_scene[] = {
     RL_WORD_KEY("look", r.look, look_words),
     RL_KEY("color", value, r.materials.color, values::display_color("color", w[0]).xyz(),
            {color_of(*r.materials.color)}),
@@ -90,6 +90,6 @@ constexpr RenderKey table[] = {
 
 }  // namespace
 
-std::span<const RenderKey> scene_keys() { return table; }
+std::span<const RenderKey> scene_keys() { return table_of_scene; }
 
 }  // namespace rakelight::keys

@@ -90,7 +90,7 @@ Written write_uniforms(const PictureRequest& r) {
     return all;
 }
 
-constexpr RenderKey table[] = {
+constexpr RenderKey table_of_surface[] = {
     {"lighting", Kind::value, read_lighting, write_lighting},
     {"vertex-shader", Kind::file, read_vertex_shader, write_vertex_shader},
     {"uniform", Kind::list, read_uniforms, write_uniforms},
@@ -126,6 +126,6 @@ constexpr RenderKey table[] = {
 
 }  // namespace
 
-std::span<const RenderKey> surface_keys() { return table; }
+std::span<const RenderKey> surface_keys() { return table_of_surface; }
 
 }  // namespace rakelight::keys

@@ -54,7 +54,7 @@ std::string axis_of(dvec3 v) {
     return text_of(v);
 }
 
-constexpr RenderKey table[] = {
+constexpr RenderKey table_of_view[] = {
     {"view", Kind::value, [](PictureRequest& r, Words w) { r.view.side = side(w[0]); },
      [](const PictureRequest& r) -> Written { return r.view.side.empty() ? Written{} : Written{r.view.side}; }},
     RL_KEY("camera-index", value, r.view.camera, w[0], {r.view.camera}),
@@ -83,6 +83,6 @@ constexpr RenderKey table[] = {
 
 }  // namespace
 
-std::span<const RenderKey> view_keys() { return table; }
+std::span<const RenderKey> view_keys() { return table_of_view; }
 
 }  // namespace rakelight::keys

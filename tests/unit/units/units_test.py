@@ -33,7 +33,7 @@ class Units(unittest.TestCase):
 
     def test_names_that_are_defined_twice_keep_sources_apart(self):
         for a in ("int twice(int x) { return 2 * x; }", "constexpr double twice = 2;", "struct twice { int x; };", "enum class twice { no, yes };",
-                  "using twice = int;", "using other::twice;", "template <class T>\nT twice(T x) { return x + x; }", "class twice final : public Base {};", "const char* const twice[] = {\"a\"};",
+                  "using twice = int;", "using other::twice;", "template <class T>\nT twice(T x) { return x + x; }", "class twice final : public Base {};", "constexpr int once = 1, twice = 2;", "const char* const twice[] = {\"a\"};",
                   "std::vector<std::pair<int, double>> twice(int x,\n    double y) {\n  return {};\n}"):
             self.assertFalse(self.fit(a, "double twice(double x) { return 2 * x; }"), a)
             self.assertTrue(self.fit(a, "double thrice(double x) { return 3 * x; }"), a)
@@ -56,6 +56,15 @@ class Units(unittest.TestCase):
             self.assertTrue(self.fit(hidden, text), text)
         for text in ("int f() { return count(3); }", "int f(bool a) { return a && count(3); }", "bool f(int a) { return a > count(3); }", "int f(int a) { return a & count(3); }"):
             self.assertFalse(self.fit(hidden, text), text)
+
+    def test_declarations_to_use_the_same_name_agree(self):
+        use, calls = "using other::taken;", "int f() { return taken(1); }"
+        self.assertTrue(self.fit(use + "\nint a = 1;", use + "\nint b = 2;", calls))
+        self.assertTrue(self.fit(use, "int b = 2;", "int f() { return third::taken(1); }"))
+        self.assertFalse(self.fit(use, "using third::taken;", calls))
+        self.assertFalse(self.fit(use, "int b = 2;", calls))
+        self.assertTrue(self.fit("using Json = nlohmann::json;", "using Json = nlohmann::json;", "Json f();"))
+        self.assertFalse(self.fit("using Json = nlohmann::json;", "using Json = nlohmann::ordered_json;", "Json f();"))
 
     def test_what_reaches_beyond_its_source_stays_alone(self):
         self.assertFalse(self.fit("int a = 1;", "int b = 2;", before="#define MANY 3\n"))

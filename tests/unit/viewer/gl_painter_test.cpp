@@ -16,8 +16,6 @@
 namespace rakelight::viewer {
 namespace {
 
-constexpr int width = 96, height = 64;
-
 class HeadlessContext final : public SharedContext {
 public:
     void make_current() override {
