@@ -4,6 +4,7 @@
 # rl_test_units(TARGET): the same for a test program, half as many: tests are longer. They share the compiled headers of rl_test_headers.
 set(RAKELIGHT_UNITS 8 CACHE STRING "Most sources that are compiled as one; 0: each by itself")
 find_package(Python3 QUIET COMPONENTS Interpreter)
+set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS tools/units.py)
 
 function(rl_units target)
   rl_units_later(${target} "${RAKELIGHT_UNITS}")

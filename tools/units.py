@@ -4,9 +4,11 @@
 
   units.py MOST FILE...    prints FILE,NUMBER lines: the sources of each number make one unit, of at most MOST sources; others are not named
 
-Two sources may share a unit if no name that one keeps to itself (in an unnamed namespace, or static) is mentioned in the other: neither can a
+Two sources may share a unit if no name that one keeps to itself (in an unnamed namespace, or static) is mentioned in the other or its headers: neither can a
 name be defined twice, nor can an overload of one source win a call of the other in silence. Sources of one unit have the same using-directives,
 a using-declaration or alias is the same in the other or not mentioned there, and one that defines a macro stays alone."""
+import functools
+import os
 import re
 import sys
 
@@ -66,6 +68,53 @@ def declared_names(text):
     return names
 
 
+def mentioned_in(text):
+    """But for its own variables and parameters."""
+    mentioned = set(re.findall(r"(?<![\w.:>])[A-Za-z_]\w*", text)) | set(re.findall(r"(?<=[^:]:)[A-Za-z_]\w*|(?<=[^-]>)[A-Za-z_]\w*", text))
+    return mentioned - declared_names(text)
+
+
+def headers_of(path, whole):
+    """The project's headers that a file includes: beside it, or in a folder above it, or in include/ beside one."""
+    found = []
+    for name in re.findall(r'^\s*#\s*include\s+["<]([^">]+\.h)[">]', whole, re.M):
+        for folder in folders_above(os.path.dirname(path)):
+            header = os.path.join(folder, name)
+            if os.path.isfile(header):
+                found.append(os.path.normpath(header))
+                break
+    return found
+
+
+@functools.cache
+def folders_above(folder):
+    folders = [folder]
+    while not os.path.isdir(os.path.join(folder, "include")) and os.path.dirname(folder) != folder:
+        folder = os.path.dirname(folder)
+        folders.append(folder)
+    return [*folders, *(os.path.join(folder, name) for name in ("src", "include", "tests"))]
+
+
+def defined_in(text):
+    """Functions outside of types."""
+    names = set()
+    for opening in re.finditer(r"\bnamespace\s*[\w:]*\s*\{", text):
+        names.update(re.findall(r"\b(\w+)\s*\(\)", outermost(text, opening.end())))
+    return names
+
+
+@functools.cache
+def called_in_header(path):
+    """And what it declares: an overload of a source before it could win a call, or be no overload. With headers that it includes."""
+    with open(path, encoding="utf-8") as file:
+        whole = file.read()
+    text = without_text(whole)
+    called = set(re.findall(r"(?<![\w.:>])([A-Za-z_]\w*)\s*\(", text)) - (declared_names(text) - defined_in(text))
+    for header in headers_of(path, whole):
+        called |= called_in_header(header)
+    return called
+
+
 class Source:
     def __init__(self, path):
         self.path = path
@@ -77,8 +126,9 @@ class Source:
         self.used = {name.rpartition("::")[2]: name for name in re.findall(r"^using ([\w:]+::\w+);", text, re.M)}
         self.used |= re.findall(r"^using (\w+) = ([^;]*);", text, re.M)
         self.own = own_names(text)
-        mentioned = set(re.findall(r"(?<![\w.:>])[A-Za-z_]\w*", text)) | set(re.findall(r"(?<=[^:]:)[A-Za-z_]\w*|(?<=[^-]>)[A-Za-z_]\w*", text))
-        self.mentioned = mentioned - declared_names(text) | self.own
+        self.mentioned = mentioned_in(text) | self.own
+        for header in headers_of(path, whole):
+            self.mentioned |= called_in_header(header)
 
     def fits(self, other):
         return (self.directives == other.directives and not (self.own & other.mentioned or other.own & self.mentioned) and

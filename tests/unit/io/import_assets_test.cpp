@@ -5,7 +5,7 @@
 #include "import_support.h"
 #include "math/linear.h"
 
-namespace rakelight::io::test {
+namespace rakelight::io::import_test {
 
 std::vector<Corner> corners_of(const Scene& scene) {
     std::vector<Corner> corners;
@@ -306,4 +306,4 @@ TEST_F(ImportAssets, AsciiAndBinaryStlGiveTheSameTriangles) {
 }
 
 }  // namespace
-}  // namespace rakelight::io::test
+}  // namespace rakelight::io::import_test

@@ -11,7 +11,7 @@
 #include "math/linear.h"
 #include "support/thrown_error.h"
 
-namespace rakelight::io::test {
+namespace rakelight::io::import_test {
 namespace {
 
 using ImportFormats = ImportTest;
@@ -240,4 +240,4 @@ TEST(ImportTexturePlacement, MirroredScaleStaysATransformAndAShearIsNone) {
 }
 
 }  // namespace
-}  // namespace rakelight::io::test
+}  // namespace rakelight::io::import_test

@@ -4,7 +4,7 @@
 
 #include "import_support.h"
 
-namespace rakelight::io::test {
+namespace rakelight::io::import_test {
 namespace {
 
 bool is_ours(const std::string& name) {
@@ -49,4 +49,4 @@ TEST_F(ImportHostile, EveryFileKeepsItsVerdict) {
 }
 
 }  // namespace
-}  // namespace rakelight::io::test
+}  // namespace rakelight::io::import_test

@@ -13,7 +13,7 @@
 #include "io/import/helper_process.h"
 #include "io/import/stream_format.h"
 
-namespace rakelight::io::test {
+namespace rakelight::io::import_test {
 namespace {
 
 constexpr const char* triangle =
@@ -194,4 +194,4 @@ TEST_F(ImportProcess, AMissingOrEmptyFileNeedsNoHelper) {
 }
 
 }  // namespace
-}  // namespace rakelight::io::test
+}  // namespace rakelight::io::import_test

@@ -18,7 +18,7 @@
 #include "support/shared.h"
 #include "support/temporary_folder.h"
 
-namespace rakelight::io::test {
+namespace rakelight::io::import_test {
 
 using rakelight::test::EnvironmentVariable;
 
@@ -68,4 +68,4 @@ struct Corner {
 };
 std::vector<Corner> corners_of(const Scene& scene);
 
-}  // namespace rakelight::io::test
+}  // namespace rakelight::io::import_test

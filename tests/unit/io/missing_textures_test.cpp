@@ -75,7 +75,7 @@ TEST(MissingTextures, OfAnyOtherRoleInGltfCountAsWhite) {
     EXPECT_EQ(context.report().entries().size(), 1u);  // the file is named once
 }
 
-class MissingObjTextures : public io::test::ObjFolder {
+class MissingObjTextures : public io::obj_test::ObjFolder {
 protected:
     Material material(const std::string& body) {
         write("a.mtl", "newmtl m\n" + body + "\n");

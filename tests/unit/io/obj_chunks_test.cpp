@@ -11,7 +11,7 @@
 namespace rakelight::io {
 namespace {
 
-class ObjChunks : public test::ObjFolder {};
+class ObjChunks : public obj_test::ObjFolder {};
 
 std::vector<std::size_t> line_begins(std::string_view text) {
     std::vector<std::size_t> begins;

@@ -11,7 +11,7 @@
 namespace rakelight::io {
 namespace {
 
-class ObjFaces : public test::ObjFolder {};
+class ObjFaces : public obj_test::ObjFolder {};
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 

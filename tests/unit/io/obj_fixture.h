@@ -13,7 +13,7 @@
 #include "io/reader.h"
 #include "support/temporary_folder.h"
 
-namespace rakelight::io::test {
+namespace rakelight::io::obj_test {
 
 class ObjFolder : public ::testing::Test {
 protected:
@@ -44,4 +44,4 @@ protected:
     std::optional<Context> context_;
 };
 
-}  // namespace rakelight::io::test
+}  // namespace rakelight::io::obj_test

@@ -11,7 +11,7 @@
 namespace rakelight::io {
 namespace {
 
-class ObjMaterials : public test::ObjFolder {
+class ObjMaterials : public obj_test::ObjFolder {
 protected:
     /// The materials of an MTL text, its first one used by a triangle.
     Scene with(const std::string& mtl, const std::string& name = "m") {

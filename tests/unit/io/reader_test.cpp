@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::string_literals;
 
-class Reader : public test::ObjFolder {
+class Reader : public obj_test::ObjFolder {
 protected:
     /// The error of loading a file of this name and content.
     std::string refusal(const std::string& name, const std::string& content) {

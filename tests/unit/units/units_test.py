@@ -43,6 +43,13 @@ class Units(unittest.TestCase):
         self.assertFalse(self.fit(better, "int other() { return 0; }", "void f() { counted(3); }"))
         self.assertFalse(self.fit("int x() { return 0; }\nstatic int hidden(int y) { return y; }", "int z() { return hidden(1); }"))
 
+    def test_a_call_in_a_header_keeps_them_apart_too(self):
+        (pathlib.Path(self.folder.name) / "base.h").write_text("inline int twice(int n) { return sum(n, n); }\nint other(int n);\n")
+        (pathlib.Path(self.folder.name) / "above.h").write_text('#include "base.h"\n')
+        includes = '#include "above.h"\n'
+        self.assertFalse(self.fit("long sum(int a, int b) { return a + b; }", "int c = 2;", before=includes))
+        self.assertTrue(self.fit("long other(long a) { return a; }", "int c = 2;", before=includes))
+
     def test_members_and_other_namespaces_text_and_comments_do_not_count(self):
         hidden = "int size(int n) { return n; }"
         for text in ("int f(const std::string& s) { return int(s.size()); }", "int f(const std::string* s) { return int(s->size()); }",

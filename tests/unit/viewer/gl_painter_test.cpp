@@ -16,6 +16,8 @@
 namespace rakelight::viewer {
 namespace {
 
+constexpr int across = 96, down = 64;
+
 class HeadlessContext final : public SharedContext {
 public:
     void make_current() override {
@@ -48,7 +50,7 @@ protected:
         look_.request.engine = "gl";
     }
     PaintJob job(const std::shared_ptr<GlPainter>& gl, std::uint64_t number = 1) const {
-        return {.model = model_, .look = look_, .width = width, .height = height, .number = number, .gl = gl};
+        return {.model = model_, .look = look_, .width = across, .height = down, .number = number, .gl = gl};
     }
     /// The last picture of a job, null where a fault comes first.
     std::shared_ptr<const Painting> painted(Painter& painter, PaintJob wanted) {
@@ -69,8 +71,8 @@ protected:
 TEST_F(GlPainters, DrawThePictureOfTheEngineIntoATexture) {
     Session session("gl");
     session.set(model_->scene);
-    const Camera camera = camera_of(look_, *model_, width, height);
-    const RenderSettings settings = request_of(look_, width, height).settings;
+    const Camera camera = camera_of(look_, *model_, across, down);
+    const RenderSettings settings = request_of(look_, across, down).settings;
     Frame frame;
     session.render(camera, settings, frame, context_);
     const std::vector<std::uint32_t> expected = to_srgb8(frame, {});
@@ -81,17 +83,17 @@ TEST_F(GlPainters, DrawThePictureOfTheEngineIntoATexture) {
     EXPECT_EQ(painter.scene(), scene);
     for (int repeat = 0; repeat < 6; ++repeat) {  // the textures of those let go are drawn into again
         const GlPainter::Drawn drawn = painter.draw(camera, settings, {}, {}, context_);
-        ASSERT_EQ(drawn.picture->width, width);
+        ASSERT_EQ(drawn.picture->width, across);
         const int stride = drawn.picture->texture_width;
-        ASSERT_GE(drawn.picture->texture_height, height);
+        ASSERT_GE(drawn.picture->texture_height, down);
         std::vector<std::uint32_t> got(std::size_t(stride) * std::size_t(drawn.picture->texture_height));
         glBindTexture(GL_TEXTURE_2D, drawn.picture->texture);
         glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, got.data());  // lowest row first
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
+        for (int y = 0; y < down; ++y)
+            for (int x = 0; x < across; ++x)
                 for (int c = 0; c < 24; c += 8)
-                    ASSERT_NEAR(got[std::size_t((height - 1 - y) * stride + x)] >> c & 255,
-                                expected[std::size_t(y * width + x)] >> c & 255, 1)
+                    ASSERT_NEAR(got[std::size_t((down - 1 - y) * stride + x)] >> c & 255,
+                                expected[std::size_t(y * across + x)] >> c & 255, 1)
                         << x << ", " << y;
     }
     painter.end();
@@ -104,7 +106,7 @@ TEST_F(GlPainters, MakePicturesInThePaintersThread) {
     const auto painting = painted(painter, job(gl));
     ASSERT_TRUE(painting);
     EXPECT_TRUE(painting->picture && painting->codes.empty());
-    EXPECT_EQ(painting->width, width);
+    EXPECT_EQ(painting->width, across);
 }
 
 TEST_F(GlPainters, LeaveToASessionWhatTheyCannotDo) {
@@ -114,7 +116,7 @@ TEST_F(GlPainters, LeaveToASessionWhatTheyCannotDo) {
     const auto painting = painted(painter, job(gl));
     ASSERT_TRUE(painting);
     EXPECT_FALSE(painting->picture);
-    EXPECT_EQ(painting->codes.size(), std::size_t(width * height));
+    EXPECT_EQ(painting->codes.size(), std::size_t(across * down));
     look_.channel = 0;
     look_.request.settings.visibility = Visibility::painter;
     look_.request.settings.samples = 1;

@@ -53,7 +53,7 @@ TEST(LightingText, WhatIsNoFileOrNoModelIsRefused) {
     EXPECT_EQ(missing.setting(), "lighting");
     const std::string other = folder.write("other.glsl", "float f() { return 1.0; }\n");
     EXPECT_EQ(test::error_of([&] { read(other); }).code(), ErrorCode::bad_file);
-    const std::string large = folder.write("large.glsl", std::string(1100000, ' ') + text);
+    const std::string large = folder.write("large.glsl", text + std::string(1100000, ' '));
     EXPECT_NE(test::error_of([&] { read(large); }).reason().find("more than"), std::string::npos);
     EXPECT_EQ(test::error_of([&] { read("toon"); }).code(), ErrorCode::usage) << "no word, and no file's name";
 }
