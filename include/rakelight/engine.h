@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface of engines: settings, a pixel window, channels, and a sink for finished tiles.
+// The interface of engines: settings, channels, statistics.
 #pragma once
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,14 +12,13 @@
 #include <rakelight/context.h>
 #include <rakelight/export.h>
 #include <rakelight/scene.h>
+#include <rakelight/sink.h>
 
 namespace rakelight {
-
-/// A rectangle of pixels; row 0 on top.
-struct Window {
-    int x = 0, y = 0, width = 0, height = 0;  ///< [px]; all 0: the whole picture
-    bool operator==(const Window&) const = default;
-};
+namespace geometry {
+struct MeshPose;  // internal
+using MeshPoses = std::map<std::uint32_t, MeshPose>;
+}  // namespace geometry
 
 /// [px] Shading::automatic uses Gouraud shading for meshes whose edges are at most this long on the screen. Gouraud
 /// shading interpolates the lighting of the corners. So a pixel differs from Phong shading at most by the change of
@@ -261,62 +262,6 @@ struct DeclaredUniform {
 /// @throws Error bad_file: a text that cannot be parsed; usage, about `uniform`: a value that no text declares so
 RL_API std::vector<DeclaredUniform> declared_uniforms(const RenderSettings& settings);
 
-/// A finished rectangle: arrays are [width * height], row by row; channels that were not requested are empty.
-struct Tile {
-    Window area{};
-    std::span<const vec4> color{};  ///< linear RGB, not clamped; alpha is coverage
-    std::span<const float> depth{};
-    std::span<const vec3> normal{};
-    std::span<const std::uint32_t> object{}, material{};
-    std::span<const std::uint16_t> samples{};  ///< samples in each pixel; empty: one in each
-    std::span<const std::uint32_t> mesh{}, triangle{}, overdraw{};
-    std::span<const vec3> face_normal{}, position{}, barycentric{};
-    std::span<const vec4> tangent{};
-    std::span<const vec2> uv{}, uv1{};
-    std::span<const vec3> base_color{}, ambient{}, diffuse{}, specular{}, emission{};
-    std::span<const vec3> albedo{}, direct{}, indirect{};
-    std::span<const float> variance{}, ambient_occlusion{};
-};
-
-/// Receives finished tiles. The order of tiles does not affect the result. Progressive engines deliver several passes.
-class RL_API Sink {
-public:
-    virtual ~Sink() = default;
-    /// Called before the first tile: size of the whole picture, the window, the channels.
-    virtual void begin(int width, int height, Window window, std::uint32_t channels) = 0;
-    /// Called from any thread, concurrently, but never for overlapping tiles of one pass.
-    virtual void tile(const Tile& tile) = 0;
-    /// Called after all tiles of a pass, from the thread that called render().
-    virtual void end_pass(int pass) = 0;
-};
-
-/// One array per channel, [pixels] of a rectangle; channels that were not requested are empty.
-struct ChannelArrays {
-    std::vector<float> depth{};
-    std::vector<vec3> normal{};
-    std::vector<std::uint32_t> object{}, material{}, mesh{}, triangle{}, overdraw{};
-    std::vector<vec3> face_normal{}, position{}, barycentric{};
-    std::vector<vec4> tangent{};
-    std::vector<vec2> uv{}, uv1{};
-    std::vector<vec3> base_color{}, ambient{}, diffuse{}, specular{}, emission{};
-    std::vector<vec3> albedo{}, direct{}, indirect{};
-    std::vector<float> variance{}, ambient_occlusion{};
-};
-
-/// A sink that stores all data of a window. Pixel (x, y) of the picture is at (y - window.y) * window.width + x -
-/// window.x.
-class RL_API Frame final : public Sink, public ChannelArrays {
-public:
-    void begin(int width, int height, Window window, std::uint32_t channels) override;  ///< @throws Error: too large
-    void tile(
-        const Tile& tile) override;  ///< @throws Error usage: outside of the window, or an array of the wrong size
-    void end_pass(int pass) override;
-
-    int width = 0, height = 0;  ///< of the whole picture
-    Window window;
-    std::vector<vec4> color;  ///< [window.width * window.height] linear RGB and alpha, as in Tile
-};
-
 /// Times of one render() call [s]. `front_end`, `tiles` and `occlusion` are wall-clock times. The other times are sums
 /// over all tiles and threads: about `threads` times the wall-clock time.
 struct StageTimes {
@@ -407,6 +352,12 @@ public:
     /// @throws Error bad_file: an invalid scene (see validate()), and the engine keeps its previous scene; failed:
     ///         cancelled, and the engine is then empty
     virtual void prepare(Scene scene, Context& context) = 0;
+    /// Whether the engine poses vertices itself: for each moment it then takes only joints and weights.
+    virtual bool poses_vertices() const { return false; }
+    /// As prepare(), with meshes in bind pose; by default they are posed first. Internal: only the library has such
+    /// scenes.
+    /// @param poses  of the scene's meshes whose vertices are in bind pose; null: none are
+    virtual void prepare_unposed(Scene scene, std::shared_ptr<const geometry::MeshPoses> poses, Context& context);
     /// The last prepared scene, or an empty one.
     virtual const Scene& scene() const = 0;
     /// Replaces the lights of the prepared scene; the cost depends on the lights only.

@@ -4,9 +4,7 @@
 #include <span>
 #include <utility>
 
-#include <rakelight/tools/strip_sink.h>
-
-#include "engines/posing_engine.h"
+#include "engines/posed_arrays.h"
 #include "engines/raster/raster_engine.h"
 #include "render/engines.h"
 #include "scene/charge_arrays.h"
@@ -18,9 +16,9 @@ namespace rakelight {
 namespace {
 
 /// Hands on all that it gets and is asked, and knows whether a picture was begun.
-class WatchedSink final : public StripSink {
+class WatchedSink final : public Sink {
 public:
-    explicit WatchedSink(Sink& to) : to_(to), strips_(dynamic_cast<StripSink*>(&to)) {}
+    explicit WatchedSink(Sink& to) : to_(to) {}
     bool has_begun() const { return has_begun_; }
 
     void begin(int width, int height, Window window, std::uint32_t channels) override {
@@ -29,26 +27,21 @@ public:
     }
     void tile(const Tile& tile) override { to_.tile(tile); }
     void end_pass(int pass) override { to_.end_pass(pass); }
-    int rows_at_once() const override { return strips_ ? strips_->rows_at_once() : 0; }
-    void rows_done(int first, int rows) override {
-        if (strips_) strips_->rows_done(first, rows);
-    }
-    bool wants_partial() const override { return strips_ && strips_->wants_partial(); }
-    bool wants_srgb8() const override { return strips_ && strips_->wants_srgb8(); }
-    DisplayRows display_rows(const Window& area) override {
-        return strips_ ? strips_->display_rows(area) : DisplayRows{};
-    }
+    int rows_at_once() const override { return to_.rows_at_once(); }
+    void rows_done(int first, int rows) override { to_.rows_done(first, rows); }
+    bool wants_partial() const override { return to_.wants_partial(); }
+    bool wants_srgb8() const override { return to_.wants_srgb8(); }
+    DisplayRows display_rows(const Window& area) override { return to_.display_rows(area); }
     void display_tile(const Tile& tile, std::span<const std::uint32_t> srgb8) override {
-        if (strips_) strips_->display_tile(tile, srgb8);
+        to_.display_tile(tile, srgb8);
     }
 
 private:
     Sink& to_;
-    StripSink* strips_;
     bool has_begun_ = false;
 };
 
-class AutoEngine final : public Engine, public PosingEngine {
+class AutoEngine final : public Engine {
 public:
     /// @param gpu  null: there is none, for a reason
     AutoEngine(std::unique_ptr<Engine> gpu, std::string why)
@@ -62,6 +55,7 @@ public:
     }
 
     void prepare(Scene scene, Context& context) override { prepare_unposed(std::move(scene), nullptr, context); }
+    bool poses_vertices() const override { return gpu_ && gpu_->poses_vertices(); }
     void prepare_unposed(Scene scene, std::shared_ptr<const geometry::MeshPoses> poses, Context& context) override {
         draws_on_gpu_ = gpu_ != nullptr;
         poses_ = std::move(poses);
@@ -106,9 +100,7 @@ public:
 
 private:
     void prepare_on_gpu(const Scene& scene, Context& context) {
-        auto* const posing = dynamic_cast<PosingEngine*>(gpu_.get());
-        if (posing && poses_) return posing->prepare_unposed(charged_copy(scene, context), poses_, context);
-        gpu_->prepare(posed(charged_copy(scene, context), context), context);
+        gpu_->prepare_unposed(charged_copy(scene, context), poses_, context);
     }
     /// The scene as soft takes it: meshes posed by the GPU are posed again on the processor.
     Scene posed(Scene scene, Context& context) const {

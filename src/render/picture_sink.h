@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/tools/strip_sink.h>
+#include <rakelight/sink.h>
 
 #include "render/rows.h"
 #include "render/too_dark_or_bright.h"
@@ -23,7 +23,7 @@ struct ChannelPlane {
     std::vector<std::uint32_t> words;  ///< [rows * window width * components] floats or integers, by info_of(channel)
 };
 
-class PictureSink final : public StripSink {
+class PictureSink final : public Sink {
 public:
     /// Keeps the whole window.
     explicit PictureSink(PixelFormat format, const ToneCurve& tone = ToneCurve()) : format_(format), tone_(tone) {}

@@ -6,7 +6,7 @@
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"
-#include "engines/posing_engine.h"
+#include "engines/posed_arrays.h"
 #include "prepare/prepare.h"
 #include "render/choose_camera.h"
 #include "render/drawable.h"
@@ -273,11 +273,11 @@ void Session::State::warm_up(const RenderSettings& settings, const Camera& camer
         return;
     }
     taken.reset();  // what fails leaves the engine with another scene, or none
-    auto* const posing = ready->poses ? dynamic_cast<PosingEngine*>(engine.get()) : nullptr;
-    Scene drawn = charged_copy(posing ? ready->scene : ready->posed(context), context);
+    const bool is_unposed = ready->poses && engine->poses_vertices();
+    Scene drawn = charged_copy(is_unposed ? ready->scene : ready->posed(context), context);
     drawn.lights = std::move(lights);
-    if (posing)
-        posing->prepare_unposed(std::move(drawn), ready->poses, context);
+    if (is_unposed)
+        engine->prepare_unposed(std::move(drawn), ready->poses, context);
     else
         engine->prepare(std::move(drawn), context);
     taken = ready;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/opengl/opengl_engine.h"
-#include "engines/posing_engine.h"
+#include "engines/posed_arrays.h"
 
 #include <algorithm>
 #include <chrono>
 #include <optional>
 #include <utility>
 #include <vector>
-
-#include <rakelight/tools/strip_sink.h>
 
 #include "engines/channel_arrays.h"
 #include "engines/opengl/gl_thread.h"
@@ -19,11 +17,11 @@ namespace rakelight::opengl {
 namespace {
 
 constexpr int pixels_at_once = 4 << 20;  ///< that are drawn and read, where it is not fewer than
-constexpr int fewest_rows = 64;          ///< any strip of a StripSink has room for them
+constexpr int fewest_rows = 64;          ///< any strip of a sink has room for them
 
 Window whole(const RenderSettings& s) { return s.window == Window{} ? Window{0, 0, s.width, s.height} : s.window; }
 
-class OpenGlEngine final : public Engine, public PosingEngine {
+class OpenGlEngine final : public Engine {
 public:
     OpenGlEngine() {
         thread_.call([this] {
@@ -48,6 +46,7 @@ public:
     std::string name() const override { return "gl"; }
     EngineCapabilities capabilities() const override { return abilities_of(driver()); }
     void prepare(Scene scene, Context& context) override { prepare_unposed(std::move(scene), nullptr, context); }
+    bool poses_vertices() const override { return true; }
     void prepare_unposed(Scene scene, std::shared_ptr<const geometry::MeshPoses> poses, Context& context) override {
         thread_.call([&] { renderer_->prepare({std::move(scene), std::move(poses)}, context); });
     }
@@ -104,13 +103,12 @@ private:
 
     /// In strips of as many rows as the sink takes.
     void deliver(const Window& part, const Window& window, Sink& sink) {
-        auto* const strips = dynamic_cast<StripSink*>(&sink);
-        const int most = strips && strips->rows_at_once() > 0 ? strips->rows_at_once() : part.height;
+        const int most = sink.rows_at_once() > 0 ? sink.rows_at_once() : part.height;
         for (int row = 0; row < part.height; row += most) {
             const int rows = std::min(most, part.height - row);
             sink.tile(tile_of(part, row, rows));
             const bool ends_row = part.x + part.width == window.x + window.width;
-            if (strips && ends_row) strips->rows_done(part.y + row, rows);
+            if (ends_row) sink.rows_done(part.y + row, rows);
         }
     }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renderer: who poses the meshes of a moment.
 #include "engines/opengl/renderer.h"
-#include "engines/posing_engine.h"
+#include "engines/posed_arrays.h"
 #include "shading/shading_choice.h"
 
 namespace rakelight::opengl {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "engines/posing_engine.h"
+#include "engines/posed_arrays.h"
 #include "scene/material_table.h"
 #include "shading/posed_draw_list.h"
 

@@ -26,7 +26,7 @@ struct TakenScene {
 /// A scene as it comes to be drawn.
 struct GivenScene {
     Scene scene;
-    std::shared_ptr<const geometry::MeshPoses> poses{};  ///< as PosingEngine has them
+    std::shared_ptr<const geometry::MeshPoses> poses{};  ///< as Engine::prepare_unposed() has them
 };
 
 /// From any thread. @param poses_here  the poses are taken by the processor, for a driver that would be slower. @param before  what was decoded for the scene before: what is used again is not decoded again

@@ -24,7 +24,7 @@ public:
     bool has_gpu() const;
     /// Takes a scene up for so long; until it is whole the one before is drawn. Another number: another scene.
     /// @return true: it is whole
-    /// @param poses  as PosingEngine has them
+    /// @param poses  as Engine::prepare_unposed() has them
     bool upload(const Scene& scene, const std::shared_ptr<const geometry::MeshPoses>& poses, std::uint64_t number,
                 double milliseconds, Context& context);
     void set_lights(std::vector<Light> lights);

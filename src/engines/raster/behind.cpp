@@ -12,11 +12,10 @@ namespace {
 
 void draw_tiles(const TileJob& job, Sink& sink, Context& context) {
     cpu_shading::ScratchPool<TileScratch> pool;
-    const Taker taker(sink);
     context.parallel_for(job.grid.count(), [&](std::size_t tile) {
         const FlushDenormals guard;
         auto scratch = pool.take();
-        draw_tile(job, tile, *scratch, taker);
+        draw_tile(job, tile, *scratch, sink);
         pool.give_back(std::move(scratch));
     });
     context.throw_if_cancelled();

@@ -21,7 +21,7 @@ std::span<const T> part(const std::vector<T>& whole, const Window& in_tile, std:
     return copy;
 }
 
-void deliver(const TileJob& job, std::size_t tile, TileScratch& s, const Taker& taker) {
+void deliver(const TileJob& job, std::size_t tile, TileScratch& s, Sink& sink) {
     const Window area = job.grid.pixels(tile);
     const Window in_tile = {area.x - job.grid.origin_x(tile), area.y - job.grid.origin_y(tile), area.width,
                             area.height};
@@ -37,24 +37,24 @@ void deliver(const TileJob& job, std::size_t tile, TileScratch& s, const Taker& 
             if (channels & bit) to = part(whole, in_tile, copy);
         },
         result, static_cast<const ChannelArrays&>(s), copies);
-    if (!job.to_srgb8) return taker.sink.tile(result);
+    if (!job.to_srgb8) return sink.tile(result);
     std::vector<std::uint32_t> srgb8;
     const bool is_in_sink = s.display.first != s.srgb8.data();
-    taker.strips->display_tile(result, is_in_sink ? std::span<const std::uint32_t>() : part(s.srgb8, in_tile, srgb8));
+    sink.display_tile(result, is_in_sink ? std::span<const std::uint32_t>() : part(s.srgb8, in_tile, srgb8));
 }
 
 /// Where the tile's display values are made: in the sink, if it has room for the whole tile.
-DisplayRows display_of(const TileJob& job, const Window& area, TileScratch& s, const Taker& taker) {
+DisplayRows display_of(const TileJob& job, const Window& area, TileScratch& s, Sink& sink) {
     DisplayRows rows;
-    if (job.to_srgb8 && area.width == tile_size && area.height == tile_size) rows = taker.strips->display_rows(area);
+    if (job.to_srgb8 && area.width == tile_size && area.height == tile_size) rows = sink.display_rows(area);
     return rows.first ? rows : DisplayRows{s.srgb8.data(), tile_size};
 }
 
 }  // namespace
 
-void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, const Taker& taker) {
+void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink& sink) {
     StageClock clock;
-    scratch.display = display_of(job, job.grid.pixels(tile), scratch, taker);
+    scratch.display = display_of(job, job.grid.pixels(tile), scratch, sink);
     const bool is_sampled = job.front.settings.samples > 1;
     if (job.reach)
         job.reach->in_square(job.front.view, job.grid.origin_x(tile), job.grid.origin_y(tile), tile_size,
@@ -78,7 +78,7 @@ void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, const
     if (blends) blend_transparent(job, tile, scratch);
     scratch.times.blending += clock.lap();
     if (job.is_cancelled()) return;  // cut short
-    deliver(job, tile, scratch, taker);
+    deliver(job, tile, scratch, sink);
     scratch.times.delivery += clock.lap();
 }
 

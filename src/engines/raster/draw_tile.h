@@ -8,14 +8,6 @@
 
 namespace rakelight::raster {
 
-/// Who takes the picture.
-struct Taker {
-    explicit Taker(Sink& taking) : sink(taking), strips(dynamic_cast<StripSink*>(&taking)) {}
-    bool wants_srgb8() const { return strips && strips->wants_srgb8(); }
-    Sink& sink;
-    StripSink* strips;  ///< null: it takes whole pictures of linear colors
-};
-
 /// Seconds since the last lap, by the clock on the wall.
 class StageClock {
 public:
@@ -29,6 +21,6 @@ private:
 };
 
 /// Visibility, shading, blending; hands the tile on, unless it was cut short.
-void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, const Taker& taker);
+void draw_tile(const TileJob& job, std::size_t tile, TileScratch& scratch, Sink& sink);
 
 }  // namespace rakelight::raster

@@ -133,14 +133,13 @@ public:
         sink.begin(settings.width, settings.height, grid.window, settings.channels);
         const bool has_blended = std::any_of(list_.materials.begin(), list_.materials.end(),
                                              [](const DrawMaterial& m) { return m.factors.blend != 0; });
-        const Taker taker(sink);
         std::optional<AmbientOcclusion> occlusion;
         if (settings.ambient_occlusion && settings.surfaces) occlusion.emplace(front, binned, grid, *kernels_, context);
         const double waited = draw_tiles(
-            {front, binned, grid, lights, *kernels_, has_blended, points, taker.wants_srgb8(),
+            {front, binned, grid, lights, *kernels_, has_blended, points, sink.wants_srgb8(),
              (settings.channels & channel_uv1) != 0, &marks, &context, reach.is_worth_it() ? &reach : nullptr,
              shadows_.data() ? &shadow_texels : nullptr, occlusion ? &*occlusion : nullptr},
-            taker, occlusion, context, front.stats);
+            sink, occlusion, context, front.stats);
         sink.end_pass(0);
         front.stats.times.tiles = clock.lap() - waited;
         open_surfaces_.remark(list_, front.culled_by_side, settings.cull, wanted.cull == Cull::back, context);
@@ -156,8 +155,8 @@ public:
 
 private:
     /// @return [s] what the sink did with finished strips
-    double draw_tiles(const TileJob& job, const Taker& taker, std::optional<AmbientOcclusion>& occlusion,
-                      Context& context, RenderStats& stats) {
+    double draw_tiles(const TileJob& job, Sink& sink, std::optional<AmbientOcclusion>& occlusion, Context& context,
+                      RenderStats& stats) {
         std::atomic<std::uint64_t> covered{0}, shaded{0}, not_finite{0}, marked{0}, lit_pixels{0}, depth_passes{0},
             samples_covered{0}, layers_unsorted{0};
         std::atomic<std::size_t> done{0};
@@ -167,7 +166,7 @@ private:
             auto scratch = pool_.take();
             scratch->covered = scratch->shaded = scratch->not_finite = scratch->marked = scratch->lit_pixels =
                 scratch->depth_passes = scratch->samples_covered = scratch->layers_unsorted = 0;
-            draw_tile(job, tile, *scratch, taker);
+            draw_tile(job, tile, *scratch, sink);
             covered += scratch->covered;
             shaded += scratch->shaded;
             not_finite += scratch->not_finite;
@@ -180,7 +179,7 @@ private:
             context.progress("render", double(++done) / double(job.grid.count()));
         };
         double waited = 0;
-        const int at_once = taker.strips ? taker.strips->rows_at_once() : 0;
+        const int at_once = sink.rows_at_once();
         for (int row = 0; row < job.grid.rows;) {
             const int end = strip_end(job.grid, row, at_once);
             const std::size_t first = job.grid.first_of_row(row);
@@ -192,7 +191,7 @@ private:
             context.parallel_for(job.grid.first_of_row(end) - first, [&](std::size_t i) { draw(first + i); });
             context.throw_if_cancelled();
             clock.lap();
-            if (taker.strips) taker.strips->rows_done(top.y, height);
+            sink.rows_done(top.y, height);
             waited += clock.lap();
             row = end;
         }

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include <rakelight/tools/strip_sink.h>
+#include <rakelight/engine.h>
 
 namespace rakelight::raster {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/tools/strip_sink.h>
+#include <rakelight/engine.h>
 
 #include "engines/raster/geometry/front_end.h"
 #include "engines/raster/lights/light_points.h"
@@ -92,7 +92,7 @@ public:
     std::vector<std::uint32_t> tile_lights;         ///< of many lights, those that may reach the tile
     std::vector<lighting::LightParameters> lights;  ///< those that may reach the run of pixels that is shaded
     std::uint64_t covered = 0, shaded = 0, not_finite = 0, marked = 0;
-    std::uint64_t mark_tests = 0;  ///< of pixels against lines and points, of all tiles so far
+    std::uint64_t mark_tests = 0;            ///< of pixels against lines and points, of all tiles so far
     std::uint64_t samples_covered = 0;       ///< by something opaque
     std::shared_ptr<SampleScratch> samples;  ///< of multisampled pictures
     std::shared_ptr<LayerScratch> layers;    ///< of pictures with blended surfaces

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/raytrace/path_render.h"
 
-#include <rakelight/tools/strip_sink.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -41,7 +39,6 @@ public:
           settings_(picture.trace.settings),
           window_(window),
           sink_(sink),
-          strips_(dynamic_cast<StripSink*>(&sink)),
           context_(context),
           pool_(pool),
           film_(film_window(window, settings_), picture.wants_guides, context) {
@@ -64,7 +61,7 @@ public:
         }
         stats_.samples = film_.samples(), stats_.noise = film_.noise();
         if (film_.samples() > 0 && !context_.cancelled()) finish(context_);
-        if (film_.samples() > 0 && context_.cancelled() && is_of_strips() && strips_->wants_partial()) {
+        if (film_.samples() > 0 && context_.cancelled() && is_of_strips() && sink_.wants_partial()) {
             char text[120];
             std::snprintf(text, sizeof text, "stopped after %d of %d samples per pixel, estimated error %.3g",
                           stats_.samples, settings_.samples, stats_.noise);
@@ -87,7 +84,7 @@ private:
         }
     }
 
-    bool is_of_strips() const { return strips_ && strips_->rows_at_once() > 0; }
+    bool is_of_strips() const { return sink_.rows_at_once() > 0; }
 
     /// Whether no further pass is to begin.
     bool is_enough() const {
@@ -165,12 +162,12 @@ private:
     }
 
     void deliver_strips(const Context& context) {
-        const int most = strips_->rows_at_once();
+        const int most = sink_.rows_at_once();
         for (int y = 0; y < window_.height; y += most) {
             const Window strip{window_.x, window_.y + y, window_.width, std::min(most, window_.height - y)};
             for_each_tile(strip, [&](const Window& area) { deliver(area, context); });
             context.throw_if_cancelled();
-            strips_->rows_done(strip.y, strip.height);
+            sink_.rows_done(strip.y, strip.height);
         }
         sink_.end_pass(0);
     }
@@ -179,7 +176,6 @@ private:
     const RenderSettings& settings_;
     Window window_;
     Sink& sink_;
-    StripSink* strips_;
     Context& context_;
     cpu_shading::ScratchPool<PathScratch>& pool_;
     PathFilm film_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/raytrace/raytrace_engine.h"
 
-#include <rakelight/tools/strip_sink.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -154,13 +152,12 @@ private:
 
     /// In strips of as many rows as the sink takes.
     void trace(const TracePicture& picture, const Window& window, Sink& sink, Context& context) {
-        auto* const strips = dynamic_cast<StripSink*>(&sink);
-        const int most = strips && strips->rows_at_once() > 0 ? strips->rows_at_once() : window.height;
+        const int most = sink.rows_at_once() > 0 ? sink.rows_at_once() : window.height;
         for (int y = 0; y < window.height; y += most) {
             const Window strip{window.x, window.y + y, window.width, std::min(most, window.height - y)};
             trace_strip(picture, window, strip, sink, context);
             context.throw_if_cancelled();
-            if (strips) strips->rows_done(strip.y, strip.height);
+            sink.rows_done(strip.y, strip.height);
         }
     }
 

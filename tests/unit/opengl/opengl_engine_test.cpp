@@ -4,7 +4,6 @@
 #include <cmath>
 #include <thread>
 
-#include <rakelight/tools/strip_sink.h>
 
 #include "scene/scene_tools.h"
 #include "support/scene_builder.h"
@@ -147,7 +146,7 @@ TEST_F(OpenGl, AWindowIsAPartOfThePicture) {
 }
 
 /// Holds few rows at once.
-class NarrowSink final : public StripSink {
+class NarrowSink final : public Sink {
 public:
     void begin(int width, int height, Window window, std::uint32_t) override {
         EXPECT_EQ(std::this_thread::get_id(), caller);

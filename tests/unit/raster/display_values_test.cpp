@@ -23,7 +23,7 @@ constexpr std::uint32_t untouched = 0x12345678;
 constexpr std::size_t margin = 5;  ///< [px] of the sink's memory on all sides of the picture
 
 /// Takes display values of a window, with or without memory that engines may write to.
-class DisplaySink final : public StripSink {
+class DisplaySink final : public Sink {
 public:
     explicit DisplaySink(bool has_memory) : has_memory_(has_memory) {}
     void begin(int width, int height, Window window, std::uint32_t) override {

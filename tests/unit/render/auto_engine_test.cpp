@@ -9,7 +9,6 @@
 
 #include <rakelight/render.h>
 #include <rakelight/session.h>
-#include <rakelight/tools/strip_sink.h>
 
 #include "support/scene_builder.h"
 #include "support/thrown_error.h"
@@ -142,7 +141,7 @@ TEST_F(AutoEngineWithGpu, WhatNeitherCanDoAloneIsRefused) {
 }
 
 /// A picture file's: asks for display values in rows of its own, strip by strip.
-class Strips final : public StripSink {
+class Strips final : public Sink {
 public:
     void begin(int width, int height, Window, std::uint32_t) override {
         width_ = width, rows.resize(std::size_t(width) * std::size_t(height));
@@ -199,8 +198,7 @@ public:
     const Scene& scene() const override { return scene_; }
     void set_lights(std::vector<Light>) override {}
     RenderStats render(const Camera&, const RenderSettings&, Sink& sink, Context&) override {
-        auto* const strips = dynamic_cast<StripSink*>(&sink);
-        wants_partial_ = strips && strips->wants_partial();
+        wants_partial_ = sink.wants_partial();
         return {};
     }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An engine for tests of what stands around engines: pixel (x, y) is a known function of its place, tiles are 64 x 64.
 #pragma once
-#include <rakelight/tools/strip_sink.h>
+#include <rakelight/engine.h>
 
 #include <algorithm>
 #include <mutex>
@@ -25,8 +25,7 @@ public:
         const Window w = s.window.width == 0 ? Window{0, 0, s.width, s.height} : s.window;
         windows.push_back(w);
         sink.begin(s.width, s.height, w, s.channels);
-        StripSink* const strip_sink = dynamic_cast<StripSink*>(&sink);
-        const int held = strip_sink ? strip_sink->rows_at_once() : 0, tiles_x = (w.width + 63) / 64;
+        const int held = sink.rows_at_once(), tiles_x = (w.width + 63) / 64;
         const int at_once = held == 0 ? w.height : held / 64 * 64;
         for (int top = 0; top < w.height; top += at_once) {
             const int rows = std::min(at_once, w.height - top), tiles_y = (rows + 63) / 64;
@@ -35,7 +34,7 @@ public:
                 deliver({w.x + x, w.y + y, std::min(64, w.width - x), std::min(64, w.height - y)}, s, sink);
             });
             strips.push_back(rows);
-            if (strip_sink) strip_sink->rows_done(w.y + top, rows);
+            sink.rows_done(w.y + top, rows);
         }
         context.progress("render", 1);
         sink.end_pass(0);

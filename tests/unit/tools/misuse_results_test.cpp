@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include <rakelight/tools/rows.h>
-#include <rakelight/tools/strip_sink.h>
 
 #include "support/thrown_error.h"
 #include "unit/tools/misuse_support.h"
@@ -42,7 +41,7 @@ TEST(MisusedFrame, OneWhoseColorsDoNotFitIsNotSaved) {
 }
 
 /// Gives way, throws, or says strange things of itself.
-struct OddSink final : StripSink {
+struct OddSink final : Sink {
     int rows = 0;
     bool throws = false;
     void begin(int, int, Window, std::uint32_t) override {}

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engines/posing_engine.h"
+#include "engines/posed_arrays.h"
 
 #include <utility>
 
 #include "scene/charge_arrays.h"
 
 namespace rakelight {
+
+void Engine::prepare_unposed(Scene scene, std::shared_ptr<const geometry::MeshPoses> poses, Context& context) {
+    prepare(poses ? with_posed_arrays(std::move(scene), *poses, context) : std::move(scene), context);
+}
 
 void take_posed_arrays(Mesh& mesh, const geometry::MeshPose& pose, Context& context) {
     const Mesh unposed = mesh;
