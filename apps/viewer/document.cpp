@@ -23,8 +23,6 @@ PictureRequest request_of(const Look& look, int width, int height) {
         request.lights.emplace();
         for (const LightItem& item : *look.lights)
             if (item.is_on) request.lights->push_back(item.light);
-        // No lights at all would ask for the default ones.
-        if (request.lights->empty()) request.lights->push_back({.type = LightType::ambient});
     }
     return request;
 }
@@ -138,13 +136,6 @@ Look first_look(const Model& model) {
     return {.request = request,
             .world_up = world_up_of(request.view),
             .shadows_by_nature = request.engine == "trace" && request.settings.shadows && !says_shadows};
-}
-
-bool have_same_surfaces(const Look& a, const Look& b) {
-    const PictureRequest &x = a.request, &y = b.request;
-    return a.materials == b.materials && x.materials == y.materials && x.hdri_file == y.hdri_file &&
-           x.hdri_ambient == y.hdri_ambient && x.hdri_skybox == y.hdri_skybox && x.hdri_intensity == y.hdri_intensity &&
-           x.hdri_rotation_rad == y.hdri_rotation_rad;
 }
 
 }  // namespace rakelight::viewer

@@ -121,7 +121,4 @@ void choose_engine(const std::string& name, Look& look);
 /// What a command does to a look; false: it is not about looks. @throws Error usage
 bool apply(Command command, Look& look, const Model& model, int width, int height);
 
-/// Whether pictures of two looks of one model need the same surfaces: materials and environment.
-bool have_same_surfaces(const Look& a, const Look& b);
-
 }  // namespace rakelight::viewer

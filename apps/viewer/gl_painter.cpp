@@ -45,7 +45,8 @@ bool GlPainter::upload(const std::shared_ptr<const PreparedScene>& scene, double
 
 /// Drivers make code when a program draws first (llvmpipe: 140 to 430 ms each). A tiny picture has it made: its time is not taken
 /// for that of pictures, and no picture of an older job waits for it.
-void GlPainter::warm(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone, Context& context) {
+void GlPainter::warm(const Shot& shot, const ToneSettings& tone, Context& context) {
+    const RenderSettings& settings = shot.settings;
     RenderSettings tiny = settings;
     const int side = std::max(settings.width, settings.height);
     tiny.width = std::max(1, settings.width * warm_side_px / side);
@@ -54,21 +55,21 @@ void GlPainter::warm(const Camera& camera, const RenderSettings& settings, const
     const Warmed wanted{tiny, tone.mapping};
     if (std::ranges::find(warmed_, wanted) != warmed_.end()) return;
     pictures_->begin(tiny.width, tiny.height);
-    view_->draw(camera, tiny, tone, context);
+    view_->draw({shot.camera, tiny, shot.lights}, tone, context);
     pictures_->finish();
     if (warmed_.size() >= most_warmed) warmed_.clear();
     warmed_.push_back(wanted);
 }
 
-GlPainter::Drawn GlPainter::draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone,
-                                 std::span<const Line> lines, Context& context) {
+GlPainter::Drawn GlPainter::draw(const Shot& shot, const ToneSettings& tone, std::span<const Line> lines,
+                                 Context& context) {
     begin();
-    warm(camera, settings, tone, context);
+    warm(shot, tone, context);
     const auto from = std::chrono::steady_clock::now();
-    pictures_->begin(settings.width, settings.height);
+    pictures_->begin(shot.settings.width, shot.settings.height);
     Drawn drawn;
-    drawn.stats = view_->draw(camera, settings, tone, context);
-    view_->lines(camera, lines);
+    drawn.stats = view_->draw(shot, tone, context);
+    view_->lines(shot.camera, lines);
     drawn.picture = pictures_->finish();
     drawn.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - from).count();
     return drawn;

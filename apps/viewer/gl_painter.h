@@ -31,8 +31,7 @@ public:
         RenderStats stats;
         double ms = 0;  ///< without what is made once: programs, shadow maps
     };
-    Drawn draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone,
-               std::span<const Line> lines, Context& context);
+    Drawn draw(const Shot& shot, const ToneSettings& tone, std::span<const Line> lines, Context& context);
 
 private:
     /// What programs depend on.
@@ -42,7 +41,7 @@ private:
         bool operator==(const Warmed&) const = default;
     };
     void begin();
-    void warm(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone, Context& context);
+    void warm(const Shot& shot, const ToneSettings& tone, Context& context);
 
     std::unique_ptr<SharedContext> context_;
     bool is_current_ = false;

@@ -290,7 +290,8 @@ Painter::Outcome Painter::draw_by_gl(const PaintJob& job, const PictureRequest& 
     if (!job.gl || job.look.channel) return Outcome::cannot;
     PictureRequest to_prepare = request;
     to_prepare.engine = "soft";  // scenes are prepared alike for every engine
-    const auto scene = studio_->prepare(job.model, job.look, to_prepare, to.camera, context);
+    const Shot shot = studio_->prepare(job.model, job.look, to_prepare, to.camera, context);
+    const std::shared_ptr<const PreparedScene> scene = studio_->prepared();
     is_in_gl_ = true;
     if (gl_ && gl_ != job.gl) gl_->end();
     gl_ = job.gl;
@@ -301,7 +302,7 @@ Painter::Outcome Painter::draw_by_gl(const PaintJob& job, const PictureRequest& 
         mark_lines_.lines(job.marks, job.look, *job.model, to.prepared, to.camera, job.width, job.height);
     for (Line& line : lines) line.width_px *= float(scale);
     try {
-        GlPainter::Drawn drawn = gl_->draw(to.camera, request.settings, request.tone, lines, context);
+        GlPainter::Drawn drawn = gl_->draw(shot, request.tone, lines, context);
         to.picture = std::move(drawn.picture);
         to.stats = std::move(drawn.stats);
         to.pixels_ms = drawn.ms;

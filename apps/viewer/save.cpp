@@ -181,8 +181,8 @@ WorldFile world_of(const Look& look, const Model& model, int width, int height, 
         world.models.push_back(std::move(part));
     }
     PictureRequest request = request_of(look, width, height);
-    if (request.lights) set_lights(world, std::move(*request.lights));
-    request.lights.reset();
+    if (request.lights) set_lights(world, *request.lights);
+    if (request.lights && !request.lights->empty()) request.lights.reset();  // none is said by [render]
     add_keys(world, look, camera_of(look, model, width, height), request);
     for (const bool is_of_object : {false, true})
         for (const MaterialEdit& edit : look.materials)

@@ -32,7 +32,7 @@ public:
     bool upload(std::shared_ptr<const PreparedScene> scene, double milliseconds, Context& context);
     /// Draws the last completely uploaded scene, as Session::render() does with the engine gl. Draws nothing if no
     /// upload is complete.
-    RenderStats draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone, Context& context);
+    RenderStats draw(const Shot& shot, const ToneSettings& tone, Context& context);
     /// Shows a picture over the whole viewport, row 0 on top.
     /// @param srgb8 [width * height] sRGB codes, R in the low byte, straight alpha. Composited over black
     /// @param smooth true: filter the picture if the viewport has another size

@@ -2,6 +2,7 @@
 // The steps of render_picture(), for interactive programs that reuse results between pictures.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,8 @@ RL_API Camera choose_camera(const Scene& scene, const ViewRequest& view, double 
 RL_API Scene with_requested_look(Scene scene, PictureRequest& request, Context& context);
 
 /// apply_look_exposure() with a session that already has the scene, so that nothing is prepared twice.
-/// @param camera  of choose_camera()
-RL_API void apply_look_exposure(Session& session, const Camera& camera, PictureRequest& request, Context& context);
+/// @param shot  by the camera of choose_camera(); its settings are those of the request
+RL_API void apply_look_exposure(Session& session, const Shot& shot, PictureRequest& request, Context& context);
 
 /// First step of Look::standard. Chooses settings that neither the file nor the request gives: samples, light, shadows,
 /// and whether the file's camera and lights are used. Writes the chosen settings into the request. The report lists
@@ -53,6 +54,11 @@ RL_API vec4 separate_background(RenderSettings& settings, const ToneSettings& to
 /// light_cutoff of the request are applied.
 /// @param camera  result of choose_camera()
 RL_API std::vector<Light> requested_lights(const Scene& scene, const PictureRequest& request, const Camera& camera);
+
+/// Shot::lights for such a picture in a session that draws many views: requested_lights(), or absent for radiosity by the
+/// default rig, which a session solves once for all views.
+RL_API std::optional<std::vector<Light>> shot_lights(const Scene& scene, const PictureRequest& request,
+                                                     const Camera& camera);
 
 /// The value of PictureResult::channel_range.
 /// @param camera  result of choose_camera()

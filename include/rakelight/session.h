@@ -2,17 +2,32 @@
 // Many pictures of one scene, or of a changing scene: intermediate results are reused.
 #pragma once
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <rakelight/engine.h>
 #include <rakelight/export.h>
+#include <rakelight/motion.h>
 #include <rakelight/prepare.h>
+#include <rakelight/request.h>
 
 namespace rakelight {
 
 /// A scene prepared for drawing: repaired, with normals, tangents, height maps and displaced meshes. Immutable; any
 /// number of sessions may share it, in any threads.
 class PreparedScene;
+
+/// One picture of a session: where it is seen from, how it is drawn, by what it is lit.
+struct Shot {
+    Camera camera{};  ///< at a node of the scene, or placed in world space
+    RenderSettings settings{};
+    /// All lights of the picture; empty: only an environment and emissive surfaces light it. Absent: those of the scene, and
+    /// if it has neither lights nor an environment that lights it, the default rig, which is fixed to the camera. For
+    /// radiosity, whose solution holds for all views, that is the rig of a default view.
+    std::optional<std::vector<Light>> lights{};
+};
 
 /// An engine with a scene. A session draws the same pictures as render() of render.h. Between two pictures it keeps
 /// decoded textures, mip chains, shadow maps, computed normals and the engine's memory. Use a session from one thread
@@ -36,6 +51,17 @@ public:
     /// @throws Error bad_file: an invalid scene (see validate()), or nothing to draw; the session keeps its previous
     ///         scene
     void set(Scene scene, const PrepareOptions& options = {});
+    /// Sets a loaded scene as a request wants it at the moment of some clips: with its materials, coloring, environment,
+    /// preset, points and fog, to be prepared by its options. What does not depend on the moment is kept, too. The choices
+    /// of the request's look have been made: see with_requested_look().
+    /// @param loaded  passed validate()
+    /// @return the scene that was set, to choose camera and lights by
+    /// @throws Error as set(); usage: no such clip or attribute; not_found, bad_file: a picture of the request
+    const Scene& show(const std::shared_ptr<const Scene>& loaded, const PictureRequest& request,
+                      std::span<const ClipTime> clips, Context& context);
+    /// The scene that show() would set.
+    Scene asked(const std::shared_ptr<const Scene>& loaded, const PictureRequest& request,
+                std::span<const ClipTime> clips, Context& context);
     /// Sets a scene that this or another session has prepared. The session draws it as it was prepared, even if the
     /// settings of a picture would require a different preparation.
     void set(std::shared_ptr<const PreparedScene> scene);
@@ -45,13 +71,18 @@ public:
     ///         cancelled
     std::shared_ptr<const PreparedScene> prepared(const RenderSettings& settings, Context& context);
 
+    /// The same for a shot: under radiosity, its lights are in the colors of the vertices.
+    /// @throws Error likewise; bad_file: an invalid light
+    std::shared_ptr<const PreparedScene> prepared_for(const Shot& shot, Context& context);
+
     /// Does all work of render() except drawing. Afterwards the engine has the scene and its textures, and the report
     /// has the remarks about the scene and the textures.
     /// @throws Error as render()
-    void warm_up(const Camera& camera, const RenderSettings& settings, Context& context);
-    /// Draws through a camera: one at a node of the scene, or one placed in world space. A scene without lights and
-    /// without a lighting environment gets the default light rig, which is fixed to the camera.
+    void warm_up(const Shot& shot, Context& context);
+    /// Draws a shot.
     /// @throws Error as prepared(); usage: settings beyond the engine's capabilities
+    RenderStats render(const Shot& shot, Sink& sink, Context& context);
+    /// The same with the lights of the scene, or the default rig.
     RenderStats render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context);
 
     /// The engine of the session.

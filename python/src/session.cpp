@@ -34,12 +34,6 @@ private:
     std::atomic_flag& flag_;
 };
 
-/// Then the default rig follows the camera by itself.
-bool leaves_lights_to_the_session(const PictureRequest& r, const Scene& scene) {
-    return !r.lights && !r.default_lights && !r.studio_lights && r.light_intensity == 1 && r.light_cutoff == 0 &&
-           r.preset == Preset::none && scene.lights.empty();
-}
-
 /// Pictures of one scene. What the look decides (light, samples, background, exposure) it decides at the first one.
 class Pictures {
 public:
@@ -93,24 +87,27 @@ private:
         const double aspect = double(request.settings.width) / double(request.settings.height);
         if (!cameras_) cameras_.emplace(scene_, context);
         const Camera camera = cameras_->choose(request.view, aspect, request.settings.visibility, context);
-        light(request, camera);
+        set(request);
+        const Shot shot{camera, {}, shot_lights(scene_, request, camera)};
         if (!is_adjusted_ && (has_image || has_color)) {
-            apply_look_exposure(*session_, camera, request, context);
+            apply_look_exposure(*session_, shot, request, context);
             take_over(request, has_camera(view));
             is_adjusted_ = true;
         }
-        return drawn(request, camera, has_image, has_color);
+        return drawn(request, shot, has_image, has_color);
     }
 
-    Drawn drawn(const PictureRequest& request, const Camera& camera, bool has_image, bool has_color) {
+    /// @param of  without settings
+    Drawn drawn(const PictureRequest& request, const Shot& of, bool has_image, bool has_color) {
         Drawn out;
-        out.camera = camera;
-        RenderSettings settings = request.settings;
+        out.camera = of.camera;
+        Shot shot{of.camera, request.settings, of.lights};
+        RenderSettings& settings = shot.settings;
         if (!has_image && !has_color) leave_colors_out(settings);
         const vec4 behind = has_image ? separate_background(settings, request.tone) : vec4{};
         if (has_image && has_color && !settings.composites_background)  // they differ in more than the curve
-            session_->render(camera, request.settings, out.linear.emplace(), runner_.context());
-        session_->render(camera, settings, out.frame, runner_.context());
+            session_->render({of.camera, request.settings, of.lights}, out.linear.emplace(), runner_.context());
+        session_->render(shot, out.frame, runner_.context());
         if (has_image) out.codes = to_srgb8(out.frame, request.tone, behind);
         out.has_alpha = request.settings.background.w < 1;
         return out;
@@ -137,21 +134,12 @@ private:
         request_ = std::move(request);
     }
 
-    /// The session gets the scene, with the lights that go with a camera.
-    void light(const PictureRequest& request, const Camera& camera) {
-        Scene lit = scene_;
-        if (leaves_lights_to_the_session(request, scene_)) {
-            if (is_set_) return;
-        } else {
-            lit.lights = requested_lights(scene_, request, camera);
-            if (request.lights && lit.lights.empty())  // no light at all is not the default rig
-                lit.lights.push_back({.type = LightType::ambient});
-            if (is_set_ && lit.lights == lights_) return;
-        }
-        lit.fog = request.fog.value_or(lit.fog);
-        lights_ = lit.lights;
-        is_set_ = false;
-        session_->set(std::move(lit), request.prepare);
+    /// The session gets the scene, if it has not.
+    void set(const PictureRequest& request) {
+        if (is_set_) return;
+        Scene scene = scene_;
+        scene.fog = request.fog.value_or(scene.fog);
+        session_->set(std::move(scene), request.prepare);
         is_set_ = true;
     }
 
@@ -160,7 +148,6 @@ private:
     std::optional<CameraChooser> cameras_;  ///< of scene_ with its look
     PictureRequest request_;
     std::optional<Session> session_;
-    std::vector<Light> lights_;  ///< that the session has
     bool is_looked_ = false, is_adjusted_ = false, is_set_ = false;
     std::size_t remarks_ = 0;  ///< that were told
     std::atomic_flag in_use_;

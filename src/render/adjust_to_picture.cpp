@@ -22,11 +22,13 @@ constexpr double lowest_bright = 0.1, highest_bright = 1, wanted_bright = 0.7;
 
 double luminance(const vec4& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
-Frame small_picture(const RenderSettings& of, Session& session, const Camera& camera, Context& context) {
-    RenderSettings settings = of;
-    const double scale = double(longer_side) / std::max({of.width, of.height, longer_side});
-    settings.width = std::max(1, int(std::lround(of.width * scale)));
-    settings.height = std::max(1, int(std::lround(of.height * scale)));
+/// @param of  by its settings, at their size
+Frame small_picture(const Shot& of, Session& session, Context& context) {
+    Shot shot = of;
+    RenderSettings& settings = shot.settings;
+    const double scale = double(longer_side) / std::max({settings.width, settings.height, longer_side});
+    settings.width = std::max(1, int(std::lround(settings.width * scale)));
+    settings.height = std::max(1, int(std::lround(settings.height * scale)));
     settings.window = {};
     settings.channels = 0;
     drop_shaders(settings);  // engine soft draws it for the viewer
@@ -34,11 +36,11 @@ Frame small_picture(const RenderSettings& of, Session& session, const Camera& ca
     settings.shadows = false;
     settings.background = {0, 0, 0, 0};
     settings.ambient_occlusion = false;
-    session.warm_up(camera, settings, context);  // what it remarks on, textures that are broken, is reported once
+    session.warm_up(shot, context);  // what it remarks on, textures that are broken, is reported once
     // What there is to remark on in drawing is remarked on by the picture itself, and progress is that picture's.
     Context quiet({.threads = context.threads(), .max_memory = context.memory().limit(), .parent = &context});
     Frame frame;
-    session.render(camera, settings, frame, quiet);
+    session.render(shot, frame, quiet);
     return frame;
 }
 
@@ -85,14 +87,14 @@ void expose(const Frame& frame, PictureRequest& request, Context& context) {
 
 }  // namespace
 
-void adjust_to_picture(PictureRequest& request, Session& session, const Camera& camera, Context& context) {
+void adjust_to_picture(PictureRequest& request, Session& session, const Shot& shot, Context& context) {
     if (request.look == Look::plain) return;
-    size_points(request, session, camera, context);
+    size_points(request, session, shot.camera, context);
     if (request.engine == "trace" || !request.settings.colors) return;
     const bool may_expose = !request.lights && !request.default_lights && !request.studio_lights &&
                             !names(request, "exposure") && !names(request, "tone-mapping");
     if (names(request, "background") && !may_expose) return;
-    Frame frame = small_picture(request.settings, session, camera, context);
+    Frame frame = small_picture({shot.camera, request.settings, shot.lights}, session, context);
     const Scene& scene = session.engine().scene();
     const bool is_physical =
         std::ranges::any_of(scene.lights, [](const Light& l) { return l.units == LightUnits::photometric; });

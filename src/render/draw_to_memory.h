@@ -6,7 +6,7 @@
 namespace rakelight {
 
 /// Like draw_to_files(), but only the color, as a PNG file would hold it, into memory.
-void draw_to_memory(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
+void draw_to_memory(Session& session, const Shot& shot, const PictureRequest& request, PictureResult& result,
                     Pixels& color, Context& context);
 
 /// The color settings that a reader of the file needs.

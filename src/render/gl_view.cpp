@@ -37,19 +37,18 @@ bool GlView::upload(std::shared_ptr<const PreparedScene> scene, double milliseco
     return true;
 }
 
-RenderStats GlView::draw(const Camera& camera, const RenderSettings& settings, const ToneSettings& tone,
-                         Context& context) {
+RenderStats GlView::draw(const Shot& shot, const ToneSettings& tone, Context& context) {
     State& s = *state_;
     if (!s.whole) return {};
-    check_settings(settings);
-    check_abilities("gl", s.view.capabilities(), settings);
-    check_camera(camera, s.whole->scene.nodes.size(), CameraUse::in_scene);
-    const Camera at = camera_in_world(s.whole->scene, camera, double(settings.width) / double(settings.height));
-    s.view.set_lights(s.whole->has_chosen_lights ? s.whole->scene.lights
-                                                 : lights_of(s.whole->scene, at, RayMethod::automatic));
-    RenderSettings drawn = settings;
+    const Scene& scene = s.whole->scene;
+    check_settings(shot.settings);
+    check_abilities("gl", s.view.capabilities(), shot.settings);
+    check_camera(shot.camera, scene.nodes.size(), CameraUse::in_scene);
+    if (shot.lights) validate_lights(*shot.lights, scene.nodes.size());
+    s.view.set_lights(lights_of(scene, shot));
+    RenderSettings drawn = shot.settings;
     const vec4 behind = separate_background(drawn, tone);
-    return s.view.draw(at, drawn, tone, behind, context);
+    return s.view.draw(camera_in_world(scene, shot.camera, aspect_of(drawn)), drawn, tone, behind, context);
 }
 
 void GlView::show(int width, int height, std::span<const std::uint32_t> srgb8, bool smooth) {

@@ -30,17 +30,17 @@ Scene lit_by_radiosity(Scene prepared, const RadiositySettings& settings, Contex
 }
 
 std::shared_ptr<const PreparedScene> LitScenes::of(const std::shared_ptr<const PreparedScene>& prepared,
+                                                   const std::optional<std::vector<Light>>& lights,
                                                    const RadiositySettings& settings, Context& context) {
-    if (lit_ && prepared == prepared_ && settings == settings_ && lights_ == prepared->scene.lights) return lit_;
+    const std::vector<Light>& own = prepared->scene.lights;
+    if (lit_ && prepared == prepared_ && settings == settings_ && lights == lights_ && own == own_lights_) return lit_;
     lit_.reset();
     auto out = std::make_shared<PreparedScene>();
     Scene scene = prepared->posed(context);
-    if (!prepared->has_chosen_lights)
-        scene.lights = lights_of(scene, default_camera(DrawnVertices(scene), 1), RayMethod::radiosity);
+    scene.lights = lights ? *lights : lights_of(scene, default_camera(DrawnVertices(scene), 1), RayMethod::radiosity);
     out->scene = lit_by_radiosity(std::move(scene), settings, context);
     out->options = prepared->options;
-    out->has_chosen_lights = true;
-    prepared_ = prepared, lights_ = prepared->scene.lights, settings_ = settings;
+    prepared_ = prepared, lights_ = lights, own_lights_ = own, settings_ = settings;
     return lit_ = std::move(out);
 }
 

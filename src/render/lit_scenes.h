@@ -20,13 +20,15 @@ void add_note(const RadiosityReport& solution, const std::string& file, Report& 
 /// The last one that was lit is kept.
 class LitScenes {
 public:
-    /// If it has no source of light, it is lit by the default rig of its default view.
+    /// @param lights  as in Shot
     std::shared_ptr<const PreparedScene> of(const std::shared_ptr<const PreparedScene>& prepared,
+                                            const std::optional<std::vector<Light>>& lights,
                                             const RadiositySettings& settings, Context& context);
 
 private:
     std::shared_ptr<const PreparedScene> prepared_, lit_;
-    std::vector<Light> lights_;  ///< of `prepared_` when it was lit: owners may change them
+    std::optional<std::vector<Light>> lights_;
+    std::vector<Light> own_lights_;  ///< of `prepared_` when it was lit: owners may change them
     RadiositySettings settings_;
 };
 

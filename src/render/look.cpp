@@ -161,11 +161,11 @@ void apply_look_exposure(const Scene& asked, PictureRequest& request, Context& c
     const ReadyScene ready = ready_scene(asked, drawn, context);
     Session session("soft");
     session.set(ready.prepared);
-    adjust_to_picture(request, session, ready.camera, context);
+    adjust_to_picture(request, session, ready.shot(), context);
 }
 
-void apply_look_exposure(Session& session, const Camera& camera, PictureRequest& request, Context& context) {
-    adjust_to_picture(request, session, camera, context);
+void apply_look_exposure(Session& session, const Shot& shot, PictureRequest& request, Context& context) {
+    adjust_to_picture(request, session, shot, context);
 }
 
 Scene with_requested_look(Scene scene, PictureRequest& request, Context& context) {

@@ -14,8 +14,8 @@ bool names(const PictureRequest& request, std::string_view key);
 bool names(const PictureRequest& request, std::initializer_list<std::string_view> keys);
 
 /// The rest of apply_look(), which needs a small picture first: the background's tone, and the exposure if the file's
-/// lights are in physical units. @param session has the scene of the picture
-void adjust_to_picture(PictureRequest& request, Session& session, const Camera& camera, Context& context);
+/// lights are in physical units. @param session has the scene of the picture @param shot  without settings
+void adjust_to_picture(PictureRequest& request, Session& session, const Shot& shot, Context& context);
 
 /// The model of a request, loaded, with the look and the request's settings.
 Scene loaded_as_asked(PictureRequest& request, Context& context);

@@ -16,12 +16,12 @@
 #include "render/look.h"
 #include "render/overlay.h"
 #include "render/picture_files.h"
+#include "render/picture_lights.h"
 #include "render/picture_steps.h"
 #include "render/prepared_scene.h"
 #include "render/render_changed.h"
 #include "render/stopwatch.h"
 #include "render/too_dark_or_bright.h"
-#include "scene/light_cutoff.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {
@@ -60,26 +60,17 @@ void count_parts(const Scene& prepared, PictureResult& result) {
     result.objects = count_objects(prepared);
 }
 
-Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera) {
-    scene.lights = chosen_lights(scene, request, camera);
-    if (request.fog) scene.fog = *request.fog;
-    return scene;
-}
-
 ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& context, RadiosityReport* report) {
     check_drawable(scene);
     warn_of_unknown_names(scene, request.settings, context.report());
     const double aspect = double(request.settings.width) / double(request.settings.height);
     const Camera camera = valid::choose_camera(scene, request.view, aspect, request.settings.visibility, context);
-    note_lights_left_out(scene, request, camera, context.report());
-    scene = with_lights(std::move(scene), request, camera);
+    scene.lights = lights_of_picture(scene, request, camera, context.report());
+    scene.fog = request.fog.value_or(scene.fog);
     validate(scene);  // what the request has put into it
-    if (request.light_cutoff > 0)
-        context.report().add(Remark::note, scene.source, "",
-                             said(cut_lights(scene.lights, request.light_cutoff), request.light_cutoff));
-    ReadyScene ready{make_prepared(std::move(scene), request.prepare, request.settings, context), camera};
+    ReadyScene ready{.camera = camera, .lights = scene.lights};
+    ready.prepared = make_prepared(std::move(scene), request.prepare, request.settings, context);
     PreparedScene& prepared = *ready.prepared;
-    prepared.has_chosen_lights = true;
     if (request.settings.method == RayMethod::radiosity) {
         prepared.bound.reset();  // other poses have other light
         Scene posed = prepared.posed(context);
@@ -98,13 +89,13 @@ namespace {
 /// The overlay of the picture, if any. Depths are then requested if it needs them.
 /// @param range  what is shown; of a sequence by all of its pictures
 std::optional<Overlay> overlay_of(const PictureRequest& request, const ChannelRange& range, Session& session,
-                                  const Camera& camera, RenderSettings& settings, Context& context) {
+                                  Shot& shot, Context& context) {
     if (!request.has_overlays()) return {};
-    const std::shared_ptr<const PreparedScene> prepared = session.prepared(request.settings, context);
-    const double aspect = double(settings.width) / double(settings.height);
+    const std::shared_ptr<const PreparedScene> prepared = session.prepared_for(shot, context);
     const Bounds shown = range.low == range.high ? Bounds{} : Bounds{range.low, range.high};
-    Overlay overlay(request, prepared->posed(context), camera_in_world(prepared->scene, camera, aspect), shown);
-    if (overlay.needs_depth()) settings.channels |= channel_depth;
+    const Camera camera = camera_in_world(prepared->scene, shot.camera, aspect_of(shot.settings));
+    Overlay overlay(request, prepared->posed(context), camera, shown);
+    if (overlay.needs_depth()) shot.settings.channels |= channel_depth;
     return overlay;
 }
 
@@ -113,14 +104,14 @@ void keep_depth_for(const std::optional<Overlay>& overlay, const RenderSettings&
 }
 
 /// @param memory  where the colors' file goes; null: to its name
-void draw_to_outputs(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
+void draw_to_outputs(Session& session, const Shot& of, const PictureRequest& request, PictureResult& result,
                      std::vector<std::byte>* memory, Context& context) {
-    RenderSettings settings = request.settings;
+    Shot shot{of.camera, request.settings, of.lights};
+    RenderSettings& settings = shot.settings;
     const Window window = whole_window(settings);
     const PixelFormat format = format_for(request.output, settings.background.w < 1);
     const vec4 behind = format.component == Component::u8 ? separate_background(settings, request.tone) : vec4{};
-    const std::optional<Overlay> overlay =
-        overlay_of(request, result.channel_range, session, camera, settings, context);
+    const std::optional<Overlay> overlay = overlay_of(request, result.channel_range, session, shot, context);
     PictureFiles files(request.output, window.width, window.height, format,
                        {request.settings.channels, request.channel_files, request.half_colors, result.channel_range,
                         comment_of(settings), memory},
@@ -139,7 +130,7 @@ void draw_to_outputs(Session& session, const Camera& camera, const PictureReques
     if (request.keep_partial) sink.expect_gaps(empty_pixel(settings));
     Stopwatch drawing;
     try {
-        result.stats = session.render(camera, settings, sink, context);
+        result.stats = session.render(shot, sink, context);
         context.throw_if_cancelled();
     } catch (const Error&) {
         if (!request.keep_partial || !context.cancelled() || sink.done() == 0) throw;
@@ -164,9 +155,9 @@ void draw_to_outputs(Session& session, const Camera& camera, const PictureReques
 
 }  // namespace
 
-void draw_to_files(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
+void draw_to_files(Session& session, const Shot& shot, const PictureRequest& request, PictureResult& result,
                    Context& context) {
-    draw_to_outputs(session, camera, request, result, nullptr, context);
+    draw_to_outputs(session, shot, request, result, nullptr, context);
 }
 
 PictureResult draw_picture(const PictureRequest& request, Session& session, Context& context) {
@@ -179,23 +170,22 @@ PictureResult draw_picture(const PictureRequest& request, Session& session, Cont
     return result;
 }
 
-void draw_to_memory(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
+void draw_to_memory(Session& session, const Shot& of, const PictureRequest& request, PictureResult& result,
                     Pixels& color, Context& context) {
     const Window window = whole_window(request.settings);
     const PixelFormat format{Component::u8, request.settings.background.w < 1 ? 4 : 3};
     color = {window.width, window.height, format.channels, format.component, false, {}};
     color.charge = share(
         MemoryCharge(context.memory(), std::uint64_t(color.row_bytes()) * std::uint64_t(window.height), "the picture"));
-    RenderSettings settings = request.settings;
-    const vec4 behind = separate_background(settings, request.tone);
-    const std::optional<Overlay> overlay =
-        overlay_of(request, result.channel_range, session, camera, settings, context);
+    Shot shot{of.camera, request.settings, of.lights};
+    const vec4 behind = separate_background(shot.settings, request.tone);
+    const std::optional<Overlay> overlay = overlay_of(request, result.channel_range, session, shot, context);
     PictureSink sink(format, ToneCurve(request.tone, behind));
     keep_depth_for(overlay, request.settings, sink);
     ExtremePixels extremes;
     sink.count_in(&extremes);
     Stopwatch drawing;
-    result.stats = session.render(camera, settings, sink, context);
+    result.stats = session.render(shot, sink, context);
     result.render_ms += drawing.lap_ms();
     context.throw_if_cancelled();
     if (overlay) overlay->draw(sink.color_rows(window.height), context);
@@ -206,7 +196,7 @@ void draw_to_memory(Session& session, const Camera& camera, const PictureRequest
 namespace {
 
 /// Prepares a loaded scene, draws it and checks the picture.
-/// @param draw  with the session, the camera and the result that it completes
+/// @param draw  with the session, the shot and the result that it completes
 template <class Draw>
 PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session, Context& context, const Draw& draw) {
     PictureResult result{.file = request.input, .output = request.output};
@@ -214,15 +204,16 @@ PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session
     warn_of_unused(request, context.report());
     Stopwatch watch;
     context.progress("prepare", 0);
-    auto [ready, camera] = ready_scene(std::move(loaded), request, context);
-    result.channel_range = channel_range(ready->posed(context), camera);
-    count_parts(ready->scene, result);
-    give(session, std::move(ready));
+    ReadyScene ready = ready_scene(std::move(loaded), request, context);
+    const Shot shot = ready.shot();
+    result.channel_range = channel_range(ready.prepared->posed(context), shot.camera);
+    count_parts(ready.prepared->scene, result);
+    give(session, std::move(ready.prepared));
     result.prepare_ms = watch.lap_ms();
 
     context.progress("render", 0);
-    adjust_to_picture(request, session, camera, context);
-    draw(session, camera, request, result);
+    adjust_to_picture(request, session, shot, context);
+    draw(session, shot, request, result);
     if (request.settings.channels && (request.channel_files & channel_files_png))
         context.report().add(Remark::note, request.input, "", text_of(result.channel_range));
     const bool is_whole = result.done == 1 && request.settings.colors && !context.cancelled();
@@ -237,8 +228,8 @@ PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session
 
 PictureResult draw_picture(Scene loaded, const PictureRequest& request, Session& session, Context& context) {
     return draw_loaded(std::move(loaded), request, session, context,
-                       [&](Session& engine, const Camera& camera, const PictureRequest& looked, PictureResult& result) {
-                           draw_to_files(engine, camera, looked, result, context);
+                       [&](Session& engine, const Shot& shot, const PictureRequest& looked, PictureResult& result) {
+                           draw_to_files(engine, shot, looked, result, context);
                        });
 }
 
@@ -289,11 +280,10 @@ PictureResult render_changed(const PictureRequest& asked, const std::function<Sc
     PictureRequest request = asked;
     return picture_by(request, context, [&](Session& session) {
         Scene loaded = change(loaded_as_asked(request, context));
-        return draw_loaded(
-            std::move(loaded), request, session, context,
-            [&](Session& engine, const Camera& camera, const PictureRequest& looked, PictureResult& result) {
-                draw_to_outputs(engine, camera, looked, result, &file, context);
-            });
+        return draw_loaded(std::move(loaded), request, session, context,
+                           [&](Session& engine, const Shot& shot, const PictureRequest& looked, PictureResult& result) {
+                               draw_to_outputs(engine, shot, looked, result, &file, context);
+                           });
     });
 }
 
@@ -305,12 +295,11 @@ PictureResult render_picture(const PictureRequest& request, std::vector<std::byt
 PictureRequest draw_to_pixels(Scene loaded, const PictureRequest& request, Pixels& color, Context& context) {
     PictureRequest shown = request;
     picture_by(request, context, [&](Session& session) {
-        return draw_loaded(
-            std::move(loaded), request, session, context,
-            [&](Session& engine, const Camera& camera, const PictureRequest& looked, PictureResult& result) {
-                draw_to_memory(engine, camera, looked, result, color, context);
-                shown = looked;
-            });
+        return draw_loaded(std::move(loaded), request, session, context,
+                           [&](Session& engine, const Shot& shot, const PictureRequest& looked, PictureResult& result) {
+                               draw_to_memory(engine, shot, looked, result, color, context);
+                               shown = looked;
+                           });
     });
     return shown;
 }
@@ -322,11 +311,10 @@ PictureResult render_picture(const PictureRequest& asked, Pixels& color, Context
     check_drawing(request);
     return picture_by(request, context, [&](Session& session) {
         Scene loaded = loaded_as_asked(request, context);
-        return draw_loaded(
-            std::move(loaded), request, session, context,
-            [&](Session& engine, const Camera& camera, const PictureRequest& looked, PictureResult& result) {
-                draw_to_memory(engine, camera, looked, result, color, context);
-            });
+        return draw_loaded(std::move(loaded), request, session, context,
+                           [&](Session& engine, const Shot& shot, const PictureRequest& looked, PictureResult& result) {
+                               draw_to_memory(engine, shot, looked, result, color, context);
+                           });
     });
 }
 

@@ -5,25 +5,14 @@
 #include <rakelight/validate.h>
 #include <cstring>
 
-#include "base/format_text.h"
 #include "engines/channel_arrays.h"
 #include "engines/empty_pixel.h"
 #include "image/tone_curves.h"
 #include "render/channel_view.h"
 #include "render/picture_steps.h"
-#include "render/prepared_scene.h"
-#include "scene/light_cutoff.h"
-#include "world/fixed_function.h"
 
 namespace rakelight {
 namespace {
-
-void scale_light(Light& light, float factor) {
-    light.ambient = light.ambient * factor;
-    light.diffuse = light.diffuse * factor;
-    light.specular = light.specular * factor;
-    light.intensity *= factor;
-}
 
 /// The words of a channel, as view_row() takes them.
 std::vector<std::uint32_t> words_of(const Frame& frame, std::uint32_t channel) {
@@ -51,37 +40,6 @@ vec4 separate_background(RenderSettings& settings, const ToneSettings& tone) {
     settings.composites_background = false;
     settings.background_light = ToneCurve(tone).light_for(settings.background.xyz());
     return laid_behind(settings);
-}
-
-namespace {
-std::vector<Light> wanted_lights(const Scene& scene, const PictureRequest& request, const Camera& camera) {
-    return request.lights           ? *request.lights
-           : request.default_lights ? default_lights(camera.to_world)
-           : request.studio_lights  ? studio_lights(camera.to_world)
-                                    : lights_of(scene, camera, request.settings.method);
-}
-}  // namespace
-
-std::vector<Light> chosen_lights(const Scene& scene, const PictureRequest& request, const Camera& camera) {
-    std::vector<Light> lights = within_preset(wanted_lights(scene, request, camera), request);
-    if (request.light_intensity != 1)
-        for (Light& light : lights) scale_light(light, float(request.light_intensity));
-    return lights;
-}
-
-void note_lights_left_out(const Scene& scene, const PictureRequest& request, const Camera& camera, Report& report) {
-    const std::size_t beyond = lights_beyond_preset(wanted_lights(scene, request, camera), request);
-    if (beyond > 0)
-        report.add(Remark::note, scene.source, "",
-                   format_text("the preset has the first {} lights: {}{} left out", max_fixed_lights, beyond,
-                               beyond == 1 ? " is" : " are"),
-                   {"preset"});
-}
-
-std::vector<Light> requested_lights(const Scene& scene, const PictureRequest& request, const Camera& camera) {
-    std::vector<Light> lights = chosen_lights(scene, request, camera);
-    if (request.light_cutoff > 0) cut_lights(lights, request.light_cutoff);
-    return lights;
 }
 
 std::vector<std::uint32_t> channel_codes(const Frame& frame, std::uint32_t channel, const ChannelRange& range) {

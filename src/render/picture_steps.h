@@ -12,19 +12,13 @@ namespace rakelight {
 /// The window that is rendered: the whole picture where none is requested.
 Window whole_window(const RenderSettings& settings);
 
-/// requested_lights() before any is cut, without those that the request's preset leaves out.
-std::vector<Light> chosen_lights(const Scene& scene, const PictureRequest& request, const Camera& camera);
-
-/// A note of those that the request's preset leaves out. @param scene  before with_lights()
-void note_lights_left_out(const Scene& scene, const PictureRequest& request, const Camera& camera, Report& report);
-
-/// The scene with the lights that the picture is lit by, and the fog.
-Scene with_lights(Scene scene, const PictureRequest& request, const Camera& camera);
-
 /// What a picture is drawn from.
 struct ReadyScene {
     std::shared_ptr<PreparedScene> prepared;
     Camera camera;
+    std::vector<Light> lights;
+    /// Without settings.
+    Shot shot() const { return {camera, {}, lights}; }
 };
 /// Chooses the camera, sets the lights and prepares; lights it by radiosity where that is the method.
 /// @param scene  of scene_of_request()
@@ -45,7 +39,8 @@ PictureRequest draw_to_pixels(Scene loaded, const PictureRequest& request, Pixel
 void count_parts(const Scene& prepared, PictureResult& result);
 
 /// Draws the scene of a session and writes the files, in bands.
-void draw_to_files(Session& session, const Camera& camera, const PictureRequest& request, PictureResult& result,
+/// @param shot  without settings: they are the request's
+void draw_to_files(Session& session, const Shot& shot, const PictureRequest& request, PictureResult& result,
                    Context& context);
 
 /// Folders that are missing are made when the file is. @throws Error failed: something else has the name of such a folder, or

@@ -48,8 +48,6 @@ public:
     /// What it was made of, where other poses can be made of that too: see has_bind_pose().
     std::shared_ptr<const BoundScene> bound{};
     Rare<ScenePose> pose{};  ///< that it stands in
-    /// The lights are those of the picture, none where it has none: the default rig does not come in.
-    bool has_chosen_lights = false;
     PosedOnce posed_{};
 };
 
@@ -79,5 +77,10 @@ Camera camera_in_world(const Scene& scene, Camera camera, double aspect);
 /// The lights of the scene: its own, or the default rig, which is placed relative to the camera. For paths, emissive
 /// surfaces are lights too.
 std::vector<Light> lights_of(const Scene& scene, const Camera& camera, RayMethod method);
+/// Those that an engine gets for a shot. @param scene  as drawn
+std::vector<Light> lights_of(const Scene& scene, const Shot& shot);
+
+/// Width to height of the whole picture.
+double aspect_of(const RenderSettings& settings);
 
 }  // namespace rakelight

@@ -15,31 +15,24 @@
 #include "render/frames_there.h"
 #include "render/look.h"
 #include "render/picture_files.h"
+#include "render/picture_lights.h"
 #include "render/picture_steps.h"
 #include "render/point_look.h"
+#include "render/prepared_scene.h"
 #include "render/sequence_plan.h"
-#include "render/sequence_scenes.h"
 #include "render/sequence_views.h"
 #include "render/sequence_writer.h"
 #include "render/stopwatch.h"
 #include "render/too_dark_or_bright.h"
-#include "scene/light_cutoff.h"
 #include "scene/scene_tools.h"
 #include "world/coloring.h"
 
 namespace rakelight {
 namespace {
 
-bool moves_materials(const Scene& scene) {
-    return std::ranges::any_of(scene.animations, [](const Animation& animation) {
-        return std::ranges::any_of(animation.channels,
-                                   [](const AnimationChannel& c) { return c.path == AnimationPath::material; });
-    });
-}
-
-/// Then materials are changed as they are at the moment of a picture, as in a single one.
-bool changes_materials(const PictureRequest& request) {
-    return !(request.materials == MaterialOverrides{}) || request.preset != Preset::none || request.coloring.is_on;
+Scene lit_by(const Shot& shot, Scene scene) {
+    scene.lights = *shot.lights;
+    return scene;
 }
 
 class Sequence {
@@ -48,11 +41,10 @@ public:
         : context_(context),
           quiet_({.threads = context.threads(), .max_memory = context.memory().limit(), .parent = &context}),
           session_(session),
-          scenes_(session),
           request_(request.picture),
           skips_existing_(request.skip_existing),
-          loaded_(load(request_.input, request_.load, context)),
-          plan_(loaded_, request) {
+          loaded_(std::make_shared<const Scene>(load(request_.input, request_.load, context))),
+          plan_(*loaded_, request) {
         load_ms_ = clock_.lap_ms();
     }
 
@@ -76,84 +68,68 @@ public:
 private:
     void draw_frame(std::int64_t number, bool is_there, SequenceWriter& writer);
     void begin();
-    Scene asked_scene_at(double time_s, Context& context);
     void draw_picture(SequenceFrame frame, const PictureRequest& request, SequenceWriter& writer, Context& context);
-    Camera show(Scene scene, double angle_rad, Context& context);
+    Shot show(double time_s, double angle_rad, Context& context);
 
     Context& context_;
     Context quiet_;  ///< of all pictures but the first
     Session& session_;
-    SequenceScenes scenes_;
     PictureRequest request_;  ///< with its look, once begun; without output
     bool skips_existing_;
     Stopwatch clock_;
     double load_ms_ = 0;
-    Scene loaded_;
-    Scene asked_;                       ///< loaded_ with the requested changes, if they do not depend on the moment
-    bool is_asked_at_moments_ = false;  ///< it does
+    std::shared_ptr<const Scene> loaded_;
     SequencePlan plan_;
     std::optional<SequenceViews> views_;  ///< absent: nothing was drawn yet
     std::size_t drawn_ = 0;
     bool shows_model_ = false;
 };
 
-Scene Sequence::asked_scene_at(double time_s, Context& context) {
-    const std::vector<ClipTime> clips = plan_.clips_at(time_s);
-    if (!is_asked_at_moments_) return scene_at(asked_, clips, context.memory());
-    return with_splats(as_requested(scene_at(loaded_, clips, context.memory()), request_, context), request_, context);
-}
-
 /// What is chosen once for all pictures, by the begin of the clip and by the whole of it.
 void Sequence::begin() {
-    const Scene first = scene_at(loaded_, plan_.clips_at(plan_.begin_s()), context_.memory());
+    const std::vector<ClipTime> begin = plan_.clips_at(plan_.begin_s());
+    const Scene first = scene_at(*loaded_, begin, context_.memory());
     apply_look(first, request_, context_);
     request_.coloring = completed(first, request_.coloring);
-    is_asked_at_moments_ = moves_materials(loaded_) && changes_materials(request_);
-    if (!is_asked_at_moments_) asked_ = with_splats(as_requested(loaded_, request_, context_), request_, context_);
-    const Scene asked = asked_scene_at(plan_.begin_s(), context_);
+    const Scene asked = session_.asked(loaded_, request_, begin, context_);
     check_drawable(asked);
     warn_of_unused(request_, context_.report());
     warn_of_unknown_names(asked, request_.settings, context_.report());
     views_.emplace(
-        plan_, request_, [&](double time_s) { return asked_scene_at(time_s, quiet_); }, context_);
-    const Camera camera = show(asked, plan_.angle_of(0), context_);
-    adjust_to_picture(request_, session_, camera, context_);
+        plan_, request_,
+        [&](double time_s) { return session_.asked(loaded_, request_, plan_.clips_at(time_s), quiet_); }, context_);
+    const Shot shot = show(plan_.begin_s(), plan_.angle_of(0), context_);
+    adjust_to_picture(request_, session_, shot, context_);
 }
 
-/// The session draws the scene through the camera that is returned, with the lights that go with it.
-Camera Sequence::show(Scene scene, double angle_rad, Context& context) {
-    const Camera camera = views_->camera(scene, angle_rad);
-    if (drawn_ == 0) note_lights_left_out(scene, request_, camera, context.report());
-    scene = with_lights(std::move(scene), request_, camera);
-    if (drawn_ == 0) validate(scene);  // what the request has put into it
-    validate_lights(scene.lights, scene.nodes.size());
-    if (request_.light_cutoff > 0) {
-        const auto cut = cut_lights(scene.lights, request_.light_cutoff);
-        context.report().add(Remark::note, scene.source, "", said(cut, request_.light_cutoff));
-    }
-    scenes_.show(std::move(scene), request_.prepare, request_.settings, context);
-    return camera;
+/// The session has the scene; it is drawn through the camera of the shot that is returned, with the lights that go with it.
+Shot Sequence::show(double time_s, double angle_rad, Context& context) {
+    const Scene& scene = session_.show(loaded_, request_, plan_.clips_at(time_s), context);
+    Shot shot{.camera = views_->camera(scene, angle_rad)};
+    shot.lights = lights_of_picture(scene, request_, shot.camera, context.report());
+    return shot;
 }
 
 void Sequence::draw_picture(SequenceFrame frame, const PictureRequest& request, SequenceWriter& writer,
                             Context& context) {
     PictureResult& result = frame.picture;
-    const Scene scene = asked_scene_at(plan_.time_of(frame.frame), context);
-    const Camera camera = show(scene, plan_.angle_of(frame.frame), context);
+    Shot shot = show(plan_.time_of(frame.frame), plan_.angle_of(frame.frame), context);
+    shot.settings = request.settings;
+    const std::shared_ptr<const PreparedScene> prepared = session_.prepared_for(shot, context);
     result.engine = session_.engine().name();
     result.isa = engine_isa(result.engine);
     result.threads = context.threads();
-    result.channel_range = channel_range_of(views_->bounds(), camera);
-    count_parts(scenes_.current(), result);
+    result.channel_range = channel_range_of(views_->bounds(), shot.camera);
+    count_parts(prepared->scene, result);
     result.prepare_ms = clock_.lap_ms();
     const bool is_color_alone = request.settings.channels == 0 && file_ending(request.output) == "png";
     Pixels color;
     if (is_color_alone)
-        draw_to_memory(session_, camera, request, result, color, context);
+        draw_to_memory(session_, shot, request, result, color, context);
     else
-        draw_to_files(session_, camera, request, result, context);
+        draw_to_files(session_, shot, request, result, context);
     shows_model_ |= result.stats.pixels_shaded + result.stats.pixels_marked > 0;
-    if (drawn_ == 0) remark_extremes(scenes_.posed(context), request, result, context.report());
+    if (drawn_ == 0) remark_extremes(lit_by(shot, prepared->posed(context)), request, result, context.report());
     ++drawn_;
     if (is_color_alone)
         writer.write(std::move(frame), std::move(color), request.settings);

@@ -3,11 +3,13 @@
 
 #include <rakelight/render.h>
 #include <rakelight/session.h>
+#include <rakelight/validate.h>
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "engines/posed_arrays.h"
 #include "prepare/prepare.h"
+#include "render/asked_scenes.h"
 #include "render/choose_camera.h"
 #include "render/drawable.h"
 #include "render/engines.h"
@@ -69,9 +71,17 @@ bool has_shining_surface(const Scene& scene) {
 
 bool are_prepared_alike(const Scene& a, const Scene& b) {
     return a.nodes == b.nodes && a.meshes == b.meshes && a.materials == b.materials && a.textures == b.textures &&
-           a.skins == b.skins && a.animations == b.animations &&
+           a.skins == b.skins && is_posable(a) == is_posable(b) &&
            a.missing_normals_are_flat == b.missing_normals_are_flat && a.source == b.source;
 }
+
+namespace {
+
+bool have_same_surroundings(const Scene& a, const Scene& b) {
+    return a.lights == b.lights && a.cameras == b.cameras && a.fog == b.fog && a.environment == b.environment;
+}
+
+}  // namespace
 
 const Scene& PosedOnce::of(const PreparedScene& prepared, Context& context) const {
     const std::scoped_lock lock(shared_->mutex);
@@ -139,7 +149,6 @@ std::shared_ptr<PreparedScene> make_posed(const PreparedScene& prepared, const R
                                           Context& context) {
     auto out = std::make_shared<PreparedScene>();
     out->options = prepared.options, out->bound = prepared.bound, out->pose = pose;
-    out->has_chosen_lights = prepared.has_chosen_lights;
     take(finish_unposed(*prepared.bound, pose, prepared.options, context), *out);
     return out;
 }
@@ -156,6 +165,14 @@ std::vector<Light> lights_of(const Scene& scene, const Camera& camera, RayMethod
     return is_lit ? scene.lights : default_lights(camera.to_world);
 }
 
+double aspect_of(const RenderSettings& settings) { return double(settings.width) / double(settings.height); }
+
+std::vector<Light> lights_of(const Scene& scene, const Shot& shot) {
+    if (shot.settings.method == RayMethod::radiosity) return {};  // they are in the colors
+    if (shot.lights) return *shot.lights;
+    return lights_of(scene, camera_in_world(scene, shot.camera, aspect_of(shot.settings)), shot.settings.method);
+}
+
 struct Session::State {
     std::unique_ptr<Engine> engine;
     Scene scene;             ///< as set; empty where a prepared one was
@@ -167,11 +184,20 @@ struct Session::State {
     std::shared_ptr<PreparedScene> owned;
     std::shared_ptr<const PreparedScene> taken;  ///< what the engine has
     LitScenes lit;
+    AskedScenes asked;
+    /// What `scene` was made of, if by show().
+    struct Shown {
+        std::shared_ptr<const Scene> loaded;
+        PictureRequest request;
+        std::vector<ClipTime> clips;
+        bool operator==(const Shown&) const = default;
+    };
+    std::optional<Shown> shown;
 
-    void begin(Source from) { scene = {}, prepared.reset(), owned.reset(), source = from; }
+    void begin(Source from) { scene = {}, prepared.reset(), owned.reset(), shown.reset(), source = from; }
     const Scene& current() const;
     void hand_over(Context& context);
-    void warm_up(const RenderSettings& settings, const Camera& camera, Session& session, Context& context);
+    void warm_up(const Shot& shot, Session& session, Context& context);
 };
 
 Session::Session(const std::string& engine) : Session(make_engine(engine)) {}
@@ -190,6 +216,8 @@ void Session::set(Scene scene, const PrepareOptions& options) {
     validate_changes(scene, s.scene);
     const bool is_alike = s.source == State::Source::scene && s.prepared && s.options == options &&
                           are_prepared_alike(scene, s.scene) && (s.prepared->bound || scene.pose == s.scene.pose);
+    s.shown.reset();
+    if (is_alike && have_same_surroundings(scene, s.scene) && scene.pose == s.scene.pose) return;
     if (!is_alike) check_drawable(scene);
     std::shared_ptr<PreparedScene> next;
     if (is_alike) {
@@ -200,6 +228,23 @@ void Session::set(Scene scene, const PrepareOptions& options) {
     s.scene = std::move(scene);
     s.options = options;
     s.prepared = std::move(next);
+}
+
+const Scene& Session::show(const std::shared_ptr<const Scene>& loaded, const PictureRequest& request,
+                           std::span<const ClipTime> clips, Context& context) {
+    State& s = *state_;
+    State::Shown next{loaded, surfaces_of(request), {clips.begin(), clips.end()}};
+    next.request.fog = request.fog, next.request.prepare = request.prepare;
+    if (s.shown == next) return s.scene;
+    set(asked(loaded, request, clips, context), request.prepare);
+    s.shown = std::move(next);
+    return s.scene;
+}
+
+Scene Session::asked(const std::shared_ptr<const Scene>& loaded, const PictureRequest& request,
+                     std::span<const ClipTime> clips, Context& context) {
+    if (!loaded) throw Error(ErrorCode::usage, "there is no scene to draw");
+    return state_->asked.at(loaded, request, clips, context);
 }
 
 void Session::set(std::shared_ptr<const PreparedScene> scene) {
@@ -231,11 +276,17 @@ const Scene& Session::State::current() const {
 }
 
 std::shared_ptr<const PreparedScene> Session::prepared(const RenderSettings& settings, Context& context) {
+    return prepared_for({.settings = settings}, context);
+}
+
+std::shared_ptr<const PreparedScene> Session::prepared_for(const Shot& shot, Context& context) {
+    const RenderSettings& settings = shot.settings;
     check_settings(settings);
     State& s = *state_;
     const Scene& current = s.current();
+    if (shot.lights) validate_lights(*shot.lights, current.nodes.size());
     if (s.source == State::Source::owned || s.source == State::Source::given)
-        return std::make_shared<const PreparedScene>(PreparedScene{.scene = current, .has_chosen_lights = true});
+        return std::make_shared<const PreparedScene>(PreparedScene{.scene = current});
     const bool is_ready = s.source == State::Source::prepared ||
                           (s.prepared && s.prepared->options == options_for(s.options, settings, s.scene));
     if (!is_ready) s.prepared = make_prepared(s.scene, s.options, settings, context);
@@ -244,7 +295,7 @@ std::shared_ptr<const PreparedScene> Session::prepared(const RenderSettings& set
         take_surroundings(*posed, s.scene);
         s.prepared = std::move(posed);
     }
-    if (settings.method == RayMethod::radiosity) return s.lit.of(s.prepared, settings.radiosity, context);
+    if (settings.method == RayMethod::radiosity) return s.lit.of(s.prepared, shot.lights, settings.radiosity, context);
     return s.prepared;
 }
 
@@ -258,16 +309,12 @@ void Session::State::hand_over(Context& context) {
     remark_missing_rays(engine->scene(), *engine, context.report());
 }
 
-/// The scene that the engine has now, with the lights of the picture.
-void Session::State::warm_up(const RenderSettings& settings, const Camera& camera, Session& session, Context& context) {
+/// The engine has the scene, with the lights of the picture.
+void Session::State::warm_up(const Shot& shot, Session& session, Context& context) {
     if (source == Source::owned) hand_over(context);
     if (source == Source::given) return;
-    const std::shared_ptr<const PreparedScene> ready = session.prepared(settings, context);
-    const double aspect = double(settings.width) / double(settings.height);
-    std::vector<Light> lights =
-        ready->has_chosen_lights
-            ? ready->scene.lights
-            : lights_of(ready->scene, camera_in_world(ready->scene, camera, aspect), settings.method);
+    const std::shared_ptr<const PreparedScene> ready = session.prepared_for(shot, context);
+    std::vector<Light> lights = lights_of(ready->scene, shot);
     if (taken == ready) {
         if (lights != engine->scene().lights) engine->set_lights(std::move(lights));
         return;
@@ -284,20 +331,23 @@ void Session::State::warm_up(const RenderSettings& settings, const Camera& camer
     remark_missing_rays(engine->scene(), *engine, context.report());
 }
 
-void Session::warm_up(const Camera& camera, const RenderSettings& settings, Context& context) {
+void Session::warm_up(const Shot& shot, Context& context) {
     State& s = *state_;
-    check_settings(settings);
-    check_abilities(s.engine->name(), s.engine->capabilities(), settings);
-    check_camera(camera, s.current().nodes.size(), CameraUse::in_scene);
-    s.warm_up(settings, camera, *this, context);
+    check_settings(shot.settings);
+    check_abilities(s.engine->name(), s.engine->capabilities(), shot.settings);
+    check_camera(shot.camera, s.current().nodes.size(), CameraUse::in_scene);
+    s.warm_up(shot, *this, context);
+}
+
+RenderStats Session::render(const Shot& shot, Sink& sink, Context& context) {
+    warm_up(shot, context);
+    State& s = *state_;
+    const Camera camera = camera_in_world(s.engine->scene(), shot.camera, aspect_of(shot.settings));
+    return s.engine->render(camera, shot.settings, sink, context);
 }
 
 RenderStats Session::render(const Camera& camera, const RenderSettings& settings, Sink& sink, Context& context) {
-    warm_up(camera, settings, context);
-    State& s = *state_;
-    const Scene& scene = s.engine->scene();
-    const double aspect = double(settings.width) / double(settings.height);
-    return s.engine->render(camera_in_world(scene, camera, aspect), settings, sink, context);
+    return render({camera, settings, {}}, sink, context);
 }
 
 const Scene& scene_of(const PreparedScene& prepared) {

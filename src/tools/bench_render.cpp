@@ -175,7 +175,7 @@ private:
         result.channel_range = channel_range(scene_, camera_);
         Session session(measured_.front().row.engine);
         session.set(std::make_shared<PreparedScene>(PreparedScene{scene_, {}}));
-        draw_to_files(session, camera_, request, result, context_);
+        draw_to_files(session, {camera_, {}, scene_.lights}, request, result, context_);
     }
 
     RenderBenchReport about_the_scene() const {

@@ -6,10 +6,10 @@
 #include <rakelight/tools/words.h>
 #include <rakelight/world.h>
 
+#include <rakelight/picture_parts.h>
 #include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "render/engines.h"
-#include "render/picture_steps.h"
 #include "scene/scene_tools.h"
 #include "shading/shadow_cameras.h"
 #include "tools/material_names.h"
@@ -70,8 +70,7 @@ void check_picture(const Scene& scene, const PictureRequest& request, Context& c
     check_settings(request.settings);
     Scene lit;  // without objects, of which there may be millions
     lit.lights = scene.lights, lit.environment = scene.environment;
-    lit = with_lights(std::move(lit), request, Camera{});
-    shading::check_shadow_memory(lit.lights, request.settings, context.memory());
+    shading::check_shadow_memory(requested_lights(lit, request, Camera{}), request.settings, context.memory());
 }
 
 std::string to_text(const std::string& file, const SceneSummary& s) {

@@ -56,7 +56,7 @@ std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, PictureReque
     if (request.look != Look::plain) {
         Session session("soft");
         session.set(ready.prepared);
-        adjust_to_picture(request, session, ready.camera, context);
+        adjust_to_picture(request, session, ready.shot(), context);
     }
     separate_background(request.settings, request.tone);
     open_shaders(ready, request, context, shaders);

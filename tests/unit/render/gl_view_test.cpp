@@ -96,7 +96,7 @@ TEST_F(GlViews, ThePictureThatWasShownIsShownAgain) {
     for (std::uint32_t i = 0; i < width * height; ++i) codes.push_back(0xFF000000u | i * 2654435761u >> 8);
     view.show(width, height, codes, false);
     upload(view, red_square());
-    view.draw(camera, settings, {}, context);
+    view.draw({camera, settings}, {}, context);
     EXPECT_NE(screen(), codes);
     EXPECT_TRUE(view.show_again());
     EXPECT_EQ(screen(), codes);
@@ -129,7 +129,7 @@ TEST_F(GlViews, MeshesThatMoveAreDrawnWhereTheyStand) {
             const auto ready = session.prepared(settings, context);
             while (!view.upload(ready, 5, context)) {
             }
-            view.draw(camera, settings, {}, context);
+            view.draw({camera, settings}, {}, context);
             const auto is_red = [&](int column) { return (at(screen(), column, height / 2) & 0xFFu) > 200; };
             EXPECT_EQ(is_red(width / 2), x == 0) << who << x;
             EXPECT_EQ(is_red(width / 2 + 15), x > 0) << who << x;
@@ -142,7 +142,7 @@ TEST_F(GlViews, MeshesThatMoveAreDrawnWhereTheyStand) {
 TEST_F(GlViews, TheBoundFramebufferAndItsViewportStay) {
     GlView view;
     upload(view, red_square());
-    view.draw(camera, settings, {}, context);
+    view.draw({camera, settings}, {}, context);
     GLint box[4];
     glGetIntegerv(GL_VIEWPORT, box);
     EXPECT_EQ(box[0], 7);
@@ -155,7 +155,7 @@ TEST_F(GlViews, ASceneIsDrawnAsTheEngineDrawsIt) {
     upload(view, red_square());
     settings.background = {0.2f, 0.3f, 0.4f, 1};
     const ToneSettings tone{.mapping = ToneMapping::aces, .exposure_ev = 0.5};
-    view.draw(camera, settings, tone, context);
+    view.draw({camera, settings}, tone, context);
     Session session("gl");
     session.set(red_square());
     RenderSettings drawn = settings;
@@ -191,11 +191,11 @@ TEST_F(GlViews, UntilASceneIsWholeTheOneBeforeIsDrawn) {
     other.materials[0].classical.ambient = {0, 1, 0};
     const auto next = prepared(other);
     EXPECT_FALSE(view.upload(next, 0, context)) << "no time, nothing done";
-    view.draw(camera, settings, {}, context);
+    view.draw({camera, settings}, {}, context);
     EXPECT_EQ(at(screen(), width / 2, height / 2), 0x0000FFu);
     while (!view.upload(next, 5, context)) {
     }
-    view.draw(camera, settings, {}, context);
+    view.draw({camera, settings}, {}, context);
     EXPECT_EQ(at(screen(), width / 2, height / 2), 0x00FF00u);
     EXPECT_TRUE(view.upload(next, 0, context)) << "it is there";
 }
@@ -206,19 +206,19 @@ TEST_F(GlViews, ASceneThatTakesThePlaceOfOneOnItsWayIsTheOneThatComes) {
     green.materials[0].classical.ambient = {0, 1, 0};
     EXPECT_FALSE(view.upload(prepared(red_square()), 0, context));
     upload(view, green);
-    view.draw(camera, settings, {}, context);
+    view.draw({camera, settings}, {}, context);
     EXPECT_EQ(at(screen(), width / 2, height / 2), 0x00FF00u);
 }
 
 TEST_F(GlViews, AfterAPictureOfAnotherSceneItsCountsAreForgotten) {
     GlView view;
     upload(view, red_square());
-    view.draw(camera, settings, {}, context);
+    view.draw({camera, settings}, {}, context);
     Scene many = red_square();
     for (int i = 0; i < 100; ++i) test::add_object(many, test::square_mesh(0, 0.1f));
     upload(view, many);
-    view.draw(camera, settings, {}, context);
-    view.draw(camera, settings, {}, context);
+    view.draw({camera, settings}, {}, context);
+    view.draw({camera, settings}, {}, context);
     EXPECT_EQ(at(screen(), width / 2, height / 2), 0x0000FFu);
 }
 
@@ -232,18 +232,18 @@ TEST_F(GlViews, UploadsThatAreGivenUpLeaveNothingBehind) {
         for (int k = 0; k < 3; ++k) view.upload(next, k == 0 ? 20 : 0, context);
     }
     upload(view, red_square());
-    view.draw(camera, settings, {}, context);
+    view.draw({camera, settings}, {}, context);
     const std::vector<std::uint32_t> s = screen();
     GlView fresh;
     upload(fresh, red_square());
-    fresh.draw(camera, settings, {}, context);
+    fresh.draw({camera, settings}, {}, context);
     EXPECT_EQ(s, screen());
 }
 
 TEST_F(GlViews, WhatTheCallerSetOfTheContextDoesNotMatter) {
     GlView view;
     upload(view, red_square());
-    view.draw(camera, settings, {}, context);
+    view.draw({camera, settings}, {}, context);
     const std::vector<std::uint32_t> expected = screen();
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, 0, 1, 1);
@@ -253,7 +253,7 @@ TEST_F(GlViews, WhatTheCallerSetOfTheContextDoesNotMatter) {
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     GlView other;
     upload(other, red_square());
-    other.draw(camera, settings, {}, context);
+    other.draw({camera, settings}, {}, context);
     EXPECT_EQ(screen(), expected);
 }
 
@@ -261,10 +261,10 @@ TEST_F(GlViews, SettingsThatItCannotDrawAreRefused) {
     GlView view;
     upload(view, red_square());
     settings.visibility = Visibility::painter;
-    EXPECT_EQ(test::error_of([&] { view.draw(camera, settings, {}, context); }).code(), ErrorCode::usage);
+    EXPECT_EQ(test::error_of([&] { view.draw({camera, settings}, {}, context); }).code(), ErrorCode::usage);
     settings.visibility = {};
     settings.width = 0;
-    EXPECT_EQ(test::error_of([&] { view.draw(camera, settings, {}, context); }).code(), ErrorCode::usage);
+    EXPECT_EQ(test::error_of([&] { view.draw({camera, settings}, {}, context); }).code(), ErrorCode::usage);
 }
 
 TEST_F(GlViews, LinesAreHiddenBySurfacesUnlessTheyAreAnOverlay) {
@@ -272,7 +272,7 @@ TEST_F(GlViews, LinesAreHiddenBySurfacesUnlessTheyAreAnOverlay) {
     upload(view, red_square());
     Line line{.from = {-0.9, 0, -0.5}, .to = {0.9, 0, -0.5}, .color = {1, 1, 1, 1}, .width_px = 3};
     const auto middle_with = [&](const Line& l) {
-        view.draw(camera, settings, {}, context);
+        view.draw({camera, settings}, {}, context);
         view.lines(camera, {&l, 1});
         return at(screen(), width / 2, height / 2);
     };

@@ -82,7 +82,7 @@ TEST_F(GlPainters, DrawThePictureOfTheEngineIntoATexture) {
     }
     EXPECT_EQ(painter.scene(), scene);
     for (int repeat = 0; repeat < 6; ++repeat) {  // the textures of those let go are drawn into again
-        const GlPainter::Drawn drawn = painter.draw(camera, settings, {}, {}, context_);
+        const GlPainter::Drawn drawn = painter.draw({camera, settings}, {}, {}, context_);
         ASSERT_EQ(drawn.picture->width, across);
         const int stride = drawn.picture->texture_width;
         ASSERT_GE(drawn.picture->texture_height, down);

@@ -133,7 +133,8 @@ TEST_F(Moments, ShareTheArraysThatNothingMoves) {
         show(1, time_s);
         const PictureRequest request = request_of(look_, width, height);
         const Camera camera = camera_of(look_, *model_, width, height);
-        return scene_of(*studio.prepare(model_, look_, request, camera, context_)).meshes;
+        studio.prepare(model_, look_, request, camera, context_);
+        return scene_of(*studio.prepared()).meshes;
     };
     const std::vector<Mesh> a = meshes_at(1), b = meshes_at(2);
     ASSERT_EQ(a.size(), 2u);

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/asked_scenes.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "render/point_look.h"
+#include "world/scene_of_request.h"
+
+namespace rakelight {
+
+// What as_requested() and with_splats() read.
+PictureRequest surfaces_of(const PictureRequest& r) {
+    PictureRequest s;
+    s.input = r.input, s.look = r.look, s.given_keys = r.given_keys, s.preset = r.preset;
+    s.materials = r.materials, s.coloring = r.coloring;
+    s.hdri_file = r.hdri_file, s.hdri_ambient = r.hdri_ambient, s.hdri_skybox = r.hdri_skybox;
+    s.hdri_intensity = r.hdri_intensity, s.hdri_rotation_rad = r.hdri_rotation_rad;
+    s.studio_lights = r.studio_lights, s.view.world_up = r.view.world_up;
+    s.settings.lighting = r.settings.lighting, s.settings.lighting_text = r.settings.lighting_text;
+    s.settings.bump = r.settings.bump;
+    s.settings.points = r.settings.points, s.settings.surfaces = r.settings.surfaces,
+    s.settings.edges = r.settings.edges;
+    return s;
+}
+
+namespace {
+
+/// Then materials are changed as they are at the moment.
+bool depends_on_moment(const Scene& scene, const PictureRequest& request, std::span<const ClipTime> clips) {
+    if (request.materials == MaterialOverrides{} && request.preset == Preset::none && !request.coloring.is_on)
+        return false;
+    const auto moves_material = [](const AnimationChannel& c) { return c.path == AnimationPath::material; };
+    return std::ranges::any_of(clips, [&](const ClipTime& clip) {
+        return std::ranges::any_of(scene.animations[clip.animation].channels, moves_material);
+    });
+}
+
+/// @param still  without clips @param animations  that the clips are of
+Scene moved(Scene still, const std::vector<Animation>& animations, std::span<const ClipTime> clips, Context& context) {
+    std::vector<ClipTime> own(clips.begin(), clips.end());
+    for (ClipTime& clip : own) {
+        still.animations.push_back(animations.at(clip.animation));
+        clip.animation = std::uint32_t(still.animations.size() - 1);
+    }
+    return scene_at(std::move(still), own, context.memory());
+}
+
+Scene with_surfaces(Scene scene, const PictureRequest& request, Context& context) {
+    return with_splats(as_requested(std::move(scene), request, context), request, context);
+}
+
+}  // namespace
+
+Scene asked_at(Scene loaded, const PictureRequest& request, std::span<const ClipTime> clips, Context& context) {
+    Scene scene = with_surfaces(scene_at(std::move(loaded), clips, context.memory()), request, context);
+    scene.fog = request.fog.value_or(scene.fog);
+    return scene;
+}
+
+Scene AskedScenes::at(const std::shared_ptr<const Scene>& loaded, const PictureRequest& request,
+                      std::span<const ClipTime> clips, Context& context) {
+    const bool is_of_moment = depends_on_moment(*loaded, request, clips);
+    std::vector<ClipTime> surface_clips;
+    if (is_of_moment) surface_clips.assign(clips.begin(), clips.end());
+    PictureRequest surfaces = surfaces_of(request);
+    if (loaded != loaded_ || surfaces_ != surfaces || clips_ != surface_clips) {
+        loaded_.reset();
+        asked_ = with_surfaces(scene_at(*loaded, surface_clips, context.memory()), request, context);
+        asked_.animations.clear();
+        loaded_ = loaded, surfaces_ = std::move(surfaces), clips_ = std::move(surface_clips);
+    }
+    Scene scene = is_of_moment ? asked_ : moved(asked_, loaded->animations, clips, context);
+    scene.fog = request.fog.value_or(scene.fog);
+    return scene;
+}
+
+}  // namespace rakelight

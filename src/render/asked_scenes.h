@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// A loaded scene as a request wants it: at a moment, with its materials, coloring, environment, preset, points and fog.
+#pragma once
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <rakelight/motion.h>
+#include <rakelight/request.h>
+
+namespace rakelight {
+
+/// The members of a request that its surfaces depend on; all others have their defaults.
+PictureRequest surfaces_of(const PictureRequest& request);
+
+/// @param request  the choices of its look have been made
+Scene asked_at(Scene loaded, const PictureRequest& request, std::span<const ClipTime> clips, Context& context);
+
+/// Such scenes of one loaded scene after another: what does not depend on the moment is kept. They have the clips that are
+/// shown alone: of a character with a hundred clips a copy of all takes as long as its pose.
+class AskedScenes {
+public:
+    Scene at(const std::shared_ptr<const Scene>& loaded, const PictureRequest& request, std::span<const ClipTime> clips,
+             Context& context);
+
+private:
+    std::shared_ptr<const Scene> loaded_;
+    std::optional<PictureRequest> surfaces_;  ///< what of the request asked_ depends on
+    /// Where clips move materials that the request changes: the moment that asked_ is at, else empty.
+    std::vector<ClipTime> clips_;
+    Scene asked_;  ///< without clips
+};
+
+}  // namespace rakelight
