@@ -3,6 +3,9 @@
 # wants it; also without Python. Sources with the property SKIP_UNITY_BUILD_INCLUSION stay by themselves, too.
 # rl_test_units(TARGET): the same for a test program, half as many: tests are longer. They share the compiled headers of rl_test_headers.
 set(RAKELIGHT_UNITS 8 CACHE STRING "Most sources that are compiled as one; 0: each by itself")
+if(NOT RAKELIGHT_UNITS)
+  set(RAKELIGHT_UNITS 0)  # OFF and the like
+endif()
 find_package(Python3 QUIET COMPONENTS Interpreter)
 set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS tools/units.py)
 

@@ -9,10 +9,12 @@ namespace rakelight::viewer {
 
 Shot Studio::plan(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
                   const Camera& camera, Context& context) {
-    context.progress("prepare", 0);
-    if (!session_ || engine_ != request.engine) session_.emplace(request.engine);
-    engine_ = request.engine;
-    if (model_ != model || edits_ != look.materials) {
+    const bool is_new_engine = !session_ || engine_ != request.engine;
+    const bool is_new_model = model_ != model || edits_ != look.materials;
+    context.progress(is_new_engine || is_new_model || prepare_ != request.prepare ? "prepare" : "render", 0);
+    if (is_new_engine) session_.emplace(request.engine);
+    engine_ = request.engine, prepare_ = request.prepare;
+    if (is_new_model) {
         edited_ = std::make_shared<const Scene>(with_edits(model->scene, look.materials, context));
         model_ = model, edits_ = look.materials;
     }

@@ -30,6 +30,7 @@ private:
 
     std::optional<Session> session_;
     std::string engine_;
+    PrepareOptions prepare_;
     std::shared_ptr<const Model> model_;
     std::vector<MaterialEdit> edits_;
     std::shared_ptr<const Scene> edited_;  ///< the model's scene with these

@@ -26,7 +26,7 @@ RL_API Camera choose_camera(const Scene& scene, const ViewRequest& view, double 
 RL_API Scene with_requested_look(Scene scene, PictureRequest& request, Context& context);
 
 /// apply_look_exposure() with a session that already has the scene, so that nothing is prepared twice.
-/// @param shot  by the camera of choose_camera(); its settings are those of the request
+/// @param shot  camera of choose_camera() and lights; the settings are those of the request
 RL_API void apply_look_exposure(Session& session, const Shot& shot, PictureRequest& request, Context& context);
 
 /// First step of Look::standard. Chooses settings that neither the file nor the request gives: samples, light, shadows,

@@ -55,7 +55,7 @@ public:
     /// preset, points and fog, to be prepared by its options. What does not depend on the moment is kept, too. The choices
     /// of the request's look have been made: see with_requested_look().
     /// @param loaded  passed validate()
-    /// @return the scene that was set, to choose camera and lights by
+    /// @return the scene that was set, to choose camera and lights by; valid until the next set() or show()
     /// @throws Error as set(); usage: no such clip or attribute; not_found, bad_file: a picture of the request
     const Scene& show(const std::shared_ptr<const Scene>& loaded, const PictureRequest& request,
                       std::span<const ClipTime> clips, Context& context);

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/look.h"
 #include "render/point_look.h"
+#include "scene/clips.h"
 #include "world/scene_of_request.h"
 
 namespace rakelight {
@@ -12,8 +14,9 @@ namespace rakelight {
 // What as_requested() and with_splats() read.
 PictureRequest surfaces_of(const PictureRequest& r) {
     PictureRequest s;
-    s.input = r.input, s.look = r.look, s.given_keys = r.given_keys, s.preset = r.preset;
-    s.materials = r.materials, s.coloring = r.coloring;
+    s.input = r.input, s.look = r.look, s.preset = r.preset;
+    if (names(r, "point-size")) s.given_keys = {"point-size"};
+    s.materials = r.materials, s.coloring = r.coloring, s.coloring.has_bar = false;
     s.hdri_file = r.hdri_file, s.hdri_ambient = r.hdri_ambient, s.hdri_skybox = r.hdri_skybox;
     s.hdri_intensity = r.hdri_intensity, s.hdri_rotation_rad = r.hdri_rotation_rad;
     s.studio_lights = r.studio_lights, s.view.world_up = r.view.world_up;
@@ -40,7 +43,7 @@ bool depends_on_moment(const Scene& scene, const PictureRequest& request, std::s
 Scene moved(Scene still, const std::vector<Animation>& animations, std::span<const ClipTime> clips, Context& context) {
     std::vector<ClipTime> own(clips.begin(), clips.end());
     for (ClipTime& clip : own) {
-        still.animations.push_back(animations.at(clip.animation));
+        still.animations.push_back(animations[clip.animation]);
         clip.animation = std::uint32_t(still.animations.size() - 1);
     }
     return scene_at(std::move(still), own, context.memory());
@@ -52,14 +55,9 @@ Scene with_surfaces(Scene scene, const PictureRequest& request, Context& context
 
 }  // namespace
 
-Scene asked_at(Scene loaded, const PictureRequest& request, std::span<const ClipTime> clips, Context& context) {
-    Scene scene = with_surfaces(scene_at(std::move(loaded), clips, context.memory()), request, context);
-    scene.fog = request.fog.value_or(scene.fog);
-    return scene;
-}
-
 Scene AskedScenes::at(const std::shared_ptr<const Scene>& loaded, const PictureRequest& request,
                       std::span<const ClipTime> clips, Context& context) {
+    check_clips(*loaded, clips);
     const bool is_of_moment = depends_on_moment(*loaded, request, clips);
     std::vector<ClipTime> surface_clips;
     if (is_of_moment) surface_clips.assign(clips.begin(), clips.end());
@@ -71,6 +69,8 @@ Scene AskedScenes::at(const std::shared_ptr<const Scene>& loaded, const PictureR
         loaded_ = loaded, surfaces_ = std::move(surfaces), clips_ = std::move(surface_clips);
     }
     Scene scene = is_of_moment ? asked_ : moved(asked_, loaded->animations, clips, context);
+    // What may move is prepared alike at rest.
+    if (!scene.pose && !loaded->animations.empty()) scene.pose = rest_pose(scene);
     scene.fog = request.fog.value_or(scene.fog);
     return scene;
 }

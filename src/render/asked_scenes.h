@@ -14,13 +14,12 @@ namespace rakelight {
 /// The members of a request that its surfaces depend on; all others have their defaults.
 PictureRequest surfaces_of(const PictureRequest& request);
 
-/// @param request  the choices of its look have been made
-Scene asked_at(Scene loaded, const PictureRequest& request, std::span<const ClipTime> clips, Context& context);
-
 /// Such scenes of one loaded scene after another: what does not depend on the moment is kept. They have the clips that are
 /// shown alone: of a character with a hundred clips a copy of all takes as long as its pose.
 class AskedScenes {
 public:
+    /// @param request  the choices of its look have been made
+    /// @throws Error usage: no such clip or attribute; not_found, bad_file: a picture of the request
     Scene at(const std::shared_ptr<const Scene>& loaded, const PictureRequest& request, std::span<const ClipTime> clips,
              Context& context);
 

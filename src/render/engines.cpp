@@ -67,7 +67,8 @@ std::string beyond(const EngineCapabilities& can, const RenderSettings& s) {
                 std::string("give the data channel ") + channel.word +
                     (can.path_channels & channel.channel ? ": method path does" : ""));
     require(is_path || std::ranges::find(can.samples, s.samples) != can.samples.end(),
-            format_text("take {} samples per pixel{}", s.samples, can.rays ? ": method path does" : ", " + samples_text(can.samples)));
+            format_text("take {} samples per pixel{}", s.samples,
+                        can.rays ? ": method path does" : ", " + samples_text(can.samples)));
     require(can.visibility_methods || s.visibility == Visibility::z_reversed,
             "use another method of hidden-surface removal than its own: engine soft does");
     require(can.screen_interpolation || s.interpolation == AttributeInterpolation::perspective,

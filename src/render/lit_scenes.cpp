@@ -33,7 +33,9 @@ std::shared_ptr<const PreparedScene> LitScenes::of(const std::shared_ptr<const P
                                                    const std::optional<std::vector<Light>>& lights,
                                                    const RadiositySettings& settings, Context& context) {
     const std::vector<Light>& own = prepared->scene.lights;
-    if (lit_ && prepared == prepared_ && settings == settings_ && lights == lights_ && own == own_lights_) return lit_;
+    if (lit_ && are_drawn_alike(*prepared, *prepared_) && settings == settings_ && lights == lights_ &&
+        own == own_lights_)
+        return lit_;
     lit_.reset();
     auto out = std::make_shared<PreparedScene>();
     Scene scene = prepared->posed(context);

@@ -41,7 +41,9 @@ Scene with_splats(Scene scene, const PictureRequest& request, Context& context) 
 
 void size_points(PictureRequest& request, Session& session, const Camera& camera, Context& context) {
     if (!is_by_spacing(request) || request.settings.points != PointShape::none) return;
-    const std::shared_ptr<const PreparedScene> prepared = session.prepared(request.settings, context);
+    RenderSettings settings = request.settings;
+    if (settings.method == RayMethod::radiosity) settings.method = RayMethod::automatic;  // a size needs no light
+    const std::shared_ptr<const PreparedScene> prepared = session.prepared(settings, context);
     const Scene& scene = scene_of(*prepared);
     const std::optional<double> diameter = point_diameter(scene, context);
     if (!diameter) return;

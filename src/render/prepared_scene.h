@@ -48,11 +48,16 @@ public:
     /// What it was made of, where other poses can be made of that too: see has_bind_pose().
     std::shared_ptr<const BoundScene> bound{};
     Rare<ScenePose> pose{};  ///< that it stands in
+    /// Equal for scenes that differ in lights and cameras alone; 0: unlike any other.
+    std::uint64_t number = 0;
     PosedOnce posed_{};
 };
 
 /// Whether two scenes are equal in everything that prepare reads.
 bool are_prepared_alike(const Scene& a, const Scene& b);
+
+/// Whether what engines draw of both differs in lights and cameras at most.
+bool are_drawn_alike(const PreparedScene& a, const PreparedScene& b);
 
 /// Copies what prepare does not read: lights, cameras, fog, environment. Nobody else may use the scene meanwhile.
 void take_surroundings(PreparedScene& prepared, const Scene& scene);

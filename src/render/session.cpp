@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <atomic>
 
 #include <rakelight/render.h>
 #include <rakelight/session.h>
@@ -77,6 +78,11 @@ bool are_prepared_alike(const Scene& a, const Scene& b) {
 
 namespace {
 
+std::uint64_t new_number() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
 bool have_same_surroundings(const Scene& a, const Scene& b) {
     return a.lights == b.lights && a.cameras == b.cameras && a.fog == b.fog && a.environment == b.environment;
 }
@@ -101,8 +107,14 @@ Scene PosedOnce::take(PreparedScene&& prepared, Context& context) {
     return std::move(prepared.scene);
 }
 
+bool are_drawn_alike(const PreparedScene& a, const PreparedScene& b) {
+    return &a == &b || (a.number != 0 && a.number == b.number);
+}
+
 void take_surroundings(PreparedScene& prepared, const Scene& scene) {
     prepared.posed_.forget();
+    if (!(prepared.scene.fog == scene.fog) || prepared.scene.environment != scene.environment)
+        prepared.number = new_number();
     prepared.scene.lights = scene.lights;
     prepared.scene.cameras = scene.cameras;
     prepared.scene.fog = scene.fog;
@@ -133,6 +145,7 @@ PrepareOptions options_for(PrepareOptions options, const RenderSettings& setting
 std::shared_ptr<PreparedScene> make_prepared(Scene scene, const PrepareOptions& options, const RenderSettings& settings,
                                              Context& context) {
     auto out = std::make_shared<PreparedScene>();
+    out->number = new_number();
     out->options = options_for(options, settings, scene);
     scene = with_height_maps(std::move(scene), settings, context);
     if (!has_bind_pose(scene, out->options)) {
@@ -148,6 +161,7 @@ std::shared_ptr<PreparedScene> make_prepared(Scene scene, const PrepareOptions& 
 std::shared_ptr<PreparedScene> make_posed(const PreparedScene& prepared, const Rare<ScenePose>& pose,
                                           Context& context) {
     auto out = std::make_shared<PreparedScene>();
+    out->number = new_number();
     out->options = prepared.options, out->bound = prepared.bound, out->pose = pose;
     take(finish_unposed(*prepared.bound, pose, prepared.options, context), *out);
     return out;
@@ -216,13 +230,14 @@ void Session::set(Scene scene, const PrepareOptions& options) {
     validate_changes(scene, s.scene);
     const bool is_alike = s.source == State::Source::scene && s.prepared && s.options == options &&
                           are_prepared_alike(scene, s.scene) && (s.prepared->bound || scene.pose == s.scene.pose);
-    s.shown.reset();
-    if (is_alike && have_same_surroundings(scene, s.scene) && scene.pose == s.scene.pose) return;
+    const bool has_moved = !(scene.pose == s.scene.pose);
     if (!is_alike) check_drawable(scene);
-    std::shared_ptr<PreparedScene> next;
-    if (is_alike) {
-        next = std::make_shared<PreparedScene>(*s.prepared);
-        take_surroundings(*next, scene);
+    std::shared_ptr<const PreparedScene> next;
+    if (is_alike) next = s.prepared;  // if it has moved, it is posed when it is asked for
+    if (is_alike && !has_moved && !have_same_surroundings(scene, s.scene)) {
+        auto other = std::make_shared<PreparedScene>(*s.prepared);
+        take_surroundings(*other, scene);
+        next = std::move(other);
     }
     s.begin(State::Source::scene);
     s.scene = std::move(scene);
@@ -315,7 +330,8 @@ void Session::State::warm_up(const Shot& shot, Session& session, Context& contex
     if (source == Source::given) return;
     const std::shared_ptr<const PreparedScene> ready = session.prepared_for(shot, context);
     std::vector<Light> lights = lights_of(ready->scene, shot);
-    if (taken == ready) {
+    if (taken && are_drawn_alike(*taken, *ready)) {
+        taken = ready;
         if (lights != engine->scene().lights) engine->set_lights(std::move(lights));
         return;
     }

@@ -14,6 +14,7 @@
 #include "base/format_text.h"
 #include "math/linear.h"
 #include "scene/animated_properties.h"
+#include "scene/clips.h"
 #include "scene/sample_channel.h"
 #include "scene/scene_tools.h"
 #include "scene/validate_parts.h"
@@ -54,16 +55,6 @@ Transform in_parts(const Transform& t) {
     y = normalize_or(y - x * dot(x, y), dvec3{0, 1, 0});
     parts.rotation = rotation_of(x, y, cross(x, y));
     return parts;
-}
-
-ScenePose pose_of(const Scene& scene) {
-    ScenePose pose;
-    pose.local.reserve(scene.nodes.size()), pose.morph_weights.reserve(scene.nodes.size());
-    for (const Node& node : scene.nodes) {
-        pose.local.push_back(node.local);
-        pose.morph_weights.push_back(node.morph_weights);
-    }
-    return pose;
 }
 
 void move_node(const AnimationChannel& channel, std::span<const float> v, ScenePose& pose) {
@@ -138,21 +129,35 @@ ClipSpan clip_span(const Animation& animation) {
     return begin <= end ? ClipSpan{begin, end} : ClipSpan{};
 }
 
+ScenePose rest_pose(const Scene& scene) {
+    ScenePose pose;
+    pose.local.reserve(scene.nodes.size()), pose.morph_weights.reserve(scene.nodes.size());
+    for (const Node& node : scene.nodes) {
+        pose.local.push_back(node.local);
+        pose.morph_weights.push_back(node.morph_weights);
+    }
+    return pose;
+}
+
+void check_clips(const Scene& scene, std::span<const ClipTime> clips) {
+    for (const ClipTime& clip : clips) {
+        if (clip.animation >= scene.animations.size())
+            throw Error(ErrorCode::usage, format_text("there is no animation {}: the scene has {}", clip.animation,
+                                                      scene.animations.size()));
+        if (!std::isfinite(clip.time_s)) throw Error(ErrorCode::usage, "the time of an animation is not a number");
+    }
+}
+
 Scene scene_at(Scene scene, std::span<const ClipTime> clips) {
     MemoryBudget own;  // its account lives as long as what is charged to it
     return scene_at(std::move(scene), clips, own);
 }
 
 Scene scene_at(Scene scene, std::span<const ClipTime> clips, MemoryBudget& memory) {
-    for (const ClipTime& clip : clips) {
-        if (clip.animation >= scene.animations.size())
-            throw Error(ErrorCode::usage, format_text("there is no animation {}: the scene has {}", clip.animation,
-                                                      scene.animations.size()));
-        if (!std::isfinite(clip.time_s)) throw Error(ErrorCode::usage, "the time of an animation is not a number");
-        check_animation(scene, clip.animation);
-    }
+    check_clips(scene, clips);
+    for (const ClipTime& clip : clips) check_animation(scene, clip.animation);
     if (clips.empty()) return scene;
-    ScenePose pose = scene.pose ? *scene.pose : pose_of(scene);
+    ScenePose pose = scene.pose ? *scene.pose : rest_pose(scene);
     const std::vector<Camera> before = scene.cameras;
     for (const ClipTime& clip : clips) {
         const Animation animation = scene.animations[clip.animation];  // arrays are shared

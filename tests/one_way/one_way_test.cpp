@@ -81,6 +81,21 @@ private:
     ByViewer by_viewer_{model(), context_};
 };
 
+TEST(OneWay, LeadsToOnePictureAtRest) {
+    Context context;
+    BySession by_session;
+    ByViewer by_viewer(model(), context);
+    const PictureRequest request = request_of(read_table().base);
+    const Shown at_rest = by_picture(request, {}, context), moved = by_picture(request, 0.5, context);
+    EXPECT_NE(differing(at_rest, moved), 0);
+    for (int round = 0; round < 2; ++round) {
+        EXPECT_EQ(differing(by_session.draw(request, {}, context), at_rest), 0);
+        EXPECT_EQ(differing(by_viewer.draw(request, {}), at_rest), 0);
+        EXPECT_EQ(differing(by_session.draw(request, 0.5, context), moved), 0);
+        EXPECT_EQ(differing(by_viewer.draw(request, 0.5), moved), 0);
+    }
+}
+
 TEST(OneWay, LeadsToOnePicture) {
     Ways ways;
     for (const Example& example : read_table().examples)

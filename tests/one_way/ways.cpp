@@ -27,7 +27,7 @@ Shown shown(const Pixels& pixels) {
 
 }  // namespace
 
-Shown by_picture(const PictureRequest& asked, double time_s, Context& context) {
+Shown by_picture(const PictureRequest& asked, std::optional<double> time_s, Context& context) {
     PictureRequest request = asked;
     if (!request.motion.time_s) request.motion.time_s = time_s;
     Pixels pixels;
@@ -47,9 +47,9 @@ std::vector<Shown> by_sequence(PictureRequest request, double step_s, std::size_
     return all;
 }
 
-Shown BySession::draw(PictureRequest request, double time_s, Context& context) {
+Shown BySession::draw(PictureRequest request, std::optional<double> time_s, Context& context) {
     if (!request.motion.time_s) request.motion.time_s = time_s;
-    request.settings.shader_time_s = *request.motion.time_s;
+    request.settings.shader_time_s = request.motion.time_s.value_or(0);
     if (!loaded_) loaded_ = std::make_shared<const Scene>(load(request.input, request.load, context));
     Session& session = sessions_.try_emplace(request.engine, request.engine).first->second;
     const Scene& scene = session.show(loaded_, request, clips_of(*loaded_, request.motion), context);
@@ -68,7 +68,7 @@ ByViewer::ByViewer(const std::string& file, Context& context) {
     model_ = viewer::load_model(file, start, context);
 }
 
-Shown ByViewer::draw(const PictureRequest& request, double time_s) {
+Shown ByViewer::draw(const PictureRequest& request, std::optional<double> time_s) {
     viewer::Look look = viewer::first_look(*model_);
     look.request = request;
     if (!look.request.motion.time_s) look.request.motion.time_s = time_s;

@@ -23,8 +23,10 @@ struct Shown {
     bool operator==(const Shown&) const = default;
 };
 
+// @param time_s  absent: at rest, without a clip
+
 /// render_picture(), each by itself.
-Shown by_picture(const PictureRequest& request, double time_s, Context& context);
+Shown by_picture(const PictureRequest& request, std::optional<double> time_s, Context& context);
 
 /// render_sequence(): a picture for each moment of the clip, which are step_s apart. @param folder  for its files
 std::vector<Shown> by_sequence(PictureRequest request, double step_s, std::size_t count, const std::string& folder,
@@ -33,7 +35,7 @@ std::vector<Shown> by_sequence(PictureRequest request, double step_s, std::size_
 /// Sessions, one for each engine, which have drawn all pictures before; all of one model.
 class BySession {
 public:
-    Shown draw(PictureRequest request, double time_s, Context& context);
+    Shown draw(PictureRequest request, std::optional<double> time_s, Context& context);
 
 private:
     std::shared_ptr<const Scene> loaded_;
@@ -44,7 +46,7 @@ private:
 class ByViewer {
 public:
     ByViewer(const std::string& file, Context& context);
-    Shown draw(const PictureRequest& request, double time_s);
+    Shown draw(const PictureRequest& request, std::optional<double> time_s);
 
 private:
     std::shared_ptr<const viewer::Model> model_;
