@@ -211,6 +211,88 @@ TEST(Session, APreparedSceneWithoutLightsGetsTheDefaultRigWhereverItIsDrawn) {
     EXPECT_TRUE(same_bits(by_maker, by_other));
 }
 
+/// Squares of which the first goes to the right, and a camera and a lamp that a second clip moves.
+std::shared_ptr<const Scene> moving_squares() {
+    Scene scene = two_squares();
+    scene.source = "moving";
+    scene.nodes[0].local = {};
+    scene.lights = {test::directional({0, 0, -1})};
+    scene.cameras = {Camera{}};
+    const auto channel = [](AnimationPath path, const char* property, std::vector<float> values) {
+        AnimationChannel c{.element = 0, .path = path, .property = property};
+        c.times = std::vector<float>{0, 1};
+        c.values = std::move(values);
+        return c;
+    };
+    scene.animations = {{.name = "slide", .channels = {channel(AnimationPath::translation, "", {0, 0, 0, 1, 0, 0})}},
+                        {.name = "dim", .channels = {channel(AnimationPath::light, "diffuse", {1, 1, 1, 0, 0, 0})}}};
+    return std::make_shared<const Scene>(std::move(scene));
+}
+
+TEST(Session, ShowsALoadedSceneAtMomentsAndMakesAnewWhatMoves) {
+    Counted c;
+    const std::shared_ptr<const Scene> loaded = moving_squares();
+    const PictureRequest request;
+    const auto show = [&](std::vector<ClipTime> clips, double x = 0) {
+        const Scene& scene = c.session.show(loaded, request, clips, c.context);
+        c.session.render({from(x), small(), scene.lights}, c.frame, c.context);
+    };
+    show({});
+    const auto posts = [&] { return c.engine.prepared.meshes.at(1).positions.identity(); };
+    const void* const post = posts();
+    for (const double x : {0.5, 1.0}) show({}, x);
+    EXPECT_EQ(c.engine.times_prepared, 1) << "the camera alone has moved";
+    show({{0, 0.5}});
+    EXPECT_EQ(c.engine.times_prepared, 2);
+    EXPECT_EQ(posts(), post) << "what does not move is not made anew, also where it was at rest before";
+    show({{0, 0.5}, {1, 0.5}});
+    const int prepared = c.engine.times_prepared;
+    EXPECT_FLOAT_EQ(c.engine.prepared.lights.at(0).diffuse.x, 0.5f);
+    show({{0, 0.5}, {1, 1.0}});
+    EXPECT_EQ(c.engine.times_prepared, prepared) << "lights alone have changed";
+    EXPECT_FLOAT_EQ(c.engine.prepared.lights.at(0).diffuse.x, 0);
+}
+
+TEST(Session, WhatCannotBeShownIsSaidAndLeavesTheSceneBefore) {
+    Counted c;
+    const std::shared_ptr<const Scene> loaded = moving_squares();
+    PictureRequest plain, red, missing;
+    red.materials.color = vec3{1, 0, 0};
+    missing.materials.base_color = "no such picture.png";
+    const auto code_of = [&](const std::shared_ptr<const Scene>& scene, const PictureRequest& request, ClipTime clip) {
+        return test::error_of([&] { c.session.show(scene, request, {&clip, 1}, c.context); }).code();
+    };
+    c.session.show(loaded, plain, {}, c.context);
+    for (const PictureRequest& request : {plain, red}) {
+        EXPECT_EQ(code_of(loaded, request, {7, 0}), ErrorCode::usage);
+        EXPECT_EQ(code_of(loaded, request, {0, std::nan("")}), ErrorCode::usage);
+    }
+    EXPECT_EQ(code_of(nullptr, plain, {0, 0}), ErrorCode::usage);
+    EXPECT_EQ(code_of(loaded, missing, {0, 0}), ErrorCode::not_found);
+    c.draw();
+    EXPECT_EQ(c.engine.prepared.materials.at(0).base_color, loaded->materials[0].base_color);
+    c.session.show(loaded, red, {}, c.context);
+    c.draw();
+    EXPECT_EQ(c.engine.prepared.materials.at(0).base_color, (vec4{1, 0, 0, 1}));
+}
+
+TEST(Session, LightsOfAShotAreAllItsLights) {
+    Counted c;
+    c.session.set(two_squares());
+    c.session.render({from(0), small(), {}}, c.frame, c.context);
+    EXPECT_EQ(c.engine.prepared.lights, default_lights(from(0).to_world)) << "absent: the default rig";
+    c.session.render({from(0), small(), std::vector<Light>()}, c.frame, c.context);
+    EXPECT_TRUE(c.engine.prepared.lights.empty()) << "none";
+    const std::vector<Light> lamp = {test::directional({0, 0, -1})};
+    c.session.render({from(0), small(), lamp}, c.frame, c.context);
+    EXPECT_EQ(c.engine.prepared.lights, lamp);
+    Light on_no_node = lamp[0];
+    on_no_node.node = 9;
+    const Shot wrong{from(0), small(), std::vector{on_no_node}};
+    EXPECT_EQ(test::error_of([&] { c.session.render(wrong, c.frame, c.context); }).code(), ErrorCode::bad_file);
+    EXPECT_EQ(c.engine.times_prepared, 1);
+}
+
 TEST(Session, ASceneThatItIsGivenGoesToTheEngineUncopied) {
     Counted c;
     const Scene copy = two_squares();
@@ -301,7 +383,8 @@ TEST(Session, WhatAnEngineCannotDoIsRefusedByName) {
     };
     EXPECT_EQ(reason_of([](RenderSettings& s) { s.channels = channel_depth | channel_overdraw; }),
               "engine fake cannot give the data channel overdraw");
-    EXPECT_EQ(reason_of([](RenderSettings& s) { s.samples = 4; }), "engine fake cannot take 4 samples per pixel, only 1");
+    EXPECT_EQ(reason_of([](RenderSettings& s) { s.samples = 4; }),
+              "engine fake cannot take 4 samples per pixel, only 1");
     EXPECT_EQ(reason_of([](RenderSettings& s) { s.visibility = Visibility::painter; }),
               "engine fake cannot use another method of hidden-surface removal than its own: engine soft does");
     EXPECT_EQ(reason_of([](RenderSettings& s) { s.interpolation = AttributeInterpolation::screen; }),
