@@ -24,7 +24,8 @@ std::string arguments_of(const Option& option) {
     else if (answers.takes_value)
         out += " -x";
     if (answers.is_list)
-        out += " -a " + in_quotes("(__fish_complete_list , \"string split , " + joined_words(answers.words, ",") + "\")");
+        out +=
+            " -a " + in_quotes("(__fish_complete_list , \"string split , " + joined_words(answers.words, ",") + "\")");
     else if (!answers.words.empty() && answers.takes_value)
         out += " -a " + in_quotes(joined_words(answers.words, " "));
     return out + " -d " + in_quotes(brief(option.help));

@@ -49,7 +49,8 @@ std::string function_of(const std::string& program, const Command& command) {
         if (!option.is_hidden) out += specifications(option);
     out += "        '(-h --help)'{-h,--help}'[Show the help]'";
     for (const Positional& p : command.positionals)
-        out += std::string(" \\\n        ") + in_quotes(std::string(p.is_list ? "*" : "") + ":" + escaped(p.name) + ":" +
+        out +=
+            std::string(" \\\n        ") + in_quotes(std::string(p.is_list ? "*" : "") + ":" + escaped(p.name) + ":" +
                                                      (p.words ? "(" + joined_words(p.words(), " ") + ")" : "_files"));
     return out + "\n}\n";
 }

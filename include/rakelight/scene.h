@@ -472,7 +472,7 @@ struct RL_API Camera {
 
 /// The pose of an animated scene. The nodes keep the transforms of the file; attributes are computed from these.
 struct ScenePose {
-    std::vector<Transform> local{};                   ///< [nodes]
+    std::vector<Transform> local{};             ///< [nodes]
     std::vector<Block<float>> morph_weights{};  ///< [nodes]
     bool operator==(const ScenePose&) const = default;
 };

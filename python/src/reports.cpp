@@ -85,7 +85,8 @@ py::tuple inspected(const SceneHandle& handle, const Settings& settings, bool bo
         options.border_distance = request.prepare.border_distance;
         InspectionRow row;
         row.file = handle.scene.source;
-        row.inspection = inspect(scene_at(handle.scene, clips_of(handle.scene, request.motion), context.memory()), options, context);
+        row.inspection =
+            inspect(scene_at(handle.scene, clips_of(handle.scene, request.motion), context.memory()), options, context);
         replace_images(row.inspection->scene, handle.as_named);
         if (limits) row.check = check_limits(*row.inspection, *limits);
         return to_json(std::span(&row, 1));

@@ -54,8 +54,8 @@ py::tuple derived(const SceneHandle& from, Scene scene, Runner& runner) {
                           remarks_of(runner.context().report()));
 }
 
-py::tuple load_file(const std::string& path, bool allow_outside, bool allow_shaders, int threads, std::uint64_t max_memory,
-                    const py::object& progress) {
+py::tuple load_file(const std::string& path, bool allow_outside, bool allow_shaders, int threads,
+                    std::uint64_t max_memory, const py::object& progress) {
     Runner runner(threads, max_memory);
     LoadOptions options;
     options.allow_outside = allow_outside;

@@ -62,8 +62,7 @@ RadiosityFile radiosity_file(const PictureRequest& asked, const std::optional<Li
     Scene out = lightmap ? lightmapped(ready, request, *lightmap, result, context) : scene_of(*ready.prepared);
     context.throw_if_cancelled();
     context.progress("write", 0);
-    if (request.view.world_up == dvec3{0, 0, 1})
-        out = with_y_up(std::move(out), result.output, context.report());
+    if (request.view.world_up == dvec3{0, 0, 1}) out = with_y_up(std::move(out), result.output, context.report());
     io::write_glb(out, result.output, context);
     return result;
 }

@@ -77,7 +77,8 @@ Scene without_tangents(Scene scene, Context& context) {
         Mesh& mesh = scene.meshes[instance.mesh];
         mesh.tangents = {};
         if (std::ranges::any_of(mesh.targets, [](const MorphTarget& target) { return !target.tangents.empty(); }))
-            change_targets(mesh, [](MorphTarget& target, std::size_t) { target.tangents = {}; }, context);
+            change_targets(
+                mesh, [](MorphTarget& target, std::size_t) { target.tangents = {}; }, context);
     }
     return scene;
 }

@@ -11,7 +11,8 @@ namespace rakelight {
 
 Scene scene_of_request(const PictureRequest& request, Context& context) {
     check_settings(request.settings);
-    return as_requested(with_requested_clips(load(request.input, request.load, context), request, context), request, context);
+    return as_requested(with_requested_clips(load(request.input, request.load, context), request, context), request,
+                        context);
 }
 
 Scene with_requested_clips(Scene scene, const PictureRequest& request, Context& context) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <thread>
 
-
 #include "scene/scene_tools.h"
 #include "support/scene_builder.h"
 #include "support/thrown_error.h"
