@@ -8,8 +8,6 @@
 #include <rakelight/linear.h>
 #include <rakelight/picture_parts.h>
 
-#include "moment.h"
-
 namespace rakelight::viewer {
 namespace {
 
@@ -147,8 +145,7 @@ Camera ViewBox::camera(const Scene& scene, const ViewRequest& view, double aspec
     if (!known.chooser || !std::ranges::equal(known.clips, clips)) {
         known.chooser.reset();
         if (!known.still) known.still = scene, known.still->animations.clear();
-        known.chooser.emplace(
-            chooser_of(scene_at_moment(*known.still, scene.animations, {clips.begin(), clips.end()})));
+        known.chooser.emplace(chooser_of(scene_at(*known.still, scene.animations, clips, quiet.memory())));
         known.clips.assign(clips.begin(), clips.end());
     }
     return known.chooser->choose(view, aspect, visibility, quiet);

@@ -37,6 +37,10 @@ RL_API ClipSpan clip_span(const Animation& animation);
 /// @throws Error usage: no such clip, a non-finite time; bad_file: see validate(), over the memory budget
 RL_API Scene scene_at(Scene scene, std::span<const ClipTime> clips);
 RL_API Scene scene_at(Scene scene, std::span<const ClipTime> clips, MemoryBudget& memory);
+/// The same for a scene without its clips, which are these. The result has the clips that are shown alone: of a character
+/// with a hundred clips a copy of all takes as long as its pose.
+RL_API Scene scene_at(Scene still, const std::vector<Animation>& animations, std::span<const ClipTime> clips,
+                      MemoryBudget& memory);
 
 /// The name of the clip that holds the keyframes of a world file. It is the last clip of the scene, and has
 /// Animation::plays_always.

@@ -39,16 +39,6 @@ bool depends_on_moment(const Scene& scene, const PictureRequest& request, std::s
     });
 }
 
-/// @param still  without clips @param animations  that the clips are of
-Scene moved(Scene still, const std::vector<Animation>& animations, std::span<const ClipTime> clips, Context& context) {
-    std::vector<ClipTime> own(clips.begin(), clips.end());
-    for (ClipTime& clip : own) {
-        still.animations.push_back(animations[clip.animation]);
-        clip.animation = std::uint32_t(still.animations.size() - 1);
-    }
-    return scene_at(std::move(still), own, context.memory());
-}
-
 Scene with_surfaces(Scene scene, const PictureRequest& request, Context& context) {
     return with_splats(as_requested(std::move(scene), request, context), request, context);
 }
@@ -68,7 +58,7 @@ Scene AskedScenes::at(const std::shared_ptr<const Scene>& loaded, const PictureR
         asked_.animations.clear();
         loaded_ = loaded, surfaces_ = std::move(surfaces), clips_ = std::move(surface_clips);
     }
-    Scene scene = is_of_moment ? asked_ : moved(asked_, loaded->animations, clips, context);
+    Scene scene = is_of_moment ? asked_ : scene_at(asked_, loaded->animations, clips, context.memory());
     // What may move is prepared alike at rest.
     if (!scene.pose && !loaded->animations.empty()) scene.pose = rest_pose(scene);
     scene.fog = request.fog.value_or(scene.fog);

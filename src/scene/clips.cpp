@@ -153,6 +153,17 @@ Scene scene_at(Scene scene, std::span<const ClipTime> clips) {
     return scene_at(std::move(scene), clips, own);
 }
 
+Scene scene_at(Scene still, const std::vector<Animation>& animations, std::span<const ClipTime> clips,
+               MemoryBudget& memory) {
+    std::vector<ClipTime> own(clips.begin(), clips.end());
+    for (ClipTime& clip : own) {
+        if (clip.animation >= animations.size()) check_clips(still, {&clip, 1});
+        still.animations.push_back(animations[clip.animation]);
+        clip.animation = std::uint32_t(still.animations.size() - 1);
+    }
+    return scene_at(std::move(still), own, memory);
+}
+
 Scene scene_at(Scene scene, std::span<const ClipTime> clips, MemoryBudget& memory) {
     check_clips(scene, clips);
     for (const ClipTime& clip : clips) check_animation(scene, clip.animation);
