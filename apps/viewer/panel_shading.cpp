@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include <rakelight/picture_parts.h>
+#include <rakelight/picture.h>
 #include <rakelight/version.h>
 
 namespace rakelight::viewer {

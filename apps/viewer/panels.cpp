@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include <rakelight/picture_parts.h>
+#include <rakelight/picture.h>
 
 #include "display_path.h"
 #include "widgets.h"

@@ -32,7 +32,7 @@ public:
     /// @param aspect  width / height of the picture, > 0
     /// @throws Error as choose_camera()
     Camera choose(const ViewRequest& view, double aspect, Context& context) const;
-    /// For a picture with this hidden-surface removal, as choose_camera() of picture_parts.h.
+    /// For a picture with this hidden-surface removal, as choose_camera() of picture.h.
     Camera choose(const ViewRequest& view, double aspect, Visibility visibility, Context& context) const;
     /// Axis-aligned box in world space of all that is drawn; empty if there is nothing.
     const Bounds& bounds() const;

@@ -13,12 +13,6 @@
 
 namespace rakelight {
 
-/// The camera that render_picture() chooses for a picture with this hidden-surface removal. The z-buffers of the textbook
-/// (z_float, z16, z24, z32) lose precision if near is small: a camera inside of a scene then has near = far / 10000. All
-/// others, as in choose_camera() of picture.h, show what is nearer.
-RL_API Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Visibility visibility,
-                            Context& context);
-
 /// The steps of render_picture() between loading and preparing a scene: clips at their times, apply_look(), colors of
 /// vertex arrays, with_requested_surfaces(), and points as the look draws them. The request is explicit in the settings
 /// that these steps chose.
@@ -59,18 +53,5 @@ RL_API std::vector<Light> requested_lights(const Scene& scene, const PictureRequ
 /// default rig, which a session solves once for all views.
 RL_API std::optional<std::vector<Light>> shot_lights(const Scene& scene, const PictureRequest& request,
                                                      const Camera& camera);
-
-/// The value of PictureResult::channel_range.
-/// @param camera  result of choose_camera()
-RL_API ChannelRange channel_range_of(const Bounds& bounds, const Camera& camera);
-
-/// A channel of a frame as display values, as in PNG files of channels: [width * height of the frame's window] sRGB
-/// codes, R in the low byte.
-/// @param channel  one Channel bit
-/// @throws Error usage: the frame has no such channel
-RL_API std::vector<std::uint32_t> channel_codes(const Frame& frame, std::uint32_t channel, const ChannelRange& range);
-
-/// The words of --channels, in the order of the Channel bits.
-RL_API std::vector<std::string> channel_words();
 
 }  // namespace rakelight

@@ -2,7 +2,7 @@
 // What this build can do, and the keys of its settings.
 #include <pybind11/stl.h>
 
-#include <rakelight/picture_parts.h>
+#include <rakelight/picture.h>
 #include <rakelight/tools/words.h>
 #include <rakelight/version.h>
 #include <rakelight/world.h>

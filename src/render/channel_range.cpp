@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/channel_range.h"
-
-#include <rakelight/picture_parts.h>
+#include <rakelight/picture.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "math/linear.h"
-#include "scene/scene_tools.h"
 
 namespace rakelight {
-
-ChannelRange channel_range(const Scene& scene, const Camera& camera) {
-    return channel_range_of(world_bounds(scene), camera);
-}
 
 ChannelRange channel_range_of(const Bounds& bounds, const Camera& camera) {
     double low = std::numeric_limits<double>::infinity(), high = -low;

@@ -7,7 +7,6 @@
 #include "engines/check_settings.h"
 #include "engines/empty_pixel.h"
 #include "math/linear.h"
-#include "render/channel_range.h"
 #include "render/choose_camera.h"
 #include "render/draw_to_memory.h"
 #include "render/drawable.h"
@@ -206,7 +205,7 @@ PictureResult draw_loaded(Scene loaded, PictureRequest request, Session& session
     context.progress("prepare", 0);
     ReadyScene ready = ready_scene(std::move(loaded), request, context);
     const Shot shot = ready.shot();
-    result.channel_range = channel_range(ready.prepared->posed(context), shot.camera);
+    result.channel_range = channel_range_of(world_bounds(ready.prepared->posed(context)), shot.camera);
     count_parts(ready.prepared->scene, result);
     give(session, std::move(ready.prepared));
     result.prepare_ms = watch.lap_ms();

@@ -12,7 +12,6 @@
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"
-#include "render/channel_range.h"
 #include "render/choose_camera.h"
 #include "render/engines.h"
 #include "render/picture_sink.h"
@@ -172,7 +171,7 @@ private:
         request.tone = options_.picture.tone;
         request.channel_files = options_.picture.channel_files, request.half_colors = options_.picture.half_colors;
         PictureResult result;
-        result.channel_range = channel_range(scene_, camera_);
+        result.channel_range = channel_range_of(world_bounds(scene_), camera_);
         Session session(measured_.front().row.engine);
         session.set(std::make_shared<PreparedScene>(PreparedScene{scene_, {}}));
         draw_to_files(session, {camera_, {}, scene_.lights}, request, result, context_);
