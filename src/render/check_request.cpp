@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What can be wrong with a picture before anything is loaded.
+#include "render/check_request.h"
+
 #include <cmath>
 
 #include "engines/check_settings.h"
@@ -7,7 +9,6 @@
 #include "render/engines.h"
 #include "render/look.h"
 #include "render/picture_files.h"
-#include "render/picture_steps.h"
 
 #include <rakelight/picture.h>
 

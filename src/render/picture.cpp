@@ -7,6 +7,7 @@
 #include "engines/check_settings.h"
 #include "engines/empty_pixel.h"
 #include "math/linear.h"
+#include "render/check_request.h"
 #include "render/choose_camera.h"
 #include "render/draw_to_memory.h"
 #include "render/drawable.h"

@@ -26,11 +26,6 @@ struct ReadyScene {
 /// @throws Error bad_file: nothing to draw
 ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& context, RadiosityReport* report = nullptr);
 
-/// Warns of shading rules that match nothing in the scene.
-void warn_of_unknown_names(const Scene& scene, const RenderSettings& settings, Report& report);
-/// Warns of unused settings of paths and of ambient occlusion.
-void warn_of_unused(const PictureRequest& request, Report& report);
-
 /// Draws a scene into memory. @param loaded  as_requested()
 /// @return the request with what its look has chosen
 PictureRequest draw_to_pixels(Scene loaded, const PictureRequest& request, Pixels& color, Context& context);
@@ -42,10 +37,6 @@ void count_parts(const Scene& prepared, PictureResult& result);
 /// @param shot  without settings: they are the request's
 void draw_to_files(Session& session, const Shot& shot, const PictureRequest& request, PictureResult& result,
                    Context& context);
-
-/// Folders that are missing are made when the file is. @throws Error failed: something else has the name of such a folder, or
-/// the output is a folder
-void check_output_place(const std::string& output);
 
 /// Everything but the choice of the engine and the checks.
 PictureResult draw_picture(const PictureRequest& request, Session& session, Context& context);

@@ -9,6 +9,7 @@
 #include <rakelight/tools/file_ending.h>
 #include <rakelight/validate.h>
 
+#include "render/check_request.h"
 #include "render/draw_to_memory.h"
 #include "render/drawable.h"
 #include "render/engines.h"

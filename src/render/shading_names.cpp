@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "render/picture_steps.h"
+#include "render/check_request.h"
 
 namespace rakelight {
 

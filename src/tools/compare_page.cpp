@@ -8,7 +8,7 @@
 #include "base/format_text.h"
 #include "io/file.h"
 #include "io/image_io.h"
-#include "render/picture_steps.h"
+#include "render/check_request.h"
 #include "tools/compare_numbers.h"
 #include "tools/compared_pictures.h"
 #include "tools/html.h"

@@ -10,6 +10,7 @@
 #include "engines/check_settings.h"
 #include "io/glb_writer.h"
 #include "io/image_io.h"
+#include "render/check_request.h"
 #include "render/lit_scenes.h"
 #include "render/look.h"
 #include "render/picture_steps.h"

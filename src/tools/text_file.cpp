@@ -6,7 +6,7 @@
 
 #include "io/file.h"
 #include "io/overwrite_file.h"
-#include "render/picture_steps.h"
+#include "render/check_request.h"
 
 namespace rakelight {
 namespace {
