@@ -9,7 +9,4 @@ namespace rakelight {
 void draw_to_memory(Session& session, const Shot& shot, const PictureRequest& request, PictureResult& result,
                     Pixels& color, Context& context);
 
-/// The color settings that a reader of the file needs.
-std::string comment_of(const RenderSettings& settings);
-
 }  // namespace rakelight

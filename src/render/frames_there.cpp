@@ -9,7 +9,7 @@
 
 #include "io/file.h"
 #include "io/whole_picture.h"
-#include "render/picture_steps.h"
+#include "render/picture_files.h"
 
 namespace rakelight {
 namespace {

@@ -50,11 +50,6 @@ void note_drawn(const Window& window, const ExtremePixels& extremes, PictureResu
 
 }  // namespace
 
-std::string comment_of(const RenderSettings& settings) {
-    if (settings.method != RayMethod::path || !settings.paths.denoise) return {};
-    return "rakelight: denoised by joint NL-means filtering (Rousselle, Manzi, Zwicker 2013)";
-}
-
 void count_parts(const Scene& prepared, PictureResult& result) {
     result.triangles = triangle_count(prepared);
     result.objects = count_objects(prepared);
@@ -78,10 +73,6 @@ ReadyScene ready_scene(Scene scene, const PictureRequest& request, Context& cont
         prepared.scene = lit_by_radiosity(std::move(posed), request.settings.radiosity, context, report);
     }
     return ready;
-}
-
-Window whole_window(const RenderSettings& s) {
-    return s.window.width == 0 ? Window{0, 0, s.width, s.height} : s.window;
 }
 
 namespace {

@@ -51,6 +51,20 @@ PixelFormat format_for(const std::string& output, bool transparent) {
     });
 }
 
+Window whole_window(const RenderSettings& s) {
+    return s.window.width == 0 ? Window{0, 0, s.width, s.height} : s.window;
+}
+
+io::ImagePlace place_of(const RenderSettings& settings) {
+    const Window window = whole_window(settings);
+    return {window.x, window.y, settings.width, settings.height};
+}
+
+std::string comment_of(const RenderSettings& settings) {
+    if (settings.method != RayMethod::path || !settings.paths.denoise) return {};
+    return "rakelight: denoised by joint NL-means filtering (Rousselle, Manzi, Zwicker 2013)";
+}
+
 bool is_exr(const std::string& path) { return file_ending(path) == "exr"; }
 
 void check_alpha(const std::string& path, const PixelFormat& format) {

@@ -17,6 +17,13 @@ namespace rakelight {
 /// Format of the color file for an output name: @throws Error usage for an unknown ending.
 PixelFormat format_for(const std::string& output, bool transparent);
 
+/// The window that is rendered: the whole picture where none is requested.
+Window whole_window(const RenderSettings& settings);
+/// Where that is in the whole picture.
+io::ImagePlace place_of(const RenderSettings& settings);
+/// The color settings that a reader of the file needs.
+std::string comment_of(const RenderSettings& settings);
+
 /// By the ending of its name.
 bool is_exr(const std::string& path);
 

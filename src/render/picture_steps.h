@@ -9,9 +9,6 @@
 
 namespace rakelight {
 
-/// The window that is rendered: the whole picture where none is requested.
-Window whole_window(const RenderSettings& settings);
-
 /// What a picture is drawn from.
 struct ReadyScene {
     std::shared_ptr<PreparedScene> prepared;

@@ -6,8 +6,7 @@
 #include <utility>
 
 #include "io/image_io.h"
-#include "render/draw_to_memory.h"
-#include "render/picture_steps.h"
+#include "render/picture_files.h"
 #include "render/stopwatch.h"
 
 namespace rakelight {
@@ -26,10 +25,9 @@ void SequenceWriter::add(SequenceFrame frame) {
 }
 
 void SequenceWriter::write(SequenceFrame frame, Pixels pixels, const RenderSettings& settings) {
-    const Window window = whole_window(settings);
     io::OutputTarget target(frame.picture.output);
     target.comment = comment_of(settings);
-    target.place = {window.x, window.y, settings.width, settings.height};
+    target.place = place_of(settings);
     auto work = [target = std::move(target), pixels = std::make_shared<const Pixels>(std::move(pixels))] {
         const Stopwatch watch;
         io::write_image(target, *pixels);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/format_text.h"
-#include "render/picture_steps.h"
+#include "render/picture_files.h"
 #include "render/why_black.h"
 
 namespace rakelight {

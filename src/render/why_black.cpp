@@ -10,7 +10,6 @@
 #include "image/tone_curves.h"
 #include "math/functions.h"
 #include "math/linear.h"
-#include "render/picture_steps.h"
 #include "scene/light_cutoff.h"
 #include "scene/scene_tools.h"
 #include "shading/choices.h"
