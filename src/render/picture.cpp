@@ -108,7 +108,8 @@ void draw_to_outputs(Session& session, const Shot& of, const PictureRequest& req
                         comment_of(settings), memory},
                        {window.x, window.y, settings.width, settings.height});
     double written_ms = 0;
-    PictureSink sink(format, ToneCurve(request.tone, behind), files.needs_linear(), [&](int rows) {
+    PictureSink sink(format, ToneCurve(request.tone, behind));
+    sink.keep_strips(files.needs_linear(), [&](int rows) {
         const Stopwatch watch;
         if (overlay) overlay->draw(sink.color_rows(rows), context);
         if (overlay && files.needs_linear()) overlay->draw(sink.linear_rows(rows), context);

@@ -97,6 +97,7 @@ double PictureSink::done() const {
 }
 
 void PictureSink::finish_partial() {
+    if (!strip_done_) return;
     while (first_ < window_.y + window_.height) rows_done(first_, std::min(rows_, window_.y + window_.height - first_));
 }
 

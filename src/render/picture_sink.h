@@ -25,13 +25,14 @@ struct ChannelPlane {
 
 class PictureSink final : public Sink {
 public:
-    /// Keeps the whole window.
+    /// Keeps the whole window, or after keep_strips() a strip of it.
     explicit PictureSink(PixelFormat format, const ToneCurve& tone = ToneCurve()) : format_(format), tone_(tone) {}
-    /// Keeps a strip, and calls `strip_done` with its number of rows when they are there.
-    /// @param linear  keep colors as linear floats too, for files of layers
-    PictureSink(PixelFormat format, const ToneCurve& tone, bool linear, std::function<void(int)> strip_done)
-        : format_(format), tone_(tone), keeps_linear_(linear), strip_done_(std::move(strip_done)) {}
 
+    /// Before begin(): calls `done` with the number of rows of each strip when they are there.
+    /// @param linear  keep colors as linear floats too, for files of layers
+    void keep_strips(bool linear, std::function<void(int)> done) {
+        keeps_linear_ = linear, strip_done_ = std::move(done);
+    }
     void begin(int width, int height, Window window, std::uint32_t channels) override;
     bool wants_srgb8() const override {
         return format_.component == Component::u8 && !keeps_linear_ && tone_.is_identity();
@@ -51,7 +52,7 @@ public:
     void expect_gaps(vec4 background) { gaps_ = background; }
     /// Fraction of the pixels that tiles have covered, 0..1.
     double done() const;
-    /// Delivers the strips that are left, as they are.
+    /// Delivers the strips that are left, as they are, where strips are kept.
     void finish_partial();
 
     /// Before begin(): keep depths, for drawing over the picture. If the channel is hidden (requested only for this
