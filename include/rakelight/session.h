@@ -27,6 +27,8 @@ struct Shot {
     /// if it has neither lights nor an environment that lights it, the default rig, which is fixed to the camera. For
     /// radiosity, whose solution holds for all views, that is the rig of a default view.
     std::optional<std::vector<Light>> lights{};
+    /// The background that is composited after tone mapping: argument `behind` of save() and to_srgb8().
+    vec4 behind{};
 };
 
 /// An engine with a scene. A session draws the same pictures as render() of render.h. Between two pictures it keeps
