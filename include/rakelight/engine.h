@@ -242,7 +242,7 @@ struct RenderSettings {
     /// otherwise the color of the material.
     vec4 line_color{0, 0, 0, 0};
     vec4 background{0.18f, 0.18f, 0.2f, 1};  ///< linear RGB and alpha
-    /// Linear color of the background in glass and mirrors; absent: `background`. separate_background() sets this
+    /// Linear color of the background in glass and mirrors; absent: `background`. plan_shot() sets this
     /// member to the light that exposure and tone curve map to the background's color.
     std::optional<vec3> background_light{};
     /// false: the background is composited later, after tone mapping. The alpha of a pixel is then its coverage.

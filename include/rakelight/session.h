@@ -12,24 +12,13 @@
 #include <rakelight/motion.h>
 #include <rakelight/prepare.h>
 #include <rakelight/request.h>
+#include <rakelight/shot.h>
 
 namespace rakelight {
 
 /// A scene prepared for drawing: repaired, with normals, tangents, height maps and displaced meshes. Immutable; any
 /// number of sessions may share it, in any threads.
 class PreparedScene;
-
-/// One picture of a session: where it is seen from, how it is drawn, by what it is lit.
-struct Shot {
-    Camera camera{};  ///< at a node of the scene, or placed in world space
-    RenderSettings settings{};
-    /// All lights of the picture; empty: only an environment and emissive surfaces light it. Absent: those of the scene, and
-    /// if it has neither lights nor an environment that lights it, the default rig, which is fixed to the camera. For
-    /// radiosity, whose solution holds for all views, that is the rig of a default view.
-    std::optional<std::vector<Light>> lights{};
-    /// The background that is composited after tone mapping: argument `behind` of save() and to_srgb8().
-    vec4 behind{};
-};
 
 /// An engine with a scene. A session draws the same pictures as render() of render.h. Between two pictures it keeps
 /// decoded textures, mip chains, shadow maps, computed normals and the engine's memory. Use a session from one thread
@@ -54,9 +43,9 @@ public:
     ///         scene
     void set(Scene scene, const PrepareOptions& options = {});
     /// Sets a loaded scene as a request wants it at the moment of some clips: with its materials, coloring, environment,
-    /// preset, points and fog, to be prepared by its options. What does not depend on the moment is kept, too. The choices
-    /// of the request's look have been made: see with_requested_look().
+    /// preset, points and fog, to be prepared by its options. What does not depend on the moment is kept, too.
     /// @param loaded  passed validate()
+    /// @param request  after decide()
     /// @return the scene that was set, to choose camera and lights by; valid until the next set() or show()
     /// @throws Error as set(); usage: no such clip or attribute; not_found, bad_file: a picture of the request
     const Scene& show(const std::shared_ptr<const Scene>& loaded, const PictureRequest& request,
@@ -67,6 +56,12 @@ public:
     /// Sets a scene that this or another session has prepared. The session draws it as it was prepared, even if the
     /// settings of a picture would require a different preparation.
     void set(std::shared_ptr<const PreparedScene> scene);
+    /// Sets a scene of which a single picture is drawn. Each stage takes it over from the one before, and the engine at last,
+    /// so that no more memory is needed than for that picture. Later shots may differ in camera and lights, but draw the
+    /// scene as it was prepared for the first one.
+    /// @return the scene, to choose camera and lights by; valid until it is prepared
+    /// @throws Error as set()
+    const Scene& set_single(Scene scene, const PrepareOptions& options);
 
     /// Returns the scene prepared for pictures with these settings. Prepares it first if necessary.
     /// @throws Error usage: impossible settings, or no scene was set; bad_file: over the memory budget; failed:
@@ -91,7 +86,6 @@ public:
     const Engine& engine() const;
 
 private:
-    friend void give(Session& session, std::shared_ptr<PreparedScene> scene);  // internal
     struct State;
     std::unique_ptr<State> state_;
 };

@@ -89,7 +89,8 @@ void expose(const Frame& frame, PictureRequest& request, Context& context) {
 
 void adjust_to_picture(PictureRequest& request, Session& session, const Shot& shot, Context& context) {
     if (request.look == Look::plain) return;
-    size_points(request, session, shot.camera, context);
+    (void)session.prepared_for(shot, context);  // as the picture needs it
+    size_points(request, session, {shot.camera, request.settings, shot.lights}, context);
     if (request.engine == "trace" || !request.settings.colors) return;
     const bool may_expose = !request.lights && !request.default_lights && !request.studio_lights &&
                             !names(request, "exposure") && !names(request, "tone-mapping");

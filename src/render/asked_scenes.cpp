@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include <rakelight/shot.h>
+#include <rakelight/validate.h>
+
 #include "render/look.h"
 #include "render/point_look.h"
 #include "scene/clips.h"
@@ -11,7 +14,7 @@
 
 namespace rakelight {
 
-// What as_requested() and with_splats() read.
+// What with_surfaces() reads.
 PictureRequest surfaces_of(const PictureRequest& r) {
     PictureRequest s;
     s.input = r.input, s.look = r.look, s.preset = r.preset;
@@ -40,10 +43,25 @@ bool depends_on_moment(const Scene& scene, const PictureRequest& request, std::s
 }
 
 Scene with_surfaces(Scene scene, const PictureRequest& request, Context& context) {
-    return with_splats(as_requested(std::move(scene), request, context), request, context);
+    return with_splats(with_requested_surfaces(std::move(scene), request, context), request, context);
 }
 
 }  // namespace
+
+Scene at_moment(Scene loaded, std::span<const ClipTime> clips, Context& context) {
+    return scene_at(std::move(loaded), clips, context.memory());
+}
+
+Scene valid::as_requested(Scene scene, const PictureRequest& request, Context& context) {
+    scene = with_surfaces(std::move(scene), request, context);
+    scene.fog = request.fog.value_or(scene.fog);
+    return scene;
+}
+
+Scene as_requested(Scene scene, const PictureRequest& request, Context& context) {
+    validate(scene);
+    return valid::as_requested(std::move(scene), request, context);
+}
 
 Scene AskedScenes::at(const std::shared_ptr<const Scene>& loaded, const PictureRequest& request,
                       std::span<const ClipTime> clips, Context& context) {
@@ -54,7 +72,7 @@ Scene AskedScenes::at(const std::shared_ptr<const Scene>& loaded, const PictureR
     PictureRequest surfaces = surfaces_of(request);
     if (loaded != loaded_ || surfaces_ != surfaces || clips_ != surface_clips) {
         loaded_.reset();
-        asked_ = with_surfaces(scene_at(*loaded, surface_clips, context.memory()), request, context);
+        asked_ = with_surfaces(at_moment(*loaded, surface_clips, context), request, context);
         asked_.animations.clear();
         loaded_ = loaded, surfaces_ = std::move(surfaces), clips_ = std::move(surface_clips);
     }

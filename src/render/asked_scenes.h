@@ -11,6 +11,15 @@
 
 namespace rakelight {
 
+namespace valid {
+/// as_requested() of shot.h for a scene that passed validate().
+Scene as_requested(Scene scene, const PictureRequest& request, Context& context);
+}  // namespace valid
+
+/// A loaded scene at the moment of some clips.
+/// @throws Error usage: no such clip
+Scene at_moment(Scene loaded, std::span<const ClipTime> clips, Context& context);
+
 /// The members of a request that its surfaces depend on; all others have their defaults.
 PictureRequest surfaces_of(const PictureRequest& request);
 

@@ -7,7 +7,6 @@
 #include <cstdio>
 
 #include <rakelight/camera_chooser.h>
-#include <rakelight/picture_parts.h>
 #include <rakelight/tools/words.h>
 
 #include "base/format_text.h"

@@ -4,20 +4,20 @@
 #include <cmath>
 
 #include <rakelight/picture.h>
+#include <rakelight/shot.h>
 #include <rakelight/world.h>
 
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/pose_scene.h"
+#include "render/asked_scenes.h"
 #include "render/choose_camera.h"
+#include "render/draw_picture.h"
 #include "render/look.h"
-#include "render/picture_steps.h"
-#include "render/point_look.h"
 #include "scene/merge_scenes.h"
 #include "scene/scene_tools.h"
 #include "shading/lights.h"
 #include "world/coloring.h"
-#include "world/scene_of_request.h"
 #include "world/z_up.h"
 
 namespace rakelight {
@@ -144,34 +144,43 @@ void choose_for_both(const Scene& all, PictureRequest& a, PictureRequest& b, Con
     a.view = b.view = view_through(valid::choose_camera(all, a.view, aspect, visibility, context), a.view.world_up);
 }
 
-Scene loaded_with_clips(PictureRequest& request, Context& context) {
+Scene loaded_at_moment(PictureRequest& request, Context& context) {
     try {
         request.output.clear();
         request.settings.channels = 0;
         check_drawing(request);
-        return with_requested_clips(load(request.input, request.load, context), request, context);
+        Scene loaded = load(request.input, request.load, context);
+        const std::vector<ClipTime> clips = clips_of(loaded, request.motion);
+        return at_moment(std::move(loaded), clips, context);
     } catch (const Error& error) {
         throw error.with_file(request.input);
     }
 }
 
+Scene requested(Scene scene, PictureRequest& request, Context& context) {
+    request.coloring = completed(scene, request.coloring);
+    return valid::as_requested(std::move(scene), request, context);
+}
+
+Pixels drawn(Scene scene, PictureRequest& request, Context& context) {
+    Pixels pixels;
+    PixelsTarget target(pixels);
+    draw_requested(std::move(scene), request, target, context);
+    return pixels;
+}
+
 }  // namespace
 
 std::pair<Pixels, Pixels> draw_alike(PictureRequest a, PictureRequest b, Context& context) {
-    Scene scene_a = loaded_with_clips(a, context), scene_b = loaded_with_clips(b, context);
+    Scene scene_a = loaded_at_moment(a, context), scene_b = loaded_at_moment(b, context);
     share_up(scene_a, a, scene_b, b, context.report());
     share_light(scene_a, scene_b), share_light(scene_b, scene_a);
     choose_for_both(both(scene_a, scene_b, context), a, b, context);
-    std::pair<Pixels, Pixels> pictures;
-    const auto asked = [&](Scene scene, PictureRequest& request) {
-        request.coloring = completed(scene, request.coloring);
-        return with_splats(as_requested(std::move(scene), request, context), request, context);
-    };
-    scene_b = asked(std::move(scene_b), b);
-    follow(b, draw_to_pixels(asked(std::move(scene_a), a), a, pictures.first, context));
+    scene_b = requested(std::move(scene_b), b, context);
+    Pixels picture_a = drawn(requested(std::move(scene_a), a, context), a, context);
+    follow(b, a);
     b.look = Look::plain;  // all of it is chosen
-    draw_to_pixels(std::move(scene_b), b, pictures.second, context);
-    return pictures;
+    return {std::move(picture_a), drawn(std::move(scene_b), b, context)};
 }
 
 }  // namespace rakelight

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <rakelight/picture.h>
-#include <rakelight/picture_parts.h>
 #include <rakelight/session.h>
 #include <rakelight/tools/file_ending.h>
 
@@ -14,7 +13,6 @@
 #include "io/ply_writer.h"
 #include "prepare/prepare.h"
 #include "render/picture_files.h"
-#include "render/picture_steps.h"
 #include "render/rows.h"
 #include "world/placed_in_world.h"
 #include "world/z_up.h"

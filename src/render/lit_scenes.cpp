@@ -21,11 +21,21 @@ void add_note(const RadiosityReport& r, const std::string& file, Report& report)
     report.add(Remark::note, file, "", text, {"method"});
 }
 
-Scene lit_by_radiosity(Scene prepared, const RadiositySettings& settings, Context& context, RadiosityReport* report) {
-    RadiosityReport r;
-    Scene out = with_radiosity(std::move(prepared), settings, r, context);
-    if (report) *report = r;
-    add_note(r, out.source, context.report());
+Scene lit_by_radiosity(Scene posed, const RadiositySettings& settings, RadiosityReport& report, Context& context) {
+    Scene out = with_radiosity(std::move(posed), settings, report, context);
+    add_note(report, out.source, context.report());
+    return out;
+}
+
+std::shared_ptr<PreparedScene> lit_by_radiosity(const PreparedScene& prepared,
+                                                const std::optional<std::vector<Light>>& lights,
+                                                const RadiositySettings& settings, Context& context) {
+    Scene scene = prepared.posed(context);
+    scene.lights = lights ? *lights : lights_of(scene, default_camera(DrawnVertices(scene), 1), RayMethod::radiosity);
+    RadiosityReport report;
+    auto out = std::make_shared<PreparedScene>();
+    out->scene = lit_by_radiosity(std::move(scene), settings, report, context);
+    out->options = prepared.options;
     return out;
 }
 
@@ -37,13 +47,9 @@ std::shared_ptr<const PreparedScene> LitScenes::of(const std::shared_ptr<const P
         own == own_lights_)
         return lit_;
     lit_.reset();
-    auto out = std::make_shared<PreparedScene>();
-    Scene scene = prepared->posed(context);
-    scene.lights = lights ? *lights : lights_of(scene, default_camera(DrawnVertices(scene), 1), RayMethod::radiosity);
-    out->scene = lit_by_radiosity(std::move(scene), settings, context);
-    out->options = prepared->options;
+    std::shared_ptr<const PreparedScene> lit = lit_by_radiosity(*prepared, lights, settings, context);
     prepared_ = prepared, lights_ = lights, own_lights_ = own, settings_ = settings;
-    return lit_ = std::move(out);
+    return lit_ = std::move(lit);
 }
 
 }  // namespace rakelight

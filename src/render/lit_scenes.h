@@ -9,10 +9,12 @@
 namespace rakelight {
 
 /// with_radiosity(), with its result as a note in the report.
-/// @param prepared  with the lights of the picture
-/// @param report    out; null: not wanted
-Scene lit_by_radiosity(Scene prepared, const RadiositySettings& settings, Context& context,
-                       RadiosityReport* report = nullptr);
+/// @param posed  with the lights of the picture
+Scene lit_by_radiosity(Scene posed, const RadiositySettings& settings, RadiosityReport& report, Context& context);
+/// The same for a prepared scene. @param lights  as in Shot
+std::shared_ptr<PreparedScene> lit_by_radiosity(const PreparedScene& prepared,
+                                                const std::optional<std::vector<Light>>& lights,
+                                                const RadiositySettings& settings, Context& context);
 
 /// The result of a solution, as a note.
 void add_note(const RadiosityReport& solution, const std::string& file, Report& report);

@@ -6,17 +6,12 @@
 #include <cstdio>
 #include <optional>
 
-#include <rakelight/validate.h>
 #include <rakelight/world.h>
 
 #include "prepare/pose_scene.h"
 #include "render/choose_camera.h"
-#include "render/picture_steps.h"
-#include "render/point_look.h"
 #include "render/up_axis.h"
 #include "scene/scene_tools.h"
-#include "world/coloring.h"
-#include "world/scene_of_request.h"
 #include "world/z_up.h"
 
 namespace rakelight {
@@ -152,36 +147,6 @@ void apply_look(const Scene& scene, PictureRequest& request, Context& context) {
     if (request.look == Look::plain) return;
     const std::optional<Scene> posed = posed_outline(scene, context);
     take_look_of_posed(posed ? *posed : scene, request, context);
-}
-
-void apply_look_exposure(const Scene& asked, PictureRequest& request, Context& context) {
-    if (request.look == Look::plain) return;
-    PictureRequest drawn = request;
-    if (drawn.settings.method == RayMethod::radiosity) drawn.settings.method = RayMethod::automatic;
-    const ReadyScene ready = ready_scene(asked, drawn, context);
-    Session session("soft");
-    session.set(ready.prepared);
-    adjust_to_picture(request, session, ready.shot(), context);
-}
-
-void apply_look_exposure(Session& session, const Shot& shot, PictureRequest& request, Context& context) {
-    adjust_to_picture(request, session, shot, context);
-}
-
-Scene with_requested_look(Scene scene, PictureRequest& request, Context& context) {
-    validate(scene);
-    return looked_as_asked(std::move(scene), request, context);
-}
-
-Scene looked_as_asked(Scene scene, PictureRequest& request, Context& context) {
-    scene = with_requested_clips(std::move(scene), request, context);
-    apply_look(scene, request, context);
-    request.coloring = completed(scene, request.coloring);
-    return with_splats(as_requested(std::move(scene), request, context), request, context);
-}
-
-Scene loaded_as_asked(PictureRequest& request, Context& context) {
-    return looked_as_asked(load(request.input, request.load, context), request, context);
 }
 
 }  // namespace rakelight

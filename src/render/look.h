@@ -4,7 +4,6 @@
 #include <initializer_list>
 #include <string_view>
 
-#include <rakelight/picture_parts.h>
 #include <rakelight/session.h>
 
 namespace rakelight {
@@ -13,14 +12,10 @@ namespace rakelight {
 bool names(const PictureRequest& request, std::string_view key);
 bool names(const PictureRequest& request, std::initializer_list<std::string_view> keys);
 
-/// The rest of apply_look(), which needs a small picture first: the background's tone, and the exposure if the file's
-/// lights are in physical units. @param session has the scene of the picture @param shot  without settings
+/// The rest of the look, which needs a small picture first: the size of points, the background's tone, and the exposure if
+/// the file's lights are in physical units.
+/// @param session  shows the scene of the shot
 void adjust_to_picture(PictureRequest& request, Session& session, const Shot& shot, Context& context);
-
-/// The model of a request, loaded, with the look and the request's settings.
-Scene loaded_as_asked(PictureRequest& request, Context& context);
-/// The same of a scene that was loaded and has passed validate().
-Scene looked_as_asked(Scene scene, PictureRequest& request, Context& context);
 
 /// Of the surface (by triangles' areas; of the vertices where there are none), how much lies inside a camera's picture: 0..1.
 double seen_share(const Scene& scene, const Camera& camera, double aspect);

@@ -2,7 +2,7 @@
 #include "render/picture_lights.h"
 
 #include <rakelight/linear.h>
-#include <rakelight/picture_parts.h>
+#include <rakelight/shot.h>
 
 #include "base/format_text.h"
 #include "render/prepared_scene.h"
@@ -52,20 +52,16 @@ std::vector<Light> chosen_lights(const Scene& scene, const PictureRequest& reque
 
 }  // namespace
 
-std::vector<Light> lights_of_picture(const Scene& scene, const PictureRequest& request, const Camera& camera,
-                                     Report& report) {
-    return chosen_lights(scene, request, camera, &report);
-}
-
 std::vector<Light> requested_lights(const Scene& scene, const PictureRequest& request, const Camera& camera) {
     return chosen_lights(scene, request, camera, nullptr);
 }
 
-std::optional<std::vector<Light>> shot_lights(const Scene& scene, const PictureRequest& request, const Camera& camera) {
+std::optional<std::vector<Light>> lights_of_shot(const Scene& scene, const PictureRequest& request,
+                                                 const Camera& camera, bool is_view, Report& report) {
     const bool is_default_rig = !request.lights && !request.default_lights && !request.studio_lights &&
                                 request.light_intensity == 1 && request.light_cutoff == 0 && scene.lights.empty();
-    if (is_default_rig && request.settings.method == RayMethod::radiosity) return {};
-    return requested_lights(scene, request, camera);
+    if (is_view && is_default_rig && request.settings.method == RayMethod::radiosity) return {};
+    return chosen_lights(scene, request, camera, &report);
 }
 
 }  // namespace rakelight

@@ -39,11 +39,10 @@ Scene with_splats(Scene scene, const PictureRequest& request, Context& context) 
     return splat_points(std::move(scene), context);
 }
 
-void size_points(PictureRequest& request, Session& session, const Camera& camera, Context& context) {
+void size_points(PictureRequest& request, Session& session, const Shot& shot, Context& context) {
     if (!is_by_spacing(request) || request.settings.points != PointShape::none) return;
-    RenderSettings settings = request.settings;
-    if (settings.method == RayMethod::radiosity) settings.method = RayMethod::automatic;  // a size needs no light
-    const std::shared_ptr<const PreparedScene> prepared = session.prepared(settings, context);
+    const std::shared_ptr<const PreparedScene> prepared = session.prepared_for(shot, context);
+    const Camera& camera = shot.camera;
     const Scene& scene = scene_of(*prepared);
     const std::optional<double> diameter = point_diameter(scene, context);
     if (!diameter) return;

@@ -11,7 +11,7 @@ namespace rakelight {
 Scene with_splats(Scene scene, const PictureRequest& request, Context& context);
 
 /// Sets the size [px] of the points that are left, likewise: so that a surface that they lie in closes.
-/// @param session  has the scene of the picture
-void size_points(PictureRequest& request, Session& session, const Camera& camera, Context& context);
+/// @param session  shows the scene of the shot
+void size_points(PictureRequest& request, Session& session, const Shot& shot, Context& context);
 
 }  // namespace rakelight

@@ -72,10 +72,6 @@ std::shared_ptr<PreparedScene> make_prepared(Scene scene, const PrepareOptions& 
 /// Another pose of the same scene. @param prepared  has `bound`
 std::shared_ptr<PreparedScene> make_posed(const PreparedScene& prepared, const Rare<ScenePose>& pose, Context& context);
 
-/// Draws this scene from now on; its owner is the session, which hands it to the engine uncopied, with all vertices: for one
-/// picture there is nothing to be kept in bind pose.
-void give(Session& session, std::shared_ptr<PreparedScene> scene);
-
 /// A camera of the scene, by its node or placed, as engines take it in a picture of that aspect.
 Camera camera_in_world(const Scene& scene, Camera camera, double aspect);
 
@@ -84,6 +80,8 @@ Camera camera_in_world(const Scene& scene, Camera camera, double aspect);
 std::vector<Light> lights_of(const Scene& scene, const Camera& camera, RayMethod method);
 /// Those that an engine gets for a shot. @param scene  as drawn
 std::vector<Light> lights_of(const Scene& scene, const Shot& shot);
+/// What an engine gets that does not pose vertices itself: all of them, and the lights of the shot.
+Scene drawn_scene(const PreparedScene& prepared, const Shot& shot, Context& context);
 
 /// Width to height of the whole picture.
 double aspect_of(const RenderSettings& settings);

@@ -5,36 +5,20 @@
 #include <algorithm>
 #include <new>
 
-#include <rakelight/picture_parts.h>
+#include <rakelight/shot.h>
 #include <rakelight/tools/file_ending.h>
-#include <rakelight/validate.h>
 
-#include "render/check_request.h"
-#include "render/draw_to_memory.h"
-#include "render/drawable.h"
-#include "render/engines.h"
+#include "render/draw_shot.h"
 #include "render/frames_there.h"
-#include "render/look.h"
-#include "render/picture_files.h"
-#include "render/picture_lights.h"
-#include "render/picture_steps.h"
-#include "render/point_look.h"
 #include "render/prepared_scene.h"
 #include "render/sequence_plan.h"
 #include "render/sequence_views.h"
 #include "render/sequence_writer.h"
 #include "render/stopwatch.h"
 #include "render/too_dark_or_bright.h"
-#include "scene/scene_tools.h"
-#include "world/coloring.h"
 
 namespace rakelight {
 namespace {
-
-Scene lit_by(const Shot& shot, Scene scene) {
-    scene.lights = *shot.lights;
-    return scene;
-}
 
 class Sequence {
 public:
@@ -70,7 +54,8 @@ private:
     void draw_frame(std::int64_t number, bool is_there, SequenceWriter& writer);
     void begin();
     void draw_picture(SequenceFrame frame, const PictureRequest& request, SequenceWriter& writer, Context& context);
-    Shot show(double time_s, double angle_rad, Context& context);
+    Shot shot_of(std::int64_t frame, const PictureRequest& request, Context& context);
+    ShotOptions options() const { return {.is_linear = FileTarget(request_).is_linear()}; }
 
     Context& context_;
     Context quiet_;  ///< of all pictures but the first
@@ -88,49 +73,37 @@ private:
 
 /// What is chosen once for all pictures, by the begin of the clip and by the whole of it.
 void Sequence::begin() {
-    const std::vector<ClipTime> begin = plan_.clips_at(plan_.begin_s());
-    const Scene first = scene_at(*loaded_, begin, context_.memory());
-    apply_look(first, request_, context_);
-    request_.coloring = completed(first, request_.coloring);
-    const Scene asked = session_.asked(loaded_, request_, begin, context_);
-    check_drawable(asked);
-    warn_of_unused(request_, context_.report());
-    warn_of_unknown_names(asked, request_.settings, context_.report());
-    views_.emplace(
-        plan_, request_,
-        [&](double time_s) { return session_.asked(loaded_, request_, plan_.clips_at(time_s), quiet_); }, context_);
-    const Shot shot = show(plan_.begin_s(), plan_.angle_of(0), context_);
-    adjust_to_picture(request_, session_, shot, context_);
+    const auto camera = [&](const Scene& shown) {
+        const auto at = [&](double time_s) {
+            return session_.asked(loaded_, request_, plan_.clips_at(time_s), quiet_);
+        };
+        views_.emplace(plan_, request_, at, context_);
+        return views_->camera(shown, plan_.angle_of(0));
+    };
+    decide(session_, loaded_, request_, plan_.clips_at(plan_.begin_s()), camera, options(), context_);
 }
 
-/// The session has the scene; it is drawn through the camera of the shot that is returned, with the lights that go with it.
-Shot Sequence::show(double time_s, double angle_rad, Context& context) {
-    const Scene& scene = session_.show(loaded_, request_, plan_.clips_at(time_s), context);
-    Shot shot{.camera = views_->camera(scene, angle_rad)};
-    shot.lights = lights_of_picture(scene, request_, shot.camera, context.report());
-    return shot;
+Shot Sequence::shot_of(std::int64_t frame, const PictureRequest& request, Context& context) {
+    const Scene& shown = session_.show(loaded_, request, plan_.clips_at(plan_.time_of(frame)), context);
+    return plan_shot(shown, request, views_->camera(shown, plan_.angle_of(frame)), options(), context);
 }
 
 void Sequence::draw_picture(SequenceFrame frame, const PictureRequest& request, SequenceWriter& writer,
                             Context& context) {
     PictureResult& result = frame.picture;
-    Shot shot = show(plan_.time_of(frame.frame), plan_.angle_of(frame.frame), context);
-    shot.settings = request.settings;
-    const std::shared_ptr<const PreparedScene> prepared = session_.prepared_for(shot, context);
-    result.engine = session_.engine().name();
-    result.isa = engine_isa(result.engine);
-    result.threads = context.threads();
-    result.channel_range = channel_range_of(views_->bounds(), shot.camera);
-    count_parts(prepared->scene, result);
+    const Shot shot = shot_of(frame.frame, request, context);
     result.prepare_ms = clock_.lap_ms();
     const bool is_color_alone = request.settings.channels == 0 && file_ending(request.output) == "png";
     Pixels color;
-    if (is_color_alone)
-        draw_to_memory(session_, shot, request, result, color, context);
-    else
-        draw_to_files(session_, shot, request, result, context);
+    PixelsTarget pixels(color);
+    FileTarget files(request);
+    PictureTarget& target = is_color_alone ? static_cast<PictureTarget&>(pixels) : files;
+    const ChannelRange range = channel_range_of(views_->bounds(), shot.camera);
+    draw_shot(session_, shot, request, target, &range, result, context);
     shows_model_ |= result.stats.pixels_shaded + result.stats.pixels_marked > 0;
-    if (drawn_ == 0) remark_extremes(lit_by(shot, prepared->posed(context)), request, result, context.report());
+    if (drawn_ == 0)
+        remark_extremes(drawn_scene(*session_.prepared_for(shot, context), shot, context), request, result,
+                        context.report());
     ++drawn_;
     if (is_color_alone)
         writer.write(std::move(frame), std::move(color), request.settings);

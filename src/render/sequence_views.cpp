@@ -41,7 +41,7 @@ Scene everything(const std::vector<Scene>& outlines, Context& context) {
 }  // namespace
 
 SequenceViews::SequenceViews(const SequencePlan& plan, const PictureRequest& request,
-                             const std::function<Scene(double)>& scene_at, Context& context)
+                             const std::function<Scene(double)>& requested_at, Context& context)
     : aspect_(double(request.settings.width) / double(request.settings.height)),
       visibility_(request.settings.visibility),
       axis_(axis_of_turns(request.view)),
@@ -49,10 +49,10 @@ SequenceViews::SequenceViews(const SequencePlan& plan, const PictureRequest& req
     std::vector<Scene> outlines;
     for (const double time : plan.moments(moments_shown)) {
         context.throw_if_cancelled();
-        outlines.push_back(outline_of(scene_at(time), context));
+        outlines.push_back(outline_of(requested_at(time), context));
         bounds_ = both(bounds_, world_bounds(outlines.back()));
     }
-    const Scene begin = scene_at(plan.begin_s());
+    const Scene begin = requested_at(plan.begin_s());
     const bool is_of_file = takes_camera_of_file(begin, request.view);
     is_fitted_ = !is_of_file && !request.view.position && !request.view.focal_point;
     const bool is_swept = is_turned_ && is_fitted_ && !bounds_.empty();

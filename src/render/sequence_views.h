@@ -12,10 +12,10 @@ namespace rakelight {
 
 class SequenceViews {
 public:
-    /// @param scene_at  the scene, as asked for, at a moment of the clip
+    /// @param requested_at  the scene, as requested, at a moment of the clip
     /// @param request  with its look
-    SequenceViews(const SequencePlan& plan, const PictureRequest& request, const std::function<Scene(double)>& scene_at,
-                  Context& context);
+    SequenceViews(const SequencePlan& plan, const PictureRequest& request,
+                  const std::function<Scene(double)>& requested_at, Context& context);
 
     /// @param scene  at the picture's moment
     Camera camera(const Scene& scene, double angle_rad) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #include <rakelight/render.h>
 #include <rakelight/session.h>
@@ -16,10 +17,10 @@
 #include "render/engines.h"
 #include "render/height_maps.h"
 #include "render/lit_scenes.h"
-#include "render/picture_steps.h"
 #include "render/prepared_scene.h"
 #include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
+#include "world/scene_of_request.h"
 
 namespace rakelight {
 namespace {
@@ -187,16 +188,22 @@ std::vector<Light> lights_of(const Scene& scene, const Shot& shot) {
     return lights_of(scene, camera_in_world(scene, shot.camera, aspect_of(shot.settings)), shot.settings.method);
 }
 
+Scene drawn_scene(const PreparedScene& prepared, const Shot& shot, Context& context) {
+    Scene scene = prepared.posed(context);
+    scene.lights = lights_of(prepared.scene, shot);
+    return scene;
+}
+
 struct Session::State {
     std::unique_ptr<Engine> engine;
-    Scene scene;             ///< as set; empty where a prepared one was
+    Scene scene;             ///< as set; empty where a prepared one was, and of a single picture once it is prepared
     PrepareOptions options;  ///< likewise
-    /// Where pictures come from: nowhere, `scene`, a prepared one that is drawn as it is, or one that the session owns,
-    /// before and after the engine has got it.
-    enum class Source { none, scene, prepared, owned, given } source = Source::none;
+    /// What pictures are drawn of: nothing, `scene`, a prepared one that is drawn as it is, the scene of a single picture.
+    enum class Source { none, scene, prepared, single } source = Source::none;
     std::shared_ptr<const PreparedScene> prepared;  ///< of `scene`, or as set; null: not made yet
-    std::shared_ptr<PreparedScene> owned;
-    std::shared_ptr<const PreparedScene> taken;  ///< what the engine has
+    std::shared_ptr<PreparedScene> single;          ///< likewise, of a single picture
+    bool engine_has_single = false;                 ///< `single` is empty then
+    std::shared_ptr<const PreparedScene> taken;     ///< what the engine has
     LitScenes lit;
     AskedScenes asked;
     /// What `scene` was made of, if by show().
@@ -208,9 +215,13 @@ struct Session::State {
     };
     std::optional<Shown> shown;
 
-    void begin(Source from) { scene = {}, prepared.reset(), owned.reset(), shown.reset(), source = from; }
+    void begin(Source from) {
+        scene = {}, prepared.reset(), single.reset(), shown.reset();
+        engine_has_single = false, source = from;
+    }
     const Scene& current() const;
-    void hand_over(Context& context);
+    std::shared_ptr<const PreparedScene> prepare_single(const Shot& shot, Context& context);
+    void hand_over_single(const Shot& shot, Context& context);
     void warm_up(const Shot& shot, Session& session, Context& context);
 };
 
@@ -268,9 +279,13 @@ void Session::set(std::shared_ptr<const PreparedScene> scene) {
     state_->prepared = std::move(scene);
 }
 
-void give(Session& session, std::shared_ptr<PreparedScene> scene) {
-    session.state_->begin(Session::State::Source::owned);
-    session.state_->owned = std::move(scene);
+const Scene& Session::set_single(Scene scene, const PrepareOptions& options) {
+    validate(scene);
+    check_drawable(scene);
+    State& s = *state_;
+    s.begin(State::Source::single);
+    s.scene = std::move(scene), s.options = options;
+    return s.scene;
 }
 
 /// What is drawn, before it is prepared where that is still to be done.
@@ -282,10 +297,8 @@ const Scene& Session::State::current() const {
             return scene;
         case Source::prepared:
             return prepared->scene;
-        case Source::owned:
-            return owned->scene;
-        case Source::given:
-            return engine->scene();
+        case Source::single:
+            return engine_has_single ? engine->scene() : single ? single->scene : scene;
     }
     throw Error(ErrorCode::usage, "the session has no scene");
 }
@@ -300,8 +313,7 @@ std::shared_ptr<const PreparedScene> Session::prepared_for(const Shot& shot, Con
     State& s = *state_;
     const Scene& current = s.current();
     if (shot.lights) validate_lights(*shot.lights, current.nodes.size());
-    if (s.source == State::Source::owned || s.source == State::Source::given)
-        return std::make_shared<const PreparedScene>(PreparedScene{.scene = current});
+    if (s.source == State::Source::single) return s.prepare_single(shot, context);
     const bool is_ready = s.source == State::Source::prepared ||
                           (s.prepared && s.prepared->options == options_for(s.options, settings, s.scene));
     if (!is_ready) s.prepared = make_prepared(s.scene, s.options, settings, context);
@@ -314,31 +326,47 @@ std::shared_ptr<const PreparedScene> Session::prepared_for(const Shot& shot, Con
     return s.prepared;
 }
 
-/// The scene that the session owns goes to the engine; where that fails there is none any more.
-void Session::State::hand_over(Context& context) {
-    const std::shared_ptr<PreparedScene> scene_to_give = std::move(owned);
-    begin(Source::none);
-    taken.reset();
-    engine->prepare(scene_to_give->posed_.take(std::move(*scene_to_give), context), context);
-    source = Source::given;
-    remark_missing_rays(engine->scene(), *engine, context.report());
+std::shared_ptr<const PreparedScene> Session::State::prepare_single(const Shot& shot, Context& context) {
+    if (engine_has_single) return std::make_shared<const PreparedScene>(PreparedScene{.scene = engine->scene()});
+    if (single) return single;
+    const Source was = std::exchange(source, Source::none);  // what fails leaves none
+    single = make_prepared(std::exchange(scene, {}), options, shot.settings, context);
+    single->bound.reset();  // there are no other poses
+    if (shot.settings.method == RayMethod::radiosity)
+        single = lit_by_radiosity(*std::exchange(single, nullptr), shot.lights, shot.settings.radiosity, context);
+    source = was;
+    return single;
+}
+
+/// With all vertices: there is nothing to be kept in bind pose.
+void Session::State::hand_over_single(const Shot& shot, Context& context) {
+    if (!engine_has_single) {
+        (void)prepare_single(shot, context);
+        const std::shared_ptr<PreparedScene> given = std::exchange(single, nullptr);
+        begin(Source::none), taken.reset();
+        given->scene.lights = lights_of(given->scene, shot);
+        engine->prepare(given->posed_.take(std::move(*given), context), context);
+        source = Source::single, engine_has_single = true;
+        remark_missing_rays(engine->scene(), *engine, context.report());
+    }
+    std::vector<Light> lights = lights_of(engine->scene(), shot);
+    if (lights != engine->scene().lights) engine->set_lights(std::move(lights));
 }
 
 /// The engine has the scene, with the lights of the picture.
 void Session::State::warm_up(const Shot& shot, Session& session, Context& context) {
-    if (source == Source::owned) hand_over(context);
-    if (source == Source::given) return;
+    if (source == Source::single) return hand_over_single(shot, context);
     const std::shared_ptr<const PreparedScene> ready = session.prepared_for(shot, context);
-    std::vector<Light> lights = lights_of(ready->scene, shot);
     if (taken && are_drawn_alike(*taken, *ready)) {
         taken = ready;
+        std::vector<Light> lights = lights_of(ready->scene, shot);
         if (lights != engine->scene().lights) engine->set_lights(std::move(lights));
         return;
     }
     taken.reset();  // what fails leaves the engine with another scene, or none
     const bool is_unposed = ready->poses && engine->poses_vertices();
     Scene drawn = charged_copy(is_unposed ? ready->scene : ready->posed(context), context);
-    drawn.lights = std::move(lights);
+    drawn.lights = lights_of(ready->scene, shot);
     if (is_unposed)
         engine->prepare_unposed(std::move(drawn), ready->poses, context);
     else

@@ -16,7 +16,6 @@
 #include "prepare/pose_scene.h"
 #include "render/choose_camera.h"
 #include "render/picture_sink.h"
-#include "render/picture_steps.h"
 #include "render/prepared_scene.h"
 #include "scene/scene_tools.h"
 #include "tools/bench_rig.h"
@@ -133,8 +132,8 @@ public:
                                        : load(options.scene, options.load, context);
         if (scene_.animations.empty() || moving_placements(scene_).empty())
             throw Error(ErrorCode::usage, "no clip moves anything in the scene").with_file(options.scene);
-        bound_ = make_prepared(scene_, options.picture.prepare, options.picture.settings, context);
         session_.set(scene_, options.picture.prepare);
+        bound_ = session_.prepared(options.picture.settings, context);
         const double aspect = double(options.picture.settings.width) / options.picture.settings.height;
         camera_ =
             valid::choose_camera(scene_, options.picture.view, aspect, options.picture.settings.visibility, context);

@@ -7,15 +7,13 @@
 
 #include <rakelight/picture.h>
 
-#include <rakelight/picture_parts.h>
 #include <rakelight/tools/file_ending.h>
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"
-#include "render/choose_camera.h"
+#include "render/decide.h"
+#include "render/draw_shot.h"
 #include "render/engines.h"
-#include "render/picture_sink.h"
-#include "render/picture_steps.h"
 #include "render/prepared_scene.h"
 #include "render/stopwatch.h"
 #include "scene/scene_tools.h"
@@ -79,13 +77,9 @@ public:
         : options_(options),
           context_(context),
           settings_(options.settings),
-          drawn_(settings_),
-          sink_(PixelFormat{}, ToneCurve(options.picture.tone, separate_background(drawn_, options.picture.tone))) {
-        if (options.scene.empty())
-            take_built_in();
-        else
-            take_file();
-        drawn_.cull = settings_.cull;
+          scene_(options.scene.empty() ? built_in() : load(options.scene, options.load, context)) {
+        if (!options.export_file.empty()) export_bench_scene(scene_, options.export_file, context_);
+        decide();
     }
 
     RenderBenchReport run() {
@@ -109,35 +103,23 @@ public:
     }
 
 private:
-    void take_built_in() {
-        Scene made = make_bench_scene(options_.triangles, options_.objects, options_.lights, context_);
-        if (!options_.export_file.empty()) export_bench_scene(made, options_.export_file, context_);
-        PictureRequest request = request_of(made.source);
-        if (options_.lights == 0 && !request.lights) request.lights.emplace();  // none, no default ones
+    Scene built_in() {
         // All of it is closed; of classical materials both sides are drawn else.
         if (settings_.cull == Cull::automatic) settings_.cull = Cull::back;
-        take(as_requested(std::move(made), request, context_), request);
+        return make_bench_scene(options_.triangles, options_.objects, options_.lights, context_);
     }
 
-    void take_file() {
-        const PictureRequest request = request_of(options_.scene);
-        Scene loaded = scene_of_request(request, context_);
-        if (!options_.export_file.empty()) export_bench_scene(loaded, options_.export_file, context_);
-        take(std::move(loaded), request);
-    }
-
-    PictureRequest request_of(const std::string& input) const {
+    /// The loaded scene becomes the one that engines get.
+    void decide() {
         PictureRequest request = options_.picture;
-        request.input = input;
-        request.load = options_.load;
-        request.settings = settings_;
-        return request;
-    }
-
-    void take(Scene scene, const PictureRequest& request) {
-        const ReadyScene ready = ready_scene(std::move(scene), request, context_);
-        scene_ = ready.prepared->posed(context_);
-        camera_ = ready.camera;
+        request.input = options_.scene.empty() ? scene_.source : options_.scene;
+        request.load = options_.load, request.settings = settings_, request.look = Look::plain;
+        if (options_.scene.empty() && options_.lights == 0 && !request.lights)
+            request.lights.emplace();  // none, no default ones
+        Session session("soft");
+        shot_ = decide_single(session, std::move(scene_), request, {}, {}, context_);
+        scene_ = drawn_scene(*session.prepared_for(shot_, context_), shot_, context_);
+        sink_.emplace(PixelFormat{}, ToneCurve(request.tone, shot_.behind));
     }
 
     void add_engine(const std::string& name, const Scene& scene) {
@@ -150,7 +132,7 @@ private:
         Stopwatch watch;
         m.engine->prepare(scene, context_);
         m.row.prepare_ms = watch.lap_ms();
-        m.engine->render(camera_, drawn_, sink_, context_);
+        m.engine->render(shot_.camera, shot_.settings, *sink_, context_);
         m.row.first_ms = watch.lap_ms();
     }
 
@@ -158,7 +140,7 @@ private:
         context_.throw_if_cancelled();
         const std::clock_t cpu = std::clock();
         const Stopwatch watch;
-        m.row.stats = m.engine->render(camera_, drawn_, sink_, context_);
+        m.row.stats = m.engine->render(shot_.camera, shot_.settings, *sink_, context_);
         m.ms.push_back(watch.ms());
         m.cpu_ms.push_back(1e3 * double(std::clock() - cpu) / CLOCKS_PER_SEC);
         m.stages.push_back(m.row.stats.times);
@@ -170,11 +152,13 @@ private:
         request.settings = settings_;
         request.tone = options_.picture.tone;
         request.channel_files = options_.picture.channel_files, request.half_colors = options_.picture.half_colors;
-        PictureResult result;
-        result.channel_range = channel_range_of(world_bounds(scene_), camera_);
+        FileTarget target(request);
         Session session(measured_.front().row.engine);
         session.set(std::make_shared<PreparedScene>(PreparedScene{scene_, {}}));
-        draw_to_files(session, {camera_, {}, scene_.lights}, request, result, context_);
+        Shot shot = plan_shot(scene_, request, shot_.camera, {.is_linear = target.is_linear()}, context_);
+        shot.lights = scene_.lights;
+        PictureResult result;
+        draw_shot(session, shot, request, target, nullptr, result, context_);
     }
 
     RenderBenchReport about_the_scene() const {
@@ -207,10 +191,9 @@ private:
     const RenderBenchOptions& options_;
     Context& context_;
     RenderSettings settings_;
-    RenderSettings drawn_;  ///< the same, as 8-bit pictures are drawn
-    Scene scene_;
-    Camera camera_;
-    PictureSink sink_;  ///< display values, three bytes per pixel
+    Scene scene_;                      ///< as engines get it
+    Shot shot_;                        ///< of an 8-bit picture
+    std::optional<PictureSink> sink_;  ///< display values, three bytes per pixel
     std::vector<Measured> measured_;
 };
 

@@ -6,7 +6,7 @@
 #include <rakelight/tools/words.h>
 #include <rakelight/world.h>
 
-#include <rakelight/picture_parts.h>
+#include <rakelight/shot.h>
 #include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "render/engines.h"

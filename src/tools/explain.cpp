@@ -93,7 +93,7 @@ Explained explained(PictureRequest request, std::span<const PixelPlace> pixels, 
 std::vector<std::shared_ptr<const ExplainedPixel>> explain(const PictureRequest& request,
                                                            std::span<const PixelPlace> pixels, Context& context) {
     return explained(request, pixels, context, [&](PictureRequest& looked, std::unique_ptr<ShaderTerms>* shaders) {
-        return open_engine(looked, context, shaders);
+        return open_engine(load_for_engine(looked, context), looked, context, shaders);
     });
 }
 
@@ -106,8 +106,8 @@ std::shared_ptr<const ExplainedPixel> explain(const Scene& scene, const PictureR
                                               Context& context) {
     const PixelPlace pixel{x, y};
     return explained(request, {&pixel, 1}, context, [&](PictureRequest& looked, std::unique_ptr<ShaderTerms>* shaders) {
-        Scene asked = asked_for_engine(scene, looked, context);
-        return open_engine(std::move(asked), looked, context, shaders);
+        validate(scene);
+        return open_engine(scene, looked, context, shaders);
     })[0];
 }
 

@@ -10,18 +10,15 @@
 
 namespace rakelight {
 
-/// Loads and prepares what `request` describes and opens the soft engine on it. The request gets the look that it asks for.
+/// Opens the soft engine on a loaded scene as a request wants it. The request gets what is decided, and the settings of the
+/// shot.
+/// @param loaded   passed validate()
 /// @param shaders  gets engine gl where the request has shaders of the user's; null: a remark says that they are left out
-/// @throws Error as render_picture()
-std::unique_ptr<const raster::Inspection> open_engine(PictureRequest& request, Context& context,
-                                                      std::unique_ptr<ShaderTerms>* shaders = nullptr);
-
-/// The first half of it. @throws Error usage: what is requested is not made of surfaces
-Scene load_for_engine(PictureRequest& request, Context& context);
-/// The same for a scene that is there. @throws Error usage, as above and of settings; bad_file: see validate()
-Scene asked_for_engine(const Scene& scene, PictureRequest& request, Context& context);
-/// The second half. @param loaded  of load_for_engine() or asked_for_engine()
+/// @throws Error as render_picture(); usage: what is requested is not made of surfaces
 std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, PictureRequest& request, Context& context,
                                                       std::unique_ptr<ShaderTerms>* shaders = nullptr);
+
+/// The model of a request. @throws Error as load(); usage: what is requested is not made of surfaces
+Scene load_for_engine(const PictureRequest& request, Context& context);
 
 }  // namespace rakelight

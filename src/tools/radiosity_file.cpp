@@ -11,9 +11,8 @@
 #include "io/glb_writer.h"
 #include "io/image_io.h"
 #include "render/check_request.h"
+#include "render/decide.h"
 #include "render/lit_scenes.h"
-#include "render/look.h"
-#include "render/picture_steps.h"
 #include "tools/report_json.h"
 #include "world/z_up.h"
 
@@ -30,12 +29,12 @@ Scene with_coded_map(Lightmap made) {
     return std::move(made.scene);
 }
 
-/// @param ready  with the lights of the picture, not lit by radiosity
-Scene lightmapped(const ReadyScene& ready, const PictureRequest& request, const LightmapOptions& options,
+/// @param scene  with the lights of the picture
+Scene lightmapped(const Scene& scene, const PictureRequest& request, const LightmapOptions& options,
                   RadiosityFile& result, Context& context) {
     LightmapReport& report = result.lightmap.emplace();
-    Scene out = with_coded_map(
-        with_lightmap(scene_of(*ready.prepared), request.settings.radiosity, options, result.report, report, context));
+    Scene out =
+        with_coded_map(with_lightmap(scene, request.settings.radiosity, options, result.report, report, context));
     add_note(result.report, request.input, context.report());
     if (report.overlapping > 0)
         context.report().add(
@@ -43,6 +42,15 @@ Scene lightmapped(const ReadyScene& ready, const PictureRequest& request, const 
             format_text("{} of {} charts overlap themselves: they may show light that belongs elsewhere",
                         report.overlapping, report.charts));
     return out;
+}
+
+/// Prepared, with the lights of the picture.
+Scene scene_to_light(PictureRequest& request, Context& context) {
+    Scene loaded = load(request.input, request.load, context);
+    Session session("soft");
+    Shot shot = decide_single(session, std::move(loaded), request, {}, {.is_data = true}, context);
+    shot.settings.method = RayMethod::path;  // the same lights, not yet worked out
+    return drawn_scene(*session.prepared_for(shot, context), shot, context);
 }
 
 }  // namespace
@@ -57,10 +65,9 @@ RadiosityFile radiosity_file(const PictureRequest& asked, const std::optional<Li
     check_settings(request.settings);
     RadiosityFile result{.file = request.input, .output = request.output};
     context.progress("load", 0);
-    Scene loaded = loaded_as_asked(request, context);
-    if (lightmap) request.settings.method = RayMethod::path;  // the same lights, not yet worked out
-    const ReadyScene ready = ready_scene(std::move(loaded), request, context, &result.report);
-    Scene out = lightmap ? lightmapped(ready, request, *lightmap, result, context) : scene_of(*ready.prepared);
+    Scene scene = scene_to_light(request, context);
+    Scene out = lightmap ? lightmapped(scene, request, *lightmap, result, context)
+                         : lit_by_radiosity(std::move(scene), request.settings.radiosity, result.report, context);
     context.throw_if_cancelled();
     context.progress("write", 0);
     if (request.view.world_up == dvec3{0, 0, 1}) out = with_y_up(std::move(out), result.output, context.report());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Applies a request to a loaded scene: materials, environment, clips.
+// Applies a request to a loaded scene: materials, coloring, environment, preset.
 #pragma once
 #include <rakelight/request.h>
 
@@ -16,15 +16,8 @@ Scene with_environment(Scene scene, const PictureRequest& request, Context& cont
 /// Whether the environment lights the scene, so that the default rig is not used.
 bool is_lit_by_environment(const Scene& scene);
 
-/// The scene at the moment of the requested clips.
-/// @throws Error usage: see clips_of()
-Scene with_requested_clips(Scene scene, const PictureRequest& request, Context& context);
-
-/// A scene with the materials and the environment of a request.
-Scene as_requested(Scene scene, const PictureRequest& request, Context& context);
-
-/// Loads the model of a request and applies the request.
-Scene scene_of_request(const PictureRequest& request, Context& context);
+/// A scene with the materials, the coloring, the environment and the preset of a request.
+Scene with_requested_surfaces(Scene scene, const PictureRequest& request, Context& context);
 
 /// Index of a camera by number or name; a numeric name is found if no such index exists.
 /// @throws Error usage: there is none

@@ -11,7 +11,7 @@
 
 #include <rakelight/render.h>
 
-#include "render/picture_steps.h"
+#include "render/decide.h"
 #include "render/prepared_scene.h"
 #include "support/shared.h"
 #include "world/scene_of_request.h"
@@ -187,21 +187,27 @@ PictureRequest request_of(const ParityScene& scene, Context& context) {
 /// One scene, ready to be drawn by any engine.
 struct Drawable {
     PictureRequest request;
-    ReadyScene scene;
+    Scene scene;  ///< as engines get it
+    Camera camera;
 
     Frame by(const char* engine, const RenderSettings& settings, Context& context) const {
         Session session(engine);
-        session.set(std::shared_ptr<const PreparedScene>(scene.prepared));
+        session.set(std::make_shared<const PreparedScene>(PreparedScene{.scene = scene}));
         Frame frame;
-        session.render(scene.camera, settings, frame, context);
+        session.render({camera, settings, scene.lights}, frame, context);
         return frame;
     }
 };
 
 Drawable drawable(const ParityScene& scene, Context& context) {
-    Drawable out{request_of(scene, context), {}};
+    Drawable out{request_of(scene, context), {}, {}};
     out.request.prepare.tessellate = true;
-    out.scene = ready_scene(scene_of_request(out.request, context), out.request, context);
+    Session session("soft");
+    Scene loaded = load(out.request.input, out.request.load, context);
+    PictureRequest plain = out.request;
+    plain.look = Look::plain;
+    const Shot shot = decide_single(session, std::move(loaded), plain, {}, {}, context);
+    out.scene = drawn_scene(*session.prepared_for(shot, context), shot, context), out.camera = shot.camera;
     return out;
 }
 

@@ -11,7 +11,8 @@
 #include "math/linear.h"
 #include "prepare/displace.h"
 #include "prepare/displace_parts.h"
-#include "render/picture_steps.h"
+#include "render/asked_scenes.h"
+#include "render/decide.h"
 #include "render/prepared_scene.h"
 #include "scene/scene_tools.h"
 #include "tools/object_title.h"
@@ -69,15 +70,23 @@ const Mesh& same_place(const Scene& scene, const Scene& of, const shading::Draw&
     return scene.meshes[scene.nodes[draw.node].meshes[std::size_t(slot)]];
 }
 
-/// A request whose scene is not displaced, or with `is_cut` is cut but not moved.
-ReadyScene without_relief(Scene scene, PictureRequest& request, bool is_cut, Context& context) {
+struct Base {
+    Scene scene;  ///< as engines get it
+    Camera camera;
+};
+
+/// A requested scene that is not displaced, or with `is_cut` is cut but not moved.
+Base without_relief(Scene scene, PictureRequest& request, bool is_cut, Context& context) {
     for (Material& m : scene.materials) {
         if (is_cut) m.height_scale = 0;
         if (!is_cut && m.bump == Bump::displacement) m.bump = Bump::none;
     }
     if (!is_cut && request.settings.bump == Bump::displacement) request.settings.bump = Bump::none;
     if (!is_cut) request.prepare.displacement.is_on = false;
-    return ready_scene(std::move(scene), request, context);
+    Session session("soft");
+    const Scene& shown = session.set_single(std::move(scene), request.prepare);
+    const Shot shot = decide_shown(session, shown, request, {}, {.is_data = true}, context);
+    return {drawn_scene(*session.prepared_for(shot, context), shot, context), shot.camera};
 }
 
 /// The part of the picture, small enough to be enlarged so often, whose heights differ most from pixel to pixel.
@@ -124,10 +133,11 @@ public:
           base_request_(request),
           context_(context),
           quiet_(options()),
-          base_(without_relief(loaded, base_request_, false, quiet_)) {
+          requested_(requested(loaded)),
+          base_(without_relief(requested_, base_request_, false, quiet_)) {
         PictureRequest flat = request;
         context.throw_if_cancelled();
-        compare(scene_of(*without_relief(loaded, flat, true, quiet_).prepared));
+        compare(without_relief(std::move(requested_), flat, true, quiet_).scene);
     }
 
     Stage make() {
@@ -144,6 +154,10 @@ public:
     }
 
 private:
+    Scene requested(const Scene& loaded) {
+        const std::vector<ClipTime> clips = clips_of(loaded, fine_request_.motion);
+        return valid::as_requested(at_moment(loaded, clips, quiet_), fine_request_, quiet_);
+    }
     /// Stops with the whole run, and has the memory that it leaves.
     ContextOptions options() {
         const std::uint64_t limit = context_.memory().limit(), charged = context_.memory().charged();
@@ -155,7 +169,7 @@ private:
         const Displacement& options = options_for(fine_request_.prepare, fine_request_.settings, scene_).displacement;
         for (const shading::Draw& draw : of_.engine.list().draws) {
             const Mesh& fine = scene_.meshes[draw.mesh];
-            const Mesh& coarse = same_place(scene_of(*base_.prepared), scene_, draw);
+            const Mesh& coarse = same_place(base_.scene, scene_, draw);
             Moved m;
             if (displaced_material(scene_, fine, options))
                 m = moved(fine, same_place(flat, scene_, draw), draw.to_world);
@@ -200,7 +214,7 @@ private:
         base.edges = before_ < height.size() / 100;
         stage_.pictures.push_back({"displacement-base",
                                    base.edges ? "The base mesh, with its triangles." : "The base mesh.",
-                                   drawn(of_, scene_of(*base_.prepared), base_.camera, base, quiet_)});
+                                   drawn(of_, base_.scene, base_.camera, base, quiet_)});
         stage_.pictures.push_back({"displacement",
                                    format_text("Split and moved: {} triangles instead of {}.", after_, before_),
                                    picture(of_.pixels.color)});
@@ -209,7 +223,7 @@ private:
         const std::string where = format_text("{} times as large, about pixel {}, {}", times, part.x + part.width / 2,
                                               part.y + part.height / 2);
         stage_.pictures.push_back({"displacement-base-enlarged", "The triangles of the base, " + where + ".",
-                                   close_up(scene_of(*base_.prepared), base_request_.settings, part, times)});
+                                   close_up(base_.scene, base_request_.settings, part, times)});
         stage_.pictures.push_back({"displacement-enlarged", "The triangles after splitting, at the same place.",
                                    close_up(scene_, fine_request_.settings, part, times)});
         stage_.pictures.push_back({"displacement-heights", heights_caption(), paint(of_, [&](std::size_t p) {
@@ -254,7 +268,8 @@ private:
     PictureRequest base_request_;
     Context& context_;
     Context quiet_;  ///< what is made only for this stage makes no remarks
-    ReadyScene base_;
+    Scene requested_;
+    Base base_;
     std::vector<Moved> moved_;  ///< [draws]
     std::uint64_t before_ = 0, after_ = 0;
     double low_ = std::numeric_limits<double>::infinity(), high_ = -std::numeric_limits<double>::infinity();

@@ -11,7 +11,7 @@ namespace rakelight::stages {
 bool has_displacement(const Sources& of, const PictureRequest& request);
 
 /// Prepares the scene twice more: without displacement, and cut but not moved.
-/// @param loaded  of scene_of_request()
+/// @param request  after decide()
 Stage displacement_stage(const Sources& of, const Scene& loaded, const PictureRequest& request, Context& context);
 
 }  // namespace rakelight::stages

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <new>
-#include <optional>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -11,8 +10,6 @@
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/text_file.h>
 
-#include "prepare/displace.h"
-#include "render/prepared_scene.h"
 #include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"
 #include "tools/open_engine.h"
@@ -34,11 +31,8 @@ void check_size(const RenderSettings& settings) {
 }
 
 std::vector<stages::Stage> make_stages(PictureRequest request, Context& context) {
-    Scene loaded = load_for_engine(request, context);
-    std::optional<Scene> base;  // of the displacement stage
-    if (wants_displacement(loaded, options_for(request.prepare, request.settings, loaded).displacement))
-        base = charged_copy(loaded, context);
-    const auto engine = open_engine(std::move(loaded), request, context);
+    const Scene loaded = load_for_engine(request, context);
+    const auto engine = open_engine(charged_copy(loaded, context), request, context);
     context.progress("stages", 0);
     if (triangle_count(engine->list().scene) == 0)
         context.report().add(Remark::warning, request.input, "",
@@ -48,8 +42,8 @@ std::vector<stages::Stage> make_stages(PictureRequest request, Context& context)
     context.progress("stages", 0.5);
     const stages::Sources sources{*engine, open, drawn, pixels, request.tone};
     std::vector<stages::Stage> all;
-    if (base && stages::has_displacement(sources, request))
-        all.push_back(stages::displacement_stage(sources, *base, request, context));
+    if (stages::has_displacement(sources, request))
+        all.push_back(stages::displacement_stage(sources, loaded, request, context));
     for (const auto part : {stages::space_stages, stages::projection_stages, stages::clip_stages, stages::screen_stages,
                             stages::pixel_stages})
         for (stages::Stage& stage : part(sources)) all.push_back(std::move(stage));

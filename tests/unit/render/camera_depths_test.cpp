@@ -11,8 +11,8 @@
 
 #include "math/linear.h"
 #include "render/choose_camera.h"
+#include "render/decide.h"
 #include "render/engines.h"
-#include "render/picture_steps.h"
 #include "support/scene_builder.h"
 #include "unit/render/test_scene.h"
 
@@ -143,8 +143,9 @@ TEST(CameraDepths, DepthsThatLoseByItKeepNearAwayFromTheEye) {
         PictureRequest request;
         request.view = from_head_height;
         request.settings = {.width = 160, .height = 160, .visibility = visibility};
-        const ReadyScene ready = ready_scene(scene, request, context);
-        return std::pair{ready.camera, render(scene, ready.camera, request.settings, context)};
+        Session session;
+        const Camera camera = decide_single(session, scene, request, {}, {}, context).camera;
+        return std::pair{camera, render(scene, camera, request.settings, context)};
     };
     const auto [sharp, right] = drawn(Visibility::z_reversed);
     EXPECT_LT(sharp.z_near, 1e-5);

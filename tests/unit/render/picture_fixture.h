@@ -7,8 +7,8 @@
 
 #include "io/file.h"
 #include "io/image_io.h"
-#include "render/picture_files.h"
-#include "render/picture_steps.h"
+#include "render/draw_picture.h"
+#include "render/draw_shot.h"
 #include "render/prepared_scene.h"
 #include "support/temporary_folder.h"
 #include "unit/render/fake_engine.h"
@@ -23,13 +23,22 @@ Session session_of_nothing(std::unique_ptr<E> engine = std::make_unique<E>()) {
     return session;
 }
 
+/// render_picture() by a session.
+inline PictureResult draw_picture(PictureRequest request, Session& session, Context& context) {
+    FileTarget target(request);
+    return rakelight::draw_picture(session, load(request.input, request.load, context), request, target, {}, context);
+}
+
 class PictureFiles : public testing::Test {
 protected:
     std::string file(const std::string& name) const { return folder_.file(name); }
     Pixels decode(const std::string& name) { return io::decode_image(*io::read_file(file(name), context_), context_); }
     /// @param result  its channel_range is what channels are shown by
     PictureResult draw(const PictureRequest& request, PictureResult result = {}) {
-        draw_to_files(session_, {}, request, result, context_);
+        FileTarget target(request);
+        const ChannelRange range = result.channel_range;
+        const Shot shot = plan_shot({}, request, {}, {.is_linear = target.is_linear()}, context_);
+        draw_shot(session_, shot, request, target, &range, result, context_);
         return result;
     }
 

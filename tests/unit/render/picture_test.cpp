@@ -188,10 +188,13 @@ private:
 
 TEST_F(Picture, NothingIsLeftBehindWhenAnEngineFails) {
     Session failing = test::session_of_nothing<FailingEngine>();
-    PictureResult result;
-    EXPECT_THROW(draw_to_files(failing, {}, {.output = file("x.png"), .settings = {.channels = channel_depth}}, result,
-                               context_),
-                 Error);
+    const PictureRequest request{.output = file("x.png"), .settings = {.channels = channel_depth}};
+    {
+        FileTarget target(request);
+        PictureResult result;
+        EXPECT_THROW(draw_shot(failing, {.settings = request.settings}, request, target, nullptr, result, context_),
+                     Error);
+    }
     EXPECT_EQ(count_files(), 0u);
 }
 
@@ -235,9 +238,9 @@ TEST_F(Picture, TheWholeWayGivesDefaultLightsAndReportsABlankPicture) {
     auto blank = std::make_unique<test::FakeEngine>();
     blank->covered = false;
     Session session(std::move(blank));
-    const PictureResult result =
-        draw_picture({.input = "builtin:teapot", .output = file("teapot.png"), .settings = {.width = 40, .height = 30}},
-                     session, context_);
+    const PictureResult result = test::draw_picture(
+        {.input = "builtin:teapot", .output = file("teapot.png"), .settings = {.width = 40, .height = 30}}, session,
+        context_);
     EXPECT_GT(result.triangles, 1000u);
     EXPECT_EQ(result.objects, 6u);
     EXPECT_EQ(session.engine().scene().lights.size(), 3u);
@@ -250,10 +253,10 @@ TEST_F(Picture, TheWholeWayGivesDefaultLightsAndReportsABlankPicture) {
 TEST_F(Picture, AskedForLightsReplaceAllOthers) {
     PictureRequest request{.input = "builtin:teapot", .output = file("lit.png"), .settings = {.width = 4, .height = 4}};
     request.lights = std::vector<Light>(2);
-    draw_picture(request, session_, context_);
+    test::draw_picture(request, session_, context_);
     EXPECT_EQ(engine_.prepared.lights.size(), 2u);
     request.lights = std::vector<Light>();
-    draw_picture(request, session_, context_);
+    test::draw_picture(request, session_, context_);
     EXPECT_TRUE(engine_.prepared.lights.empty());
 }
 

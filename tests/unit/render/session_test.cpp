@@ -293,13 +293,16 @@ TEST(Session, LightsOfAShotAreAllItsLights) {
     EXPECT_EQ(c.engine.times_prepared, 1);
 }
 
-TEST(Session, ASceneThatItIsGivenGoesToTheEngineUncopied) {
+TEST(Session, TheSceneOfASinglePictureGoesToTheEngineUncopied) {
     Counted c;
     const Scene copy = two_squares();
-    give(c.session, make_prepared(copy, {}, small(), c.context));
+    c.session.set_single(copy, {});
     c.draw();
     c.draw(from(0.4));
     EXPECT_EQ(c.engine.times_prepared, 1);
+    const std::vector<Light> lamp = {test::directional({0, 0, -1})};
+    c.session.render({from(0), small(), lamp}, c.frame, c.context);
+    EXPECT_EQ(c.engine.prepared.lights, lamp);
     EXPECT_EQ(c.engine.prepared.nodes, copy.nodes);
     EXPECT_EQ(scene_of(*c.session.prepared(small(), c.context)).nodes, copy.nodes);
     c.session.set(two_squares());
@@ -310,7 +313,7 @@ TEST(Session, ASceneThatItIsGivenGoesToTheEngineUncopied) {
 TEST(Session, AnEngineThatFailsToTakeItsSceneUpLeavesNone) {
     Counted c;
     FakeEngine& engine = const_cast<FakeEngine&>(c.engine);
-    give(c.session, make_prepared(two_squares(), {}, small(), c.context));
+    c.session.set_single(two_squares(), {});
     engine.fails = true;
     EXPECT_EQ(test::error_of([&] { c.draw(); }).reason(), "it fails");
     engine.fails = false;

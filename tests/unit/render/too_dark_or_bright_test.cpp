@@ -32,7 +32,7 @@ protected:
         if (change) change(request);
         Context context({.threads = 2});
         Session session;
-        result_ = draw_picture(request, session, context);
+        result_ = test::draw_picture(request, session, context);
         std::string all;
         for (const ReportEntry& e : context.report().entries())
             if (e.remark == Remark::warning) all += e.message + "\n";

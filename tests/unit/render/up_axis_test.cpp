@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <rakelight/picture_parts.h>
+#include <rakelight/shot.h>
 
 #include "math/linear.h"
 #include "render/up_axis.h"

@@ -14,7 +14,6 @@
 #include "base/format_text.h"
 #include "math/linear.h"
 #include "render/look.h"
-#include "render/picture_steps.h"
 #include "scene/scene_tools.h"
 #include "unit/tools/smooth_file_support.h"
 
@@ -72,10 +71,9 @@ protected:
         return request;
     }
     Pixels picture(const std::string& file) { return picture(request(file)); }
-    Pixels picture(PictureRequest of) {
+    Pixels picture(const PictureRequest& of) {
         Pixels color;
-        Scene scene = loaded_as_asked(of, context_);
-        draw_to_pixels(std::move(scene), of, color, context_);
+        render_picture(of, color, context_);
         return color;
     }
     dvec3 size_of(const std::string& file) {

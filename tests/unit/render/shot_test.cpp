@@ -3,8 +3,9 @@
 
 #include <cmath>
 
-#include <rakelight/picture_parts.h>
+#include <rakelight/picture.h>
 #include <rakelight/session.h>
+#include <rakelight/shot.h>
 
 namespace rakelight {
 namespace {
@@ -16,19 +17,17 @@ PictureRequest small_request() {
     return request;
 }
 
-/// The picture step by step, as a window makes it.
-Frame frame_by_parts(const PictureRequest& request, Context& context) {
-    Scene scene = with_requested_surfaces(load(request.input, request.load, context), request, context);
-    const Camera camera = choose_camera(scene, request.view, 64.0 / 48.0, context);
-    scene.lights = requested_lights(scene, request, camera);
+/// The picture of a session.
+Frame frame_of(const PictureRequest& request, Context& context) {
+    const auto loaded = std::make_shared<const Scene>(load(request.input, request.load, context));
+    PictureRequest decided = request;
     Session session;
-    session.set(std::move(scene), request.prepare);
     Frame frame;
-    session.render(camera, request.settings, frame, context);
+    session.render(decide(session, loaded, decided, {}, {}, {}, context), frame, context);
     return frame;
 }
 
-TEST(PictureParts, LightsAreScaledAndCutAsRequested) {
+TEST(Shots, LightsAreScaledAndCutAsRequested) {
     Context context;
     PictureRequest request = small_request();
     Light lamp;
@@ -42,22 +41,22 @@ TEST(PictureParts, LightsAreScaledAndCutAsRequested) {
     EXPECT_NEAR(lights[0].range, std::sqrt(300), 1);  // 3 / d^2 = 0.01
 }
 
-TEST(PictureParts, MaterialsOfTheRequestAreInThePicture) {
+TEST(Shots, MaterialsOfTheRequestAreInThePicture) {
     Context context;
     PictureRequest request = small_request();
-    const Frame plain = frame_by_parts(request, context);
+    const Frame plain = frame_of(request, context);
     request.materials.color = vec3{1, 0, 0};
-    const Frame red = frame_by_parts(request, context);
+    const Frame red = frame_of(request, context);
     const std::size_t middle = 24 * 64 + 32;
     EXPECT_GT(plain.color[middle].y, 0.05f);
     EXPECT_LT(red.color[middle].y, 0.5f * plain.color[middle].y);
 }
 
-TEST(PictureParts, DepthOfAChannelGoesFromWhiteToDarkGray) {
+TEST(Shots, DepthOfAChannelGoesFromWhiteToDarkGray) {
     Context context;
     PictureRequest request = small_request();
     request.settings.channels = channel_depth;
-    const Frame frame = frame_by_parts(request, context);
+    const Frame frame = frame_of(request, context);
     const std::vector<std::uint32_t> codes = channel_codes(frame, channel_depth, {.depth_low = 0, .depth_high = 1000});
     ASSERT_EQ(codes.size(), 64u * 48u);
     EXPECT_EQ(codes[0], 0xff000000u);  // nothing is there
@@ -66,7 +65,7 @@ TEST(PictureParts, DepthOfAChannelGoesFromWhiteToDarkGray) {
     EXPECT_THROW(channel_codes(frame, channel_depth | channel_normal, {}), Error);
 }
 
-TEST(PictureParts, WordsStandInTheOrderOfTheBits) {
+TEST(Shots, WordsStandInTheOrderOfTheBits) {
     const std::vector<std::string> words = channel_words();
     for (std::size_t i = 0; i < words.size(); ++i) EXPECT_EQ(channels_by_name(words[i]), 1u << i);
 }

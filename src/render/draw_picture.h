@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Single pictures, to any target.
+#pragma once
+#include <rakelight/picture.h>
+#include <rakelight/session.h>
+
+#include "render/decide.h"
+#include "render/picture_target.h"
+
+namespace rakelight {
+
+/// Draws a single picture of a loaded scene.
+/// @param session  of the engine that is requested
+/// @param loaded   passed validate()
+/// @param request  gets what is decided
+/// @throws Error as render_picture()
+PictureResult draw_picture(Session& session, Scene loaded, PictureRequest& request, PictureTarget& target,
+                           const ChangeScene& change, Context& context);
+/// The same of a scene as it was requested, with a request that apply_look() has completed.
+PictureResult draw_requested(Scene scene, PictureRequest& request, PictureTarget& target, Context& context);
+
+/// render_picture() into memory, with a step between.
+PictureResult render_changed(const PictureRequest& request, const ChangeScene& change, std::vector<std::byte>& file,
+                             Context& context);
+
+}  // namespace rakelight
