@@ -71,7 +71,7 @@ PUBLIC = {
     "prepare": "prepare", "bake": "bake", "lightmap": "bake",
     "engine": "engines", "line": "engines", "values": "world", "request": "world", "settings_file": "world", "material_changes": "world", "load": "world",
     "radiosity": "radiosity", "render": "render", "session": "render", "gl_view": "render", "draw_alike": "render", "sink": "engines", "exit_code": "base", "rows": "tools",
-    "picture": "render", "camera_chooser": "render", "shot": "render", "picture_parts": "render", "sequence": "render", "version": "render",
+    "picture": "render", "camera_chooser": "render", "shot": "render", "sequence": "render", "version": "render",
     "check_scene": "tools", "compare": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "join_windows": "tools", "bake_files": "tools", "bench": "tools", "reference": "tools", "inspection_report": "tools", "text_file": "tools", "thumbnail": "tools", "smooth_file": "tools", "convert_file": "tools", "radiosity_file": "tools", "rakelight": "tools",
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <rakelight/linear.h>
-#include <rakelight/picture_parts.h>
+#include <rakelight/shot.h>
 
 namespace rakelight::viewer {
 
@@ -86,7 +86,7 @@ std::vector<LightItem>& changing_lights(Look& look, const Model& model, int widt
     request.materials = {};
     request.hdri_file.clear();  // whether an environment gives light does not depend on its picture
     Context quiet({.threads = 1});
-    lit = with_requested_surfaces(std::move(lit), request, quiet);
+    lit = as_requested(std::move(lit), request, quiet);
     look.lights.emplace();
     for (Light& light : requested_lights(lit, request, quick_camera_of(look, model, width, height)))
         look.lights->push_back({.light = std::move(light)});

@@ -3,7 +3,8 @@
 
 #include <chrono>
 
-#include <rakelight/picture_parts.h>
+#include <rakelight/session.h>
+#include <rakelight/shot.h>
 
 namespace rakelight::viewer {
 namespace {
@@ -60,6 +61,22 @@ void count(Model& model) {
     }
 }
 
+/// What the look chooses.
+void decide(const std::shared_ptr<Model>& model, Context& context) {
+    PictureRequest& request = model->request;
+    const std::shared_ptr<const Scene> scene(model, &model->scene);
+    const std::vector<ClipTime> clips = wanted_clips(*scene, request, context);
+    const ShotOptions options{.is_view = true, .is_data = true};
+    Session session("soft");
+    Shot shot = rakelight::decide(session, scene, request, clips, {}, options, context);
+    const RayMethod method = request.settings.method;
+    if (method == RayMethod::radiosity)  // the painter solves it
+        request.settings.method = shot.settings.method = RayMethod::automatic;
+    adjust_shot(session, shot, request, options, context);
+    request.settings.method = method;
+    request.look = rakelight::Look::plain;
+}
+
 }  // namespace
 
 std::shared_ptr<const Model> load_model(const std::string& file, const Start& start, Context& context) {
@@ -70,10 +87,7 @@ std::shared_ptr<const Model> load_model(const std::string& file, const Start& st
     if (is_world_file(file)) model->world = read_world(file, context);
     model->scene = load(file, model->request.load, context);
     context.throw_if_cancelled();
-    const Scene moved = scene_at(model->scene, wanted_clips(model->scene, model->request, context));
-    apply_look(moved, model->request, context);
-    apply_look_exposure(with_requested_surfaces(moved, model->request, context), model->request, context);
-    model->request.look = rakelight::Look::plain;
+    decide(model, context);
     model->box = ViewBox(model->scene);
     count(*model);
     model->files = files_of(*model, context);

@@ -11,8 +11,8 @@
 #include <malloc.h>
 #endif
 
-#include <rakelight/picture_parts.h>
 #include <rakelight/render.h>
+#include <rakelight/shot.h>
 #include <rakelight/tools/current_error.h>
 
 #include "studio.h"
@@ -258,8 +258,7 @@ bool Painter::paint_pass(const PaintJob& job, double scale, int samples, bool is
 
 void Painter::draw_by_session(const PaintJob& job, const PictureRequest& request, Painting& to, Context& context) {
     is_in_gl_ = false;
-    PictureRequest drawn = request;
-    const vec4 behind = separate_background(drawn.settings, drawn.tone);
+    const Shot shot = studio_->plan(job.model, job.look, request, to.camera, context);
     const std::uint32_t wished = job.wants_depth ? std::uint32_t(channel_depth) : 0u;
     const auto begin = std::chrono::steady_clock::now();
     PassSink sink([&](const Frame& frame, int samples) {
@@ -267,7 +266,7 @@ void Painter::draw_by_session(const PaintJob& job, const PictureRequest& request
         auto painting = std::make_shared<Painting>(to);
         painting->model = job.model, painting->number = job.number, painting->prepared = studio_->prepared();
         painting->is_whole = true, painting->stats.rays.samples = samples, painting->ms = ms_since(begin);
-        painting->codes = to_srgb8(frame, request.tone, behind), painting->depth = frame.depth;
+        painting->codes = to_srgb8(frame, request.tone, shot.behind), painting->depth = frame.depth;
         {
             const std::scoped_lock lock(mutex_);
             if (next_) return;
@@ -275,12 +274,12 @@ void Painter::draw_by_session(const PaintJob& job, const PictureRequest& request
         }
         wake_();
     });
-    to.stats = studio_->draw(job.model, job.look, drawn, to.camera, wished, sink, context);
+    to.stats = studio_->draw(shot, wished, sink, context);
     Frame& frame = sink.frame();
     to.prepared = studio_->prepared();
     to.codes = job.look.channel
                    ? channel_codes(frame, job.look.channel, channel_range_of(job.model->box.bounds(), to.camera))
-                   : to_srgb8(frame, request.tone, behind);
+                   : to_srgb8(frame, request.tone, shot.behind);
     to.depth = std::move(frame.depth);
 }
 
@@ -290,7 +289,8 @@ Painter::Outcome Painter::draw_by_gl(const PaintJob& job, const PictureRequest& 
     if (!job.gl || job.look.channel) return Outcome::cannot;
     PictureRequest to_prepare = request;
     to_prepare.engine = "soft";  // scenes are prepared alike for every engine
-    const Shot shot = studio_->prepare(job.model, job.look, to_prepare, to.camera, context);
+    const Shot shot = studio_->plan(job.model, job.look, to_prepare, to.camera, context);
+    studio_->prepare(shot, context);
     const std::shared_ptr<const PreparedScene> scene = studio_->prepared();
     is_in_gl_ = true;
     if (gl_ && gl_ != job.gl) gl_->end();
@@ -343,7 +343,8 @@ void Painter::answer(const Probe& probe, const PaintJob& job) {
             request.settings.samples = 1;
             Frame frame;
             const Camera camera = camera_of(job.look, *job.model, job.width, job.height);
-            studio_->draw(job.model, job.look, request, camera, 0, frame, *new_context(false));
+            const std::shared_ptr<Context> context = new_context(false);
+            studio_->draw(studio_->plan(job.model, job.look, request, camera, *context), 0, frame, *context);
             if (frame.object.at(0) != no_index) {
                 const vec3 p = frame.position.at(0);
                 hit = Hit{{p.x, p.y, p.z}, frame.object[0], frame.material.at(0)};

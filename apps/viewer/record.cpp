@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include <rakelight/linear.h>
-#include <rakelight/picture_parts.h>
 #include <rakelight/render.h>
+#include <rakelight/shot.h>
 
 #include "studio.h"
 
@@ -43,13 +43,13 @@ Turn record_turn(const std::shared_ptr<const Model>& model, const Look& look, in
             context.set_progress_range(done, double(turn.written + 1) / count);
             context.progress("record", 0);
             const Look now = turned(look, *model, width, height, 2 * pi * done);
-            PictureRequest request = request_of(now, width, height);
-            const vec4 behind = separate_background(request.settings, request.tone);
+            const PictureRequest request = request_of(now, width, height);
+            const Shot shot = studio.plan(model, now, request, camera_of(now, *model, width, height), context);
             Frame frame;
-            studio.draw(model, now, request, camera_of(now, *model, width, height), 0, frame, context);
+            studio.draw(shot, 0, frame, context);
             char name[32];
             std::snprintf(name, sizeof name, "%04d.png", turn.written + 1);
-            save(frame, (fs::path(folder) / name).string(), request.tone, behind);
+            save(frame, (fs::path(folder) / name).string(), request.tone, shot.behind);
         }
     } catch (const Error&) {
         std::error_code ignored;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio.h"
 
-#include <rakelight/picture_parts.h>
+#include <rakelight/shot.h>
 
 #include "materials.h"
 
@@ -19,21 +19,14 @@ Shot Studio::plan(const std::shared_ptr<const Model>& model, const Look& look, c
         model_ = model, edits_ = look.materials;
     }
     const Scene& scene = session_->show(edited_, request, clips_of(model->scene, request.motion), context);
-    return {camera, request.settings, shot_lights(scene, request, camera)};
+    return plan_shot(scene, request, camera, {.is_view = true}, context);
 }
 
-Shot Studio::prepare(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
-                     const Camera& camera, Context& context) {
-    Shot shot = plan(model, look, request, camera, context);
-    prepared_ = session_->prepared_for(shot, context);
-    return shot;
-}
+void Studio::prepare(const Shot& shot, Context& context) { prepared_ = session_->prepared_for(shot, context); }
 
-RenderStats Studio::draw(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
-                         const Camera& camera, std::uint32_t wished, Sink& sink, Context& context) {
-    Shot shot = plan(model, look, request, camera, context);
+RenderStats Studio::draw(Shot shot, std::uint32_t wished, Sink& sink, Context& context) {
     shot.settings.channels |= wished & session_->engine().capabilities().channels;
-    prepared_ = session_->prepared_for(shot, context);
+    prepare(shot, context);
     return session_->render(shot, sink, context);  // which takes the scene up where it is new
 }
 

@@ -12,22 +12,19 @@ namespace rakelight::viewer {
 
 class Studio {
 public:
-    /// Draws as render_picture() does. @param request  of request_of(look), at the size to be drawn
+    /// The shot of a picture as render_picture() draws it. The session shows its scene then.
+    /// @param request  of request_of(look), at the size to be drawn
+    Shot plan(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
+              const Camera& camera, Context& context);
+    /// Prepares the scene of the shot, for others to draw.
+    void prepare(const Shot& shot, Context& context);
     /// @param wished  Channel bits that are given, too, where the engine has them
-    RenderStats draw(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
-                     const Camera& camera, std::uint32_t wished, Sink& sink, Context& context);
-
-    /// Prepares the scene of such a picture, for others to draw.
-    Shot prepare(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
-                 const Camera& camera, Context& context);
+    RenderStats draw(Shot shot, std::uint32_t wished, Sink& sink, Context& context);
 
     /// What was drawn or prepared last.
     const std::shared_ptr<const PreparedScene>& prepared() const { return prepared_; }
 
 private:
-    Shot plan(const std::shared_ptr<const Model>& model, const Look& look, const PictureRequest& request,
-              const Camera& camera, Context& context);
-
     std::optional<Session> session_;
     std::string engine_;
     PrepareOptions prepare_;

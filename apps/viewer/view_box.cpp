@@ -6,7 +6,7 @@
 #include <optional>
 
 #include <rakelight/linear.h>
-#include <rakelight/picture_parts.h>
+#include <rakelight/picture.h>
 
 namespace rakelight::viewer {
 namespace {

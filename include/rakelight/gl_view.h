@@ -32,13 +32,14 @@ public:
     bool upload(std::shared_ptr<const PreparedScene> scene, double milliseconds, Context& context);
     /// Draws the last completely uploaded scene, as Session::render() does with the engine gl. Draws nothing if no
     /// upload is complete.
+    /// @param shot  of plan_shot() if there is an exposure or a tone curve: they apply to a background that is not separate
     RenderStats draw(const Shot& shot, const ToneSettings& tone, Context& context);
     /// Shows a picture over the whole viewport, row 0 on top.
     /// @param srgb8 [width * height] sRGB codes, R in the low byte, straight alpha. Composited over black
     /// @param smooth true: filter the picture if the viewport has another size
     void show(int width, int height, std::span<const std::uint32_t> srgb8, bool smooth = true);
     /// The same for a frame of linear colors.
-    /// @param behind as in to_srgb8(): the result of separate_background()
+    /// @param behind as in to_srgb8(): Shot::behind
     void show(const Frame& frame, const ToneSettings& tone = {}, vec4 behind = {});
     /// Shows the picture of the last show() again, without an upload. Use it to redraw a window with an unchanged
     /// picture.

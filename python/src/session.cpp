@@ -9,7 +9,7 @@
 #include <optional>
 
 #include <rakelight/camera_chooser.h>
-#include <rakelight/picture_parts.h>
+#include <rakelight/shot.h>
 
 #include "errors.h"
 #include "frames.h"
@@ -38,7 +38,7 @@ private:
 class Pictures {
 public:
     Pictures(const SceneHandle& handle, const Settings& settings, int threads, std::uint64_t max_memory)
-        : runner_(threads, max_memory), scene_(handle.scene) {
+        : runner_(threads, max_memory), loaded_(std::make_shared<const Scene>(handle.scene)) {
         request_ = request_of(handle, settings, runner_.context());
         session_.emplace(request_.engine);
     }
@@ -79,36 +79,55 @@ private:
         if (request.has_overlays())
             throw Error(ErrorCode::usage, "overlays are drawn into files alone", {}, "use render_file()");
         check_drawing(request);
-        if (!is_looked_) {
-            scene_ = with_requested_look(scene_, request, context);  // a copy: if it throws, the scene stays
-            take_over(request, has_camera(view));
-            is_looked_ = true;
-        }
-        const double aspect = double(request.settings.width) / double(request.settings.height);
-        if (!cameras_) cameras_.emplace(scene_, context);
-        const Camera camera = cameras_->choose(request.view, aspect, request.settings.visibility, context);
-        set(request);
-        const Shot shot{camera, {}, shot_lights(scene_, request, camera)};
-        if (!is_adjusted_ && (has_image || has_color)) {
-            apply_look_exposure(*session_, shot, request, context);
-            take_over(request, has_camera(view));
-            is_adjusted_ = true;
-        }
-        return drawn(request, shot, has_image, has_color);
+        const Camera camera = decided(request, has_camera(view), !has_image && !has_color);
+        return drawn(request, camera, has_image, has_color);
     }
 
-    /// @param of  without settings
-    Drawn drawn(const PictureRequest& request, const Shot& of, bool has_image, bool has_color) {
+    Camera camera_of(const Scene& shown, const PictureRequest& request) {
+        if (!cameras_) cameras_.emplace(shown, runner_.context());
+        const double aspect = double(request.settings.width) / double(request.settings.height);
+        return cameras_->choose(request.view, aspect, request.settings.visibility, runner_.context());
+    }
+
+    const Scene& show(const PictureRequest& request) {
+        return session_->show(loaded_, request, clips_of(*loaded_, request.motion), runner_.context());
+    }
+
+    /// The look is chosen at the first picture, background and exposure at the first one that is not data alone.
+    /// @return the camera of this picture
+    Camera decided(PictureRequest& request, bool has_own_view, bool is_data) {
+        Context& context = runner_.context();
+        if (is_decided_ && (is_adjusted_ || is_data)) return camera_of(show(request), request);
+        const ShotOptions options{.is_view = true, .is_data = is_data};
+        Shot shot;
+        if (!is_decided_) {
+            const auto camera = [&](const Scene& shown) { return camera_of(shown, request); };
+            shot = decide(*session_, loaded_, request, clips_of(*loaded_, request.motion), camera, options, context);
+        } else {
+            const Scene& shown = show(request);
+            shot = plan_shot(shown, request, camera_of(shown, request), options, context);
+            adjust_shot(*session_, shot, request, options, context);
+        }
+        is_decided_ = true, is_adjusted_ = !is_data;
+        take_over(request, has_own_view);
+        return shot.camera;
+    }
+
+    Drawn drawn(const PictureRequest& request, const Camera& camera, bool has_image, bool has_color) {
+        Context& context = runner_.context();
+        Context quiet({.threads = 1, .parent = &context});  // decided() has told of the lights
+        const Scene& shown = show(request);
+        const auto plan = [&](bool is_linear) {
+            return plan_shot(shown, request, camera, {.is_linear = is_linear, .is_view = true}, quiet);
+        };
         Drawn out;
-        out.camera = of.camera;
-        Shot shot{of.camera, request.settings, of.lights};
-        RenderSettings& settings = shot.settings;
-        if (!has_image && !has_color) leave_colors_out(settings);
-        const vec4 behind = has_image ? separate_background(settings, request.tone) : vec4{};
-        if (has_image && has_color && !settings.composites_background)  // they differ in more than the curve
-            session_->render({of.camera, request.settings, of.lights}, out.linear.emplace(), runner_.context());
-        session_->render(shot, out.frame, runner_.context());
-        if (has_image) out.codes = to_srgb8(out.frame, request.tone, behind);
+        out.camera = camera;
+        Shot shot = plan(!has_image);
+        if (!has_image && !has_color) leave_colors_out(shot.settings);
+        if (has_image && has_color && !shot.settings.composites_background)  // they differ in more than the curve
+            session_->render(plan(true), out.linear.emplace(), context);
+        session_->render(shot, out.frame, context);
+        if (has_image) out.codes = to_srgb8(out.frame, request.tone, shot.behind);
         out.has_alpha = request.settings.background.w < 1;
         return out;
     }
@@ -134,21 +153,12 @@ private:
         request_ = std::move(request);
     }
 
-    /// The session gets the scene, if it has not.
-    void set(const PictureRequest& request) {
-        if (is_set_) return;
-        Scene scene = scene_;
-        scene.fog = request.fog.value_or(scene.fog);
-        session_->set(std::move(scene), request.prepare);
-        is_set_ = true;
-    }
-
     Runner runner_;
-    Scene scene_;
-    std::optional<CameraChooser> cameras_;  ///< of scene_ with its look
+    std::shared_ptr<const Scene> loaded_;
+    std::optional<CameraChooser> cameras_;  ///< of the scene as it is shown
     PictureRequest request_;
     std::optional<Session> session_;
-    bool is_looked_ = false, is_adjusted_ = false, is_set_ = false;
+    bool is_decided_ = false, is_adjusted_ = false;
     std::size_t remarks_ = 0;  ///< that were told
     std::atomic_flag in_use_;
 };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <rakelight/gl_view.h>
-#include <rakelight/picture_parts.h>
 #include <rakelight/render.h>
 
 #include "engines/check_settings.h"
@@ -46,9 +45,8 @@ RenderStats GlView::draw(const Shot& shot, const ToneSettings& tone, Context& co
     check_camera(shot.camera, scene.nodes.size(), CameraUse::in_scene);
     if (shot.lights) validate_lights(*shot.lights, scene.nodes.size());
     s.view.set_lights(lights_of(scene, shot));
-    RenderSettings drawn = shot.settings;
-    const vec4 behind = separate_background(drawn, tone);
-    return s.view.draw(camera_in_world(scene, shot.camera, aspect_of(drawn)), drawn, tone, behind, context);
+    const Camera camera = camera_in_world(scene, shot.camera, aspect_of(shot.settings));
+    return s.view.draw(camera, shot.settings, tone, shot.behind, context);
 }
 
 void GlView::show(int width, int height, std::span<const std::uint32_t> srgb8, bool smooth) {

@@ -5,8 +5,8 @@
 #include <thread>
 
 #include <rakelight/linear.h>
-#include <rakelight/picture_parts.h>
 #include <rakelight/sequence.h>
+#include <rakelight/shot.h>
 
 #include "../../apps/viewer/load_model.h"
 #include "io/file.h"
@@ -52,14 +52,11 @@ Shown BySession::draw(PictureRequest request, std::optional<double> time_s, Cont
     request.settings.shader_time_s = request.motion.time_s.value_or(0);
     if (!loaded_) loaded_ = std::make_shared<const Scene>(load(request.input, request.load, context));
     Session& session = sessions_.try_emplace(request.engine, request.engine).first->second;
-    const Scene& scene = session.show(loaded_, request, clips_of(*loaded_, request.motion), context);
-    const double aspect = double(request.settings.width) / double(request.settings.height);
-    const Camera camera = choose_camera(scene, request.view, aspect, request.settings.visibility, context);
-    Shot shot{camera, request.settings, shot_lights(scene, request, camera)};
-    const vec4 behind = separate_background(shot.settings, request.tone);
+    const Shot shot =
+        decide(session, loaded_, request, clips_of(*loaded_, request.motion), {}, {.is_view = true}, context);
     Frame frame;
     session.render(shot, frame, context);
-    return {frame.window.width, frame.window.height, to_srgb8(frame, request.tone, behind)};
+    return {frame.window.width, frame.window.height, to_srgb8(frame, request.tone, shot.behind)};
 }
 
 ByViewer::ByViewer(const std::string& file, Context& context) {

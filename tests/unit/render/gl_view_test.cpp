@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // GlView in a context of its caller's: pictures shown, scenes drawn, lines over both. Skipped where there is no OpenGL.
 #include <rakelight/gl_view.h>
-#include <rakelight/picture_parts.h>
+#include <rakelight/shot.h>
 
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
@@ -67,6 +67,11 @@ protected:
     }
     static std::uint32_t at(const std::vector<std::uint32_t>& s, int x, int y) {
         return s[std::size_t(y * width + x)] & 0xFFFFFFu;
+    }
+    Shot shot_by(const ToneSettings& tone) {
+        PictureRequest request;
+        request.settings = settings, request.tone = tone;
+        return plan_shot(red_square(), request, camera, {}, context);
     }
     void upload(GlView& view, const Scene& scene) {
         const auto ready = prepared(scene);
@@ -155,14 +160,13 @@ TEST_F(GlViews, ASceneIsDrawnAsTheEngineDrawsIt) {
     upload(view, red_square());
     settings.background = {0.2f, 0.3f, 0.4f, 1};
     const ToneSettings tone{.mapping = ToneMapping::aces, .exposure_ev = 0.5};
-    view.draw({camera, settings}, tone, context);
+    const Shot shot = shot_by(tone);
+    view.draw(shot, tone, context);
     Session session("gl");
     session.set(red_square());
-    RenderSettings drawn = settings;
-    const vec4 behind = separate_background(drawn, tone);
     Frame frame;
-    session.render(camera, drawn, frame, context);
-    const std::vector<std::uint32_t> got = screen(), expected = to_srgb8(frame, tone, behind);
+    session.render(shot, frame, context);
+    const std::vector<std::uint32_t> got = screen(), expected = to_srgb8(frame, tone, shot.behind);
     for (std::size_t i = 0; i < got.size(); ++i)
         for (int c = 0; c < 3; ++c) ASSERT_NEAR(got[i] >> 8 * c & 255, expected[i] >> 8 * c & 255, 1) << "pixel " << i;
 }
@@ -171,13 +175,13 @@ TEST_F(GlViews, AFrameIsShownOverItsBackgroundAsItsCodesAre) {
     GlView view;
     settings.background = {0.2f, 0.3f, 0.4f, 1};
     const ToneSettings tone{.mapping = ToneMapping::aces, .exposure_ev = 0.5};
-    const vec4 behind = separate_background(settings, tone);
+    const Shot shot = shot_by(tone);
     Session session;
     session.set(red_square());
     Frame frame;
-    session.render(camera, settings, frame, context);
-    view.show(frame, tone, behind);
-    const std::vector<std::uint32_t> got = screen(), expected = to_srgb8(frame, tone, behind);
+    session.render(shot, frame, context);
+    view.show(frame, tone, shot.behind);
+    const std::vector<std::uint32_t> got = screen(), expected = to_srgb8(frame, tone, shot.behind);
     for (std::size_t i = 0; i < got.size(); ++i)
         for (int c = 0; c < 3; ++c) ASSERT_NEAR(got[i] >> 8 * c & 255, expected[i] >> 8 * c & 255, 1) << "pixel " << i;
     for (int c = 0; c < 3; ++c)

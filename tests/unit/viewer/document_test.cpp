@@ -401,7 +401,7 @@ TEST_F(Looks, VectorsStandOnTheirVertices) {
     Studio studio;
     Frame frame;
     const Look look = first_look(*m);
-    studio.draw(m, look, request_of(look, width, height), camera_of(look, *m, width, height), 0, frame, context_);
+    studio.draw(shot(studio, m, look), 0, frame, context_);
     const std::vector<Line> lines = vertex_lines(scene_of(*studio.prepared()), VertexVector::normal, m->box.bounds());
     ASSERT_GT(lines.size(), 20u);
     for (const Line& line : lines) {

@@ -33,11 +33,14 @@ protected:
         start.takes = [](std::string_view) { return true; };
         return load_model(file, start, context_);
     }
+    Shot shot(Studio& studio, const std::shared_ptr<const Model>& model, const Look& look) {
+        return studio.plan(model, look, request_of(look, width, height), camera_of(look, *model, width, height),
+                           context_);
+    }
     Frame drawn(const std::shared_ptr<const Model>& model, const Look& look) {
         Studio studio;
         Frame frame;
-        studio.draw(model, look, request_of(look, width, height), camera_of(look, *model, width, height), 0, frame,
-                    context_);
+        studio.draw(shot(studio, model, look), 0, frame, context_);
         return frame;
     }
     std::string file(const char* name) { return (folder_.path() / name).string(); }

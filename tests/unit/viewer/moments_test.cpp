@@ -131,9 +131,7 @@ TEST_F(Moments, ShareTheArraysThatNothingMoves) {
     Studio studio;
     const auto meshes_at = [&](double time_s) {
         show(1, time_s);
-        const PictureRequest request = request_of(look_, width, height);
-        const Camera camera = camera_of(look_, *model_, width, height);
-        studio.prepare(model_, look_, request, camera, context_);
+        studio.prepare(shot(studio, model_, look_), context_);
         return scene_of(*studio.prepared()).meshes;
     };
     const std::vector<Mesh> a = meshes_at(1), b = meshes_at(2);
