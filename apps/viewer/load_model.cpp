@@ -67,8 +67,13 @@ void decide(const std::shared_ptr<Model>& model, Context& context) {
     const std::shared_ptr<const Scene> scene(model, &model->scene);
     const std::vector<ClipTime> clips = wanted_clips(*scene, request, context);
     const ShotOptions options{.is_view = true, .is_data = true};
+    if (request.look == rakelight::Look::plain) return apply_look(*scene, request, context);
+    const Coloring coloring = request.coloring;     // what it leaves open stays open
+    request.given_keys.emplace_back("point-size");  // the painter draws points as points: their size is chosen below
     Session session("soft");
     Shot shot = rakelight::decide(session, scene, request, clips, {}, options, context);
+    request.coloring = coloring;
+    request.given_keys.pop_back();
     const RayMethod method = request.settings.method;
     if (method == RayMethod::radiosity)  // the painter solves it
         request.settings.method = shot.settings.method = RayMethod::automatic;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include <rakelight/camera_chooser.h>
+#include <rakelight/picture.h>
 #include <rakelight/shot.h>
 
 #include "errors.h"
@@ -90,7 +91,9 @@ private:
     }
 
     const Scene& show(const PictureRequest& request) {
-        return session_->show(loaded_, request, clips_of(*loaded_, request.motion), runner_.context());
+        PictureRequest shown = request;
+        if (is_decided_) shown.view.world_up = world_up_;  // the environment stays as it is, whatever the view
+        return session_->show(loaded_, shown, clips_of(*loaded_, request.motion), runner_.context());
     }
 
     /// The look is chosen at the first picture, background and exposure at the first one that is not data alone.
@@ -108,6 +111,7 @@ private:
             shot = plan_shot(shown, request, camera_of(shown, request), options, context);
             adjust_shot(*session_, shot, request, options, context);
         }
+        if (!is_decided_) world_up_ = request.view.world_up;
         is_decided_ = true, is_adjusted_ = !is_data;
         take_over(request, has_own_view);
         return shot.camera;
@@ -157,6 +161,7 @@ private:
     std::shared_ptr<const Scene> loaded_;
     std::optional<CameraChooser> cameras_;  ///< of the scene as it is shown
     PictureRequest request_;
+    std::optional<dvec3> world_up_;  ///< of the scene as it is shown
     std::optional<Session> session_;
     bool is_decided_ = false, is_adjusted_ = false;
     std::size_t remarks_ = 0;  ///< that were told

@@ -355,7 +355,10 @@ void Session::State::hand_over_single(const Shot& shot, Context& context) {
 
 /// The engine has the scene, with the lights of the picture.
 void Session::State::warm_up(const Shot& shot, Session& session, Context& context) {
-    if (source == Source::single) return hand_over_single(shot, context);
+    if (source == Source::single) {
+        if (shot.lights) validate_lights(*shot.lights, current().nodes.size());
+        return hand_over_single(shot, context);
+    }
     const std::shared_ptr<const PreparedScene> ready = session.prepared_for(shot, context);
     if (taken && are_drawn_alike(*taken, *ready)) {
         taken = ready;

@@ -157,7 +157,9 @@ Scene scene_at(Scene still, const std::vector<Animation>& animations, std::span<
                MemoryBudget& memory) {
     std::vector<ClipTime> own(clips.begin(), clips.end());
     for (ClipTime& clip : own) {
-        if (clip.animation >= animations.size()) check_clips(still, {&clip, 1});
+        if (clip.animation >= animations.size())
+            throw Error(ErrorCode::usage,
+                        format_text("there is no animation {}: the scene has {}", clip.animation, animations.size()));
         still.animations.push_back(animations[clip.animation]);
         clip.animation = std::uint32_t(still.animations.size() - 1);
     }
