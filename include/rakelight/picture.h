@@ -50,7 +50,9 @@ struct PictureResult {
     std::uint64_t triangles = 0, objects = 0;  ///< numbers of drawn triangles and objects; each instance counts
     std::string engine{}, isa{};               ///< `isa` is empty for engines that do not select an instruction set
     int threads = 0;                           ///< worker threads
-    double load_ms = 0, prepare_ms = 0, render_ms = 0, write_ms = 0;  ///< [ms] wall clock
+    /// [ms] wall clock. Preparing ends when the engine has the scene and its textures; the small picture of
+    /// Look::standard belongs to it.
+    double load_ms = 0, prepare_ms = 0, render_ms = 0, write_ms = 0;
     RenderStats stats{};
     /// For 8-bit pictures: number of pixels with red, green and blue all 0 (black) or all 255 (white), background
     /// included.

@@ -46,7 +46,7 @@ public:
     /// preset, points and fog, to be prepared by its options. What does not depend on the moment is kept, too.
     /// @param loaded  passed validate()
     /// @param request  after decide()
-    /// @return the scene that was set, to choose camera and lights by; valid until the next set() or show()
+    /// @return the scene that was set, to choose camera and lights by; valid until another is set
     /// @throws Error as set(); usage: no such clip or attribute; not_found, bad_file: a picture of the request
     const Scene& show(const std::shared_ptr<const Scene>& loaded, const PictureRequest& request,
                       std::span<const ClipTime> clips, Context& context);

@@ -174,19 +174,30 @@ Camera camera_in_world(const Scene& scene, Camera camera, double aspect) {
     return adapt_to_aspect(std::move(camera), aspect);
 }
 
+namespace {
+
+bool is_lit_by(const std::vector<Light>& own, const Scene& scene, RayMethod method) {
+    return !own.empty() || is_lit_by_environment(scene) ||
+           ((method == RayMethod::path || method == RayMethod::radiosity) && has_shining_surface(scene));
+}
+
+/// @param own  the lights of the scene, whatever those are that stand in it
+std::vector<Light> lights_of(const Scene& scene, const std::vector<Light>& own, const Shot& shot) {
+    if (shot.settings.method == RayMethod::radiosity) return {};  // they are in the colors
+    if (shot.lights) return *shot.lights;
+    if (is_lit_by(own, scene, shot.settings.method)) return own;
+    return default_lights(camera_in_world(scene, shot.camera, aspect_of(shot.settings)).to_world);
+}
+
+}  // namespace
+
 std::vector<Light> lights_of(const Scene& scene, const Camera& camera, RayMethod method) {
-    const bool is_lit = !scene.lights.empty() || is_lit_by_environment(scene) ||
-                        ((method == RayMethod::path || method == RayMethod::radiosity) && has_shining_surface(scene));
-    return is_lit ? scene.lights : default_lights(camera.to_world);
+    return is_lit_by(scene.lights, scene, method) ? scene.lights : default_lights(camera.to_world);
 }
 
 double aspect_of(const RenderSettings& settings) { return double(settings.width) / double(settings.height); }
 
-std::vector<Light> lights_of(const Scene& scene, const Shot& shot) {
-    if (shot.settings.method == RayMethod::radiosity) return {};  // they are in the colors
-    if (shot.lights) return *shot.lights;
-    return lights_of(scene, camera_in_world(scene, shot.camera, aspect_of(shot.settings)), shot.settings.method);
-}
+std::vector<Light> lights_of(const Scene& scene, const Shot& shot) { return lights_of(scene, scene.lights, shot); }
 
 Scene drawn_scene(const PreparedScene& prepared, const Shot& shot, Context& context) {
     Scene scene = prepared.posed(context);
@@ -203,6 +214,7 @@ struct Session::State {
     std::shared_ptr<const PreparedScene> prepared;  ///< of `scene`, or as set; null: not made yet
     std::shared_ptr<PreparedScene> single;          ///< likewise, of a single picture
     bool engine_has_single = false;                 ///< `single` is empty then
+    std::vector<Light> single_lights;               ///< those of its scene, then
     std::shared_ptr<const PreparedScene> taken;     ///< what the engine has
     LitScenes lit;
     AskedScenes asked;
@@ -344,12 +356,13 @@ void Session::State::hand_over_single(const Shot& shot, Context& context) {
         (void)prepare_single(shot, context);
         const std::shared_ptr<PreparedScene> given = std::exchange(single, nullptr);
         begin(Source::none), taken.reset();
+        single_lights = given->scene.lights;
         given->scene.lights = lights_of(given->scene, shot);
         engine->prepare(given->posed_.take(std::move(*given), context), context);
         source = Source::single, engine_has_single = true;
         remark_missing_rays(engine->scene(), *engine, context.report());
     }
-    std::vector<Light> lights = lights_of(engine->scene(), shot);
+    std::vector<Light> lights = lights_of(engine->scene(), single_lights, shot);
     if (lights != engine->scene().lights) engine->set_lights(std::move(lights));
 }
 

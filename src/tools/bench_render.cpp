@@ -78,7 +78,6 @@ public:
           context_(context),
           settings_(options.settings),
           scene_(options.scene.empty() ? built_in() : load(options.scene, options.load, context)) {
-        if (!options.export_file.empty()) export_bench_scene(scene_, options.export_file, context_);
         decide();
     }
 
@@ -116,8 +115,12 @@ private:
         request.load = options_.load, request.settings = settings_, request.look = Look::plain;
         if (options_.scene.empty() && options_.lights == 0 && !request.lights)
             request.lights.emplace();  // none, no default ones
+        const auto exported = [&](Scene scene) {
+            if (!options_.export_file.empty()) export_bench_scene(scene, options_.export_file, context_);
+            return scene;
+        };
         Session session("soft");
-        shot_ = decide_single(session, std::move(scene_), request, {}, {}, context_);
+        shot_ = decide_single(session, std::move(scene_), request, exported, {}, context_);
         scene_ = drawn_scene(*session.prepared_for(shot_, context_), shot_, context_);
         sink_.emplace(PixelFormat{}, ToneCurve(request.tone, shot_.behind));
     }

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include <rakelight/linear.h>
+#include <rakelight/picture.h>
 #include <rakelight/sequence.h>
 #include <rakelight/shot.h>
 
@@ -47,13 +48,26 @@ std::vector<Shown> by_sequence(PictureRequest request, double step_s, std::size_
     return all;
 }
 
-Shown BySession::draw(PictureRequest request, std::optional<double> time_s, Context& context) {
+Shown BySession::draw(const PictureRequest& asked, std::optional<double> time_s, Context& context) {
+    PictureRequest request = asked;
     if (!request.motion.time_s) request.motion.time_s = time_s;
     request.settings.shader_time_s = request.motion.time_s.value_or(0);
     if (!loaded_) loaded_ = std::make_shared<const Scene>(load(request.input, request.load, context));
     Session& session = sessions_.try_emplace(request.engine, request.engine).first->second;
-    const Shot shot =
-        decide(session, loaded_, request, clips_of(*loaded_, request.motion), {}, {.is_view = true}, context);
+    const std::vector<ClipTime> clips = clips_of(*loaded_, request.motion);
+    const ShotOptions options{.is_view = true};
+    Shot shot;
+    if (asked_ == asked) {
+        decided_->motion = request.motion, decided_->settings.shader_time_s = request.settings.shader_time_s;
+        const Scene& shown = session.show(loaded_, *decided_, clips, context);
+        const double aspect = double(request.settings.width) / double(request.settings.height);
+        const Camera camera = choose_camera(shown, decided_->view, aspect, decided_->settings.visibility, context);
+        shot = plan_shot(shown, *decided_, camera, options, context);
+    } else {
+        decided_ = request;
+        shot = decide(session, loaded_, *decided_, clips, {}, options, context);
+        asked_ = asked;
+    }
     Frame frame;
     session.render(shot, frame, context);
     return {frame.window.width, frame.window.height, to_srgb8(frame, request.tone, shot.behind)};

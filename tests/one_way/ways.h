@@ -32,14 +32,16 @@ Shown by_picture(const PictureRequest& request, std::optional<double> time_s, Co
 std::vector<Shown> by_sequence(PictureRequest request, double step_s, std::size_t count, const std::string& folder,
                                Context& context);
 
-/// Sessions, one for each engine, which have drawn all pictures before; all of one model.
+/// Sessions, one for each engine, which have drawn all pictures before; all of one model. A request is decided at its first
+/// picture.
 class BySession {
 public:
-    Shown draw(PictureRequest request, std::optional<double> time_s, Context& context);
+    Shown draw(const PictureRequest& asked, std::optional<double> time_s, Context& context);
 
 private:
     std::shared_ptr<const Scene> loaded_;
     std::map<std::string, Session> sessions_;
+    std::optional<PictureRequest> asked_, decided_;  ///< the last one
 };
 
 /// The viewer at rest; all looks are of one document.

@@ -310,6 +310,34 @@ TEST(Session, TheSceneOfASinglePictureGoesToTheEngineUncopied) {
     EXPECT_EQ(c.engine.times_prepared, 2);
 }
 
+TEST(Session, LightsOfASinglePictureAreThoseOfEachShot) {
+    Counted c;
+    Scene dark = two_squares();
+    dark.lights.clear();
+    c.session.set_single(dark, {});
+    const std::vector<Light> lamp = {test::directional({0, 0, -1})};
+    c.session.render({from(0), small(), lamp}, c.frame, c.context);
+    EXPECT_EQ(c.engine.prepared.lights, lamp);
+    c.draw(from(0));
+    EXPECT_EQ(c.engine.prepared.lights, default_lights(from(0).to_world)) << "the scene has no lights";
+    Camera beside = from(0);
+    beside.to_world = look_at({9, 0, 0}, {0, 0, 0}, {0, 1, 0});
+    c.draw(beside);
+    EXPECT_EQ(c.engine.prepared.lights, default_lights(beside.to_world));
+    EXPECT_NE(c.engine.prepared.lights, default_lights(from(0).to_world));
+    EXPECT_EQ(c.engine.times_prepared, 1);
+}
+
+TEST(Session, AWrongLightLeavesTheSceneOfASinglePicture) {
+    Counted c;
+    c.session.set_single(two_squares(), {});
+    Light on_no_node = test::directional({0, 0, -1});
+    on_no_node.node = 9;
+    const Shot wrong{from(0), small(), std::vector{on_no_node}};
+    EXPECT_EQ(test::error_of([&] { c.session.render(wrong, c.frame, c.context); }).code(), ErrorCode::bad_file);
+    EXPECT_NO_THROW(c.draw());
+}
+
 TEST(Session, AnEngineThatFailsToTakeItsSceneUpLeavesNone) {
     Counted c;
     FakeEngine& engine = const_cast<FakeEngine&>(c.engine);

@@ -4,6 +4,7 @@
 #include <rakelight/motion.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "scene/scene_tools.h"
 #include "scenes.h"
@@ -51,6 +52,21 @@ TEST(AnimatedProperties, PlanesOfACameraMoveTogetherOrNotAtAll) {
     EXPECT_EQ(planes(0.01f, 0.05f), std::pair(double(0.01f), double(0.05f)));
     EXPECT_EQ(planes(5, 4), std::pair(0.1, 1000.0)) << "nothing could be seen";
     EXPECT_EQ(planes(-1, 4), std::pair(0.1, 1000.0));
+}
+
+TEST(AnimatedProperties, ClipsApartFromTheirSceneAreThoseOfTheirList) {
+    const std::vector<Animation> clips = {{"clip", {set_to(AnimationPath::camera, "far", {7})}}};
+    MemoryBudget memory;
+    const auto far = [&](Scene still, std::vector<ClipTime> times) {
+        return scene_at(std::move(still), clips, times, memory).cameras[0].z_far;
+    };
+    EXPECT_EQ(far(with_camera({}), {{0, 0}}), 7);
+    Scene with_own_clips = with_camera({});
+    with_own_clips.animations = {{}, {}};
+    EXPECT_EQ(far(with_own_clips, {{0, 0}}), 7);
+    EXPECT_THROW(far(with_own_clips, {{1, 0}}), Error);
+    EXPECT_THROW(far(with_camera({}), {{0, 0}, {0, 0}, {1, 0}}), Error);
+    EXPECT_THROW(far(with_camera({}), {{0, std::numeric_limits<double>::quiet_NaN()}}), Error);
 }
 
 TEST(AnimatedProperties, ConesGrowAndShrinkTogether) {

@@ -25,6 +25,19 @@ TEST_F(Looks, AFirstLookIsSavedAsSeen) {
     EXPECT_SAVED_AS_SEEN(first_look(*m), m);
 }
 
+TEST_F(Looks, PointsWithoutASizeGetThatOfTheirSpacing) {
+    std::string cloud =
+        "ply\nformat ascii 1.0\nelement vertex 400\nproperty float x\nproperty float y\n"
+        "property float z\nproperty float nx\nproperty float ny\nproperty float nz\nend_header\n";
+    for (int i = 0; i < 400; ++i) cloud += std::to_string(i % 20) + " " + std::to_string(i / 20) + " 0 0 0 1\n";
+    std::ofstream(file("cloud.ply")) << cloud;
+    Start start{.settings = {}};
+    start.takes = [](std::string_view) { return true; };
+    const auto m = load_model(file("cloud.ply"), start, context_);
+    EXPECT_NE(m->request.settings.point_size, RenderSettings{}.point_size);
+    EXPECT_TRUE(std::ranges::find(m->request.given_keys, "point-size") == m->request.given_keys.end());
+}
+
 TEST_F(Looks, AMovedCameraIsSavedAsSeen) {
     const auto m = model(write_model());
     Look look = first_look(*m);
