@@ -75,7 +75,6 @@ private:
     }
 
     Drawn draw(const Settings& view, std::uint32_t channels, bool has_image, bool has_color) {
-        Context& context = runner_.context();
         PictureRequest request = requested(view, channels);
         if (request.has_overlays())
             throw Error(ErrorCode::usage, "overlays are drawn into files alone", {}, "use render_file()");
