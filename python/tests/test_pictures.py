@@ -102,6 +102,23 @@ def test_what_came_before_does_not_change_a_picture(teapot):
     np.testing.assert_array_equal(other.render("front")["image"], first["image"])
 
 
+def test_the_environment_stays_whatever_the_view(tmp_path):
+    stl = tmp_path / "wedge.stl"
+    stl.write_text("solid wedge\n" + "".join(
+        "facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {x} {y} {z}\n" for x, y, z in corners) + "endloop\nendfacet\n"
+        for corners in [((0, 0, 0), (1, 0, 1), (0, 1, 0)), ((0, 0, 0), (0, 1, 0), (0, 0, 1))]) + "endsolid wedge\n")  # fmt: skip
+    try:
+        scene = rakelight.load(stl)
+    except rakelight.Error as error:
+        pytest.skip(str(error))  # a build without import helper
+    session = rakelight.Session(
+        scene, resolution=SIZE, hdri_file=str(DATA / "environment" / "ramp.hdr"), hdri_ambient=True, hdri_skybox=True)  # fmt: skip
+    camera = rakelight.Camera.orbit(40, 20, 5)
+    first = session.render(camera, channels="color")["color"]
+    assert len(np.unique(first)) > 10
+    np.testing.assert_array_equal(session.render(camera, channels="color")["color"], first)
+
+
 def test_shapes_and_types(teapot):
     picture = rakelight.render(teapot, resolution=(40, 30), channels=["image", "color", "all"])
     shapes = {name: (array.shape, array.dtype) for name, array in picture.items()}
