@@ -101,6 +101,7 @@ private:
         Context& context = runner_.context();
         if (is_decided_ && (is_adjusted_ || is_data)) return camera_of(show(request), request);
         const ShotOptions options{.is_view = true, .is_data = is_data};
+        const std::optional<dvec3> own_up = request.view.world_up;
         Shot shot;
         if (!is_decided_) {
             const auto camera = [&](const Scene& shown) { return camera_of(shown, request); };
@@ -113,6 +114,7 @@ private:
         if (!is_decided_) world_up_ = request.view.world_up;
         is_decided_ = true, is_adjusted_ = !is_data;
         take_over(request, has_own_view);
+        if (!own_up) request_.view.world_up = world_up_;  // that of the file, for all views
         return shot.camera;
     }
 
