@@ -20,7 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 NEEDED = ("xvfb-run", "xdotool")
 SHARED = pathlib.Path(os.environ.get("RAKELIGHT_SHARED", ROOT.parent / "shared"))
 SIZE = (640, 480)
-PATIENCE = 10  # [s] for what has to happen; a wait ends as soon as it has
+PATIENCE = 30  # [s] for what has to happen; a wait ends as soon as it has
 STILL = 0.6  # [s] without a change, after which nothing more is expected: the next finer picture takes less
 
 PARTS = ("mtllib m.mtl\no left\nv -2 -1 0\nv 0 -1 0\nv 0 1 0.6\nv -2 1 0\nusemtl red\nf 1 2 3 4\n"
@@ -55,7 +55,10 @@ class Window:
         return done.stdout
 
     def key(self, *keys):
-        self.tool("key", "--delay", 20, *keys)
+        """Each has reached the display before the next one is sent: of presses of one key within a millisecond, which a display that waits
+        for its turn gives to all that came meanwhile, GLFW takes the first alone."""
+        for key in keys:
+            self.tool("key", key)
 
     def drag(self, button, dx, dy, modifier=None):
         x, y = SIZE[0] // 2, SIZE[1] // 2
