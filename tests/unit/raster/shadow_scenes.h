@@ -75,15 +75,8 @@ class RayCast {
 public:
     explicit RayCast(const Scene& scene) {
         for (const Node& node : scene.nodes)
-            for (const std::uint32_t number : node.meshes) {
-                const Mesh& mesh = scene.meshes[number];
-                for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-                    Triangle t;
-                    for (std::size_t k = 0; k < 3; ++k)
-                        t.p[k] = transform_point(*node.local.matrix, cast<double>(mesh.positions[mesh.indices[i + k]]));
-                    triangles_.push_back(t);
-                }
-            }
+            for (const std::uint32_t number : node.meshes)
+                parts_.push_back(part_of(scene.meshes[number], *node.local.matrix));
     }
     struct Hit {
         dvec3 position, normal;  ///< towards the ray's origin
@@ -91,18 +84,24 @@ public:
     std::optional<Hit> nearest(dvec3 from, dvec3 along) const {
         std::optional<Hit> best;
         double best_t = 1e30;
-        for (const Triangle& t : triangles_)
-            if (const std::optional<double> at = meet(t, from, along); at && *at > 1e-6 && *at < best_t) {
-                best_t = *at;
-                const dvec3 n = normalize_or(cross(t.p[1] - t.p[0], t.p[2] - t.p[0]), dvec3{0, 0, 1});
-                best = Hit{from + along * best_t, dot(n, along) < 0 ? n : -n};
-            }
+        for (const Part& part : parts_) {
+            if (!may_meet(part, from, along)) continue;
+            for (const Triangle& t : part.triangles)
+                if (const std::optional<double> at = meet(t, from, along); at && *at > 1e-6 && *at < best_t) {
+                    best_t = *at;
+                    const dvec3 n = normalize_or(cross(t.p[1] - t.p[0], t.p[2] - t.p[0]), dvec3{0, 0, 1});
+                    best = Hit{from + along * best_t, dot(n, along) < 0 ? n : -n};
+                }
+        }
         return best;
     }
     /// @param along  all the way to the light
     bool is_hidden(dvec3 from, dvec3 along) const {
-        for (const Triangle& t : triangles_)
-            if (const std::optional<double> at = meet(t, from, along); at && *at > 1e-7 && *at < 1) return true;
+        for (const Part& part : parts_) {
+            if (!may_meet(part, from, along)) continue;
+            for (const Triangle& t : part.triangles)
+                if (const std::optional<double> at = meet(t, from, along); at && *at > 1e-7 && *at < 1) return true;
+        }
         return false;
     }
 
@@ -110,6 +109,29 @@ private:
     struct Triangle {
         dvec3 p[3];
     };
+    /// The triangles of a mesh and a ball around them.
+    struct Part {
+        dvec3 center = {};
+        double radius = 0;  ///< [m]
+        std::vector<Triangle> triangles;
+    };
+    static Part part_of(const Mesh& mesh, const dmat4& to_world) {
+        Part part;
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            Triangle t;
+            for (std::size_t k = 0; k < 3; ++k)
+                t.p[k] = transform_point(to_world, cast<double>(mesh.positions[mesh.indices[i + k]]));
+            part.triangles.push_back(t);
+        }
+        for (const Triangle& t : part.triangles) part.center += t.p[0] / double(part.triangles.size());
+        for (const Triangle& t : part.triangles)
+            for (const dvec3& p : t.p) part.radius = std::max(part.radius, length(p - part.center));
+        part.radius *= 1 + 1e-9;
+        return part;
+    }
+    static bool may_meet(const Part& part, dvec3 from, dvec3 along) {
+        return length(cross(part.center - from, along)) <= part.radius * length(along);
+    }
     /// Moeller & Trumbore 1997
     static std::optional<double> meet(const Triangle& t, dvec3 from, dvec3 along) {
         const dvec3 a = t.p[1] - t.p[0], b = t.p[2] - t.p[0], q = cross(along, b);
@@ -122,7 +144,7 @@ private:
         if (u < 0 || v < 0 || u + v > 1) return {};
         return dot(b, r) / volume;
     }
-    std::vector<Triangle> triangles_;
+    std::vector<Part> parts_;
 };
 
 }  // namespace rakelight::test
