@@ -66,7 +66,7 @@ void decide(const std::shared_ptr<Model>& model, Context& context) {
     PictureRequest& request = model->request;
     const std::shared_ptr<const Scene> scene(model, &model->scene);
     const std::vector<ClipTime> clips = wanted_clips(*scene, request, context);
-    const ShotOptions options{.is_view = true, .is_data = true};
+    const ShotOptions options{.is_view = true, .without_adjusting = true};
     if (request.look == rakelight::Look::plain) return apply_look(*scene, request, context);
     const Coloring coloring = request.coloring;     // what it leaves open stays open
     request.given_keys.emplace_back("point-size");  // the painter draws points as points: their size is chosen below

@@ -35,8 +35,8 @@ struct ShotOptions {
     bool is_linear = false;
     /// One of many views of a scene: the default rig of radiosity is that of a default view, which is solved once.
     bool is_view = false;
-    /// Data channels without colors: decide() draws no small picture for the choice of background and exposure.
-    bool is_data = false;
+    /// decide() leaves adjust_shot() out: for data channels without colors, or where the caller calls it later.
+    bool without_adjusting = false;
 };
 
 /// Chooses the camera for the scene that a session shows. Empty: choose_camera() by the request.

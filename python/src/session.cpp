@@ -100,7 +100,7 @@ private:
     Camera decided(PictureRequest& request, bool has_own_view, bool is_data) {
         Context& context = runner_.context();
         if (is_decided_ && (is_adjusted_ || is_data)) return camera_of(show(request), request);
-        const ShotOptions options{.is_view = true, .is_data = is_data};
+        const ShotOptions options{.is_view = true, .without_adjusting = is_data};
         const std::optional<dvec3> own_up = request.view.world_up;
         Shot shot;
         if (!is_decided_) {

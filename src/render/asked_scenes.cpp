@@ -10,6 +10,7 @@
 #include "render/look.h"
 #include "render/point_look.h"
 #include "scene/clips.h"
+#include "world/coloring.h"
 #include "world/scene_of_request.h"
 
 namespace rakelight {
@@ -46,21 +47,26 @@ Scene with_surfaces(Scene scene, const PictureRequest& request, Context& context
     return with_splats(with_requested_surfaces(std::move(scene), request, context), request, context);
 }
 
+Scene changed(Scene scene, const PictureRequest& request, Context& context) {
+    scene = with_surfaces(std::move(scene), request, context);
+    scene.fog = request.fog.value_or(scene.fog);
+    return scene;
+}
+
 }  // namespace
 
 Scene at_moment(Scene loaded, std::span<const ClipTime> clips, Context& context) {
     return scene_at(std::move(loaded), clips, context.memory());
 }
 
-Scene valid::as_requested(Scene scene, const PictureRequest& request, Context& context) {
-    scene = with_surfaces(std::move(scene), request, context);
-    scene.fog = request.fog.value_or(scene.fog);
-    return scene;
+Scene asked_single(Scene moment, PictureRequest& request, Context& context) {
+    request.coloring = completed(moment, request.coloring);
+    return changed(std::move(moment), request, context);
 }
 
 Scene as_requested(Scene scene, const PictureRequest& request, Context& context) {
     validate(scene);
-    return valid::as_requested(std::move(scene), request, context);
+    return changed(std::move(scene), request, context);
 }
 
 Scene AskedScenes::at(const std::shared_ptr<const Scene>& loaded, const PictureRequest& request,

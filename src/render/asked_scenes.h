@@ -11,14 +11,14 @@
 
 namespace rakelight {
 
-namespace valid {
-/// as_requested() of shot.h for a scene that passed validate().
-Scene as_requested(Scene scene, const PictureRequest& request, Context& context);
-}  // namespace valid
-
 /// A loaded scene at the moment of some clips.
 /// @throws Error usage: no such clip
 Scene at_moment(Scene loaded, std::span<const ClipTime> clips, Context& context);
+
+/// as_requested() of shot.h for a single picture: the array and the range of the coloring are chosen, too.
+/// @param moment   of at_moment(); passed validate()
+/// @param request  gets what is chosen
+Scene asked_single(Scene moment, PictureRequest& request, Context& context);
 
 /// The members of a request that its surfaces depend on; all others have their defaults.
 PictureRequest surfaces_of(const PictureRequest& request);

@@ -157,11 +157,6 @@ Scene loaded_at_moment(PictureRequest& request, Context& context) {
     }
 }
 
-Scene requested(Scene scene, PictureRequest& request, Context& context) {
-    request.coloring = completed(scene, request.coloring);
-    return valid::as_requested(std::move(scene), request, context);
-}
-
 Pixels drawn(Scene scene, PictureRequest& request, Context& context) {
     Pixels pixels;
     PixelsTarget target(pixels);
@@ -176,8 +171,8 @@ std::pair<Pixels, Pixels> draw_alike(PictureRequest a, PictureRequest b, Context
     share_up(scene_a, a, scene_b, b, context.report());
     share_light(scene_a, scene_b), share_light(scene_b, scene_a);
     choose_for_both(both(scene_a, scene_b, context), a, b, context);
-    scene_b = requested(std::move(scene_b), b, context);
-    Pixels picture_a = drawn(requested(std::move(scene_a), a, context), a, context);
+    scene_b = asked_single(std::move(scene_b), b, context);
+    Pixels picture_a = drawn(asked_single(std::move(scene_a), a, context), a, context);
     follow(b, a);
     b.look = Look::plain;  // all of it is chosen
     return {std::move(picture_a), drawn(std::move(scene_b), b, context)};

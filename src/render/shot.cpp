@@ -56,41 +56,32 @@ Shot decide_shown(Session& session, const Scene& shown, PictureRequest& request,
                                  : valid::choose_camera(shown, request.view, aspect_of(request.settings),
                                                         request.settings.visibility, context);
     Shot shot = plan_shot(shown, request, chosen, options, context);
-    if (!options.is_data) adjust_shot(session, shot, request, options, context);
+    if (!options.without_adjusting) adjust_shot(session, shot, request, options, context);
     return shot;
 }
-
-namespace {
-
-/// @param moment  as loaded, at the first moment
-/// @param show    gives the scene to the session, as the request now wants it, and returns it
-Shot decide_by(const Scene& moment, Session& session, PictureRequest& request,
-               const std::function<const Scene&()>& show, const CameraOf& camera, const ShotOptions& options,
-               Context& context) {
-    apply_look(moment, request, context);
-    request.coloring = completed(moment, request.coloring);
-    return decide_shown(session, show(), request, camera, options, context);
-}
-
-}  // namespace
 
 Shot decide(Session& session, const std::shared_ptr<const Scene>& loaded, PictureRequest& request,
             std::span<const ClipTime> first, const CameraOf& camera, const ShotOptions& options, Context& context) {
     if (!loaded) throw Error(ErrorCode::usage, "there is no scene to draw");
-    const auto show = [&]() -> const Scene& { return session.show(loaded, request, first, context); };
-    if (first.empty()) return decide_by(*loaded, session, request, show, camera, options, context);
-    return decide_by(at_moment(*loaded, first, context), session, request, show, camera, options, context);
+    const auto choose = [&](const Scene& moment) {
+        apply_look(moment, request, context);
+        request.coloring = completed(moment, request.coloring);
+    };
+    if (first.empty())
+        choose(*loaded);
+    else
+        choose(at_moment(*loaded, first, context));
+    return decide_shown(session, session.show(loaded, request, first, context), request, camera, options, context);
 }
 
 Shot decide_single(Session& session, Scene loaded, PictureRequest& request, const ChangeScene& change,
                    const ShotOptions& options, Context& context) {
     const std::vector<ClipTime> clips = clips_of(loaded, request.motion);
     Scene scene = at_moment(std::move(loaded), clips, context);
-    const auto show = [&]() -> const Scene& {
-        scene = valid::as_requested(std::move(scene), request, context);
-        return session.set_single(change ? change(std::move(scene)) : std::move(scene), request.prepare);
-    };
-    return decide_by(scene, session, request, show, {}, options, context);
+    apply_look(scene, request, context);
+    scene = asked_single(std::move(scene), request, context);
+    const Scene& shown = session.set_single(change ? change(std::move(scene)) : std::move(scene), request.prepare);
+    return decide_shown(session, shown, request, {}, options, context);
 }
 
 }  // namespace rakelight

@@ -48,7 +48,7 @@ Scene lightmapped(const Scene& scene, const PictureRequest& request, const Light
 Scene scene_to_light(PictureRequest& request, Context& context) {
     Scene loaded = load(request.input, request.load, context);
     Session session("soft");
-    Shot shot = decide_single(session, std::move(loaded), request, {}, {.is_data = true}, context);
+    Shot shot = decide_single(session, std::move(loaded), request, {}, {.without_adjusting = true}, context);
     shot.settings.method = RayMethod::path;  // the same lights, not yet worked out
     return drawn_scene(*session.prepared_for(shot, context), shot, context);
 }

@@ -85,7 +85,7 @@ Base without_relief(Scene scene, PictureRequest& request, bool is_cut, Context& 
     if (!is_cut) request.prepare.displacement.is_on = false;
     Session session("soft");
     const Scene& shown = session.set_single(std::move(scene), request.prepare);
-    const Shot shot = decide_shown(session, shown, request, {}, {.is_data = true}, context);
+    const Shot shot = decide_shown(session, shown, request, {}, {.without_adjusting = true}, context);
     return {drawn_scene(*session.prepared_for(shot, context), shot, context), shot.camera};
 }
 
@@ -156,7 +156,8 @@ public:
 private:
     Scene requested(const Scene& loaded) {
         const std::vector<ClipTime> clips = clips_of(loaded, fine_request_.motion);
-        return valid::as_requested(at_moment(loaded, clips, quiet_), fine_request_, quiet_);
+        PictureRequest request = fine_request_;
+        return asked_single(at_moment(loaded, clips, quiet_), request, quiet_);
     }
     /// Stops with the whole run, and has the memory that it leaves.
     ContextOptions options() {

@@ -353,6 +353,18 @@ TEST(Session, AnEngineThatFailsToTakeItsSceneUpLeavesNone) {
     EXPECT_NO_THROW(c.draw()) << "its own scene is still there";
 }
 
+TEST(Session, RadiosityThatIsCancelledLeavesNoSinglePicture) {
+    Counted c;
+    Shot shot{from(0), small(), std::vector{test::directional({0, 0, -1})}};
+    shot.settings.method = RayMethod::radiosity;
+    c.session.set_single(two_squares(), {});
+    c.context.cancel();
+    EXPECT_EQ(test::error_of([&] { c.session.prepared_for(shot, c.context); }).reason(), "cancelled");
+    c.context.reset_cancel();
+    EXPECT_EQ(test::error_of([&] { c.session.prepared_for(shot, c.context); }).reason(), "the session has no scene");
+    EXPECT_EQ(c.engine.times_prepared, 0);
+}
+
 TEST(Session, NeedsAnEngineAndAScene) {
     EXPECT_EQ(test::error_of([] { Session(std::unique_ptr<Engine>()); }).code(), ErrorCode::usage);
     Counted c;
