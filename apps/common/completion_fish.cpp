@@ -46,8 +46,11 @@ std::string fish_completion(const Program& program) {
     std::vector<std::string> lines;  // in the order of the options
     std::map<std::string, std::string> commands_of;
     for (const Command& command : program.commands) {
-        verbs += " " + std::string(command.name);
-        out += complete + " -n " + is_first + " -a " + command.name + " -d " + in_quotes(command.help) + "\n";
+        verbs.append(" ").append(command.name);
+        out.append(complete)
+            .append(" -n " + is_first + " -a ")
+            .append(command.name)
+            .append(" -d " + in_quotes(command.help) + "\n");
         for (const Positional& p : command.positionals)
             if (p.words) out += complete + positional_words(name, command, p) + "\n";
         for (const Option& option : command.options) {
@@ -55,11 +58,11 @@ std::string fish_completion(const Program& program) {
             const std::string line = arguments_of(option);
             std::string& commands = commands_of[line];
             if (commands.empty()) lines.push_back(line);
-            commands += " " + std::string(command.name);
+            commands.append(" ").append(command.name);
         }
     }
     for (const std::string& line : lines)
-        out += complete + " -n '__" + name + "_is" + commands_of[line] + "'" + line + "\n";
+        out.append(complete).append(" -n '__" + name + "_is").append(commands_of[line]).append("'" + line + "\n");
     return "# fish completion of " + name + ", written by `" + name + " --completion fish`\nfunction __" + name + R"(_is
     set -l words (commandline -opc)
     set -l verb )" +

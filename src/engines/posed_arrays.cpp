@@ -7,6 +7,8 @@
 
 namespace rakelight {
 
+// The interface takes a share of the poses; this engine needs none of it.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 void Engine::prepare_unposed(Scene scene, std::shared_ptr<const geometry::MeshPoses> poses, Context& context) {
     prepare(poses ? with_posed_arrays(std::move(scene), *poses, context) : std::move(scene), context);
 }

@@ -34,6 +34,7 @@ Bounds both(const Bounds& a, const Bounds& b) {
 Scene everything(const std::vector<Scene>& outlines, Context& context) {
     if (outlines.size() == 1) return outlines[0];
     std::vector<ScenePart> parts;
+    parts.reserve(outlines.size());
     for (const Scene& outline : outlines) parts.push_back({outline, {}, parts.empty(), parts.empty()});
     return merge_scenes(parts, context).scene;
 }

@@ -14,6 +14,7 @@
 #include "scene/scene_tools.h"
 #include "shading/choices.h"
 #include "shading/lights.h"
+#include "world/scene_of_request.h"
 
 namespace rakelight {
 namespace {
@@ -122,7 +123,7 @@ std::vector<Reach> lights_that_are_on(const Scene& scene, double cutoff) {
 /// Where the ranges of all lights end before the model: whose doing that is.
 std::string why_out_of_range(const std::vector<Reach>& lights, const std::string& all) {
     const auto cut = std::count_if(lights.begin(), lights.end(), [](const Reach& r) { return r.is_cut; });
-    const std::string out = "it is outside the range of " + all;
+    std::string out = "it is outside the range of " + all;
     if (cut == 0) return out;
     if (std::size_t(cut) == lights.size())
         return "'light-cutoff' ends " + all + " before it; a smaller value reaches farther";

@@ -29,12 +29,14 @@ std::string text_of(const Light& light) {
 /// With their numbers, by which the command line takes them.
 std::string list_of(const std::vector<std::string>& things) {
     std::vector<std::string> numbered;
+    numbered.reserve(things.size());
     for (const std::string& thing : things) numbered.push_back(format_text("{} {}", numbered.size(), thing));
     return list_of_names(numbered, 20, 80);
 }
 
 std::vector<std::string> quoted(const std::vector<std::string>& names) {
     std::vector<std::string> result;
+    result.reserve(names.size());
     for (const std::string& name : names) result.push_back(quoted(name));
     return result;
 }
