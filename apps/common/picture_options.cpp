@@ -151,7 +151,8 @@ constexpr Entry entries[] = {
     {normals, "border-distance", "M",
      "Also join normals along borders of different meshes that run along each other without shared vertices, at most "
      "this far apart [m] (default 0: off); inspect suggests a value"},
-    {normals, "weight", "HOW", "Weight of a triangle in a vertex normal: angle (default), uniform, area, angle-area"},
+    {normals, "weight", "HOW",
+     "Weight of a triangle in a vertex normal: angle (default), uniform, area, angle-area, max, fit, auto"},
     {normals, "tangents", "HOW",
      "auto (default: the file's, else mikktspace with the file's normals, else averaged), averaged, mikktspace, "
      "published, published-no-handedness (without the step that inverts maps where texture coordinates are mirrored)"},

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include <rakelight/prepare.h>
+
 #include "panels.h"
 #include "widgets.h"
 
@@ -29,12 +31,8 @@ void draw_normals_panel(PanelView& view) {
     constexpr Word<NormalSource> sources[] = {{"auto", NormalSource::automatic}, {"file", NormalSource::file},
                                               {"flat", NormalSource::flat},      {"object", NormalSource::object},
                                               {"model", NormalSource::model},    {"seams", NormalSource::seams}};
-    constexpr Word<CornerWeight> weights[] = {{"angle", CornerWeight::angle},
-                                              {"uniform", CornerWeight::uniform},
-                                              {"area", CornerWeight::area},
-                                              {"angle-area", CornerWeight::angle_area}};
     choose("normals", sources, p.normals);
-    choose("weight", weights, p.weight);
+    choose("weight", corner_weight_words, p.weight);
     double crease_deg = degrees(p.crease_angle_rad);
     if (slide("crease angle", crease_deg, 0, 180, "%.1f deg")) p.crease_angle_rad = radians(crease_deg);
     slide_border_distance(p.border_distance, view.model ? view.model->box.bounds().diagonal() : 0);

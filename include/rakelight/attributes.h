@@ -28,7 +28,13 @@ enum class Scope : std::uint8_t { face, object, model };
 /// - `angle`: the angle of the face at the corner (Thuermer & Wuethrich 1998, "Computing Vertex Normals from Polygonal
 ///   Facets").
 /// - `angle_area`: the angle times the area.
-enum class CornerWeight : std::uint8_t { uniform, area, angle, angle_area };
+/// - `max`: the sine of the angle, divided by the lengths of both edges at the corner (Max 1999, "Weights for Computing
+///   Vertex Normals from Facet Normals"). Exact for vertices on a sphere.
+/// - `fit`: no weight. A height function is fitted to the positions of two rings of neighbors, over the borders of
+///   objects. Where there are too few of them, as `max`.
+/// - `automatic`: no weight. At each corner group a fit, a plane, or the weights `max` or `angle`, as the surface there
+///   asks for: docs/attributes.md. Tangents and average() take the weights `max` with both.
+enum class CornerWeight : std::uint8_t { uniform, area, angle, angle_area, max, fit, automatic };
 
 /// How tangents are computed.
 /// - `averaged`: the unit tangents of the faces are summed, with the weights used for normals (CornerWeight). Not all

@@ -9,6 +9,7 @@
 #include <rakelight/matching_borders.h>
 #include <rakelight/scene.h>
 #include <rakelight/seams.h>
+#include <rakelight/tools/words.h>
 
 namespace rakelight {
 
@@ -23,6 +24,12 @@ struct Displacement {
     std::uint64_t max_triangles = 4'000'000;  ///< of all displaced meshes; splitting stops there, with a warning
     bool operator==(const Displacement&) const = default;
 };
+
+/// The words for weights, the default first.
+inline constexpr Word<CornerWeight> corner_weight_words[] = {
+    {"angle", CornerWeight::angle},   {"uniform", CornerWeight::uniform},       {"area", CornerWeight::area},
+    {"max", CornerWeight::max},       {"angle-area", CornerWeight::angle_area}, {"fit", CornerWeight::fit},
+    {"auto", CornerWeight::automatic}};
 
 /// Options of prepare_scene().
 struct PrepareOptions {

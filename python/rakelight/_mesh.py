@@ -307,7 +307,7 @@ def attributes(
         meshes: one mesh, several that are one model, or {name: mesh}
         normals: over which faces they are smoothed: "model" (no seams between meshes), "object", "face" (flat)
         scope: the old name of ``normals``
-        weight: how strongly a triangle pulls on its corners: "angle", "area", "angle_area", "uniform"
+        weight: how strongly a triangle pulls on its corners: "angle", "area", "angle_area", "max", "fit", "auto", "uniform"
         crease_angle: [degrees] 0 to 180; edges bent more stay sharp
         weld_distance: [m] positions at most this far apart are one; None: equal, but for rounding; 0: equal
         tangents: also make tangents

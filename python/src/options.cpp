@@ -4,16 +4,13 @@
 #include <cmath>
 #include <string>
 
+#include <rakelight/prepare.h>
 #include <rakelight/tools/values.h>
 
 namespace rakelight::python {
 namespace {
 
 constexpr Word<Scope> scopes[] = {{"model", Scope::model}, {"object", Scope::object}, {"face", Scope::face}};
-constexpr Word<CornerWeight> weights[] = {{"angle", CornerWeight::angle},
-                                          {"uniform", CornerWeight::uniform},
-                                          {"area", CornerWeight::area},
-                                          {"angle-area", CornerWeight::angle_area}};
 constexpr Word<TangentMode> tangent_modes[] = {{"averaged", TangentMode::averaged},
                                                {"published", TangentMode::published},
                                                {"mikktspace", TangentMode::mikktspace},
@@ -40,7 +37,7 @@ void set_word(const py::dict& options, const char* name, const Word<T> (&words)[
 AttributeOptions attribute_options(const py::dict& options) {
     AttributeOptions out;
     set_word(options, "scope", scopes, out.scope);
-    set_word(options, "weight", weights, out.weight);
+    set_word(options, "weight", corner_weight_words, out.weight);
     set_word(options, "tangent_mode", tangent_modes, out.tangent_mode);
     const auto number = [](const py::object& value) { return py::cast<double>(value); };
     set(options, "crease_angle_rad", out.crease_angle_rad, number);

@@ -151,7 +151,7 @@ void check_options(const AttributeOptions& options) {
         if (!exists(value, last)) throw Error(ErrorCode::usage, no_such(what, value));
     };
     require("scope", options.scope, Scope::model);
-    require("weight", options.weight, CornerWeight::angle_area);
+    require("weight", options.weight, CornerWeight::automatic);
     require("way to make tangents", options.tangent_mode, TangentMode::published_no_handedness);
     require("way to orthogonalize", options.orthogonalize, Orthogonalize::off);
 }

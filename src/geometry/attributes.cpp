@@ -12,6 +12,7 @@
 #include "geometry/attribute_plan.h"
 #include "geometry/fast_attributes.h"
 #include "geometry/finish_vertices.h"
+#include "geometry/fit_normals.h"
 #include "geometry/general_attributes.h"
 #include "geometry/grouping.h"
 #include "geometry/tangent_modes.h"
@@ -56,6 +57,9 @@ std::vector<std::uint8_t> add_up(const Plan& plan, const AttributeInput& input, 
         sum_votes(plan.topology, input, plan.options, context, BlockArray<NormalRow>(std::move(scratch.faces)),
                   BlockArray<TangentRow>(std::move(scratch.corners)));
     sum_groups(sums, plan.groups, plan.topology, input, plan.options, context);
+    if (plan.options.normals && is_fitted(plan.options.weight))
+        fit_normals(sums, plan.topology, input, plan.options, context);
+    average_tangents(sums, plan.groups, plan.topology, input, plan.options, context);
     context.throw_if_cancelled();
     const Cancelled cancelled = finish(sums);
     std::vector<std::uint8_t> marks = marks_of(sums, cancelled, plan);

@@ -5,6 +5,7 @@
 
 namespace rakelight::geometry {
 
+/// Those of `max` where there is no weight: CornerWeight::fit, automatic.
 /// @param area2 twice the area of the face in world space
 inline dvec3 corner_weights(CornerWeight weight, const Placement& placement, const FaceCorners& face, double area2) {
     switch (weight) {
@@ -15,9 +16,13 @@ inline dvec3 corner_weights(CornerWeight weight, const Placement& placement, con
         case CornerWeight::angle:
             return corner_weights<CornerWeight::angle>(placement, face, area2);
         case CornerWeight::angle_area:
+            return corner_weights<CornerWeight::angle_area>(placement, face, area2);
+        case CornerWeight::max:
+        case CornerWeight::fit:
+        case CornerWeight::automatic:
             break;
     }
-    return corner_weights<CornerWeight::angle_area>(placement, face, area2);
+    return corner_weights<CornerWeight::max>(placement, face, area2);
 }
 
 }  // namespace rakelight::geometry

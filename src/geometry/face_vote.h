@@ -76,12 +76,29 @@ inline bool is_authored(const AttributeMesh& mesh, std::uint32_t vertex) {
     return is_locked(mesh, vertex) && mesh.locked[vertex] == authored_lock;
 }
 
+/// Max 1999: sine of the angle over the lengths of both edges, from the squares of the lengths.
+/// @param a, b, c squares of the edges from corner 0 to 1, from 0 to 2 and from 1 to 2
+inline dvec3 max_weights(double area2, double a, double b, double c) {
+    const double all = a * b * c;
+    if (all > 1e-280 && all < 1e280) {
+        const double q = area2 / all;
+        return {q * c, q * b, q * a};
+    }
+    constexpr double most = 1e100;
+    const auto weight = [&](double one, double other) {
+        const double w = area2 / one / other;
+        return w < most ? w : most;
+    };
+    return {weight(a, b), weight(a, c), weight(b, c)};
+}
+
 /// Weights of the three corners of a face; `area2`: twice its area in world space.
 template <CornerWeight weight>
 inline dvec3 corner_weights(const Placement& placement, const FaceCorners& face, double area2) {
     if constexpr (weight == CornerWeight::uniform) return {1, 1, 1};
     if constexpr (weight == CornerWeight::area) return dvec3{1, 1, 1} * (0.5 * area2);
     const dvec3 a = placement.linear * face.e1, b = placement.linear * face.e2, c = b - a;
+    if constexpr (weight == CornerWeight::max) return max_weights(area2, dot(a, a), dot(b, b), dot(c, c));
     const dvec3 angles{corner_angle(area2, dot(a, b)), corner_angle(area2, -dot(a, c)), corner_angle(area2, dot(b, c))};
     return weight == CornerWeight::angle ? angles : angles * (0.5 * area2);
 }

@@ -15,7 +15,7 @@ struct VoteBlock {
 };
 
 /// Corner weights, as rakelight::CornerWeight.
-enum class VoteWeight : uint32_t { uniform, area, angle, angle_area };
+enum class VoteWeight : uint32_t { uniform, area, angle, angle_area, max };
 
 /// Some faces of one mesh, at most a block. All arithmetic in double, in the order of face_vote.h: the same bits.
 struct VoteJob {

@@ -54,8 +54,7 @@ void add(TangentRow& to, dvec3 tangent, double hand) {
     to.hand += hand;
 }
 
-static_assert(int(VoteWeight::uniform) == int(CornerWeight::uniform) &&
-              int(VoteWeight::angle_area) == int(CornerWeight::angle_area));
+static_assert(int(VoteWeight::uniform) == int(CornerWeight::uniform) && int(VoteWeight::max) == int(CornerWeight::max));
 
 class Scatter {
 public:
@@ -114,6 +113,10 @@ private:
                     return scatter_as<CornerWeight::angle>(tangents, c, m, first, last, own);
                 case CornerWeight::angle_area:
                     return scatter_as<CornerWeight::angle_area>(tangents, c, m, first, last, own);
+                case CornerWeight::max:
+                case CornerWeight::fit:
+                case CornerWeight::automatic:
+                    return scatter_as<CornerWeight::max>(tangents, c, m, first, last, own);
             }
         });
     }
@@ -316,50 +319,85 @@ static dvec3 authored_or(dvec3 voted, std::span<const std::uint32_t> members, co
     return are_equal ? first * weight : sum;
 }
 
+namespace {
+
+/// Which members of groups vote for its other members.
+class Voters {
+public:
+    Voters(const Topology& topology, const AttributeInput& input, const AttributeOptions& options)
+        : topology_(topology),
+          input_(input),
+          has_locked_(std::any_of(input.meshes.begin(), input.meshes.end(),
+                                  [](const AttributeMesh& m) { return !m.locked.empty(); })),
+          skips_locked_(has_locked_ && !options.locked_vote) {}
+    bool has_locked() const { return has_locked_; }
+    bool votes(std::uint32_t vertex) const {
+        if (!skips_locked_) return true;
+        const std::uint32_t v = topology_.source_of(input_, vertex), m = input_.mesh_of_vertex(v);
+        return !is_locked(input_.meshes[m], v - input_.vertex_base[m]);
+    }
+
+private:
+    const Topology& topology_;
+    const AttributeInput& input_;
+    bool has_locked_, skips_locked_;
+};
+
+constexpr std::size_t groups_per_chunk = 1u << 13;
+
+/// Calls body_of(chunk)(group, members) for every group.
+template <class BodyOf>
+void for_each_list(const VertexGroups& groups, Context& context, const BodyOf& body_of) {
+    constexpr std::size_t step = groups_per_chunk;
+    context.parallel_for((groups.size() + step - 1) / step, [&](std::size_t c) {
+        auto body = body_of(c);
+        for (std::size_t g = c * step; g < std::min(groups.size(), (c + 1) * step); ++g)
+            body(g, std::span<const std::uint32_t>{groups.members.data() + groups.begin[g],
+                                                   groups.begin[g + 1] - groups.begin[g]});
+    });
+}
+
+}  // namespace
+
 void sum_groups(VoteSums& sums, const VertexGroups& groups, const Topology& topology, const AttributeInput& input,
                 const AttributeOptions& options, Context& context) {
-    constexpr std::size_t step = 1u << 13;
-    const bool has_locked =
-        std::any_of(input.meshes.begin(), input.meshes.end(), [](const AttributeMesh& m) { return !m.locked.empty(); });
-    const bool skips_locked = has_locked && !options.locked_vote;
-    const auto has_no_say = [&](std::uint32_t vertex) {
-        if (!skips_locked) return false;
-        const std::uint32_t v = topology.source_of(input, vertex), m = input.mesh_of_vertex(v);
-        return is_locked(input.meshes[m], v - input.vertex_base[m]);
-    };
-    const std::size_t chunks = (groups.size() + step - 1) / step;
-    std::vector<std::vector<std::uint32_t>> cancelled(chunks);
-    context.parallel_for(chunks, [&](std::size_t c) {
-        TangentGroups tangents;
-        for (std::size_t g = c * step; g < std::min(groups.size(), (c + 1) * step); ++g) {
-            const std::span<const std::uint32_t> members(groups.members.data() + groups.begin[g],
-                                                         groups.begin[g + 1] - groups.begin[g]);
-            dvec3 normal;
-            double weight = 0;
-            for (const std::uint32_t v : members) {
-                if (has_no_say(v)) continue;
-                normal += sums.normals[v].normal;
-                weight += sums.normals[v].weight;
-            }
-            if (!(weight > 0)) continue;
-            if (!options.normals) {
-                const std::uint32_t v = topology.source_of(input, members[0]), m = input.mesh_of_vertex(v);
-                normal = given_normal(input.placements[m], input.meshes[m].normals[v - input.vertex_base[m]]);
-            } else if (has_cancelled({normal, weight})) {
-                cancelled[c].push_back(std::uint32_t(g));
-                continue;
-            } else {
-                if (has_locked) normal = authored_or(normal, members, sums, topology, input);
-                for (const std::uint32_t v : members) {
-                    sums.normals[v].normal = normal;
-                    sums.normals[v].weight = weight;
-                }
-            }
-            if (sums.has_tangents()) tangents.average(direction_of(normal).unit, members, sums.tangents.data());
-        }
+    if (!options.normals) return;
+    const Voters voters(topology, input, options);
+    std::vector<std::vector<std::uint32_t>> cancelled(groups.size() / groups_per_chunk + 1);
+    for_each_list(groups, context, [&](std::size_t c) {
+        return [&, c](std::size_t g, std::span<const std::uint32_t> members) {
+            NormalRow sum{};
+            for (const std::uint32_t v : members)
+                if (voters.votes(v)) add(sum, sums.normals[v].normal, sums.normals[v].weight);
+            if (!(sum.weight > 0)) return;
+            if (has_cancelled(sum)) return cancelled[c].push_back(std::uint32_t(g));
+            if (voters.has_locked()) sum.normal = authored_or(sum.normal, members, sums, topology, input);
+            for (const std::uint32_t v : members) sums.normals[v] = sum;
+        };
     });
     for (const auto& part : cancelled)
         sums.cancelled_groups.insert(sums.cancelled_groups.end(), part.begin(), part.end());
+}
+
+void average_tangents(VoteSums& sums, const VertexGroups& groups, const Topology& topology, const AttributeInput& input,
+                      const AttributeOptions& options, Context& context) {
+    if (!sums.has_tangents()) return;
+    const Voters voters(topology, input, options);
+    const std::vector<std::uint32_t>& cancelled = sums.cancelled_groups;
+    for_each_list(groups, context, [&](std::size_t) {
+        return [&, tangents = TangentGroups()](std::size_t g, std::span<const std::uint32_t> members) mutable {
+            const bool has_votes = std::any_of(members.begin(), members.end(), [&](std::uint32_t v) {
+                return voters.votes(v) && sums.normals[v].weight > 0;
+            });
+            if (!has_votes || std::binary_search(cancelled.begin(), cancelled.end(), g)) return;
+            dvec3 normal = sums.normals[members[0]].normal;
+            if (!options.normals) {
+                const std::uint32_t v = topology.source_of(input, members[0]), m = input.mesh_of_vertex(v);
+                normal = given_normal(input.placements[m], input.meshes[m].normals[v - input.vertex_base[m]]);
+            }
+            tangents.average(direction_of(normal).unit, members, sums.tangents.data());
+        };
+    });
 }
 
 std::vector<std::uint32_t> cancelled_vertices(const VoteSums& sums, const Topology& topology,

@@ -43,12 +43,15 @@ std::vector<std::uint32_t> appended_base(const Topology& topology, const Attribu
 VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const AttributeOptions& options,
                    Context& context, BlockArray<NormalRow>&& normals = {}, BlockArray<TangentRow>&& tangents = {});
 
-/// Adds the rows of each group together and gives the sum to every member: normals as they are; tangents only among members of
-/// one handedness whose own tangents lie within 45 degrees of one another in the normal's plane (connected pairs). Groups
-/// whose normals cancel are listed and left as they are. Where members have authored normals, on the side of the sum, these
-/// are summed instead.
+/// Adds the normals of each group together and gives the sum to every member. Groups whose normals cancel are listed and left
+/// as they are. Where members have authored normals, on the side of the sum, these are summed instead.
 void sum_groups(VoteSums& sums, const VertexGroups& groups, const Topology& topology, const AttributeInput& input,
                 const AttributeOptions& options, Context& context);
+
+/// After sum_groups(): adds the tangents of each group together, among members of one handedness whose own tangents lie
+/// within 45 degrees of one another in the normal's plane (connected pairs).
+void average_tangents(VoteSums& sums, const VertexGroups& groups, const Topology& topology, const AttributeInput& input,
+                      const AttributeOptions& options, Context& context);
 
 /// Output vertices, not locked, whose sum of normals (after sum_groups()) has cancelled though faces vote; ascending.
 std::vector<std::uint32_t> cancelled_vertices(const VoteSums& sums, const Topology& topology,

@@ -338,7 +338,7 @@ void check_options(const PrepareOptions& o) {
     require(o.crease_angle_rad >= 0 && o.crease_angle_rad <= pi, "the crease angle must be 0 to 180 degrees");
     require(o.border_distance >= 0 && std::isfinite(o.border_distance), "the border distance must be 0 or more");
     require(exists(o.normals, NormalSource::seams), no_such("source of normals", o.normals));
-    require(exists(o.weight, CornerWeight::angle_area), no_such("weight", o.weight));
+    require(exists(o.weight, CornerWeight::automatic), no_such("weight", o.weight));
     require(exists(o.uv, UvProjection::cylinder), no_such("projection of texture coordinates", o.uv));
     require(exists(o.orthogonalize, Orthogonalize::off), no_such("way to orthogonalize", o.orthogonalize));
     require(exists(o.bump, Bump::displacement), no_such("bump technique", o.bump));

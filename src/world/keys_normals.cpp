@@ -8,10 +8,6 @@ namespace {
 constexpr Word<NormalSource> normal_words[] = {{"auto", NormalSource::automatic}, {"file", NormalSource::file},
                                                {"flat", NormalSource::flat},      {"object", NormalSource::object},
                                                {"model", NormalSource::model},    {"seams", NormalSource::seams}};
-constexpr Word<CornerWeight> weight_words[] = {{"uniform", CornerWeight::uniform},
-                                               {"area", CornerWeight::area},
-                                               {"angle", CornerWeight::angle},
-                                               {"angle-area", CornerWeight::angle_area}};
 constexpr Word<UvProjection> uv_words[] = {{"none", UvProjection::none},
                                            {"box", UvProjection::box},
                                            {"sphere", UvProjection::sphere},
@@ -74,7 +70,7 @@ constexpr RenderKey table_of_normal[] = {
     RL_WORD_KEY("normals", r.prepare.normals, normal_words),
     {"crease-angle", Kind::value, read_crease,
      RL_WRITE(r.prepare.crease_angle_rad, {degrees_of(r.prepare.crease_angle_rad)})},
-    RL_WORD_KEY("weight", r.prepare.weight, weight_words),
+    RL_WORD_KEY("weight", r.prepare.weight, corner_weight_words),
     RL_KEY("weld-distance", value, r.prepare.weld_distance, distance("weld-distance", w[0]),
            {text_of(r.prepare.weld_distance)}),
     RL_KEY("border-distance", value, r.prepare.border_distance, distance("border-distance", w[0]),

@@ -133,13 +133,19 @@ RL_INLINE void put_corner(double (&to)[VoteBlock::numbers][vote_block], uint32_t
 }
 
 /// corner_weights().
-RL_INLINE void weigh(const VoteJob& job, const Corners& face, numbers area2, numbers (&w)[3]) {
+RL_INLINE void weigh(const VoteJob& job, const Corners& face, numbers area2, numbers (&w)[3], bits& odd) {
     const numbers area = all(0.5) * area2;
     if (job.weight == VoteWeight::uniform || job.weight == VoteWeight::area) {
         w[0] = w[1] = w[2] = job.weight == VoteWeight::uniform ? all(1) : area;
         return;
     }
     const Three a = product(job.linear, face.e1), b = product(job.linear, face.e2), c = difference(b, a);
+    if (job.weight == VoteWeight::max) {
+        const numbers aa = dot(a, a), bb = dot(b, b), cc = dot(c, c), product = aa * bb * cc, q = area2 / product;
+        odd |= ~((product > all(1e-280)) & (product < all(1e280)));
+        w[0] = q * cc, w[1] = q * bb, w[2] = q * aa;
+        return;
+    }
     w[0] = corner_angle(area2, dot(a, b));
     w[1] = corner_angle(area2, -dot(a, c));
     w[2] = corner_angle(area2, dot(b, c));
@@ -153,7 +159,7 @@ RL_INLINE void vote_some(const VoteJob& job, const uint32_t* indices, uint32_t f
     bits odd = {};
     const Three normal = unit(product(job.normal_to_world, cross(face.e1, face.e2)), area2, odd);
     numbers w[3];
-    weigh(job, face, area2, w);
+    weigh(job, face, area2, w, odd);
     Tangent tangent;
     if (job.texcoords) tangent = tangent_of(job, indices, face, odd);
     for (uint32_t k = 0; k < 3; ++k) put_corner(out.votes[k], first, normal, w[k], job.texcoords ? &tangent : nullptr);

@@ -201,7 +201,8 @@ TEST(AttributeCases, Weights) {
     for (const auto& [weight, is_even] : {std::pair{CornerWeight::uniform, false},
                                           {CornerWeight::angle, true},
                                           {CornerWeight::area, false},
-                                          {CornerWeight::angle_area, true}}) {
+                                          {CornerWeight::angle_area, true},
+                                          {CornerWeight::max, true}}) {
         AttributeOptions options = published();
         options.weight = weight;
         double worst = 0;
@@ -215,7 +216,8 @@ TEST(AttributeCases, Weights) {
     for (const auto& [weight, x, z] : {std::tuple{CornerWeight::uniform, 1.0, 1.0},
                                        {CornerWeight::area, 0.5, 2.0},
                                        {CornerWeight::angle, pi / 4, pi / 2},
-                                       {CornerWeight::angle_area, pi / 8, pi}}) {
+                                       {CornerWeight::angle_area, pi / 8, pi},
+                                       {CornerWeight::max, 0.5, 0.25}}) {
         AttributeOptions options = published();
         options.weight = weight;
         const vec3 n = compute({big, small}, options).front().normals[0];

@@ -131,7 +131,7 @@ TEST(AttributeCases, OppositeFacesThatAreTriangulatedDifferently) {
     ASSERT_NE(edge_product(back, 0), dvec3{});
     // Joined by 180 degrees only angles, which do not see the diagonals, cancel; below, every weight leaves the sides apart.
     for (const CornerWeight weight :
-         {CornerWeight::angle, CornerWeight::uniform, CornerWeight::area, CornerWeight::angle_area})
+         {CornerWeight::angle, CornerWeight::uniform, CornerWeight::area, CornerWeight::angle_area, CornerWeight::max})
         for (const double deg : {60.0, 180.0}) {
             if (deg == 180 && weight != CornerWeight::angle) continue;
             AttributeOptions options = crease(deg);

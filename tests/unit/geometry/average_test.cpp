@@ -33,7 +33,7 @@ TEST(Average, AConstantStaysThatConstantToTheBit) {
     parts.push_back(make_cube());
     const Values values = faces_of(parts, [&](std::size_t, std::size_t) { return constant; });
     for (const CornerWeight weight :
-         {CornerWeight::uniform, CornerWeight::area, CornerWeight::angle, CornerWeight::angle_area})
+         {CornerWeight::uniform, CornerWeight::area, CornerWeight::angle, CornerWeight::angle_area, CornerWeight::max})
         for (const double crease : {0.0, 60.0, 180.0}) {
             AttributeOptions options;
             options.weight = weight, options.crease_angle_rad = radians(crease);
@@ -75,7 +75,8 @@ TEST(Average, AMeanIsWeightedAsThePlanSays) {
     for (const auto& [weight, expected] : {std::pair{CornerWeight::uniform, 0.5},
                                            {CornerWeight::angle, 1.0 / 3},
                                            {CornerWeight::area, 2.0 / 3},
-                                           {CornerWeight::angle_area, 0.5}}) {
+                                           {CornerWeight::angle_area, 0.5},
+                                           {CornerWeight::max, 0.2}}) {
         options.weight = weight;
         EXPECT_NEAR(averaged(parts, values, options)[0][0].x, expected, 1e-6);
     }

@@ -125,7 +125,7 @@ double worst_error(const Form& form, const std::vector<Shape>& parts, const Attr
 
 TEST(ClosedForms, PartsHaveNoSeamAndNoLargerErrorThanTheWhole) {
     for (const CornerWeight weight :
-         {CornerWeight::uniform, CornerWeight::area, CornerWeight::angle, CornerWeight::angle_area})
+         {CornerWeight::uniform, CornerWeight::area, CornerWeight::angle, CornerWeight::angle_area, CornerWeight::max})
         for (const double deg : {60.0, 180.0})
             for (const Form& form : forms()) {
                 AttributeOptions options;
@@ -140,6 +140,40 @@ TEST(ClosedForms, PartsHaveNoSeamAndNoLargerErrorThanTheWhole) {
                         << form.name << parts;
                 }
             }
+}
+
+/// Its vertices are moved about on it: triangles of all shapes.
+Shape uneven_sphere() {
+    Shape s = make_sphere(24, 12);
+    std::map<Place, vec3> moved;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> shift(-0.05, 0.05);
+    for (vec3& p : s.positions) {
+        const double far_from_pole = 1 - std::fabs(double(p.y));
+        const dvec3 away = dvec3{shift(random), shift(random), shift(random)} * far_from_pole;
+        const auto at =
+            moved.try_emplace(place(cast<double>(p)), cast<float>(normalize_or(cast<double>(p) + away, {})));
+        p = at.first->second;
+    }
+    return s;
+}
+
+TEST(ClosedForms, TheWeightOfMaxIsExactOnASphere) {
+    AttributeOptions options;
+    options.crease_angle_rad = pi;
+    const auto worst = [&](const Shape& s) {
+        const Form form{"sphere", s, [](dvec3 p) { return normalize_or(p, {}); }};
+        return degrees(worst_error(form, {s}, options));
+    };
+    Shape sphere = uneven_sphere();
+    EXPECT_GT(worst(sphere), 1) << "by angle";
+    options.weight = CornerWeight::max;
+    EXPECT_LT(worst(sphere), 1e-3);
+    for (const float size : {1e-18f, 1e15f}) {
+        Shape other = sphere;
+        for (vec3& p : other.positions) p = p * size;
+        EXPECT_LT(worst(other), 1e-3) << size;
+    }
 }
 
 TEST(ClosedForms, PermutedTrianglesAndObjectsGiveTheSameWithin1e5) {

@@ -79,7 +79,7 @@ TEST(HardMeshes, NonFiniteCornersLeaveTheirNeighborsAlone) {
 TEST(HardMeshes, TinyAndHugeEdgesGiveTheSameNormals) {
     const Shape sphere = make_sphere(24, 12);
     for (const CornerWeight weight :
-         {CornerWeight::uniform, CornerWeight::area, CornerWeight::angle, CornerWeight::angle_area})
+         {CornerWeight::uniform, CornerWeight::area, CornerWeight::angle, CornerWeight::angle_area, CornerWeight::max})
         for (const double crease : {60.0, 180.0}) {
             AttributeOptions options;
             options.weight = weight;

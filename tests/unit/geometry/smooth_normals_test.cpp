@@ -137,8 +137,8 @@ void expect_parts_equal_whole(const Shape& whole, const std::vector<Shape>& part
 
 TEST(SmoothNormals, PartsOfClosedFormsEqualTheWholeAndOneAnotherToTheBit) {
     for (const Shape& whole : {make_sphere(40, 20), make_cylinder(40, 7), make_torus(40, 20)})
-        for (const CornerWeight weight :
-             {CornerWeight::uniform, CornerWeight::area, CornerWeight::angle, CornerWeight::angle_area})
+        for (const CornerWeight weight : {CornerWeight::uniform, CornerWeight::area, CornerWeight::angle,
+                                          CornerWeight::angle_area, CornerWeight::max})
             for (const double crease : {pi, radians(60)}) {
                 AttributeOptions options = published();
                 options.weight = weight;

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// CornerWeight::fit and CornerWeight::automatic: normals of groups from two rings of neighbors, over all objects.
+#pragma once
+#include "geometry/vote_sums.h"
+
+namespace rakelight::geometry {
+
+inline bool is_fitted(CornerWeight weight) { return weight == CornerWeight::fit || weight == CornerWeight::automatic; }
+
+/// Replaces the normals of groups after sum_groups(): the direction alone, weights stay. Groups with locked members and
+/// groups without votes keep theirs.
+/// @throws Error bad_file: over the memory budget
+void fit_normals(VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options,
+                 Context& context);
+
+}  // namespace rakelight::geometry

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Planes of two or more triangles, and which of them rules a place.
+#pragma once
+#include "geometry/group_rings.h"
+
+namespace rakelight::geometry {
+
+/// Faces that are joined by edges within corner groups and lie in one plane.
+struct FacePlanes {
+    std::vector<std::uint32_t> plane_of;  ///< [triangles] the smallest face of its plane
+    std::vector<double> area;          ///< [triangles] of the plane that the face is the smallest of, in square meters
+    std::vector<std::uint32_t> faces;  ///< [triangles] of that plane
+};
+FacePlanes face_planes(const GroupRings& rings, const Topology& topology, const AttributeInput& input,
+                       Context& context);
+
+/// The planes at a place. A plane counts by its whole area, so that it does not matter how it is cut into triangles.
+struct PlanesAtPlace {
+    dvec3 normal;             ///< of the largest plane: of its faces at the place
+    double share = 0;         ///< of the largest plane in the area of all planes here
+    double planar_share = 0;  ///< of the planes of two or more triangles in it
+    bool rules = false;       ///< the largest one has two or more triangles, and is not alone
+};
+/// @param memory  reused
+PlanesAtPlace planes_at(const GroupRings& rings, const FacePlanes& planes, std::uint32_t group,
+                        std::vector<std::uint32_t>& memory);
+
+}  // namespace rakelight::geometry
