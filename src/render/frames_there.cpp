@@ -20,6 +20,8 @@ namespace fs = std::filesystem;
 bool is_as_requested(const PictureRequest& request, const std::string& path, Context& context) {
     const Window window = whole_window(request.settings);
     const io::PictureSize size{window.width, window.height};
+    for (const std::string& name : channel_files_of(path, request.settings.channels, request.channel_files))
+        if (!io::is_regular_file(name) || io::size_of_whole_picture(name, context) != size) return false;
     if (file_ending(path) != "png") return io::size_of_whole_picture(path, context) == size;
     const io::PngHeader header = io::header_of_whole_png(path, context);
     return io::PictureSize{int(header.width), int(header.height)} == size &&

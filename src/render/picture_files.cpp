@@ -86,6 +86,18 @@ std::string channel_file(const std::string& output, const std::string& channel, 
     return path.string() + "." + channel + ending;
 }
 
+std::vector<std::string> channel_files_of(const std::string& output, std::uint32_t channels, std::uint32_t files) {
+    std::vector<std::string> names;
+    if (channels != 0 && (files & channel_files_layers) && !is_exr(output))
+        names.push_back(channel_file(output, "channels"));
+    for (const ChannelInfo& info : all_channels()) {
+        if (!(channels & info.channel)) continue;
+        if (files & channel_files_exr) names.push_back(channel_file(output, info.word));
+        if (files & channel_files_png) names.push_back(channel_file(output, info.word, ".png"));
+    }
+    return names;
+}
+
 PictureFiles::PictureFiles(const std::string& output, int width, int height, PixelFormat format,
                            const ChannelWishes& wishes, io::ImagePlace place)
     : output_(output), width_(width), height_(height), format_(format), place_(place) {

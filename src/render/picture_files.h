@@ -37,6 +37,9 @@ std::unique_ptr<io::ImageWriter> make_color_writer(const io::OutputTarget& targe
 /// "out/a.png", "depth", ".exr" -> "out/a.depth.exr"
 std::string channel_file(const std::string& output, const std::string& channel, const std::string& ending = ".exr");
 
+/// The files beside a picture. @param channels, files  as in ChannelWishes
+std::vector<std::string> channel_files_of(const std::string& output, std::uint32_t channels, std::uint32_t files);
+
 /// What is written beside the color.
 struct ChannelWishes {
     std::uint32_t channels = 0;               ///< Channel bits

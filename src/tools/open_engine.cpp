@@ -29,6 +29,13 @@ void open_shaders(const Scene& drawn, const Shot& shot, const PictureRequest& re
     *shaders = std::make_unique<ShaderTerms>(drawn, shot.camera, shot.settings, context);
 }
 
+void warn_of_overlays(const PictureRequest& request, Context& context) {
+    if (request.has_overlays())
+        context.report().add(Remark::warning, request.input, {},
+                             "grid, axes, texts and bar are drawn over finished pictures: they are left out here",
+                             {"grid", "axis", "filename", "metadata", "bar"});
+}
+
 struct Decided {
     Scene drawn;  ///< as the engine gets it
     Shot shot;
@@ -52,6 +59,7 @@ std::unique_ptr<const raster::Inspection> open_engine(Scene loaded, PictureReque
                                                       std::unique_ptr<ShaderTerms>* shaders) {
     require_surfaces(request.settings);
     check_settings(request.settings);
+    warn_of_overlays(request, context);
     context.progress("prepare", 0);
     const auto [drawn, shot] = decided(std::move(loaded), request, context);
     request.settings = shot.settings;

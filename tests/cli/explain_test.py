@@ -78,6 +78,13 @@ class Explain(program.Case):
         write_glb(name, tree, TRIANGLE)
         return name
 
+    def test_overlays_are_said_to_be_left_out(self):
+        for verb, *words in (("explain", "--pixel", "3,3"), ("stages", "-o", "page.html", "--single-file")):
+            run = self.run_program(verb, "scene.obj", *words, "--resolution", "%d,%d" % SIZE, "--grid")
+            self.assertEqual(run.code, 0)
+            self.assertIn("left out", run.err)
+            self.assertNotIn("left out", self.run_program(verb, "scene.obj", *words, "--resolution", "%d,%d" % SIZE).err)
+
     def test_several_pixels_are_rows_of_their_own(self):
         words = ("explain", "scene.obj", "builtin:teapot", "--pixel", "48,32", "--pixel", "0,0", "--resolution", "%d,%d" % SIZE)
         rows = json.loads(self.run_program(*words, "--json").out)["rows"]

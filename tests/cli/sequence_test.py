@@ -173,6 +173,18 @@ class Sequences(Case):
         rows = json.loads(self.render("-o", "{frame}.png", "--frames", "0:4:2", "--fps", "4", "--skip-existing", "--json").out)["rows"]
         self.assertTrue(all(r["skipped"] for r in rows))
 
+    def test_a_frame_without_its_channel_files_is_drawn_again(self):
+        frames = ("--frames", "0:1", "--fps", "4", "-o", "f{frame}.png")
+        self.render(*frames)
+        channels = (*frames, "--channels", "depth", "--channel-files", "exr,png", "--skip-existing", "--json")
+        skipped = lambda: [row["skipped"] for row in json.loads(self.render(*channels).out)["rows"]]
+        self.assertEqual(skipped(), [False, False])
+        self.assertEqual(skipped(), [True, True])
+        (self.folder / "f1.depth.png").unlink()
+        self.assertEqual(skipped(), [True, False])
+        (self.folder / "f0.depth.exr").write_bytes((self.folder / "f0.depth.exr").read_bytes()[:-9])
+        self.assertEqual(skipped(), [False, True])
+
     def test_several_models_need_names(self):
         shutil.copy(self.folder / "clip.glb", self.folder / "other.glb")
         self.check_refused(self.run_program("render", "clip.glb", "other.glb", "-o", "{frame}.png", "--frames", "0:1"), 2, "{model}")
