@@ -19,7 +19,7 @@ double step_between(double x, double a, double b) {
     return t * t * (3 - 2 * t);
 }
 dvec3 blend(dvec3 a, dvec3 b, double share) { return normalize_or(a * (1 - share) + b * share, a); }
-double angle_rad(dvec3 a, dvec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+double angle_rad(dvec3 a, dvec3 b) { return corner_angle(length(cross(a, b)), dot(a, b)); }
 
 /// What the faces of a place say.
 struct Place {

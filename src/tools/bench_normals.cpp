@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <iterator>
 
@@ -9,6 +8,7 @@
 #include <rakelight/prepare.h>
 #include <rakelight/tools/bench.h>
 
+#include "math/functions.h"
 #include "math/linear.h"
 #include "tools/normal_classes.h"
 #include "tools/report_json.h"
@@ -55,7 +55,7 @@ public:
             const vec3 n = out.normals[indices[i]];
             const dvec3 is{n.x, n.y, n.z}, should = of_.corner_normals[i];
             worst[indices[i]] =
-                std::max(worst[indices[i]], degrees(std::atan2(length(cross(is, should)), dot(is, should))));
+                std::max(worst[indices[i]], degrees(math::atan2(length(cross(is, should)), dot(is, should))));
         }
         std::uint64_t count = 0;
         double sum = 0;
