@@ -23,9 +23,9 @@ double angle_rad(dvec3 a, dvec3 b) { return corner_angle(length(cross(a, b)), do
 
 /// What the faces of a place say.
 struct Place {
-    dvec3 by_area, by_angle, by_max;  ///< unit
-    double edge = 0;                  ///< [m] root of the mean square of the edges
-    double spread_rad = 0;            ///< of the faces' normals from by_angle
+    dvec3 by_area, by_angle;  ///< unit
+    double edge = 0;          ///< [m] root of the mean square of the edges
+    double spread_rad = 0;    ///< of the faces' normals from by_angle
     std::uint32_t faces = 0;
 };
 
@@ -38,6 +38,10 @@ struct Fits {
     std::uint32_t neighbors = 0;
 };
 
+/// Cosines of the spread of faces below which nothing is fitted: 1 degree, where the weight of Max errs by 0.3 of the spread
+/// in the mean; 0.02 degrees at open borders and creases, outside of which the surface goes on.
+constexpr double mild_cosine = 0.99984769515639123, flat_cosine = 0.99999993907;
+
 /// Neighbors of more than this many places are not passed through to the second ring.
 constexpr std::uint32_t most_to_widen = 64;
 /// Neighbors whose normals turn away by more are of another side of a thin part: cosine of 78 degrees.
@@ -45,22 +49,28 @@ constexpr double least_cosine = 0.2;
 
 class NormalFits {
 public:
-    NormalFits(const Topology& topology, const AttributeInput& input, bool is_automatic, Context& context)
-        : topology_(topology),
+    NormalFits(const VoteSums& sums, const Topology& topology, const AttributeInput& input, bool is_automatic,
+               Context& context)
+        : sums_(sums),
+          topology_(topology),
           is_automatic_(is_automatic),
           context_(context),
           rings_(group_rings(topology, input, context)),
-          planes_(is_automatic ? face_planes(rings_, topology, input, context) : FacePlanes{}),
-          places_(topology.group.size()),
-          fits_(topology.group.size()) {}
+          fitted_(groups_to_fit()),
+          number_(topology.group.size(), none),
+          planes_(is_automatic && !fitted_.empty() ? face_planes(rings_, topology, input, context) : FacePlanes{}),
+          places_(fitted_.size()),
+          fits_(fitted_.size()) {
+        for (std::size_t i = 0; i < fitted_.size(); ++i) number_[fitted_[i]] = std::uint32_t(i);
+    }
 
     /// @param take  (group, unit normal)
     template <class Take>
     void run(const Take& take) {
-        each([&](std::uint32_t g, Memory&) { places_[g] = place_of(g); });
-        each([&](std::uint32_t g, Memory& memory) { fits_[g] = fits_of(g, memory); });
+        each([&](std::uint32_t g, Memory&) { place(g) = place_of(g); });
+        each([&](std::uint32_t g, Memory& memory) { fits(g) = fits_of(g, memory); });
         each([&](std::uint32_t g, Memory& memory) {
-            if (places_[g].faces > 0) take(g, is_automatic_ ? decided(g, memory) : fitted(g));
+            if (place(g).faces > 0) take(g, is_automatic_ ? decided(g, memory) : fitted(g));
         });
     }
 
@@ -72,12 +82,50 @@ private:
 
     template <class Body>
     void each(const Body& body) {
-        const std::size_t count = topology_.group.size(), step = 1u << 12;
+        const std::size_t count = fitted_.size(), step = 1u << 12;
         context_.parallel_for((count + step - 1) / step, [&](std::size_t c) {
             Memory memory;
-            for_each_group(topology_, c * step, std::min(count, (c + 1) * step),
-                           [&](std::uint32_t g) { body(g, memory); });
+            for (std::size_t i = c * step; i < std::min(count, (c + 1) * step); ++i) body(fitted_[i], memory);
         });
+    }
+
+    static constexpr std::uint32_t none = 0xffffffffu;
+    Place& place(std::uint32_t g) { return places_[number_[g]]; }
+    const Place& place(std::uint32_t g) const { return places_[number_[g]]; }
+    Fits& fits(std::uint32_t g) { return fits_[number_[g]]; }
+    /// Nothing where nothing is fitted.
+    const Fits& fits(std::uint32_t g) const {
+        static const Fits nothing;
+        return number_[g] == none ? nothing : fits_[number_[g]];
+    }
+    dvec3 by_max(std::uint32_t g) const { return direction_of(sums_.normals[g].normal).unit; }
+
+    /// By the weight of Max the normal would be off by more than a little.
+    bool needs_fit(std::uint32_t g) const {
+        const dvec3 n = by_max(g);
+        double least = 1;
+        std::uint32_t faces = 0;
+        for (const std::uint32_t corner : rings_.corners[g]) {
+            if (!rings_.is_face(corner / 3)) continue;
+            least = std::min(least, dot(rings_.face_normals[corner / 3], n));
+            ++faces;
+        }
+        const bool is_at_border = rings_.ring_size[g] > faces;
+        return faces > 0 && (!is_automatic_ || !(least > (is_at_border ? flat_cosine : mild_cosine)));
+    }
+
+    /// Ascending.
+    std::vector<std::uint32_t> groups_to_fit() {
+        const std::size_t count = topology_.group.size(), step = vertices_per_chunk;
+        std::vector<std::vector<std::uint32_t>> parts((count + step - 1) / step);
+        context_.parallel_for(parts.size(), [&](std::size_t c) {
+            for_each_group(topology_, c * step, std::min(count, (c + 1) * step), [&](std::uint32_t g) {
+                if (needs_fit(g)) parts[c].push_back(g);
+            });
+        });
+        std::vector<std::uint32_t> all;
+        for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+        return all;
     }
 
     Place place_of(std::uint32_t g) const {
@@ -92,12 +140,10 @@ private:
             const dvec3 n = rings_.face_normals[t];
             p.by_area += n * area2;
             p.by_angle += n * corner_angle(area2, dot(a, b));
-            if (aa * bb > 0) p.by_max += n * (area2 / (aa * bb));
             squares += aa + bb;
             ++p.faces;
         }
         p.by_angle = normalize_or(p.by_angle, {}), p.by_area = normalize_or(p.by_area, p.by_angle);
-        p.by_max = normalize_or(p.by_max, p.by_angle);
         if (p.by_angle == dvec3{}) p.faces = 0;
         if (p.faces == 0) return p;
         p.edge = std::sqrt(squares / (2 * p.faces));
@@ -107,7 +153,7 @@ private:
         return p;
     }
 
-    bool is_border(std::uint32_t g) const { return rings_.ring_size[g] > places_[g].faces; }
+    bool is_border(std::uint32_t g) const { return rings_.ring_size[g] > place(g).faces; }
 
     /// The places of two rings, from g, in edges.
     void gather(std::uint32_t g, Memory& memory) const {
@@ -119,16 +165,17 @@ private:
         std::sort(all.begin(), all.end());
         all.erase(std::unique(all.begin(), all.end()), all.end());
         memory.neighbors.clear();
-        const double scale = 1 / places_[g].edge;
+        const double scale = 1 / place(g).edge;
+        const dvec3 n = by_max(g);
         for (const std::uint32_t u : all)
-            if (u != g && dot(places_[u].by_max, places_[g].by_max) > least_cosine)
+            if (u != g && dot(by_max(u), n) > least_cosine)
                 memory.neighbors.push_back((rings_.places[u] - rings_.places[g]) * scale);
     }
 
     Fits fits_of(std::uint32_t g, Memory& memory) const {
-        if (places_[g].faces == 0 || !(places_[g].edge > 0)) return {};
+        if (place(g).faces == 0 || !(place(g).edge > 0)) return {};
         gather(g, memory);
-        const dvec3 guess = places_[g].by_max;
+        const dvec3 guess = by_max(g);
         return {fit_height(memory.neighbors, guess, HeightForm::cubic),
                 fit_height(memory.neighbors, guess, HeightForm::quadric), std::uint32_t(memory.neighbors.size())};
     }
@@ -145,13 +192,13 @@ private:
     /// @param which     Fits::cubic or quadric
     /// @param planarity 0..1 how much of the place is planes: there the fit must explain more
     Judged judge(std::uint32_t g, HeightFit Fits::*which, int terms, double planarity) const {
-        const HeightFit& fit = fits_[g].*which;
-        const std::uint32_t n = fits_[g].neighbors;
+        const HeightFit& fit = fits(g).*which;
+        const std::uint32_t n = fits(g).neighbors;
         if (!(fit.weight > 0)) return {};
         const Quality own = quality_of(fit);
         Quality around;
         for (const std::uint32_t u : rings_.ring(g)) {
-            const Quality q = quality_of(fits_[u].*which);
+            const Quality q = quality_of(fits(u).*which);
             around.residual += q.residual, around.bent += q.bent;
         }
         const double unexplained =
@@ -167,8 +214,8 @@ private:
         const std::span<const std::uint32_t> ring = rings_.ring(g);
         double sum = 0;
         for (const std::uint32_t u : ring) {
-            const Quality q = quality_of(fits_[u].*which);
-            const int n = int(fits_[u].neighbors);
+            const Quality q = quality_of(fits(u).*which);
+            const int n = int(fits(u).neighbors);
             sum += q.residual * n / std::max(n - terms, 1);
         }
         return std::sqrt((own * own + sum / std::max<double>(double(ring.size()), 1)) / 2);
@@ -176,21 +223,22 @@ private:
 
     /// Without looking at planes and noise.
     dvec3 fitted(std::uint32_t g) const {
-        const Fits& f = fits_[g];
+        const Fits& f = fits(g);
         const bool is_cubic = !is_border(g) && f.neighbors >= 11 && f.cubic.rank > 1e-5;
         const bool is_quadric = f.neighbors >= 7 && f.quadric.rank > 1e-5;
-        return is_cubic ? f.cubic.normal : is_quadric ? f.quadric.normal : places_[g].by_max;
+        return is_cubic ? f.cubic.normal : is_quadric ? f.quadric.normal : by_max(g);
     }
 
     dvec3 wide_normal(std::uint32_t g, Memory& memory) const {
-        dvec3 guess = places_[g].by_area;
-        for (const std::uint32_t u : rings_.ring(g)) guess += places_[u].by_area;
+        const dvec3 own = place(g).by_area;
+        dvec3 guess = own;
+        for (const std::uint32_t u : rings_.ring(g)) guess += number_[u] == none ? by_max(u) : place(u).by_area;
         gather(g, memory);
-        return fit_height(memory.neighbors, normalize_or(guess, places_[g].by_area), HeightForm::wide).normal;
+        return fit_height(memory.neighbors, normalize_or(guess, own), HeightForm::wide).normal;
     }
 
     dvec3 decided(std::uint32_t g, Memory& memory) const {
-        const Place& p = places_[g];
+        const Place& p = place(g);
         const PlanesAtPlace planes = planes_at(rings_, planes_, g, memory.groups);
         const double planarity = step_between(planes.planar_share, 0.4, 0.6);
         const bool border = is_border(g);
@@ -199,16 +247,16 @@ private:
         if (border) cubic.trust = 0;
         const double noise =
             border ? noise_around(g, quadric.noise, &Fits::quadric, 5) : noise_around(g, cubic.noise, &Fits::cubic, 9);
-        dvec3 base = blend(p.by_angle, p.by_max, planarity);
+        dvec3 base = blend(p.by_angle, by_max(g), planarity);
         double wide = step_between(noise, 0.01, 0.03) * (1 - planarity);
-        if (fits_[g].neighbors < 8) wide = 0;
+        if (fits(g).neighbors < 8) wide = 0;
         if (wide > 0) {
             const dvec3 n = wide_normal(g, memory);
             wide *= 1 - step_between(angle_rad(n, p.by_area) / std::max(noise, 1e-8), 4, 8);
             base = blend(base, n, wide);
         }
-        dvec3 n = blend(base, fits_[g].quadric.normal, quadric.trust);
-        n = blend(n, fits_[g].cubic.normal, cubic.trust);
+        dvec3 n = blend(base, fits(g).quadric.normal, quadric.trust);
+        n = blend(n, fits(g).cubic.normal, cubic.trust);
         n = bounded(n, p, border);
         if (!planes.rules) return n;
         return blend(n, planes.normal, step_between(planes.share, 0.78, 0.86));
@@ -220,13 +268,16 @@ private:
         return off > most ? blend(p.by_angle, n, most / off) : n;
     }
 
+    const VoteSums& sums_;
     const Topology& topology_;
     bool is_automatic_;
     Context& context_;
     GroupRings rings_;
+    std::vector<std::uint32_t> fitted_;  // groups
+    std::vector<std::uint32_t> number_;  // [groups] in fitted_, or none
     FacePlanes planes_;
-    std::vector<Place> places_;  // [groups]
-    std::vector<Fits> fits_;     // [groups]
+    std::vector<Place> places_;  // [fitted_]
+    std::vector<Fits> fits_;     // [fitted_]
 };
 
 /// [groups] whether some member keeps its normal.
@@ -247,9 +298,8 @@ std::vector<std::uint8_t> groups_with_locked(const Topology& topology, const Att
 void fit_normals(VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options,
                  Context& context) {
     std::vector<dvec3> normals(topology.group.size());  // of representatives
-    NormalFits(topology, input, options.weight == CornerWeight::automatic, context).run([&](std::uint32_t g, dvec3 n) {
-        normals[g] = n;
-    });
+    NormalFits(sums, topology, input, options.weight == CornerWeight::automatic, context)
+        .run([&](std::uint32_t g, dvec3 n) { normals[g] = n; });
     const std::vector<std::uint8_t> keeps = groups_with_locked(topology, input);
     const std::size_t count = topology.group.size(), step = vertices_per_chunk;
     context.parallel_for((count + step - 1) / step, [&](std::size_t c) {

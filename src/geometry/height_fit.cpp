@@ -132,7 +132,7 @@ double left_by(const Equations<K>& e, const double (&c)[K], int used) {
 
 template <HeightForm form>
 HeightFit fit(std::span<const dvec3> neighbors, dvec3 normal) {
-    constexpr int K = terms_of(form), rounds = form == HeightForm::wide ? 3 : 2;
+    constexpr int K = terms_of(form), rounds = form == HeightForm::wide ? 3 : 1;  // more rounds gain nothing
     HeightFit out{.normal = normal};
     for (int round = 0; round < rounds; ++round) {
         const Axes axes = axes_of(out.normal);
