@@ -189,9 +189,9 @@ private:
         double trust = 0;  ///< 0 to 1
         double noise = 0;  ///< [edges] unexplained height per degree of freedom
     };
-    /// @param which     Fits::cubic or quadric
-    /// @param planarity 0..1 how much of the place is planes: there the fit must explain more
-    Judged judge(std::uint32_t g, HeightFit Fits::*which, int terms, double planarity) const {
+    /// @param which    Fits::cubic or quadric
+    /// @param allowed  factor on what the fit may leave unexplained
+    Judged judge(std::uint32_t g, HeightFit Fits::*which, int terms, double allowed) const {
         const HeightFit& fit = fits(g).*which;
         const std::uint32_t n = fits(g).neighbors;
         if (!(fit.weight > 0)) return {};
@@ -203,7 +203,6 @@ private:
         }
         const double unexplained =
             std::max(own.residual / own.bent, 0.5 * around.residual / std::max(around.bent, 1e-30));
-        const double allowed = 1 - 0.9 * planarity;
         Judged out;
         out.trust = (1 - step_between(unexplained / allowed, 0.01, 0.05)) * step_between(fit.rank, 1e-5, 1e-4);
         if (n < std::uint32_t(terms) + 2) out.trust = 0;
@@ -242,13 +241,20 @@ private:
         const PlanesAtPlace planes = planes_at(rings_, planes_, g, memory.groups);
         const double planarity = step_between(planes.planar_share, 0.4, 0.6);
         const bool border = is_border(g);
-        Judged cubic = judge(g, &Fits::cubic, 9, planarity);
-        const Judged quadric = judge(g, &Fits::quadric, 5, planarity);
-        if (border) cubic.trust = 0;
-        const double noise =
-            border ? noise_around(g, quadric.noise, &Fits::quadric, 5) : noise_around(g, cubic.noise, &Fits::cubic, 9);
+        const double strict = 1 - 0.9 * planarity;  // where planes rule, the fit must explain more
+        const Judged quadric = judge(g, &Fits::quadric, 5, strict);
+        double noise = noise_around(g, quadric.noise, &Fits::quadric, 5), shape = 0;
+        Judged cubic;
+        if (!border) {
+            cubic = judge(g, &Fits::cubic, 9, strict);
+            const double of_quadric = noise;
+            noise = noise_around(g, cubic.noise, &Fits::cubic, 9);
+            // What a cubic explains better than a quadric is shape: noise it explains no better.
+            shape = (1 - planarity) * (1 - step_between(noise / std::max(of_quadric, 1e-12), 0.5, 0.85));
+            if (shape > 0) cubic = judge(g, &Fits::cubic, 9, strict * (1 + 2 * shape));
+        }
         dvec3 base = blend(p.by_angle, by_max(g), planarity);
-        double wide = step_between(noise, 0.01, 0.03) * (1 - planarity);
+        double wide = step_between(noise, 0.01, 0.03) * (1 - planarity) * (1 - shape);
         if (fits(g).neighbors < 8) wide = 0;
         if (wide > 0) {
             const dvec3 n = wide_normal(g, memory);
