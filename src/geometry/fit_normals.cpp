@@ -59,7 +59,7 @@ public:
           fitted_(groups_to_fit()),
           number_(topology.group.size(), none),
           planes_(is_automatic && !fitted_.empty() ? face_planes(rings_, topology, input, context) : FacePlanes{}),
-          places_(fitted_.size()),
+          places_(checked(fitted_.size(), context)),
           fits_(fitted_.size()) {
         for (std::size_t i = 0; i < fitted_.size(); ++i) number_[fitted_[i]] = std::uint32_t(i);
     }
@@ -99,6 +99,11 @@ private:
         return number_[g] == none ? nothing : fits_[number_[g]];
     }
     dvec3 by_max(std::uint32_t g) const { return direction_of(sums_.normals[g].normal).unit; }
+
+    static std::size_t checked(std::size_t count, Context& context) {
+        context.memory().check(count * (sizeof(Place) + sizeof(Fits)), "fitting normals");
+        return count;
+    }
 
     /// By the weight of Max the normal would be off by more than a little.
     bool needs_fit(std::uint32_t g) const {

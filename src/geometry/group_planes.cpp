@@ -81,6 +81,7 @@ std::vector<FacePair> flat_pairs(const GroupRings& rings, const Topology& topolo
 FacePlanes face_planes(const GroupRings& rings, const Topology& topology, const AttributeInput& input,
                        Context& context) {
     const std::size_t count = topology.group.size(), step = vertices_per_chunk, faces = input.triangle_count();
+    context.memory().check(faces * (sizeof(double) + sizeof(float) + sizeof(FacePair) + 20ull), "planes of triangles");
     const FaceMeasures measures = measures_of(input, context);
     std::vector<std::vector<FacePair>> pairs((count + step - 1) / step);
     context.parallel_for(pairs.size(), [&](std::size_t c) {
