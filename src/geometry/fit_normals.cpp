@@ -291,8 +291,8 @@ private:
     std::vector<Fits> fits_;     // [fitted_]
 };
 
-/// [groups] whether some member keeps its normal.
-std::vector<std::uint8_t> groups_with_locked(const Topology& topology, const AttributeInput& input) {
+/// [groups] whether the normal is that of authored members; empty: none is.
+std::vector<std::uint8_t> groups_with_authored(const Topology& topology, const AttributeInput& input) {
     std::vector<std::uint8_t> marks;
     for (std::uint32_t m = 0; m < input.meshes.size(); ++m)
         if (!input.meshes[m].locked.empty()) marks.resize(topology.group.size(), 0);
@@ -311,7 +311,7 @@ void fit_normals(VoteSums& sums, const Topology& topology, const AttributeInput&
     std::vector<dvec3> normals(topology.group.size());  // of representatives
     NormalFits(sums, topology, input, options.weight == CornerWeight::automatic, context)
         .run([&](std::uint32_t g, dvec3 n) { normals[g] = n; });
-    const std::vector<std::uint8_t> keeps = groups_with_locked(topology, input);
+    const std::vector<std::uint8_t> keeps = groups_with_authored(topology, input);
     const std::size_t count = topology.group.size(), step = vertices_per_chunk;
     context.parallel_for((count + step - 1) / step, [&](std::size_t c) {
         for (std::size_t row = c * step; row < std::min(count, (c + 1) * step); ++row) {

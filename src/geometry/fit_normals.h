@@ -7,7 +7,7 @@ namespace rakelight::geometry {
 
 inline bool is_fitted(CornerWeight weight) { return weight == CornerWeight::fit || weight == CornerWeight::automatic; }
 
-/// Replaces the normals of groups after sum_groups(): the direction alone, weights stay. Groups with locked members and
+/// Replaces the normals of groups after sum_groups(): the direction alone, weights stay. Groups with authored members and
 /// groups without votes keep theirs.
 /// @throws Error bad_file: over the memory budget
 void fit_normals(VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options,

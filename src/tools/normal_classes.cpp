@@ -44,7 +44,7 @@ private:
         classes_.push_back(std::move(c));
         return classes_.back();
     }
-    /// Corners of faces that lie with their normal along an axis get that normal; hard at 60 degrees.
+    /// Hard at 60 degrees: what is exact at a corner depends on its face.
     void make_hard(NormalClass& c, const std::function<dvec3(dvec3 face, dvec3 vertex)>& normal_of) {
         c.crease_angle_rad = radians(60);
         const KnownSurface& s = c.surface;

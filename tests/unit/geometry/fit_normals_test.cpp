@@ -153,6 +153,24 @@ TEST(FitNormals, NothingIsTooSmallTooLargeOrTooBrokenForThem) {
     }
 }
 
+TEST(FitNormals, AuthoredNormalsStayAndAreTakenBesideThem) {
+    std::vector<Shape> parts = cut_by_planes(make_torus(24, 12), 2);
+    std::vector<AttributeMesh> meshes = views(parts);
+    const vec3 authored = cast<float>(normalize_or(dvec3{0.3, 0.8, 0.2}, {}));
+    const std::vector<vec3> normals(parts[0].positions.size(), authored);
+    const std::vector<std::uint8_t> locked(parts[0].positions.size(), 2);
+    meshes[0].normals = normals, meshes[0].locked = locked;
+    Context context;
+    for (const CornerWeight weight : {CornerWeight::max, CornerWeight::fit, CornerWeight::automatic}) {
+        const auto out = compute_attributes(meshes, by(weight), context);
+        for (const vec3 n : out[0].normals) EXPECT_EQ(n, authored);
+        // Of the other part those at its border, where the authored normal is on their side: as with a weight.
+        const auto taken = std::count(out[1].normals.begin(), out[1].normals.end(), authored);
+        EXPECT_GT(taken, 0) << int(weight);
+        EXPECT_LT(taken, std::ptrdiff_t(out[1].normals.size()) / 2) << int(weight);
+    }
+}
+
 TEST(FitNormals, MemoryIsAskedForBeforeItIsTaken) {
     const std::vector<Shape> parts = {make_torus(100, 50)};
     const std::vector<AttributeMesh> meshes = views(parts);
