@@ -14,6 +14,11 @@ using ChangeScene = std::function<Scene(Scene)>;
 Shot decide_single(Session& session, Scene loaded, PictureRequest& request, const ChangeScene& change,
                    const ShotOptions& options, Context& context);
 
+/// The same for a scene at its moment and a request that apply_look() has completed.
+/// @param asked    what the scene is changed by: the request before choices that belong to the picture alone
+Shot decide_moment(Session& session, Scene moment, PictureRequest asked, PictureRequest& request,
+                   const ShotOptions& options, Context& context);
+
 /// The last part of decide(), for a scene that the session shows: look and coloring of the request are complete.
 Shot decide_shown(Session& session, const Scene& shown, PictureRequest& request, const CameraOf& camera,
                   const ShotOptions& options, Context& context);

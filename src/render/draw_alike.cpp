@@ -157,10 +157,11 @@ Scene loaded_at_moment(PictureRequest& request, Context& context) {
     }
 }
 
-Pixels drawn(Scene scene, PictureRequest& request, Context& context) {
+/// @param asked  see decide_moment()
+Pixels drawn(Scene moment, const PictureRequest& asked, PictureRequest& request, Context& context) {
     Pixels pixels;
     PixelsTarget target(pixels);
-    draw_requested(std::move(scene), request, target, context);
+    draw_moment(std::move(moment), asked, request, target, context);
     return pixels;
 }
 
@@ -171,11 +172,12 @@ std::pair<Pixels, Pixels> draw_alike(PictureRequest a, PictureRequest b, Context
     share_up(scene_a, a, scene_b, b, context.report());
     share_light(scene_a, scene_b), share_light(scene_b, scene_a);
     choose_for_both(both(scene_a, scene_b, context), a, b, context);
-    scene_b = asked_single(std::move(scene_b), b, context);
-    Pixels picture_a = drawn(asked_single(std::move(scene_a), a, context), a, context);
+    a.coloring = completed(scene_a, a.coloring), b.coloring = completed(scene_b, b.coloring);
+    Pixels picture_a = drawn(std::move(scene_a), PictureRequest(a), a, context);
+    const PictureRequest asked_b = b;  // materials, points and light by its own choices
     follow(b, a);
     b.look = Look::plain;  // all of it is chosen
-    return {std::move(picture_a), drawn(std::move(scene_b), b, context)};
+    return {std::move(picture_a), drawn(std::move(scene_b), asked_b, b, context)};
 }
 
 }  // namespace rakelight

@@ -16,8 +16,9 @@ namespace rakelight {
 /// @throws Error as render_picture()
 PictureResult draw_picture(Session& session, Scene loaded, PictureRequest& request, PictureTarget& target,
                            const ChangeScene& change, Context& context);
-/// The same of a scene as it was requested, with a request that apply_look() has completed.
-PictureResult draw_requested(Scene scene, PictureRequest& request, PictureTarget& target, Context& context);
+/// The same of a scene at its moment: see decide_moment().
+PictureResult draw_moment(Scene moment, const PictureRequest& asked, PictureRequest& request, PictureTarget& target,
+                          Context& context);
 
 /// render_picture() into memory, with a step between.
 PictureResult render_changed(const PictureRequest& request, const ChangeScene& change, std::vector<std::byte>& file,

@@ -82,11 +82,11 @@ PictureResult draw_picture(Session& session, Scene loaded, PictureRequest& reque
     return drawing.draw(decide_single(session, std::move(loaded), request, change, drawing.options(), context));
 }
 
-PictureResult draw_requested(Scene scene, PictureRequest& request, PictureTarget& target, Context& context) {
+PictureResult draw_moment(Scene moment, const PictureRequest& asked, PictureRequest& request, PictureTarget& target,
+                          Context& context) {
     return drawn_by(request, [&](Session& session) {
         Drawing drawing(session, request, target, context);
-        const Scene& shown = session.set_single(std::move(scene), request.prepare);
-        return drawing.draw(decide_shown(session, shown, request, {}, drawing.options(), context));
+        return drawing.draw(decide_moment(session, std::move(moment), asked, request, drawing.options(), context));
     });
 }
 

@@ -74,14 +74,30 @@ Shot decide(Session& session, const std::shared_ptr<const Scene>& loaded, Pictur
     return decide_shown(session, session.show(loaded, request, first, context), request, camera, options, context);
 }
 
+namespace {
+
+/// @param request  gets the choices of its coloring
+const Scene& show_single(Session& session, Scene moment, PictureRequest& request, const PrepareOptions& prepare,
+                         const ChangeScene& change, Context& context) {
+    Scene scene = asked_single(std::move(moment), request, context);
+    return session.set_single(change ? change(std::move(scene)) : std::move(scene), prepare);
+}
+
+}  // namespace
+
 Shot decide_single(Session& session, Scene loaded, PictureRequest& request, const ChangeScene& change,
                    const ShotOptions& options, Context& context) {
     const std::vector<ClipTime> clips = clips_of(loaded, request.motion);
     Scene scene = at_moment(std::move(loaded), clips, context);
     apply_look(scene, request, context);
-    scene = asked_single(std::move(scene), request, context);
-    const Scene& shown = session.set_single(change ? change(std::move(scene)) : std::move(scene), request.prepare);
-    return decide_shown(session, shown, request, {}, options, context);
+    return decide_shown(session, show_single(session, std::move(scene), request, request.prepare, change, context),
+                        request, {}, options, context);
+}
+
+Shot decide_moment(Session& session, Scene moment, PictureRequest asked, PictureRequest& request,
+                   const ShotOptions& options, Context& context) {
+    return decide_shown(session, show_single(session, std::move(moment), asked, request.prepare, {}, context), request,
+                        {}, options, context);
 }
 
 }  // namespace rakelight
