@@ -29,7 +29,8 @@ void measure_normals(const Run&);
 constexpr Word<Measure> measurements[] = {
     {"smooth", measure_smooth}, {"render", measure_render}, {"pose", measure_pose}, {"normals", measure_normals}};
 constexpr Word<bool> orders[] = {{"coherent", false}, {"shuffled", true}};
-constexpr Word<int> rows[] = {{"crease", 1}, {"tolerance", 2}, {"order", 4}, {"plan", 8}, {"borders", 16}, {"all", 31}};
+constexpr Word<int> rows[] = {{"crease", 1},   {"tolerance", 2}, {"order", 4}, {"plan", 8},
+                              {"borders", 16}, {"weights", 32},  {"all", 63}};
 
 std::vector<Option> options_of_pictures() {
     std::vector<Option> options = apps::without(apps::picture_options(), {"engine"});
@@ -65,7 +66,8 @@ std::vector<Option> options_of_measurement() {
          .group = of_smooth,
          .type = "ROWS",
          .help = "Also measure: crease (60 degrees), tolerance (0.1), order (the other one), plan (group, accumulate, "
-                 "regroup), borders (matched where neighbors share no vertices), or all",
+                 "regroup), borders (matched where neighbors share no vertices), weights (angle and auto, 60 degrees), "
+                 "or all",
          .words = apps::names_of<rows>,
          .takes_several_words = true},
         {"brute-force", of_smooth, "", "Also measure every vertex against every face, up to 50k triangles", flag},
@@ -130,6 +132,7 @@ void add_rows(const std::string& words, SmoothBenchOptions& o) {
         o.order |= (row & 4) != 0;
         o.plan |= (row & 8) != 0;
         o.borders |= (row & 16) != 0;
+        o.weights |= (row & 32) != 0;
     }
 }
 

@@ -7,9 +7,9 @@ namespace rakelight::geometry {
 
 /// Faces that are joined by edges within corner groups and lie in one plane.
 struct FacePlanes {
-    std::vector<std::uint32_t> plane_of;  ///< [triangles] the smallest face of its plane
-    std::vector<double> area;          ///< [triangles] of the plane that the face is the smallest of, in square meters
-    std::vector<std::uint32_t> faces;  ///< [triangles] of that plane
+    static constexpr std::uint32_t alone = 0xffffffffu;
+    std::vector<std::uint32_t> plane_of;  ///< [triangles] the smallest face of its plane; alone: it has no second one
+    std::vector<double> area;  ///< [triangles] of the plane that the face is the smallest of, or of the face [m^2]
 };
 FacePlanes face_planes(const GroupRings& rings, const Topology& topology, const AttributeInput& input,
                        Context& context);

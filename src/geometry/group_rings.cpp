@@ -3,57 +3,79 @@
 
 #include <algorithm>
 
+#include "geometry/face_vote.h"
+
 namespace rakelight::geometry {
 namespace {
 
-std::vector<std::uint32_t> groups_of_corners(const Topology& topology, const AttributeInput& input, Context& context) {
-    std::vector<std::uint32_t> groups(3 * std::size_t(input.triangle_count()));
+/// Fills face_normals and group_of_corner.
+void read_faces(GroupRings& rings, const Topology& topology, const AttributeInput& input, Context& context) {
+    rings.face_normals.reserve(input.triangle_count());
+    rings.group_of_corner.reserve(3 * std::size_t(input.triangle_count()));
     const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
     context.parallel_for(chunks.size(), [&](std::size_t c) {
         for_each_range(chunks[c], input.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
-            const std::uint32_t base = 3 * input.triangle_base[m];
-            for (std::uint32_t corner = base + 3 * first; corner != base + 3 * last; ++corner)
-                groups[corner] = topology.group[topology.vertex_of(input, m, corner)];
+            const AttributeMesh& mesh = input.meshes[m];
+            for (std::uint32_t t = first; t != last; ++t) {
+                const FaceCorners face = face_corners(mesh, mesh.indices.data() + 3 * std::size_t(t));
+                const std::uint32_t at = input.triangle_base[m] + t;
+                rings.face_normals[at] = cast<float>(face_normal(input.placements[m], face).unit);
+                for (std::uint32_t corner = 3 * at; corner != 3 * at + 3; ++corner)
+                    rings.group_of_corner[corner] = topology.group[topology.vertex_of(input, m, corner)];
+            }
         });
     });
-    return groups;
 }
 
-/// @param to  room for two of each corner
-std::uint32_t put_ring(const GroupRings& rings, std::uint32_t group, std::uint32_t* to) {
-    std::uint32_t* end = to;
-    for (const std::uint32_t corner : rings.corners[group]) {
-        const std::uint32_t t = corner / 3, k = corner % 3;
-        if (!rings.is_face(t)) continue;
-        *end++ = rings.group_of_corner[3 * t + (k + 1) % 3];
-        *end++ = rings.group_of_corner[3 * t + (k + 2) % 3];
+void add_once(std::vector<std::uint32_t>& to, std::size_t first, std::uint32_t group) {
+    if (std::find(to.begin() + std::ptrdiff_t(first), to.end(), group) == to.end()) to.push_back(group);
+}
+
+/// Appends the ring of a group.
+void put_ring(const GroupRings& rings, std::uint32_t group, std::vector<std::uint32_t>& to) {
+    constexpr std::size_t few = 64;
+    const std::size_t first = to.size();
+    const std::span<const std::uint32_t> corners = rings.corners[group];
+    for (const std::uint32_t corner : corners) {
+        if (!rings.is_face(corner / 3)) continue;
+        for (const std::uint32_t other : {rings.next(corner), rings.previous(corner)}) {
+            if (other == group) continue;
+            if (corners.size() > few)
+                to.push_back(other);
+            else
+                add_once(to, first, other);
+        }
     }
-    std::sort(to, end);
-    end = std::unique(to, end);
-    end = std::remove(to, end, group);
-    return std::uint32_t(end - to);
+    if (corners.size() <= few) return;
+    std::sort(to.begin() + std::ptrdiff_t(first), to.end());
+    to.erase(std::unique(to.begin() + std::ptrdiff_t(first), to.end()), to.end());
 }
 
 }  // namespace
 
 GroupRings group_rings(const Topology& topology, const AttributeInput& input, Context& context) {
     GroupRings rings;
-    const std::size_t count = topology.group.size(), step = vertices_per_chunk;
-    context.memory().check(count * (sizeof(dvec3) + 8) + input.triangle_count() * (sizeof(dvec3) + 12 * 4ull),
+    const std::size_t count = topology.group.size(), step = vertices_per_chunk, chunks = (count + step - 1) / step;
+    context.memory().check(count * (sizeof(dvec3) + 12) + input.triangle_count() * (sizeof(vec3) + 12 * 4ull),
                            "neighbors of vertices");
-    rings.face_normals = face_normals(input, context);
-    rings.group_of_corner = groups_of_corners(topology, input, context);
+    read_faces(rings, topology, input, context);
     rings.corners = bin_corners(topology, input, {}, context);
     rings.ring_size.assign(count, 0);
-    rings.ring_members.reserve(2 * std::size_t(rings.corners.begin.back()));
+    rings.ring_begin.assign(count, 0);
+    rings.ring_members.resize(chunks);
     rings.places.reserve(count);
-    context.parallel_for((count + step - 1) / step, [&](std::size_t c) {
-        for_each_group(topology, c * step, std::min(count, (c + 1) * step), [&](std::uint32_t g) {
-            rings.ring_size[g] =
-                put_ring(rings, g, rings.ring_members.data() + 2 * std::size_t(rings.corners.begin[g]));
+    context.parallel_for(chunks, [&](std::size_t c) {
+        const std::size_t first = c * step, last = std::min(count, first + step);
+        std::vector<std::uint32_t> members;
+        members.reserve(rings.corners.begin[last] - rings.corners.begin[first] + step / 8);
+        for_each_group(topology, first, last, [&](std::uint32_t g) {
+            rings.ring_begin[g] = std::uint32_t(members.size());
+            put_ring(rings, g, members);
+            rings.ring_size[g] = std::uint32_t(members.size()) - rings.ring_begin[g];
             const std::uint32_t v = topology.source_of(input, g), m = input.mesh_of_vertex(v);
             rings.places[g] = input.placements[m].position(input.meshes[m].positions[v - input.vertex_base[m]]);
         });
+        rings.ring_members[c] = std::move(members);
     });
     return rings;
 }

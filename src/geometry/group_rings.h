@@ -12,18 +12,27 @@ namespace rakelight::geometry {
 
 /// Groups have the numbers of their representatives, as in Topology::group. Faces without area are left out.
 struct GroupRings {
-    FaceNormals face_normals;                    ///< [triangles] unit; zero: no face
-    std::vector<std::uint32_t> group_of_corner;  ///< [3 * triangles]
-    CornerBins corners;                          ///< [groups] also of faces without area
-    std::vector<std::uint32_t> ring_size;        ///< [groups] 0 for all that are no representatives
-    BlockArray<std::uint32_t> ring_members;
-    BlockArray<dvec3> places;  ///< [groups] world, of representatives
+    BlockArray<vec3> face_normals;                         ///< [triangles] unit; zero: no face
+    BlockArray<std::uint32_t> group_of_corner;             ///< [3 * triangles]
+    CornerBins corners;                                    ///< [groups] also of faces without area
+    BlockArray<dvec3> places;                              ///< [groups] world, of representatives
+    std::vector<std::uint32_t> ring_begin;                 ///< [groups] in the chunk's members
+    std::vector<std::uint32_t> ring_size;                  ///< [groups] 0 for all that are no representatives
+    std::vector<std::vector<std::uint32_t>> ring_members;  ///< [chunks of vertices_per_chunk]
 
-    /// Groups that share an edge with this one, ascending.
+    /// Groups that share an edge with this one, each once.
     std::span<const std::uint32_t> ring(std::uint32_t group) const {
-        return {ring_members.data() + 2 * std::size_t(corners.begin[group]), ring_size[group]};
+        return {ring_members[group / vertices_per_chunk].data() + ring_begin[group], ring_size[group]};
     }
-    bool is_face(std::uint32_t triangle) const { return face_normals[triangle] != dvec3{}; }
+    bool is_face(std::uint32_t triangle) const { return face_normals[triangle] != vec3{}; }
+    dvec3 normal(std::uint32_t triangle) const { return cast<double>(face_normals[triangle]); }
+    /// The other two groups of a corner's face, in its order.
+    std::uint32_t next(std::uint32_t corner) const {
+        return group_of_corner[corner % 3 == 2 ? corner - 2 : corner + 1];
+    }
+    std::uint32_t previous(std::uint32_t corner) const {
+        return group_of_corner[corner % 3 == 0 ? corner + 2 : corner - 1];
+    }
 };
 
 GroupRings group_rings(const Topology& topology, const AttributeInput& input, Context& context);

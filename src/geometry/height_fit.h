@@ -4,9 +4,13 @@
 // neighbor (x, y, z) are multiplied by (x^2 + y^2 + z^2) / (x^2 + y^2), so that normal sections are circles through the
 // place, not parabolas. So spheres are exact, and cylinders across their axis.
 #pragma once
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include <rakelight/vector.h>
+
+#include "geometry/height_kernel_types.h"
 
 namespace rakelight::geometry {
 
@@ -23,12 +27,43 @@ struct HeightFit {
     double weight = 0;    ///< sum of weights
     double bent = 0;      ///< sum of weight times the square of the heights above the tangent plane
     /// Of the matrix of the normal equations, its diagonal scaled to 1: a lower bound of its smallest eigenvalue, at
-    /// least a ninth of it. 0: the neighbors do not determine the coefficients.
+    /// least about a ninth of it. 0: the neighbors do not determine the coefficients.
     double rank = 0;
 };
 
-/// @param neighbors  from the place, in units of about an edge
-/// @param normal     unit, a first guess, to which the heights are measured
+/// Places that are fitted together.
+class HeightBatch {
+public:
+    HeightBatch();
+    bool is_full() const { return size_ == height_lanes; }
+    std::uint32_t size() const { return size_; }
+    void clear() { size_ = 0; }
+    /// @param neighbors  from the place, in units of about an edge
+    /// @param normal     unit, a first guess, to which the heights are measured
+    void add(std::span<const dvec3> neighbors, dvec3 normal);
+
+    /// Fits all places.
+    void fit();
+    HeightFit cubic(std::uint32_t place) const { return fit_at(result_.cubic, place); }
+    HeightFit quadric(std::uint32_t place) const { return fit_at(result_.quadric, place); }
+
+    /// Fits a wide quadric to all places.
+    void fit_wide();
+    dvec3 wide_normal(std::uint32_t place) const;
+
+private:
+    HeightJob job();
+    HeightFit fit_at(const HeightNumbers& numbers, std::uint32_t place) const;
+
+    const HeightKernels& kernels_;
+    std::vector<double> neighbors_;  ///< [rows][3][height_lanes]
+    std::uint32_t counts_[height_lanes] = {}, size_ = 0;
+    double normals_[3][height_lanes] = {};
+    double wide_[3][height_lanes] = {};
+    HeightResult result_{};
+};
+
+/// One place alone. The same numbers as in a batch.
 HeightFit fit_height(std::span<const dvec3> neighbors, dvec3 normal, HeightForm form);
 
 }  // namespace rakelight::geometry

@@ -17,6 +17,8 @@ struct Grid {
     std::uint32_t rows, columns;
     std::vector<double> sin_a, cos_a, sin_b, cos_b;
 
+    double waved = -1;  ///< share of the rows that have waves, if not negative; else the heights are random
+
     Grid(std::uint32_t r, std::uint32_t c) : rows(r), columns(c) {
         for (std::uint32_t i = 0; i < columns; ++i) {
             sin_a.push_back(math::sin(2 * pi * i / columns));
@@ -27,12 +29,20 @@ struct Grid {
             cos_b.push_back(math::cos(pi * (i + 1) / (rows + 2)));
         }
     }
-    // The height is a hash of the place, so every part finds the same.
-    vec3 position(std::uint32_t row, std::uint32_t column) const {
-        const std::uint32_t c = column % columns;
+    // A hash of the place, so every part finds the same.
+    double random_height(std::uint32_t row, std::uint32_t c) const {
         std::uint64_t h = (std::uint64_t(row) << 32 | c) * 0x9e3779b97f4a7c15ull;
         h = (h ^ (h >> 29)) * 0xbf58476d1ce4e5b9ull;
-        const double size = 1 + roughness * pi / rows * double(h >> 11) * 0x1p-53;
+        return roughness * double(h >> 11) * 0x1p-53;
+    }
+    double wave_height(std::uint32_t row, std::uint32_t c) const {
+        if (row > waved * rows) return 0;
+        const double waves = std::max(1.0, std::floor(columns / 12.0));
+        return 0.5 * math::sin(2 * pi * (c * waves / columns + row / 17.0)) * math::sin(2 * pi * row / 12.0);
+    }
+    vec3 position(std::uint32_t row, std::uint32_t column) const {
+        const std::uint32_t c = column % columns;
+        const double size = 1 + pi / rows * (waved < 0 ? random_height(row, c) : wave_height(row, c));
         return {float(size * sin_b[row] * cos_a[c]), float(-size * cos_b[row]), float(-size * sin_b[row] * sin_a[c])};
     }
 };
@@ -108,9 +118,13 @@ std::vector<AttributeMesh> BenchModel::meshes(bool textured) const {
     return all;
 }
 
-BenchModel make_bench_sphere(std::uint64_t triangles, std::uint32_t parts, bool shuffled) {
-    const std::uint32_t rows = std::max(2u, std::uint32_t(std::sqrt(double(triangles) / 4))), columns = 2 * rows;
-    const Grid grid(rows, columns);
+static Grid grid_of(std::uint64_t triangles) {
+    const std::uint32_t rows = std::max(2u, std::uint32_t(std::sqrt(double(triangles) / 4)));
+    return {rows, 2 * rows};
+}
+
+static BenchModel sphere_of(const Grid& grid, std::uint32_t parts, bool shuffled) {
+    const std::uint32_t rows = grid.rows, columns = grid.columns;
     BenchModel model;
     model.grid_step = pi / rows;
     const std::uint32_t bands = std::min(parts, std::max(1u, rows / 4));
@@ -126,6 +140,16 @@ BenchModel make_bench_sphere(std::uint64_t triangles, std::uint32_t parts, bool 
         }
     }
     return model;
+}
+
+BenchModel make_bench_sphere(std::uint64_t triangles, std::uint32_t parts, bool shuffled) {
+    return sphere_of(grid_of(triangles), parts, shuffled);
+}
+
+BenchModel make_waved_sphere(std::uint64_t triangles, std::uint32_t parts, double share) {
+    Grid grid = grid_of(triangles);
+    grid.waved = share;
+    return sphere_of(grid, parts, false);
 }
 
 BenchModel make_uneven_sphere(std::uint64_t triangles, std::uint32_t parts) {

@@ -29,6 +29,10 @@ struct BenchModel {
 /// @param shuffled  the triangles of each part, and its vertices, in random order (fixed seed)
 BenchModel make_bench_sphere(std::uint64_t triangles, std::uint32_t parts, bool shuffled);
 
+/// The same sphere with waves of twelve edges on a share of its rows, else smooth: where there are waves, the faces of a
+/// vertex turn from each other by some degrees.
+BenchModel make_waved_sphere(std::uint64_t triangles, std::uint32_t parts, double share);
+
 /// A smooth sphere of bands, an object each, of which neighbors have their columns in the ratio 1 : 2 : 3 and lie an eighth of the
 /// coarsest edge apart: no vertices are shared.
 BenchModel make_uneven_sphere(std::uint64_t triangles, std::uint32_t parts);

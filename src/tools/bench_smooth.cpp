@@ -93,6 +93,7 @@ public:
             within.weld_distance = SmoothBenchOptions::tolerance_row * model_.grid_step;
             add_smooth("tolerance 0.1 edges, ", model_, within);
         }
+        if (options_.weights) add_weights(creased);
         if (options_.plan) add_plan(creased);
         if (options_.borders) add_borders(creased);
         if (options_.order) {
@@ -146,6 +147,17 @@ private:
             const double held = double(peak.bytes()) - double(out->bytes());
             measured_.back().row.bytes_per_triangle = std::max(held, double(workspace->bytes())) / triangles_;
         }
+    }
+
+    void add_weights(AttributeOptions attributes) {
+        few_ = make_waved_sphere(options_.triangles, options_.objects, 1.0 / 6);
+        waved_ = make_waved_sphere(options_.triangles, options_.objects, 1);
+        attributes.weight = CornerWeight::angle;
+        add_smooth("angle, crease 60, ", model_, attributes);
+        attributes.weight = CornerWeight::automatic;
+        add_smooth("auto, a sixth fitted, ", few_, attributes);
+        add_smooth("auto, all fitted, ", waved_, attributes);
+        add_smooth("auto, all noise, ", model_, attributes);
     }
 
     // The steps apart, normals only: what a pose saves, and what a moved crease saves.
@@ -237,7 +249,7 @@ private:
 
     SmoothBenchOptions options_;
     Context& context_;
-    BenchModel model_, other_, uneven_;  ///< other_: in the other order
+    BenchModel model_, other_, uneven_, few_, waved_;  ///< other_: in the other order; few_, waved_: of add_weights()
     double triangles_;
     std::vector<Measured> measured_;
 };
@@ -247,8 +259,9 @@ private:
 SmoothBenchReport bench_smooth(const SmoothBenchOptions& options, Context& context) {
     check(options);
     // 36 bytes per triangle of input, 14 of output, twice the normals, and the scratch of the stages.
-    context.memory().check(options.triangles * (100 + (options.order ? 60 : 0) + (options.borders ? 60 : 0)),
-                           "the model to measure");
+    context.memory().check(
+        options.triangles * (100 + (options.order ? 60 : 0) + (options.borders ? 60 : 0) + (options.weights ? 120 : 0)),
+        "the model to measure");
     return SmoothBench(options, context).run();
 }
 

@@ -29,6 +29,9 @@ struct SmoothBenchOptions {
     /// Also measures a third model, a sphere of objects that share no vertices, at crease_row_rad. Equal positions are
     /// welded, then borders within a quarter of an edge are matched.
     bool borders = false;
+    /// Also measures the weights `angle` and `automatic` at crease_row_rad: on this model, and on smooth ones on which a
+    /// sixth of the places need a fit, and nearly all.
+    bool weights = false;
     static constexpr double crease_row_rad = radians(60);  ///< crease angle of `crease`, `plan` and `borders`
     static constexpr double tolerance_row = 0.1;           ///< [edge lengths]
 };

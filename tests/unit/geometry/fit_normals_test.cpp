@@ -175,7 +175,7 @@ TEST(FitNormals, MemoryIsAskedForBeforeItIsTaken) {
     const std::vector<Shape> parts = {make_torus(100, 50)};
     const std::vector<AttributeMesh> meshes = views(parts);
     for (const CornerWeight weight : {CornerWeight::fit, CornerWeight::automatic}) {
-        Context context({.threads = 1, .max_memory = 900'000});
+        Context context({.threads = 1, .max_memory = 700'000});
         EXPECT_NO_THROW(compute_attributes(meshes, by(CornerWeight::max), context));
         EXPECT_THROW(compute_attributes(meshes, by(weight), context), Error);
     }

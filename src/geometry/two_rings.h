@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The neighbors of a corner group and their neighbors.
+#pragma once
+#include <vector>
+
+#include "geometry/group_rings.h"
+
+namespace rakelight::geometry {
+
+/// A set of groups, in the order in which they came. Reused, so that it allocates nothing for most groups.
+class GroupSet {
+public:
+    void clear(std::size_t most) {
+        std::size_t size = 64;
+        while (size < 2 * most) size *= 2;
+        if (size > slots_.size()) slots_.assign(size, 0), now_ = 0;
+        ++now_;
+        groups_.clear();
+    }
+    /// Fewer than clear()'s `most`.
+    void add(std::uint32_t group) {
+        const std::size_t mask = slots_.size() - 1;
+        const std::uint64_t entry = now_ << 32 | group;
+        std::size_t at = (group * 0x9e3779b1u >> 7) & mask;
+        while (slots_[at] >> 32 == now_) {
+            if (slots_[at] == entry) return;
+            at = (at + 1) & mask;
+        }
+        slots_[at] = entry;
+        groups_.push_back(group);
+    }
+    std::span<const std::uint32_t> groups() const { return groups_; }
+
+private:
+    std::vector<std::uint64_t> slots_;  // the clear() of its entry, and the group
+    std::vector<std::uint32_t> groups_;
+    std::uint64_t now_ = 0;
+};
+
+/// Neighbors of more than this many places are not passed through to the second ring.
+constexpr std::uint32_t most_to_widen = 64;
+
+/// The group itself first, then both rings.
+inline void two_rings(const GroupRings& rings, std::uint32_t group, GroupSet& out) {
+    const std::span<const std::uint32_t> ring = rings.ring(group);
+    std::size_t most = 1 + ring.size();
+    for (const std::uint32_t u : ring) most += rings.ring_size[u];
+    out.clear(most);
+    out.add(group);
+    for (const std::uint32_t u : ring) out.add(u);
+    for (const std::uint32_t u : ring)
+        if (rings.ring_size[u] <= most_to_widen)
+            for (const std::uint32_t v : rings.ring(u)) out.add(v);
+}
+
+}  // namespace rakelight::geometry
