@@ -26,11 +26,12 @@ using namespace geometry;
 using Plan = AttributePlan::Impl;
 
 // Estimated memory of sums and result, from the number of vertices after splitting.
-void check_sums_memory(const AttributePlan::Impl& plan, Context& context) {
+void check_sums_memory(const AttributePlan::Impl& plan, const AttributeInput& input, Context& context) {
     std::uint64_t row = sizeof(NormalRow) + sizeof(vec3) + 2 * sizeof(std::uint32_t);
     const bool textured = std::find(plan.textured.begin(), plan.textured.end(), 1) != plan.textured.end();
     if (plan.options.tangents && textured) row += sizeof(TangentRow) + sizeof(vec4);
-    context.memory().check(plan.topology.group.size() * row + plan.topology.corner_vertex.size() * 8,
+    context.memory().check(plan.topology.group.size() * row +
+                               (plan.topology.corner_vertex.empty() ? 0 : 24 * std::uint64_t(input.triangle_count())),
                            "smoothing normals");
 }
 
@@ -52,13 +53,13 @@ std::vector<std::uint8_t> marks_of(const VoteSums& sums, const std::vector<std::
 template <class FinishSums>
 std::vector<std::uint8_t> add_up(const Plan& plan, const AttributeInput& input, GeneralScratch& scratch,
                                  Context& context, const FinishSums& finish) {
-    check_sums_memory(plan, context);
+    check_sums_memory(plan, input, context);
     VoteSums sums =
         sum_votes(plan.topology, input, plan.options, context, BlockArray<NormalRow>(std::move(scratch.faces)),
                   BlockArray<TangentRow>(std::move(scratch.corners)));
     sum_groups(sums, plan.groups, plan.topology, input, plan.options, context);
     if (plan.options.normals && is_fitted(plan.options.weight))
-        fit_normals(sums, plan.topology, input, plan.options, context);
+        fit_normals(sums, plan.topology, input, plan.options, scratch, context);
     average_tangents(sums, plan.groups, plan.topology, input, plan.options, context);
     context.throw_if_cancelled();
     const Cancelled cancelled = finish(sums);
@@ -70,7 +71,7 @@ std::vector<std::uint8_t> add_up(const Plan& plan, const AttributeInput& input, 
 
 // The cancelled groups that add_up() would find, from the sums of normals only.
 std::vector<std::uint8_t> find_cancelled(const Plan& plan, const AttributeInput& input, Context& context) {
-    check_sums_memory(plan, context);
+    check_sums_memory(plan, input, context);
     AttributeOptions options = plan.options;
     options.tangents = false;
     VoteSums sums = sum_votes(plan.topology, input, options, context);
@@ -96,7 +97,7 @@ std::shared_ptr<Plan> describe(std::span<const AttributeMesh> meshes, const Attr
 bool make_plan(Plan& plan, const AttributeInput& input, Context& context) {
     Grouped grouped = make_groups(plan.base, input, plan.options, context);
     plan.topology = std::move(grouped.topology);
-    plan.groups = make_vertex_groups(plan.topology.group);
+    plan.groups = make_vertex_groups(plan.topology.group, plan.base.scratch);
     return grouped.may_cancel;
 }
 
@@ -127,6 +128,13 @@ void run(Plan& plan, const AttributeInput& input, GeneralScratch& scratch, Conte
     plan.base.release();
 }
 
+// The memory of a plan that is not needed any more.
+void give_back(Plan& plan, GeneralScratch& scratch) {
+    scratch.give(plan.topology.corner_vertex);
+    scratch.give(plan.topology.group);
+    if (plan.topology.spare.data()) scratch.spare.push_back(std::move(plan.topology.spare));
+}
+
 std::vector<MeshAttributes> run(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                 GeneralScratch& scratch, Context& context) {
     check_options(options);
@@ -137,6 +145,7 @@ std::vector<MeshAttributes> run(std::span<const AttributeMesh> meshes, const Att
         return finish_vertices(sums, p.topology, input, p.options, out, context);
     });
     if (plan->tangents_after) add_tangents(out, *plan, input, context);
+    give_back(*plan, scratch);
     return out;
 }
 
@@ -225,9 +234,11 @@ std::vector<SplitAttributes> geometry::general_attributes_into(std::span<const A
     }
     check_options(options);
     const AttributeInput input = check_input(meshes, context);
-    run(*describe(meshes, options), input, scratch, context, [&](const Plan& plan, const VoteSums& sums) {
-        return finish_vertices(sums, plan.topology, input, plan.options, out, splits, context);
+    const std::shared_ptr<Plan> plan = describe(meshes, options);
+    run(*plan, input, scratch, context, [&](const Plan& p, const VoteSums& sums) {
+        return finish_vertices(sums, p.topology, input, p.options, out, splits, context);
     });
+    give_back(*plan, scratch);
     return splits;
 }
 

@@ -4,6 +4,7 @@
 #include "geometry/fit_normals.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "geometry/face_vote.h"
@@ -47,19 +48,33 @@ constexpr double least_cosine = 0.2;
 class NormalFits {
 public:
     NormalFits(const VoteSums& sums, const Topology& topology, const AttributeInput& input, bool is_automatic,
-               Context& context)
+               GeneralScratch& scratch, Context& context)
         : sums_(sums),
           topology_(topology),
           is_automatic_(is_automatic),
           context_(context),
-          rings_(group_rings(topology, input, context)),
+          scratch_(scratch),
+          rings_(group_faces(topology, input, scratch, context)),
           fitted_(groups_to_fit()),
-          number_(topology.group.size(), none),
-          planes_(is_automatic && !fitted_.empty() ? face_planes(rings_, topology, input, context) : FacePlanes{}) {
+          number_(scratch.take_words()) {
+        number_.assign(topology.group.size(), none);
+        rings_.ring_begin = scratch.take_words(), rings_.ring_size = scratch.take_words();
+        add_rings(rings_, topology, with_neighbors(), context);
+        if (is_automatic && !fitted_.empty())
+            planes_ = face_planes(rings_, topology, input.triangle_count(), scratch, context);
         context.memory().check(fitted_.size() * (sizeof(Fits) + sizeof(Qualities) + sizeof(dvec3)), "fitting normals");
         for (std::size_t i = 0; i < fitted_.size(); ++i) number_[fitted_[i]] = std::uint32_t(i);
-        fits_.resize(fitted_.size()), qualities_.resize(fitted_.size()), normals_.resize(fitted_.size());
+        fits_ = scratch.take<Fits>(fitted_.size()), qualities_ = scratch.take<Qualities>(fitted_.size());
+        normals_ = scratch.take<dvec3>(fitted_.size());
     }
+    ~NormalFits() {
+        rings_.release(scratch_);
+        scratch_.give(number_);
+        scratch_.give(planes_.plane_of), scratch_.give(planes_.area);
+        scratch_.give(fits_), scratch_.give(qualities_), scratch_.give(normals_);
+    }
+    NormalFits(const NormalFits&) = delete;
+    NormalFits& operator=(const NormalFits&) = delete;
 
     void run() {
         each_chunk([&](std::size_t first, std::size_t last) { fit(first, last); });
@@ -95,16 +110,19 @@ private:
 
     /// By the weight of Max the normal would be off by more than a little.
     bool needs_fit(std::uint32_t g) const {
+        const std::span<const std::uint32_t> corners = rings_.corners[g];
+        if (corners.empty()) return false;
         const dvec3 n = by_max(g);
         double least = 1;
-        std::uint32_t faces = 0;
-        for (const std::uint32_t corner : rings_.corners[g]) {
+        std::uint64_t ahead = 0, behind = 0;  // equal where faces go around
+        for (const std::uint32_t corner : corners) {
             if (!rings_.is_face(corner / 3)) continue;
             least = std::min(least, dot(rings_.normal(corner / 3), n));
-            ++faces;
+            ahead += hash(rings_.next(corner)), behind += hash(rings_.previous(corner));
         }
-        return faces > 0 && (!is_automatic_ || !(least > (is_border(rings_, g, faces) ? flat_cosine : mild_cosine)));
+        return !is_automatic_ || !(least > (ahead != behind ? flat_cosine : mild_cosine));
     }
+    static std::uint64_t hash(std::uint32_t group) { return (group + 1) * 0x9e3779b97f4a7c15ull >> 7; }
 
     /// Ascending.
     std::vector<std::uint32_t> groups_to_fit() {
@@ -120,19 +138,40 @@ private:
         return all;
     }
 
-    /// The places of two rings, from g, in edges.
-    void gather(std::uint32_t g, Memory& memory) const {
+    /// [groups] marks of the fitted ones and of their neighbors.
+    std::vector<std::uint8_t> with_neighbors() {
+        std::vector<std::uint8_t> marks(topology_.group.size(), 0);
+        const auto mark = [&](std::uint32_t g) { std::atomic_ref(marks[g]).store(1, std::memory_order_relaxed); };
+        each_chunk([&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                mark(fitted_[i]);
+                for (const std::uint32_t corner : rings_.corners[fitted_[i]])
+                    mark(rings_.next(corner)), mark(rings_.previous(corner));
+            }
+        });
+        return marks;
+    }
+
+    /// The places of two rings, from g.
+    /// @return one over the edge: the root of the mean square of the edges at g
+    double gather(std::uint32_t g, Memory& memory) const {
         two_rings(rings_, g, memory.groups);
+        const std::span<const std::uint32_t> groups = memory.groups.groups();
+        const std::size_t ring = rings_.ring_size[g];
+        const dvec3 at = rings_.places[g], n = by_max(g);
         memory.neighbors.clear();
-        const double edge = mean_edge(rings_, g), scale = 1 / edge;
-        if (!(edge > 0) || !std::isfinite(scale)) return;
-        const dvec3 n = by_max(g);
-        for (const std::uint32_t u : memory.groups.groups().subspan(1)) {
-            const dvec3 other = sum_by_max(u), d = (rings_.places[u] - rings_.places[g]) * scale;
+        double squares = 0;
+        for (std::size_t i = 1; i < groups.size(); ++i) {
+            const dvec3 other = sum_by_max(groups[i]), d = rings_.places[groups[i]] - at;
+            if (i <= ring) squares += dot(d, d);
             const double along = dot(other, n);
-            const bool same_side = along > 0 && along * along > least_cosine * least_cosine * dot(other, other);
-            if (same_side && dot(d, d) < 1e40) memory.neighbors.push_back(d);
+            if (along > 0 && along * along > least_cosine * least_cosine * dot(other, other))
+                memory.neighbors.push_back(d);
         }
+        const double scale = std::sqrt(double(ring) / squares);
+        if (scale > 0 && std::isfinite(scale)) return scale;
+        memory.neighbors.clear();
+        return 1;
     }
 
     void fit(std::size_t first, std::size_t last) {
@@ -140,8 +179,8 @@ private:
         for (std::size_t i = first; i < last; ++i) {
             const std::uint32_t g = fitted_[i];
             const PlaceFaces faces = place_faces(rings_, g);
-            gather(g, memory);
-            memory.batch.add(memory.neighbors, by_max(g));
+            const double scale = gather(g, memory);
+            memory.batch.add(memory.neighbors, scale, by_max(g));
             fits_[i].neighbors = std::uint32_t(memory.neighbors.size());
             fits_[i].border = is_border(rings_, g, faces.faces);
             qualities_[i].by_area = cast<float>(faces.by_area);
@@ -199,8 +238,8 @@ private:
             Decision& d = decisions[i - first];
             d = decision(i, planes);
             if (!(d.wide > 0)) continue;
-            gather(fitted_[i], memory);
-            memory.batch.add(memory.neighbors, wide_guess(fitted_[i]));
+            const double scale = gather(fitted_[i], memory);
+            memory.batch.add(memory.neighbors, scale, wide_guess(fitted_[i]));
             wide.push_back(i - first);
             if (memory.batch.is_full()) fit_wide();
         }
@@ -280,13 +319,14 @@ private:
     const Topology& topology_;
     bool is_automatic_;
     Context& context_;
+    GeneralScratch& scratch_;
     GroupRings rings_;
     std::vector<std::uint32_t> fitted_;  // groups
     std::vector<std::uint32_t> number_;  // [groups] in fitted_, or none
     FacePlanes planes_;
-    std::vector<Fits> fits_;            // [fitted_]
-    std::vector<Qualities> qualities_;  // [fitted_]
-    std::vector<dvec3> normals_;        // [fitted_]
+    BlockArray<Fits> fits_;            // [fitted_]
+    BlockArray<Qualities> qualities_;  // [fitted_]
+    BlockArray<dvec3> normals_;        // [fitted_]
 };
 
 /// [groups] whether the normal is that of authored members; empty: none is.
@@ -305,8 +345,8 @@ std::vector<std::uint8_t> groups_with_authored(const Topology& topology, const A
 }  // namespace
 
 void fit_normals(VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options,
-                 Context& context) {
-    NormalFits fits(sums, topology, input, options.weight == CornerWeight::automatic, context);
+                 GeneralScratch& scratch, Context& context) {
+    NormalFits fits(sums, topology, input, options.weight == CornerWeight::automatic, scratch, context);
     fits.run();
     const std::vector<std::uint8_t> keeps = groups_with_authored(topology, input);
     const std::size_t count = topology.group.size(), step = vertices_per_chunk;

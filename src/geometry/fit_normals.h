@@ -9,8 +9,9 @@ inline bool is_fitted(CornerWeight weight) { return weight == CornerWeight::fit 
 
 /// Replaces the normals of groups after sum_groups(): the direction alone, weights stay. Groups with authored members and
 /// groups without votes keep theirs.
+/// @param scratch  source of memory
 /// @throws Error bad_file: over the memory budget
 void fit_normals(VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options,
-                 Context& context);
+                 GeneralScratch& scratch, Context& context);
 
 }  // namespace rakelight::geometry

@@ -8,10 +8,10 @@ namespace rakelight::geometry {
 /// Faces that are joined by edges within corner groups and lie in one plane.
 struct FacePlanes {
     static constexpr std::uint32_t alone = 0xffffffffu;
-    std::vector<std::uint32_t> plane_of;  ///< [triangles] the smallest face of its plane; alone: it has no second one
-    std::vector<double> area;  ///< [triangles] of the plane that the face is the smallest of, or of the face [m^2]
+    BlockArray<std::uint32_t> plane_of;  ///< [triangles] the smallest face of its plane; alone: it has no second one
+    BlockArray<double> area;  ///< [triangles] of the plane that the face is the smallest of, or of the face [m^2]
 };
-FacePlanes face_planes(const GroupRings& rings, const Topology& topology, const AttributeInput& input,
+FacePlanes face_planes(const GroupRings& rings, const Topology& topology, std::size_t faces, GeneralScratch& scratch,
                        Context& context);
 
 /// The planes at a place. A plane counts by its whole area, so that it does not matter how it is cut into triangles.

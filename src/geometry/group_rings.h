@@ -10,22 +10,31 @@
 
 namespace rakelight::geometry {
 
+/// What places ask of a triangle.
+struct GroupFace {
+    vec3 normal;          ///< unit, world; zero: no face
+    float area = 0;       ///< [m^2]
+    float slack_rad = 0;  ///< by how much the rounding of positions may turn the normal
+};
+
 /// Groups have the numbers of their representatives, as in Topology::group. Faces without area are left out.
 struct GroupRings {
-    BlockArray<vec3> face_normals;                         ///< [triangles] unit; zero: no face
-    BlockArray<std::uint32_t> group_of_corner;             ///< [3 * triangles]
-    CornerBins corners;                                    ///< [groups] also of faces without area
-    BlockArray<dvec3> places;                              ///< [groups] world, of representatives
-    std::vector<std::uint32_t> ring_begin;                 ///< [groups] in the chunk's members
-    std::vector<std::uint32_t> ring_size;                  ///< [groups] 0 for all that are no representatives
+    BlockArray<GroupFace> faces;                ///< [triangles]
+    BlockArray<std::uint32_t> group_of_corner;  ///< [3 * triangles]
+    CornerBins corners;                         ///< [groups] also of faces without area
+    BlockArray<dvec3> places;                   ///< [groups] world, of representatives
+    std::vector<std::uint32_t> ring_begin;      ///< [groups] in the chunk's members
+    std::vector<std::uint32_t> ring_size;       ///< [groups] 0 for all that are no representatives, or not wanted
     std::vector<std::vector<std::uint32_t>> ring_members;  ///< [chunks of vertices_per_chunk]
+
+    void release(GeneralScratch& scratch);
 
     /// Groups that share an edge with this one, each once.
     std::span<const std::uint32_t> ring(std::uint32_t group) const {
         return {ring_members[group / vertices_per_chunk].data() + ring_begin[group], ring_size[group]};
     }
-    bool is_face(std::uint32_t triangle) const { return face_normals[triangle] != vec3{}; }
-    dvec3 normal(std::uint32_t triangle) const { return cast<double>(face_normals[triangle]); }
+    bool is_face(std::uint32_t triangle) const { return faces[triangle].normal != vec3{}; }
+    dvec3 normal(std::uint32_t triangle) const { return cast<double>(faces[triangle].normal); }
     /// The other two groups of a corner's face, in its order.
     std::uint32_t next(std::uint32_t corner) const {
         return group_of_corner[corner % 3 == 2 ? corner - 2 : corner + 1];
@@ -35,7 +44,11 @@ struct GroupRings {
     }
 };
 
-GroupRings group_rings(const Topology& topology, const AttributeInput& input, Context& context);
+/// All but rings.
+GroupRings group_faces(const Topology& topology, const AttributeInput& input, GeneralScratch& scratch,
+                       Context& context);
+/// @param wanted  [groups] not 0: gets its ring
+void add_rings(GroupRings& rings, const Topology& topology, std::span<const std::uint8_t> wanted, Context& context);
 
 /// Calls body(group) for the representatives of a range of groups.
 template <class Body>

@@ -25,9 +25,9 @@ void check_memory(const AttributeInput& input, bool refines, Context& context) {
 }
 
 std::shared_ptr<const std::vector<std::uint32_t>> weld(const AttributeInput& input, const AttributeOptions& options,
-                                                       Context& context) {
+                                                       GeneralScratch* scratch, Context& context) {
     const WeldKey key{.object = options.scope != Scope::model, .normal = !options.normals};
-    auto places = std::make_shared<std::vector<std::uint32_t>>(weld_positions(input, key, context));
+    auto places = std::make_shared<std::vector<std::uint32_t>>(weld_positions(input, key, context, nullptr, scratch));
     if (options.normals) weld_near(*places, input, key, options.weld_distance, context);
     context.throw_if_cancelled();
     return places;
@@ -43,6 +43,7 @@ CornerBins bins_by_place(const Topology& topology, const AttributeInput& input, 
     if (!base.scratch) return bin_corners(topology, input, {}, context);
     CornerBins memory;
     memory.corners = BlockArray<std::uint32_t>(std::move(base.scratch->corners));
+    memory.begin = base.scratch->take_words();
     BlockArray<std::uint16_t> keys(std::move(base.scratch->keys));
     CornerBins bins = bin_corners(topology, input, {}, context, std::move(memory), &keys);
     base.scratch->keys = keys.take();
@@ -62,7 +63,7 @@ const FaceNormals& GroupingBase::face_normals(const AttributeInput& input, Conte
 
 void GroupingBase::release() {
     if (scratch && normals) scratch->faces = normals->take();
-    if (scratch && corners) scratch->corners = corners->corners.take();
+    if (scratch && corners) scratch->corners = corners->corners.take(), scratch->give(corners->begin);
     places = nullptr, normals = nullptr, corners = nullptr;
 }
 
@@ -78,10 +79,12 @@ Grouped make_groups(GroupingBase& base, const AttributeInput& input, const Attri
     const bool flat = options.normals && (options.scope == Scope::face || (creases.most == 0 && !groups));
     const bool refines = options.normals && (flat || groups || options.fans || !creases.joins_all());
     check_memory(input, refines, context);
-    if (!flat && !base.places) base.places = weld(input, options, context);
+    if (!flat && !base.places) base.places = weld(input, options, base.scratch, context);
     Grouped made;
     made.topology.places = flat ? each_vertex_alone(input) : base.places;
-    made.topology.group = *made.topology.places;
+    if (base.scratch) made.topology.group = base.scratch->take_words();
+    made.topology.group.assign(made.topology.places->begin(), made.topology.places->end());
+    if (base.scratch) made.topology.spare = base.scratch->take<char>(12 * std::size_t(input.triangle_count())).take();
     if (refines) {
         const JoinRules rules(input, made.topology, options, flat ? JoinRule::apart : JoinRule::crease,
                               base.face_normals(input, context));
@@ -91,7 +94,8 @@ Grouped make_groups(GroupingBase& base, const AttributeInput& input, const Attri
             flat_bins = bin_corners(made.topology, input, {}, context);
         else if (!base.corners)
             base.corners = std::make_shared<CornerBins>(bins_by_place(made.topology, input, base, context));
-        made.may_cancel = refine_groups(made.topology, input, rules, flat ? flat_bins : *base.corners, context);
+        made.may_cancel =
+            refine_groups(made.topology, input, rules, flat ? flat_bins : *base.corners, context, base.scratch);
     }
     context.throw_if_cancelled();
     const bool textured = std::any_of(input.meshes.begin(), input.meshes.end(),

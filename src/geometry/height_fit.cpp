@@ -4,20 +4,24 @@
 #include <algorithm>
 
 #include "math/isa.h"
+#include "math/linear.h"
 
 namespace rakelight::geometry {
 
 HeightBatch::HeightBatch() : kernels_(*RL_BY_ISA(isa_from_environment(), height_kernels())) {}
 
-void HeightBatch::add(std::span<const dvec3> neighbors, dvec3 normal) {
+void HeightBatch::add(std::span<const dvec3> neighbors, double scale, dvec3 normal) {
     constexpr std::size_t row = 3 * height_lanes;
     if (neighbors_.size() < neighbors.size() * row) neighbors_.resize(neighbors.size() * row);
     double* to = neighbors_.data() + size_;
-    for (const dvec3& d : neighbors) {
+    std::uint32_t count = 0;
+    for (const dvec3& neighbor : neighbors) {
+        const dvec3 d = neighbor * scale;
+        if (!(dot(d, d) < 1e20)) continue;
         to[0] = d.x, to[height_lanes] = d.y, to[2 * height_lanes] = d.z;
-        to += row;
+        to += row, ++count;
     }
-    counts_[size_] = std::uint32_t(neighbors.size());
+    counts_[size_] = count;
     for (int axis = 0; axis < 3; ++axis) normals_[axis][size_] = normal[std::size_t(axis)];
     ++size_;
 }
@@ -52,7 +56,7 @@ HeightFit HeightBatch::fit_at(const HeightNumbers& numbers, std::uint32_t place)
 
 HeightFit fit_height(std::span<const dvec3> neighbors, dvec3 normal, HeightForm form) {
     HeightBatch batch;
-    batch.add(neighbors, normal);
+    batch.add(neighbors, 1, normal);
     if (form == HeightForm::wide) {
         batch.fit_wide();
         return {.normal = batch.wide_normal(0)};

@@ -20,7 +20,4 @@ inline bool is_border(const GroupRings& rings, std::uint32_t group, std::uint32_
     return rings.ring_size[group] > faces;
 }
 
-/// [m] Root of the mean square of the edges.
-double mean_edge(const GroupRings& rings, std::uint32_t group);
-
 }  // namespace rakelight::geometry

@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "geometry/face_vote.h"
-#include "geometry/fast_memory.h"
 #include "geometry/position_hash.h"
 
 namespace rakelight::geometry {
@@ -56,8 +55,12 @@ std::uint32_t hash_of(const Place& place, HashKey key) {
 
 class Weld {
 public:
-    Weld(const AttributeInput& input, WeldKey key, Context& context)
-        : input_(input), key_(key), context_(context), chunks_(make_chunks(input.vertex_base, vertices_per_chunk)) {
+    Weld(const AttributeInput& input, WeldKey key, GeneralScratch& scratch, Context& context)
+        : input_(input),
+          key_(key),
+          context_(context),
+          scratch_(scratch),
+          chunks_(make_chunks(input.vertex_base, vertices_per_chunk)) {
         const std::uint32_t wanted = input.vertex_count() / records_per_partition + 1;
         shift_ = 32 - std::uint32_t(std::bit_width(std::min(std::bit_ceil(wanted), max_partitions)) - 1);
         partitions_ = 1u << (32 - shift_);
@@ -65,7 +68,8 @@ public:
 
     std::vector<std::uint32_t> run(std::uint64_t* met) {
         partition();
-        std::vector<std::uint32_t> representative(input_.vertex_count());
+        std::vector<std::uint32_t> representative = scratch_.take_words();
+        representative.resize(input_.vertex_count());
         context_.parallel_for(chunks_.size(), [&](std::size_t c) {
             for_each_range(chunks_[c], input_.vertex_base,
                            [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
@@ -76,6 +80,7 @@ public:
         std::atomic<std::uint64_t> all_met{0};
         context_.parallel_for(partitions_, [&](std::size_t p) { all_met += match(std::uint32_t(p), representative); });
         if (met) *met = all_met;
+        scratch_.give(records_);
         return representative;
     }
 
@@ -98,8 +103,7 @@ private:
 
     void partition() {
         std::vector<std::uint32_t> cursor(chunks_.size() * partitions_, 0);
-        LargeArray<std::uint32_t> hashes;
-        hashes.reserve(input_.vertex_count());
+        BlockArray<std::uint32_t> hashes = scratch_.take<std::uint32_t>(input_.vertex_count());
         context_.parallel_for(chunks_.size(), [&](std::size_t c) {
             std::vector<std::uint32_t> counts(partitions_, 0);
             std::uint32_t* const hash = hashes.data();
@@ -120,7 +124,7 @@ private:
             }
         }
         begin_[partitions_] = sum;
-        records_.reserve(sum);
+        records_ = scratch_.take<Record>(sum);
         context_.parallel_for(chunks_.size(), [&](std::size_t c) {
             std::vector<std::uint32_t> at(cursor.begin() + std::ptrdiff_t(c * partitions_),
                                           cursor.begin() + std::ptrdiff_t((c + 1) * partitions_));
@@ -130,6 +134,7 @@ private:
                 if (hash[v] != 0) records[at[partition_of(hash[v])]++] = {hash[v], v};
             });
         });
+        scratch_.give(hashes);
     }
 
     Place place_again(std::uint32_t vertex) const {
@@ -162,17 +167,19 @@ private:
     WeldKey key_;
     HashKey hash_key_ = hash_key_of_this_run();
     Context& context_;
+    GeneralScratch& scratch_;
     std::vector<Chunk> chunks_;
     std::uint32_t shift_ = 32, partitions_ = 1;
     std::vector<std::uint32_t> begin_;
-    LargeArray<Record> records_;
+    BlockArray<Record> records_;
 };
 
 }  // namespace
 
 std::vector<std::uint32_t> weld_positions(const AttributeInput& input, WeldKey key, Context& context,
-                                          std::uint64_t* met) {
-    return Weld(input, key, context).run(met);
+                                          std::uint64_t* met, GeneralScratch* scratch) {
+    GeneralScratch own;
+    return Weld(input, key, scratch ? *scratch : own, context).run(met);
 }
 
 }  // namespace rakelight::geometry

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/attribute_input.h"
+#include "geometry/block_array.h"
 
 namespace rakelight::geometry {
 
@@ -16,8 +17,9 @@ struct WeldKey {
 
 /// representative[v] = the smallest vertex at v's place; v itself where nothing else is there or its position is not
 /// finite. World positions are compared in double, -0 equal to +0. Expected O(n); the same for any number of threads.
+/// @param scratch  source of memory; null: allocate
 /// @param met not null: number of visited full slots, which measures how evenly the tables fill
 std::vector<std::uint32_t> weld_positions(const AttributeInput& input, WeldKey key, Context& context,
-                                          std::uint64_t* met = nullptr);
+                                          std::uint64_t* met = nullptr, GeneralScratch* scratch = nullptr);
 
 }  // namespace rakelight::geometry

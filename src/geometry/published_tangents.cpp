@@ -69,7 +69,7 @@ public:
 private:
     // The plan's vertices, grouped by place alone (scope face: as the normals are).
     Topology places_of(const AttributePlan::Impl& plan) const {
-        Topology places = plan.topology;
+        Topology places = copy_of(plan.topology, input_);
         if (options_.scope == Scope::face) {
             if (!options_.normals) std::iota(places.group.begin(), places.group.end(), 0u);  // each vertex separately
             return places;

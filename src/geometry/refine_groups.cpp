@@ -31,12 +31,13 @@ struct Splits {
 class Refinement {
 public:
     Refinement(Topology& topology, const AttributeInput& input, const JoinRules& rules, const CornerBins& bins,
-               Context& context)
+               Context& context, GeneralScratch& scratch)
         : topology_(topology),
           input_(input),
           rules_(rules),
           bins_(bins),
           context_(context),
+          scratch_(scratch),
           old_count_(std::uint32_t(topology.group.size())),
           splits_((old_count_ + vertices_per_chunk - 1) / vertices_per_chunk) {}
 
@@ -148,7 +149,8 @@ private:
     }
 
     void apply() {
-        std::vector<std::uint32_t> leader(old_count_, no_index), first_new{0};
+        std::vector<std::uint32_t> leader = scratch_.take_words(), first_new{0};
+        leader.assign(old_count_, no_index);
         for (const Splits& s : splits_) {
             for (std::size_t i = 0; i < s.bins.size(); ++i) leader[s.bins[i]] = s.leader[i];
             first_new.push_back(first_new.back() + std::uint32_t(s.parents.size()));
@@ -166,6 +168,7 @@ private:
                 topology_.group[vertex_of(corner)] = vertex_of(lead);
             });
         });
+        scratch_.give(leader);
         if (needs_sorting_) sort_appended(topology_, input_, context_);
     }
 
@@ -176,7 +179,7 @@ private:
         std::vector<std::uint32_t> sources, number;
         for (const Splits& s : splits_)
             for (const std::uint32_t parent : s.parents) sources.push_back(topology_.source_of(input_, parent));
-        if (is_first) number = rank_by_source(sources, input_.vertex_count());
+        if (is_first) number = rank_by_source(sources, input_.vertex_count(), scratch_);
         const std::size_t before = topology_.source.size();
         topology_.group.resize(old_count_ + sources.size(), no_index);
         topology_.source.resize(before + sources.size());
@@ -197,6 +200,7 @@ private:
     const JoinRules& rules_;
     const CornerBins& bins_;
     Context& context_;
+    GeneralScratch& scratch_;
     std::uint32_t old_count_;
     std::vector<Splits> splits_;  // [chunks of groups]
     bool needs_sorting_ = false;
@@ -205,8 +209,9 @@ private:
 }  // namespace
 
 bool refine_groups(Topology& topology, const AttributeInput& input, const JoinRules& rules, const CornerBins& bins,
-                   Context& context) {
-    return Refinement(topology, input, rules, bins, context).run();
+                   Context& context, GeneralScratch* scratch) {
+    GeneralScratch own;
+    return Refinement(topology, input, rules, bins, context, scratch ? *scratch : own).run();
 }
 
 }  // namespace rakelight::geometry

@@ -7,9 +7,19 @@
 
 namespace rakelight::geometry {
 
+Topology copy_of(const Topology& topology, const AttributeInput& input) {
+    Topology copy{.places = topology.places, .group = topology.group, .source = topology.source};
+    if (topology.corner_vertex.empty()) return copy;
+    const std::size_t corners = 3 * std::size_t(input.triangle_count());
+    copy.corner_vertex.reserve(corners);
+    std::copy_n(topology.corner_vertex.data(), corners, copy.corner_vertex.data());
+    return copy;
+}
+
 void materialize_corners(Topology& topology, const AttributeInput& input, Context& context) {
     if (!topology.corner_vertex.empty()) return;
-    topology.corner_vertex.resize(std::size_t(3) * input.triangle_count());
+    topology.corner_vertex = BlockArray<std::uint32_t>(std::move(topology.spare));
+    topology.corner_vertex.reserve(std::size_t(3) * input.triangle_count());
     const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
     context.parallel_for(chunks.size(), [&](std::size_t c) {
         for_each_range(chunks[c], input.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
@@ -20,22 +30,27 @@ void materialize_corners(Topology& topology, const AttributeInput& input, Contex
     });
 }
 
-std::vector<std::uint32_t> rank_by_source(const std::vector<std::uint32_t>& sources, std::uint32_t count) {
-    std::vector<std::uint32_t> at(std::size_t(count) + 1, 0), rank;
+std::vector<std::uint32_t> rank_by_source(const std::vector<std::uint32_t>& sources, std::uint32_t count,
+                                          GeneralScratch& scratch) {
+    std::vector<std::uint32_t> at = scratch.take_words(), rank;
+    at.assign(std::size_t(count) + 1, 0);
     for (const std::uint32_t v : sources) ++at[v + 1];
     std::partial_sum(at.begin(), at.end(), at.begin());
     rank.reserve(sources.size());
     for (const std::uint32_t v : sources) rank.push_back(at[v]++);
+    scratch.give(at);
     return rank;
 }
 
 void sort_appended(Topology& topology, const AttributeInput& input, Context& context) {
     const std::uint32_t fixed = input.vertex_count();
-    const std::vector<std::uint32_t> number = rank_by_source(topology.source, fixed);
+    GeneralScratch none;
+    const std::vector<std::uint32_t> number = rank_by_source(topology.source, fixed, none);
     std::vector<std::uint32_t> source(number.size()), group(topology.group.size());
     for (std::size_t i = 0; i < number.size(); ++i) source[number[i]] = topology.source[i];
     const auto renumbered = [&](std::uint32_t v) { return v < fixed ? v : fixed + number[v - fixed]; };
-    const std::size_t vertices = group.size(), corners = topology.corner_vertex.size(), step = 3 * triangles_per_chunk;
+    const std::size_t vertices = group.size(), corners = 3 * std::size_t(input.triangle_count()),
+                      step = 3 * triangles_per_chunk;
     context.parallel_for((vertices + step - 1) / step, [&](std::size_t c) {
         for (std::size_t v = c * step; v < std::min(vertices, (c + 1) * step); ++v)
             group[renumbered(std::uint32_t(v))] = renumbered(topology.group[v]);

@@ -17,7 +17,8 @@ struct Topology {
         places;                         ///< [input vertices] smallest one at the same place; never null
     std::vector<std::uint32_t> group;   ///< [output vertices] one of the vertices that share its normal; group[g] == g
     std::vector<std::uint32_t> source;  ///< [appended] the input vertex that each copies
-    std::vector<std::uint32_t> corner_vertex;  ///< [3 * triangles] output vertex; empty: nothing was split
+    BlockArray<std::uint32_t> corner_vertex;  ///< [3 * triangles] output vertex; empty: nothing was split
+    Block spare;                              ///< memory for corner_vertex
 
     std::uint32_t vertex_of(const AttributeInput& input, std::uint32_t mesh, std::uint32_t corner) const {
         return corner_vertex.empty() ? input.corner_vertex(mesh, corner) : corner_vertex[corner];
@@ -27,12 +28,15 @@ struct Topology {
     }
 };
 
+Topology copy_of(const Topology& topology, const AttributeInput& input);
+
 /// Fills corner_vertex from the input's indices if it is empty.
 void materialize_corners(Topology& topology, const AttributeInput& input, Context& context);
 
 /// [sources] position of each after a stable sort.
 /// @param count upper bound of sources, exclusive
-std::vector<std::uint32_t> rank_by_source(const std::vector<std::uint32_t>& sources, std::uint32_t count);
+std::vector<std::uint32_t> rank_by_source(const std::vector<std::uint32_t>& sources, std::uint32_t count,
+                                          GeneralScratch& scratch);
 
 /// Renumbers the appended vertices by source: vertices of one mesh become contiguous, in the order of their sources.
 void sort_appended(Topology& topology, const AttributeInput& input, Context& context);

@@ -13,28 +13,27 @@ public:
     void clear(std::size_t most) {
         std::size_t size = 64;
         while (size < 2 * most) size *= 2;
-        if (size > slots_.size()) slots_.assign(size, 0), now_ = 0;
-        ++now_;
-        groups_.clear();
+        slots_.assign(size, none);
+        if (groups_.size() < most) groups_.resize(most);
+        count_ = 0;
     }
-    /// Fewer than clear()'s `most`.
+    /// At most clear()'s `most` times.
     void add(std::uint32_t group) {
         const std::size_t mask = slots_.size() - 1;
-        const std::uint64_t entry = now_ << 32 | group;
-        std::size_t at = (group * 0x9e3779b1u >> 7) & mask;
-        while (slots_[at] >> 32 == now_) {
-            if (slots_[at] == entry) return;
+        std::size_t at = (group * 0x9e3779b1u >> 12) & mask;
+        while (slots_[at] != none) {
+            if (slots_[at] == group) return;
             at = (at + 1) & mask;
         }
-        slots_[at] = entry;
-        groups_.push_back(group);
+        slots_[at] = group;
+        groups_[count_++] = group;
     }
-    std::span<const std::uint32_t> groups() const { return groups_; }
+    std::span<const std::uint32_t> groups() const { return {groups_.data(), count_}; }
 
 private:
-    std::vector<std::uint64_t> slots_;  // the clear() of its entry, and the group
-    std::vector<std::uint32_t> groups_;
-    std::uint64_t now_ = 0;
+    static constexpr std::uint32_t none = 0xffffffffu;
+    std::vector<std::uint32_t> slots_, groups_;
+    std::size_t count_ = 0;
 };
 
 /// Neighbors of more than this many places are not passed through to the second ring.

@@ -4,9 +4,11 @@
 namespace rakelight::geometry {
 
 // Counting sort by group; one pass over all vertices, then only over vertices that share.
-VertexGroups make_vertex_groups(const std::vector<std::uint32_t>& group) {
+VertexGroups make_vertex_groups(const std::vector<std::uint32_t>& group, GeneralScratch* scratch) {
     VertexGroups groups;
-    std::vector<std::uint32_t> sharing, size(group.size(), 0);
+    std::vector<std::uint32_t> sharing, size;
+    if (scratch) size = scratch->take_words();
+    size.assign(group.size(), 0);
     for (std::uint32_t v = 0; v < group.size(); ++v)
         if (group[v] != v) {
             sharing.push_back(v);
@@ -31,6 +33,7 @@ VertexGroups make_vertex_groups(const std::vector<std::uint32_t>& group) {
         if (shares) ++next;
         if (shares || stands[v] != 0) groups.members[size[group[v]]++] = v;
     }
+    if (scratch) scratch->give(size);
     return groups;
 }
 

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/block_array.h"
+
 namespace rakelight::geometry {
 
 /// The groups of two or more vertices as lists with ascending members. Vertices in no list are single.
@@ -13,6 +15,7 @@ struct VertexGroups {
 };
 
 /// @param group [vertices] representative of each vertex' group; group[g] == g
-VertexGroups make_vertex_groups(const std::vector<std::uint32_t>& group);
+/// @param scratch  source of memory; null: allocate
+VertexGroups make_vertex_groups(const std::vector<std::uint32_t>& group, GeneralScratch* scratch = nullptr);
 
 }  // namespace rakelight::geometry

@@ -37,8 +37,8 @@ struct Grid {
     }
     double wave_height(std::uint32_t row, std::uint32_t c) const {
         if (row > waved * rows) return 0;
-        const double waves = std::max(1.0, std::floor(columns / 12.0));
-        return 0.5 * math::sin(2 * pi * (c * waves / columns + row / 17.0)) * math::sin(2 * pi * row / 12.0);
+        const double waves = std::max(1.0, std::floor(columns / 24.0));
+        return math::sin(2 * pi * (c * waves / columns + row / 35.0)) * math::sin(2 * pi * row / 24.0);
     }
     vec3 position(std::uint32_t row, std::uint32_t column) const {
         const std::uint32_t c = column % columns;

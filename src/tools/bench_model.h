@@ -29,7 +29,7 @@ struct BenchModel {
 /// @param shuffled  the triangles of each part, and its vertices, in random order (fixed seed)
 BenchModel make_bench_sphere(std::uint64_t triangles, std::uint32_t parts, bool shuffled);
 
-/// The same sphere with waves of twelve edges on a share of its rows, else smooth: where there are waves, the faces of a
+/// The same sphere with waves of 24 edges on a share of its rows, else smooth: where there are waves, the faces of a
 /// vertex turn from each other by some degrees.
 BenchModel make_waved_sphere(std::uint64_t triangles, std::uint32_t parts, double share);
 

@@ -65,12 +65,13 @@ RL_INLINE Neighbor neighbor_of(const double* row, const Axes& axes, numbers is_o
     const numbers c = smaller((rr + zz) / larger(rr, all(1e-12)), all(4));
     return {x, y, z, is_one, c};
 }
-/// 1 for lanes that have the neighbor, else 0.
-RL_INLINE numbers ones(const uint32_t* count, uint32_t row) {
+RL_INLINE numbers counts_of(const HeightJob& job, uint32_t lane) {
     numbers v;
-    for (uint32_t i = 0; i < lanes; ++i) v[i] = row < count[i] ? 1.0 : 0.0;
+    for (uint32_t i = 0; i < lanes; ++i) v[i] = double(job.count[lane + i]);
     return v;
 }
+/// 1 for lanes that have the neighbor, else 0.
+RL_INLINE numbers ones(numbers counts, uint32_t row) { return all(double(row)) < counts ? all(1) : all(0); }
 
 /// What a quadric through the place needs: sums over neighbors of weight times the product.
 struct QuadricSums {
@@ -110,13 +111,14 @@ RL_INLINE void add(CubicSums& s, const Neighbor& p) {
 static void add_up(const HeightJob& job, uint32_t first_lane, const Axes& axes, QuadricSums& quadric,
                    CubicSums& cubic) {
     constexpr uint32_t most = 32;
+    const numbers counts = counts_of(job, first_lane);
     Neighbor some[most];
     for (uint32_t row = 0; row < job.rows; row += most) {
         const uint32_t end = job.rows - row < most ? job.rows - row : most;
         for (uint32_t i = 0; i < end; ++i) {
             Neighbor& p = some[i];
             p = neighbor_of(job.neighbors + uint64_t(row + i) * 3 * height_lanes + first_lane, axes,
-                            ones(job.count + first_lane, row + i));
+                            ones(counts, row + i));
             const numbers square = p.x * p.x + p.y * p.y + p.z * p.z + all(1e-12);
             p.w = p.w / (square * square);
         }
@@ -258,11 +260,12 @@ static void fit(const HeightJob& job, HeightResult& out) {
 
 /// The sums of a quadric that need not meet the place; the place itself is one more neighbor.
 RL_INLINE Equations<6> wide_equations(const HeightJob& job, uint32_t lane, const Axes& axes, numbers& weight) {
+    const numbers counts = counts_of(job, lane);
     QuadricSums s{};
     numbers x = all(0), y = all(0), z = all(0), cxx = all(0), cxy = all(0), cyy = all(0);
     for (uint32_t row = 0; row < job.rows; ++row) {
         const Neighbor p =
-            neighbor_of(job.neighbors + uint64_t(row) * 3 * height_lanes + lane, axes, ones(job.count + lane, row));
+            neighbor_of(job.neighbors + uint64_t(row) * 3 * height_lanes + lane, axes, ones(counts, row));
         add(s, p);
         x += p.w * p.x, y += p.w * p.y, z += p.w * p.z;
         const numbers wc = p.w * p.c;
