@@ -64,12 +64,21 @@ const FaceNormals& GroupingBase::face_normals(const AttributeInput& input, Conte
 void GroupingBase::release() {
     if (scratch && normals) scratch->faces = normals->take();
     if (scratch && corners) scratch->corners = corners->corners.take(), scratch->give(corners->begin);
-    places = nullptr, normals = nullptr, corners = nullptr;
+    places = nullptr, normals = nullptr, corners = nullptr, creases = nullptr;
 }
 
 bool same_weld(const AttributeOptions& a, const AttributeOptions& b) {
     return (a.scope == Scope::model) == (b.scope == Scope::model) && a.normals == b.normals &&
            a.weld_distance == b.weld_distance;
+}
+
+const CreaseEdges& crease_edges(GroupingBase& base, const AttributeInput& input, const AttributeOptions& options,
+                                Context& context) {
+    if (!base.places) base.places = weld(input, options, context);
+    if (!base.creases)
+        base.creases = std::make_shared<CreaseEdges>(
+            decide_creases(input, *base.places, base.face_normals(input, context), context));
+    return *base.creases;
 }
 
 Grouped make_groups(GroupingBase& base, const AttributeInput& input, const AttributeOptions& options,
@@ -86,8 +95,10 @@ Grouped make_groups(GroupingBase& base, const AttributeInput& input, const Attri
     made.topology.group.assign(made.topology.places->begin(), made.topology.places->end());
     if (base.scratch) made.topology.spare = base.scratch->take<char>(12 * std::size_t(input.triangle_count())).take();
     if (refines) {
+        const CreaseEdges* const edges =
+            creases.has_rule && !flat ? &crease_edges(base, input, options, context) : nullptr;
         const JoinRules rules(input, made.topology, options, flat ? JoinRule::apart : JoinRule::crease,
-                              base.face_normals(input, context));
+                              base.face_normals(input, context), edges);
         context.throw_if_cancelled();
         CornerBins flat_bins;
         if (flat)

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: Apache-2.0
+// Automatic creases: edges that are hard or soft by construction.
+#include <rakelight/creases.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+
+#include "unit/geometry/hard_shapes.h"
+
+namespace rakelight::test {
+namespace {
+
+Creases creases_of(const std::vector<Shape>& shapes, int threads = 2) {
+    Context context({.threads = threads});
+    return find_creases(views(shapes), {}, context);
+}
+
+using Point = std::tuple<float, float, float>;
+using Edge = std::pair<Point, Point>;
+
+/// The hard edges as pairs of points, whatever their numbers.
+std::set<Edge> hard_edges(const std::vector<Shape>& shapes, const Creases& creases) {
+    std::set<Edge> out;
+    for (std::size_t m = 0; m < shapes.size(); ++m)
+        for (std::size_t c = 0; c < shapes[m].indices.size(); ++c) {
+            if ((creases.hard[m][c / 3] >> c % 3 & 1) == 0) continue;
+            const vec3 a = shapes[m].positions[shapes[m].indices[c]],
+                       b = shapes[m].positions[shapes[m].indices[c - c % 3 + (c + 1) % 3]];
+            const Point p{a.x, a.y, a.z}, q{b.x, b.y, b.z};
+            out.insert(std::minmax(p, q));
+        }
+    return out;
+}
+std::set<Edge> hard_edges(const std::vector<Shape>& shapes) { return hard_edges(shapes, creases_of(shapes)); }
+
+/// Edges between different surfaces.
+std::set<Edge> meant_hard(const HardShape& made) {
+    std::map<Edge, std::set<int>> surfaces;
+    const Shape& s = made.shape;
+    for (std::size_t c = 0; c < s.indices.size(); ++c) {
+        const vec3 a = s.positions[s.indices[c]], b = s.positions[s.indices[c - c % 3 + (c + 1) % 3]];
+        surfaces[std::minmax(Point{a.x, a.y, a.z}, Point{b.x, b.y, b.z})].insert(made.surface[c / 3]);
+    }
+    std::set<Edge> out;
+    for (const auto& [edge, of] : surfaces)
+        if (of.size() > 1) out.insert(edge);
+    return out;
+}
+
+void expect_as_meant(const HardShape& made, const char* what) {
+    EXPECT_EQ(hard_edges({made.shape}), meant_hard(made)) << what;
+}
+
+HardShape make_gear(double step) {
+    std::vector<dvec2> profile;
+    std::vector<int> ids;
+    for (int k = 0; k < 12; ++k)
+        for (const auto& [turn, radius] : {std::pair(-0.30, 0.8), {-0.14, 1.0}, {0.14, 1.0}, {0.30, 0.8}}) {
+            const double a = 2 * pi * (k + turn) / 12;
+            profile.push_back({radius * std::cos(a), radius * std::sin(a)});
+            ids.push_back(int(ids.size()));
+        }
+    return extrude(profile, ids, 0.4, step);
+}
+
+TEST(CreaseEdges, AHexagonalNutIsTheSameForEveryRounding) {
+    for (const double step : {0.0, 1e-6, 1e-4, 1e-3, 1e-2})
+        for (const double turn : {0.0, 0.1, 0.4}) expect_as_meant(make_nut(step, turn), "nut");
+}
+
+TEST(CreaseEdges, AQuantizedNutIsDecidedByItsStep) {
+    for (const double turn : {0.0, 0.1, 0.4}) {
+        HardShape nut = make_nut(2.0 / 16384, turn);
+        AttributeMesh mesh = nut.shape.view();
+        mesh.position_step = 2.0 / 16384;
+        Context context;
+        const Creases creases = find_creases(std::span(&mesh, 1), {}, context);
+        EXPECT_EQ(hard_edges({nut.shape}, creases), meant_hard(nut));
+        EXPECT_EQ(creases.report.rings[6], 1u);
+    }
+}
+
+TEST(CreaseEdges, ChamfersAreHardAndFilletsAreSoft) {
+    for (const double chamfer : {0.05, 0.15, 0.3}) expect_as_meant(make_chamfered_box(chamfer), "chamfer");
+    for (const int strips : {2, 3, 4, 8}) expect_as_meant(make_fillets(strips, 0.2), "fillet");
+    expect_as_meant(make_fillets(5, 0.6), "large fillet");
+    expect_as_meant(make_fillets(4, 0.2, 1e-3), "rounded fillet");
+}
+
+/// A box of size 2 whose edges are rounded in strips, and whose corners are parts of spheres.
+HardShape make_rounded_box(int strips, double radius) {
+    HardBuilder b;
+    const int n = 4 * strips + 4;  // columns: each quarter has strips + 1
+    const auto point = [&](int column, int row) {
+        const int quarter = (column / (strips + 1)) % 4, i = column % (strips + 1);
+        const bool upper = row > strips;
+        const double a = pi / 2 * (quarter + double(i) / strips),
+                     e = pi / 2 * (double(upper ? row - 1 : row) / strips - 1), c = 1 - radius;
+        const double x = quarter == 0 || quarter == 3 ? c : -c, y = quarter < 2 ? c : -c;
+        return dvec3{x + radius * std::cos(e) * std::cos(a), y + radius * std::cos(e) * std::sin(a),
+                     (upper ? c : -c) + radius * std::sin(e)};
+    };
+    const int rows = 2 * strips + 1;
+    for (int r = 0; r < rows; ++r)
+        for (int k = 0; k < n; ++k)
+            b.polygon({point(k, r), point((k + 1) % n, r), point((k + 1) % n, r + 1), point(k, r + 1)}, 0);
+    const auto lid = [&](int row, bool up) {
+        std::vector<dvec3> ring;
+        for (int q = 0; q < 4; ++q) ring.push_back(point(q * (strips + 1), row));
+        b.polygon(up ? ring : std::vector<dvec3>(ring.rbegin(), ring.rend()), 0);
+    };
+    lid(0, false), lid(rows, true);
+    return b.take();
+}
+
+TEST(CreaseEdges, RoundedCornersAreSoft) {
+    for (const int strips : {3, 4, 8}) {
+        const HardShape box = make_rounded_box(strips, 0.2);
+        EXPECT_TRUE(hard_edges({box.shape}).empty()) << strips << ": " << hard_edges({box.shape}).size();
+    }
+}
+
+TEST(CreaseEdges, GearsAreHard) {
+    for (const double step : {0.0, 1e-3, 1e-2}) expect_as_meant(make_gear(step), "gear");
+}
+
+TEST(CreaseEdges, ColumnsAreFlatUpToSevenSides) {
+    for (const int sides : {3, 4, 5, 6, 7}) expect_as_meant(make_column(sides, true), "prism");
+    for (const int sides : {8, 9, 12, 16, 24, 48}) {
+        expect_as_meant(make_column(sides, false), "column");
+        expect_as_meant(make_column(sides, false, 1e-3, 0.1), "rounded column");
+    }
+    EXPECT_EQ(creases_of({make_column(6, true).shape}).report.rings[6], 1u);
+    EXPECT_EQ(creases_of({make_column(8, false).shape}).report.rings[8], 1u);
+    EXPECT_EQ(creases_of({make_column(24, false).shape}).report.rings, CreaseReport{}.rings);
+}
+
+TEST(CreaseEdges, SmoothSurfacesHaveNone) {
+    EXPECT_TRUE(hard_edges({make_sphere(12, 8)}).empty());
+    EXPECT_TRUE(hard_edges({make_torus(24, 12)}).empty());
+    EXPECT_TRUE(hard_edges({make_cylinder(12, 1)}).empty());
+}
+
+TEST(CreaseEdges, TheReportHasTheRanges) {
+    const CreaseReport r = creases_of({make_column(12, false).shape}).report;
+    EXPECT_EQ(r.hard, 24u);
+    EXPECT_EQ(r.soft, 12u);
+    EXPECT_NEAR(r.hard_least_deg, 90, 0.01);
+    EXPECT_NEAR(r.hard_most_deg, 90, 0.01);
+    EXPECT_NEAR(r.soft_most_deg, 30, 0.01);
+}
+
+/// The faces in another order, each from another corner, vertices renumbered.
+Shape renumbered(const Shape& s, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    std::vector<std::uint32_t> vertex(s.positions.size()), face(s.indices.size() / 3);
+    for (std::uint32_t i = 0; i < vertex.size(); ++i) vertex[i] = i;
+    for (std::uint32_t i = 0; i < face.size(); ++i) face[i] = i;
+    std::shuffle(vertex.begin(), vertex.end(), random);
+    std::shuffle(face.begin(), face.end(), random);
+    Shape out;
+    out.positions.resize(vertex.size());
+    for (std::size_t v = 0; v < vertex.size(); ++v) out.positions[vertex[v]] = s.positions[v];
+    for (const std::uint32_t t : face)
+        for (std::uint32_t k = 0, first = random() % 3; k < 3; ++k)
+            out.indices.push_back(vertex[s.indices[3 * t + (first + k) % 3]]);
+    return out;
+}
+
+std::vector<HardShape> all_shapes() {
+    return {make_nut(1e-3, 0.1), make_gear(1e-2), make_fillets(4, 0.2), make_chamfered_box(0.15),
+            make_column(9, false)};
+}
+
+TEST(CreaseEdges, NumbersAndCutsDoNotMatter) {
+    for (const HardShape& made : all_shapes()) {
+        const std::set<Edge> hard = hard_edges({made.shape});
+        for (const std::uint32_t seed : {1u, 2u, 3u}) {
+            EXPECT_EQ(hard_edges({renumbered(made.shape, seed)}), hard);
+            std::vector<Shape> parts = cut_at_random(made.shape, 4, seed);
+            EXPECT_EQ(hard_edges(parts), hard);
+            std::reverse(parts.begin(), parts.end());
+            EXPECT_EQ(hard_edges(parts), hard);
+        }
+    }
+}
+
+TEST(CreaseEdges, PlacementDoesNotMatter) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> angle(0, pi);
+    for (const HardShape& made : all_shapes()) {
+        const std::set<Edge> hard = hard_edges({made.shape});
+        for (const double scale : {1e-6, 1.0, 1e6})
+            for (const double mirror : {1.0, -1.0}) {
+                const double a = angle(random), c = std::cos(a), s = std::sin(a);
+                Shape placed = made.shape;
+                placed.to_world[0] = {scale * c, scale * s, 0, 0};
+                placed.to_world[1] = {0, 0, mirror * scale, 0};
+                placed.to_world[2] = {scale * s, -scale * c, 0, 0};
+                placed.to_world[3] = {3 * scale, 1 * scale, -2 * scale, 1};
+                EXPECT_EQ(hard_edges({placed}), hard) << scale << " " << mirror;
+            }
+    }
+}
+
+TEST(CreaseEdges, ThreadsDoNotMatter) {
+    const std::vector<Shape> shapes{make_torus(300, 150), make_nut(1e-3, 0.1).shape};
+    const Creases one = creases_of(shapes, 1), many = creases_of(shapes, 4);
+    EXPECT_EQ(one.hard, many.hard);
+    EXPECT_EQ(one.report, many.report);
+}
+
+TEST(CreaseEdges, SidesOfAShellAreDecidedAlone) {
+    Shape shell = make_cylinder(12, 1);
+    const std::size_t count = shell.indices.size();
+    for (std::size_t c = 0; c < count; c += 3)
+        shell.indices.insert(shell.indices.end(), {shell.indices[c], shell.indices[c + 2], shell.indices[c + 1]});
+    const Creases creases = creases_of({shell});
+    for (std::size_t c = 0; c < shell.indices.size(); ++c) {
+        const bool is_rim =
+            shell.positions[shell.indices[c]].y == shell.positions[shell.indices[c - c % 3 + (c + 1) % 3]].y;
+        EXPECT_EQ(creases.hard[0][c / 3] >> c % 3 & 1, is_rim);
+    }
+}
+
+TEST(CreaseEdges, AWallOnAFloorIsHardAndTheFloorIsNot) {
+    Shape s;
+    s.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 0, 0}, {-1, 1, 0}, {0, 0, 1}, {0, 1, 1}};
+    s.indices = {0, 1, 2, 0, 2, 3, 4, 0, 3, 4, 3, 5, 0, 3, 7, 0, 7, 6};
+    const Creases creases = creases_of({s});
+    EXPECT_EQ(creases.hard[0], (std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0}));
+}
+
+TEST(CreaseEdges, BadFacesAreLeftOut) {
+    HardShape nut = make_nut(1e-3, 0.1);
+    const std::set<Edge> hard = hard_edges({nut.shape});
+    Shape& s = nut.shape;
+    const std::uint32_t bad = std::uint32_t(s.positions.size());
+    s.positions.push_back({NAN, 0, 0});
+    s.indices.insert(s.indices.end(), {0, 1, bad, 0, 0, 1, 2, 1, 2});
+    EXPECT_EQ(hard_edges({s}), hard);
+    EXPECT_TRUE(hard_edges({Shape{}}).empty());
+    EXPECT_TRUE(creases_of({}).hard.empty());
+}
+
+AttributeOptions automatic() {
+    AttributeOptions options;
+    options.creases = Creasing::automatic;
+    return options;
+}
+
+/// [deg] The largest angle between a corner's normal and its face, over the faces of one surface.
+double largest_lean(const HardShape& made, const MeshAttributes& out, int surface) {
+    double most = 0;
+    for (std::size_t c = 0; c < made.shape.indices.size(); ++c)
+        if (made.surface[c / 3] == surface)
+            most = std::max(most, angle_between(normalize_or(edge_product(made.shape, c / 3), {}),
+                                                cast<double>(corner_normal(made.shape, out, c))));
+    return degrees(most);
+}
+
+TEST(AutomaticCreases, FlatFacesStayFlat) {
+    const HardShape box = make_chamfered_box(0.1);
+    const std::vector<MeshAttributes> out = compute({box.shape}, automatic());
+    for (int surface = 0; surface < 26; ++surface) EXPECT_LT(largest_lean(box, out[0], surface), 1e-3);
+    const HardShape nut = make_nut(0, 0.1);
+    const std::vector<MeshAttributes> of_nut = compute({nut.shape}, automatic());
+    for (int side = 0; side < 6; ++side) EXPECT_LT(largest_lean(nut, of_nut[0], side), 1e-3);
+    EXPECT_GT(largest_lean(nut, of_nut[0], 50), 7);  // the hole is round: 15 degrees a side
+}
+
+TEST(AutomaticCreases, RegroupGivesWhatGroupGives) {
+    Context context;
+    const HardShape made = make_column(12, false);
+    const std::vector<Shape> parts = cut_at_random(made.shape, 3, 1);
+    const std::vector<AttributeMesh> meshes = views(parts);
+    const AttributePlan by_angle = group(meshes, {}, context), by_rule = group(meshes, automatic(), context);
+    const auto normals = [&](const AttributePlan& plan) {
+        std::vector<std::vector<vec3>> out;
+        for (const MeshAttributes& m : accumulate(plan, meshes, context)) out.push_back(m.normals);
+        return out;
+    };
+    EXPECT_EQ(normals(regroup(by_angle, meshes, automatic(), context)), normals(by_rule));
+    EXPECT_EQ(normals(regroup(by_rule, meshes, {}, context)), normals(by_angle));
+    EXPECT_EQ(normals(regroup(by_rule, meshes, automatic(), context)), normals(by_rule));
+}
+
+TEST(AutomaticCreases, NormalsAreThoseOfTheCutModel) {
+    for (const HardShape& made : all_shapes()) {
+        const std::vector<MeshAttributes> whole = compute({made.shape}, automatic());
+        std::map<std::pair<std::size_t, std::size_t>, vec3> expected;
+        std::vector<std::pair<std::uint32_t, std::size_t>> from;  // part and its triangle, of each triangle
+        std::mt19937 random(3);
+        std::uint32_t counts[3] = {};
+        for (std::size_t t = 0; t < made.surface.size(); ++t) {
+            const std::uint32_t part = random() % 3;
+            from.emplace_back(part, counts[part]++);
+        }
+        const std::vector<Shape> parts = cut(made.shape, 3, [&](std::size_t t) { return from[t].first; });
+        const std::vector<MeshAttributes> out = compute(parts, automatic());
+        for (std::size_t c = 0; c < made.shape.indices.size(); ++c) {
+            const auto [part, triangle] = from[c / 3];
+            EXPECT_LT(angle_between(corner_normal(made.shape, whole[0], c),
+                                    corner_normal(parts[part], out[part], 3 * triangle + c % 3)),
+                      1e-6);
+        }
+    }
+}
+
+TEST(AutomaticCreases, SmoothingGroupsAndOwnAnglesGoBefore) {
+    HardShape made = make_column(6, true);
+    Shape grouped = made.shape;
+    grouped.kind = GroupKind::numbers;
+    grouped.smoothing.assign(made.surface.size(), 1);
+    const std::vector<MeshAttributes> smooth = compute({grouped}, automatic());
+    EXPECT_TRUE(smooth[0].source_vertex.empty());
+    AttributeMesh mesh = made.shape.view();
+    Context context;
+    mesh.crease_angle_rad = pi;
+    EXPECT_TRUE(compute_attributes(std::span(&mesh, 1), automatic(), context)[0].source_vertex.empty());
+    mesh.crease_angle_rad = 0;
+    AttributeOptions flat;
+    flat.crease_angle_rad = 0;
+    const AttributeMesh plain = made.shape.view();
+    EXPECT_EQ(compute_attributes(std::span(&mesh, 1), automatic(), context)[0].normals,
+              compute_attributes(std::span(&plain, 1), flat, context)[0].normals);
+}
+
+TEST(AutomaticCreases, CrossingSheetsAndShellsStayApart) {
+    Shape cross;
+    cross.positions = {{0, 0, 0},  {0, 0, 1}, {1, 0, 1}, {1, 0, 0},  {-1, 0, 1},
+                       {-1, 0, 0}, {0, 1, 1}, {0, 1, 0}, {0, -1, 1}, {0, -1, 0}};
+    cross.indices = {0, 1, 2, 0, 2, 3, 1, 0, 5, 1, 5, 4, 0, 1, 6, 0, 6, 7, 1, 0, 9, 1, 9, 8};
+    const std::vector<MeshAttributes> out = compute({cross}, automatic());
+    for (std::size_t c = 0; c < cross.indices.size(); ++c)
+        EXPECT_LT(
+            angle_between(normalize_or(edge_product(cross, c / 3), {}), cast<double>(corner_normal(cross, out[0], c))),
+            1e-6);
+    Shape shell = make_sphere(24, 12);
+    const std::vector<MeshAttributes> one = compute({shell}, automatic());
+    const std::size_t count = shell.indices.size();
+    for (std::size_t c = 0; c < count; c += 3)
+        shell.indices.insert(shell.indices.end(), {shell.indices[c], shell.indices[c + 2], shell.indices[c + 1]});
+    const std::vector<MeshAttributes> both = compute({shell}, automatic());
+    for (std::size_t c = 0; c < count; ++c)
+        EXPECT_LT(angle_between(corner_normal(shell, both[0], c), one[0].normals[output_vertex(shell, one[0], c)]),
+                  1e-6);
+}
+
+TEST(AutomaticCreases, APoseKeepsTheCreases) {
+    Context context;
+    const HardShape made = make_column(12, false);
+    AttributeMesh mesh = made.shape.view();
+    const AttributePlan plan = group(std::span(&mesh, 1), automatic(), context);
+    std::vector<vec3> bent = made.shape.positions;
+    for (vec3& p : bent) p.x += 0.3f * p.z * p.z;
+    mesh.positions = bent;
+    const std::vector<MeshAttributes> posed = accumulate(plan, std::span(&mesh, 1), context);
+    EXPECT_EQ(posed[0].source_vertex, compute({made.shape}, automatic())[0].source_vertex);
+}
+
+}  // namespace
+}  // namespace rakelight::test
