@@ -74,7 +74,7 @@ bool same_weld(const AttributeOptions& a, const AttributeOptions& b) {
 
 const CreaseEdges& crease_edges(GroupingBase& base, const AttributeInput& input, const AttributeOptions& options,
                                 Context& context) {
-    if (!base.places) base.places = weld(input, options, context);
+    if (!base.places) base.places = weld(input, options, base.scratch, context);
     if (!base.creases)
         base.creases = std::make_shared<CreaseEdges>(
             decide_creases(input, *base.places, base.face_normals(input, context), context));
