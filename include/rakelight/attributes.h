@@ -219,6 +219,21 @@ RL_API std::vector<std::vector<vec3>> average(const AttributePlan& plan, std::sp
 RL_API std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> meshes,
                                                       const AttributeOptions& options, Context& context);
 
+/// How many corner groups CornerWeight::automatic decides by what. Where it blends, the larger share counts.
+struct NormalChoices {
+    std::uint64_t smooth = 0;    ///< faces that differ so little that the weight `max` is enough
+    std::uint64_t plane = 0;     ///< a plane of several triangles
+    std::uint64_t fit = 0;       ///< a cubic height function
+    std::uint64_t edge_fit = 0;  ///< a quadric, at open borders and creases or where a cubic is not determined
+    std::uint64_t noise = 0;     ///< a quadric that averages noise
+    std::uint64_t planar = 0;    ///< several planes, of which none is large enough: the weight `max`
+    std::uint64_t angle = 0;     ///< none of these: the weight `angle`
+};
+/// The choices for normals of these options, with the weight `automatic`.
+/// @throws as compute_attributes()
+RL_API NormalChoices normal_choices(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                    Context& context);
+
 /// Output buffers of compute_attributes_into() for one mesh. Entry v belongs to vertex v of the input. Entries beyond V
 /// are not written.
 struct AttributeBuffers {

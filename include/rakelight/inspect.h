@@ -113,6 +113,7 @@ struct SeamTotals {
     std::string normals_after{};           ///< source of the normals of `after`, for people
     /// Smallest and largest crease angle of `after`. They differ if parts of the model have crease angles of their own.
     double crease_angle_deg = 0, crease_angle_max_deg = 0;
+    bool creases_are_automatic = false;  ///< `after` has its creases by the rule, not by these angles
 };
 
 /// Two objects with adjacent open borders. Means are weighted by length.
@@ -191,7 +192,10 @@ struct Inspection {
     /// true: the scene has skins, morph targets or clips. The bounding box is that of the pose, but seams are those of
     /// the bind pose.
     bool is_posed = false;
-    std::optional<CreaseReport> creases{};  ///< if InspectOptions::prepare.creases is `automatic`
+    /// Where normals are made (some are missing in the file, or the file's do not count): how creases are found if
+    /// InspectOptions::prepare.creases is `automatic`, and what decides normals if `weight` is.
+    std::optional<CreaseReport> creases{};
+    std::optional<NormalChoices> choices{};
     std::uint64_t shared_positions = 0;     ///< world positions that two or more meshes share; each instance counts
     SeamTotals seams{};
     std::vector<BorderSummary> borders{};  ///< at most 10,000, by falling seam_deg, then by the largest angle

@@ -208,6 +208,20 @@ std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<cons
     return out;
 }
 
+NormalChoices normal_choices(std::span<const AttributeMesh> meshes, const AttributeOptions& options, Context& context) {
+    AttributeOptions asked = options;
+    asked.weight = CornerWeight::automatic, asked.normals = true, asked.tangents = false;
+    const AttributePlan grouped = group(meshes, asked, context);
+    const Plan& plan = grouped.impl();
+    const AttributeInput input = check_input(meshes, context);
+    VoteSums sums = sum_votes(plan.topology, input, asked, context);
+    sum_groups(sums, plan.groups, plan.topology, input, asked, context);
+    GeneralScratch scratch;
+    NormalChoices choices;
+    fit_normals(sums, plan.topology, input, asked, scratch, context, &choices);
+    return choices;
+}
+
 std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                                Context& context) {
     check_options(options);

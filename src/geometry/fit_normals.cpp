@@ -30,6 +30,7 @@ struct Fits {
     float cubic_rank = 0, quadric_rank = 0;
     std::uint32_t neighbors = 0;
     bool border = false;
+    std::uint64_t NormalChoices::*choice = &NormalChoices::fit;
 };
 /// And for its neighbors.
 struct Qualities {
@@ -84,6 +85,15 @@ public:
             else
                 for (std::size_t i = first; i < last; ++i) normals_[i] = fitted(i);
         });
+    }
+
+    /// After run().
+    NormalChoices choices() const {
+        NormalChoices sum;
+        for (std::uint32_t g = 0; g < topology_.group.size(); ++g)
+            if (topology_.group[g] == g && number_[g] == none && sums_.normals[g].weight > 0) ++sum.smooth;
+        for (std::size_t i = 0; i < fitted_.size(); ++i) ++(sum.*fits_[i].choice);
+        return sum;
     }
 
     /// Zero: nothing was fitted.
@@ -198,7 +208,8 @@ private:
                     float(cubic.rank),
                     float(quadric.rank),
                     fits.neighbors,
-                    fits.border};
+                    fits.border,
+                    fits.choice};
             Qualities& own = qualities_[first + place];
             own.cubic = FitQuality::of(cubic, fits.neighbors, HeightForm::cubic);
             own.quadric = FitQuality::of(quadric, fits.neighbors, HeightForm::quadric);
@@ -244,7 +255,10 @@ private:
             if (memory.batch.is_full()) fit_wide();
         }
         if (memory.batch.size() > 0) fit_wide();
-        for (std::size_t i = first; i < last; ++i) normals_[i] = decided(i, decisions[i - first]);
+        for (std::size_t i = first; i < last; ++i) {
+            normals_[i] = decided(i, decisions[i - first]);
+            fits_[i].choice = choice_of(decisions[i - first]);
+        }
     }
 
     Decision decision(std::size_t i, std::vector<std::uint32_t>& memory) const {
@@ -292,8 +306,19 @@ private:
             n = blend(n, cast<double>(fits_[i].cubic), d.cubic);
         }
         n = bounded(n, i);
-        if (!d.planes.rules) return n;
-        return blend(n, d.planes.normal, step_between(d.planes.share, 0.78, 0.86));
+        const double plane = share_of_plane(d);
+        return plane > 0 ? blend(n, d.planes.normal, plane) : n;
+    }
+
+    static double share_of_plane(const Decision& d) {
+        return d.planes.rules ? step_between(d.planes.share, 0.78, 0.86) : 0;
+    }
+    static std::uint64_t NormalChoices::*choice_of(const Decision& d) {
+        if (share_of_plane(d) > 0.5) return &NormalChoices::plane;
+        if (d.cubic > 0.5) return &NormalChoices::fit;
+        if (d.quadric > 0.5) return &NormalChoices::edge_fit;
+        if (d.wide > 0.5) return &NormalChoices::noise;
+        return d.planarity > 0.5 ? &NormalChoices::planar : &NormalChoices::angle;
     }
 
     /// Where no fit is trusted.
@@ -345,9 +370,10 @@ std::vector<std::uint8_t> groups_with_authored(const Topology& topology, const A
 }  // namespace
 
 void fit_normals(VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options,
-                 GeneralScratch& scratch, Context& context) {
+                 GeneralScratch& scratch, Context& context, NormalChoices* choices) {
     NormalFits fits(sums, topology, input, options.weight == CornerWeight::automatic, scratch, context);
     fits.run();
+    if (choices) *choices = fits.choices();
     const std::vector<std::uint8_t> keeps = groups_with_authored(topology, input);
     const std::size_t count = topology.group.size(), step = vertices_per_chunk;
     context.parallel_for((count + step - 1) / step, [&](std::size_t c) {

@@ -10,8 +10,9 @@ inline bool is_fitted(CornerWeight weight) { return weight == CornerWeight::fit 
 /// Replaces the normals of groups after sum_groups(): the direction alone, weights stay. Groups with authored members and
 /// groups without votes keep theirs.
 /// @param scratch  source of memory
+/// @param choices  not null: gets what the weight `automatic` chose
 /// @throws Error bad_file: over the memory budget
 void fit_normals(VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options,
-                 GeneralScratch& scratch, Context& context);
+                 GeneralScratch& scratch, Context& context, NormalChoices* choices = nullptr);
 
 }  // namespace rakelight::geometry

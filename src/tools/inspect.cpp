@@ -232,6 +232,7 @@ void look_at_borders(Inspection& result, const Scene& scene, const Surfaces& sur
     const auto rounded_deg = [](double rad) { return std::round(degrees(rad) * 1e9) * 1e-9; };  // 60 and not 59.999...
     result.seams.crease_angle_deg = rounded_deg(creases.least);
     result.seams.crease_angle_max_deg = rounded_deg(creases.most);
+    result.seams.creases_are_automatic = options.prepare.creases == Creasing::automatic;
 }
 
 void look_at_winding(Inspection& result, const geometry::EdgeCensus& census) {
@@ -251,6 +252,18 @@ void look_at_winding(Inspection& result, const geometry::EdgeCensus& census) {
 }
 
 }  // namespace
+
+static void look_at_choices(Inspection& result, const Surfaces& surfaces, const InspectOptions& options,
+                            Context& context) {
+    AttributeOptions attributes;
+    attributes.crease_angle_rad = options.prepare.crease_angle_rad;
+    attributes.creases = options.prepare.creases;
+    attributes.weld_distance = options.weld_distance;
+    if (attributes.creases == Creasing::automatic)
+        result.creases = find_creases(surfaces.meshes, attributes, context).report;
+    if (options.prepare.weight == CornerWeight::automatic)
+        result.choices = normal_choices(surfaces.meshes, attributes, context);
+}
 
 /// A file decides how many objects there are and how long their names and those of their materials.
 static std::uint64_t bytes_of_objects(const Scene& scene, const std::vector<std::uint32_t>& objects) {
@@ -310,8 +323,7 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
         context.progress("inspect", 0.3);
         if (options.surfaces) look_at_surfaces(result, placed, census, context);
         context.throw_if_cancelled();
-        if (options.prepare.creases == Creasing::automatic)
-            result.creases = find_creases(surfaces.meshes, {.weld_distance = options.weld_distance}, context).report;
+        if (makes_normals(surfaces)) look_at_choices(result, surfaces, options, context);
         context.progress("inspect", 0.6);
         if (options.borders) look_at_borders(result, scene, surfaces, placed, census, options, context);
         look_at_winding(result, census);

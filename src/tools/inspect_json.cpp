@@ -148,6 +148,7 @@ Json json_of(const SeamTotals& s) {
             {"normals_after", s.normals_after},
             {"crease_angle_deg", s.crease_angle_deg},
             {"crease_angle_most_deg", s.crease_angle_max_deg},
+            {"creases_are_automatic", s.creases_are_automatic},
             {"pairs", s.pairs},
             {"crowded_positions", s.crowded_positions},
             {"pairings_left_out", s.pairings_left_out},
@@ -166,6 +167,11 @@ Json json_of(const CreaseReport& c) {
             {"soft_most_deg", c.soft_most_deg},
             {"rings", std::move(rings)},
             {"smooth_surfaces", c.smooth_surfaces}};
+}
+
+Json json_of(const NormalChoices& c) {
+    return {{"fit", c.fit},       {"edge_fit", c.edge_fit}, {"plane", c.plane}, {"smooth", c.smooth},
+            {"planar", c.planar}, {"noise", c.noise},       {"angle", c.angle}};
 }
 
 Json json_of(const SurfaceSummary& s) {
@@ -241,6 +247,7 @@ void add(Json& row, const Inspection& i) {
     row["posed"] = i.is_posed;
     row["shared_positions"] = i.shared_positions;
     if (i.creases) row["creases"] = json_of(*i.creases);
+    if (i.choices) row["normal_choices"] = json_of(*i.choices);
     row["seams"] = json_of(i.seams);
     row["borders"] = list(i.borders);
     row["borders_left_out"] = i.borders_left_out;

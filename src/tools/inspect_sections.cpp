@@ -38,8 +38,8 @@ std::string conventions_text(const CreaseReport& creases) {
 
 /// "60 degrees", "60 to 90 degrees", or how creases are found.
 std::string crease_text(const Inspection& i) {
-    if (i.creases) return "with automatic creases";
     const SeamTotals& s = i.seams;
+    if (s.creases_are_automatic) return "with automatic creases";
     return "at " + number(s.crease_angle_deg) +
            (s.crease_angle_max_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_max_deg) : "") + " degrees";
 }
@@ -60,6 +60,22 @@ std::vector<std::string> crease_lines(const Inspection& i) {
     line += c.soft == 0 ? "; soft: none" : "; soft: up to " + rounded(c.soft_most_deg) + " degrees";
     const std::string conventions = conventions_text(c);
     return {line + (conventions.empty() ? "" : "; by convention: " + conventions)};
+}
+
+std::vector<std::string> choice_lines(const Inspection& i) {
+    if (!i.choices) return {};
+    const NormalChoices& c = *i.choices;
+    const std::uint64_t all = c.smooth + c.plane + c.fit + c.edge_fit + c.noise + c.planar + c.angle;
+    std::string line;
+    const auto add = [&](std::uint64_t count, const char* what) {
+        if (count == 0) return;
+        const double percent = 100 * double(count) / double(all);
+        line += (line.empty() ? "normals: " : ", ") + number(percent, percent < 1 ? "%.1f" : "%.0f") + "% " + what;
+    };
+    add(c.fit, "fitted"), add(c.edge_fit, "fitted at borders and creases"), add(c.plane, "of a plane");
+    add(c.smooth, "nearly flat"), add(c.planar, "between planes"), add(c.noise, "averaged over noise");
+    add(c.angle, "by angle");
+    return line.empty() ? std::vector<std::string>{} : std::vector{line};
 }
 
 std::vector<std::string> seams_lines(const Inspection& i) {

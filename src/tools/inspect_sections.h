@@ -48,6 +48,8 @@ Section section(const char* title, std::vector<std::string> head, const List& li
 std::vector<std::string> summary_lines(const Inspection& inspection);
 /// One line on automatic creases, or none.
 std::vector<std::string> crease_lines(const Inspection& inspection);
+/// What decides normals.
+std::vector<std::string> choice_lines(const Inspection& inspection);
 std::vector<std::string> seams_lines(const Inspection& inspection);
 /// All tables, those that are empty left out.
 std::vector<Section> sections_of(const Inspection& inspection);

@@ -75,6 +75,12 @@ void join_parts(std::vector<PartNormals>& normals, const Surfaces& surfaces, con
 
 }  // namespace
 
+bool makes_normals(const Surfaces& surfaces) {
+    for (std::uint32_t i = 0; i < surfaces.meshes.size(); ++i)
+        if (surfaces.rules[i].scope != Scope::face && !is_given(surfaces, i)) return true;
+    return false;
+}
+
 std::vector<PartNormals> normals_before(const Surfaces& surfaces, const InspectOptions& options, Context& context) {
     std::vector<PartNormals> normals(surfaces.meshes.size());
     std::vector<std::uint32_t> missing[3];  // by scope

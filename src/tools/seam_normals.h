@@ -35,6 +35,9 @@ struct SeamNormals {
 /// place.
 std::vector<PartNormals> normals_before(const Surfaces& surfaces, const InspectOptions& options, Context& context);
 
+/// Whether some parts' smooth normals are made, because the file has none or they do not count.
+bool makes_normals(const Surfaces& surfaces);
+
 /// As `rakelight smooth` writes them with the same crease angle and weight: by `options.authored`, kept ones are joined
 /// where parts meet, or all are smoothed over the model.
 std::vector<PartNormals> normals_after(const Surfaces& surfaces, const InspectOptions& options, Context& context);
