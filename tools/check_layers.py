@@ -66,7 +66,7 @@ PUBLIC = {
     "export": "base", "error": "base", "current_error": "base", "report": "base", "context": "base", "memory_budget": "base", "rare": "base", "interleaved": "base", "file_ending": "base",
     "vector": "math", "linear": "math", "joint_influence": "math",
     "block": "image", "morph_target": "image", "image": "image", "colormap": "image",
-    "attributes": "geometry", "seams": "geometry", "matching_borders": "geometry",
+    "attributes": "geometry", "creases": "geometry", "seams": "geometry", "matching_borders": "geometry",
     "scene": "scene", "motion": "scene", "scene_queries": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "image_sources": "io", "movie": "io", "unfinished_outputs": "io", "folder_lock": "io",
     "prepare": "prepare", "bake": "bake", "lightmap": "bake",
     "engine": "engines", "line": "engines", "values": "world", "request": "world", "settings_file": "world", "material_changes": "world", "load": "world",

@@ -10,6 +10,7 @@
 #include <rakelight/compare.h>
 #include <rakelight/context.h>
 #include <rakelight/convert_file.h>
+#include <rakelight/creases.h>
 #include <rakelight/engine.h>
 #include <rakelight/error.h>
 #include <rakelight/explain.h>

@@ -181,7 +181,7 @@ AttributePlan regroup(const AttributePlan& plan, std::span<const AttributeMesh> 
     const Plan& old = plan.impl();
     check_same(old, meshes, false);
     GroupingBase base = old.base;
-    if (!same_weld(old.options, options)) base.places = nullptr, base.corners = nullptr;
+    if (!same_weld(old.options, options)) base.places = nullptr, base.corners = nullptr, base.creases = nullptr;
     return plan_from(std::move(base), meshes, options, context);
 }
 

@@ -63,12 +63,21 @@ const FaceNormals& GroupingBase::face_normals(const AttributeInput& input, Conte
 void GroupingBase::release() {
     if (scratch && normals) scratch->faces = normals->take();
     if (scratch && corners) scratch->corners = corners->corners.take();
-    places = nullptr, normals = nullptr, corners = nullptr;
+    places = nullptr, normals = nullptr, corners = nullptr, creases = nullptr;
 }
 
 bool same_weld(const AttributeOptions& a, const AttributeOptions& b) {
     return (a.scope == Scope::model) == (b.scope == Scope::model) && a.normals == b.normals &&
            a.weld_distance == b.weld_distance;
+}
+
+const CreaseEdges& crease_edges(GroupingBase& base, const AttributeInput& input, const AttributeOptions& options,
+                                Context& context) {
+    if (!base.places) base.places = weld(input, options, context);
+    if (!base.creases)
+        base.creases = std::make_shared<CreaseEdges>(
+            decide_creases(input, *base.places, base.face_normals(input, context), context));
+    return *base.creases;
 }
 
 Grouped make_groups(GroupingBase& base, const AttributeInput& input, const AttributeOptions& options,

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "geometry/block_array.h"
+#include "geometry/crease_edges.h"
 #include "geometry/join_rules.h"
 
 namespace rakelight::geometry {
@@ -14,6 +15,7 @@ struct GroupingBase {
     std::shared_ptr<const std::vector<std::uint32_t>> places;  ///< [vertices] as Topology::places
     std::shared_ptr<FaceNormals> normals;                      ///< [triangles]
     std::shared_ptr<CornerBins> corners;                       ///< by place
+    std::shared_ptr<const CreaseEdges> creases;                ///< of automatic creases
     GeneralScratch* scratch = nullptr;                         ///< source of memory; null: allocate
 
     /// Returns the memory, if it is not shared.
@@ -31,6 +33,10 @@ struct Grouped {
 
 /// @param base existing parts are used, missing parts are added
 Grouped make_groups(GroupingBase& base, const AttributeInput& input, const AttributeOptions& options, Context& context);
+
+/// The creases of the rule, from the base or added to it.
+const CreaseEdges& crease_edges(GroupingBase& base, const AttributeInput& input, const AttributeOptions& options,
+                                Context& context);
 
 /// Splits groups whose normals cancelled.
 /// @param selected [output vertices] not 0: the group of this representative

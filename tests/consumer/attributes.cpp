@@ -2,6 +2,7 @@
 // Uses the component attributes alone: two squares at a right angle get one normal along their common edge; a wrong index is an
 // Error that crosses from the library; borders that share no vertex are matched.
 #include <rakelight/attributes.h>
+#include <rakelight/creases.h>
 #include <rakelight/error.h>
 #include <rakelight/linear.h>
 #include <rakelight/matching_borders.h>

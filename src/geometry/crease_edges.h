@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decides for each edge whether it is hard, from the planes on both sides: <rakelight/creases.h>.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <rakelight/creases.h>
+
+#include "geometry/topology.h"
+
+namespace rakelight::geometry {
+
+/// The decisions for all faces, with global indices.
+struct CreaseEdges {
+    /// [T] bit k: the edge from corner k to the next is hard. Bit k + 3: the edge has no single partner; faces join only
+    /// with their partner, or if they bend by less than `soft_below_deg`.
+    std::vector<std::uint8_t> bits;
+    /// Soft pairs at edges of more than two faces: a corner and its partner's, ascending, each pair in both orders.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> partners;
+    CreaseReport report;
+
+    bool is_hard(std::uint32_t triangle, std::uint32_t k) const { return (bits[triangle] >> k & 1) != 0; }
+    bool is_crowded(std::uint32_t triangle, std::uint32_t k) const { return (bits[triangle] >> (k + 3) & 1) != 0; }
+    /// Whether two corners are partners at a crowded edge.
+    bool are_partners(std::uint32_t corner, std::uint32_t other) const;
+};
+
+/// @param places  [vertices] as Topology::places
+CreaseEdges decide_creases(const AttributeInput& input, const std::vector<std::uint32_t>& places,
+                           const FaceNormals& normals, Context& context);
+
+}  // namespace rakelight::geometry

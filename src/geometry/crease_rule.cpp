@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/crease_rule.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <rakelight/creases.h>
+
+namespace rakelight::geometry {
+namespace {
+
+// Bends in degrees, all others are ratios.
+constexpr double chamfer_over_deg = 32;  // two equal bends over this are a chamfer
+constexpr double fillet_most_deg = 46;   // a fillet of two strips bends at most so in the middle
+constexpr double equal_bends = 0.15, equal_in_fan = 0.1;
+constexpr double loosely_less = 0.45, loosely_more = 2.2;
+constexpr double twice_least = 1.6, twice_most = 2.4;  // half a bend into a fillet
+constexpr double same_width = 1.3, similar_width = 2.5, strip_width = 1.6;
+constexpr double planes_share = 0.2;         // of the area: a surface with less in planes has none
+constexpr std::uint32_t small_surface = 64;  // faces
+constexpr double moves_deg = 2;              // thresholds move by so much at most
+
+/// Thresholds in the gaps between the bends of the model.
+struct Thresholds {
+    double low = soft_below_deg, hard = always_hard_deg, round = round_most_deg, chamfer = chamfer_over_deg,
+           fillet = fillet_most_deg;
+};
+
+/// The middle of the widest gap of the values near a threshold, or the threshold if it lies in a gap wide enough.
+double settled(double threshold, std::vector<float> near) {
+    constexpr double clear_deg = 0.5;
+    std::sort(near.begin(), near.end());
+    std::vector<double> stops{threshold - moves_deg};
+    for (const float x : near) stops.push_back(double(x));
+    stops.push_back(threshold + moves_deg);
+    double best = 0, at = threshold;
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+        const double low = stops[i], high = stops[i + 1];
+        if (low + clear_deg <= threshold && threshold + clear_deg <= high) return threshold;
+        if (high - low > best + 1e-3) best = high - low, at = 0.5 * (low + high);
+    }
+    return at;
+}
+
+Thresholds settle_thresholds(const BentEdges& bent) {
+    Thresholds t;
+    for (double* const threshold : {&t.low, &t.hard, &t.round, &t.chamfer, &t.fillet}) {
+        std::vector<float> near;
+        for (const BentEdge& e : bent.edges)
+            if (std::fabs(std::fabs(double(e.bend_deg)) - *threshold) < moves_deg)
+                near.push_back(std::fabs(e.bend_deg));
+        *threshold = settled(*threshold, std::move(near));
+    }
+    return t;
+}
+
+/// What is counted over planes and surfaces.
+struct Sizes {
+    std::vector<std::uint32_t> faces_of_plane, faces_of_surface;  // [T] of the smallest face
+    std::vector<std::uint8_t> has_planes;                         // [T] of surfaces
+};
+Sizes count_faces(const BentEdges& bent) {
+    const std::size_t count = bent.plane_of.size();
+    Sizes s{std::vector<std::uint32_t>(count, 0), std::vector<std::uint32_t>(count, 0),
+            std::vector<std::uint8_t>(count, 0)};
+    std::vector<double> all(count, 0), planar(count, 0);
+    for (std::size_t t = 0; t < count; ++t)
+        ++s.faces_of_plane[bent.plane_of[t]], ++s.faces_of_surface[bent.surface_of[t]];
+    for (std::size_t t = 0; t < count; ++t) {
+        all[bent.surface_of[t]] += double(bent.area[t]);
+        if (s.faces_of_plane[bent.plane_of[t]] >= 2) planar[bent.surface_of[t]] += double(bent.area[t]);
+    }
+    for (std::size_t t = 0; t < count; ++t) s.has_planes[t] = planar[t] >= planes_share * all[t];
+    return s;
+}
+
+class Rule {
+public:
+    Rule(const BentEdges& bent, const std::vector<PlaneSide>& widths)
+        : bent_(bent), widths_(widths), limits_(settle_thresholds(bent)), sizes_(count_faces(bent)) {}
+
+    CreaseDecision decide(std::uint32_t e) const {
+        const BentEdge& edge = bent_.edges[e];
+        const double bend = size(e);
+        if (bend < limits_.low || bend <= double(edge.slack_deg)) return {CreaseReason::plane, false};
+        const bool is_steep = bend >= limits_.hard;
+        if (bent_.plane(edge, 0) == bent_.plane(edge, 1))  // around the end of a crease, or by rounding
+            return is_steep ? CreaseDecision{CreaseReason::steep, true}
+                            : CreaseDecision{CreaseReason::planes, bend > 2 * double(edge.rounding_deg)};
+        if (is_steep) return {CreaseReason::steep, true};
+        if (!is_flat(edge, 0) && !is_flat(edge, 1)) return decide_triangles(e);
+        return decide_planes(e);
+    }
+
+private:
+    double size(std::uint32_t e) const { return std::fabs(double(bent_.edges[e].bend_deg)); }
+
+    bool is_flat(const BentEdge& e, int side) const {
+        return sizes_.has_planes[bent_.surface_of[e.face(side)]] != 0 &&
+               sizes_.faces_of_plane[bent_.plane(e, side)] >= 2;
+    }
+
+    /// Whether edge `other` bends as much as `e` times a factor, within a share and the rounding of both.
+    bool bends_as(std::uint32_t other, std::uint32_t e, double share) const {
+        const BentEdge &a = bent_.edges[other], &b = bent_.edges[e];
+        const double rounding = (double(a.slack_deg) + double(b.slack_deg)) / 3;
+        return std::fabs(double(a.bend_deg) - double(b.bend_deg)) < share * size(e) + rounding;
+    }
+
+    // Single triangles: in a fan of equal bends (cone, pyramid) they count like a row, all else is organic.
+    CreaseDecision decide_triangles(std::uint32_t e) const {
+        const BentEdge& edge = bent_.edges[e];
+        bool is_fan = true;
+        for (const int side : {0, 1}) {
+            bool has_equal = false;
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const std::uint32_t other = bent_.edge_of_corner[3 * edge.face(side) + k];
+                has_equal |= other != no_edge && other != e && bends_as(other, e, equal_in_fan);
+            }
+            is_fan &= has_equal;
+        }
+        if (!is_fan) return {CreaseReason::triangles, false};
+        return {CreaseReason::fan,
+                sizes_.faces_of_surface[bent_.surface_of[edge.face(0)]] <= small_surface && size(e) > limits_.round};
+    }
+
+    const PlaneSide& side_of(std::uint32_t e, int side) const {
+        return widths_[2 * std::size_t(e) + std::size_t(side)];
+    }
+    /// The plane beyond the far edge of a plane.
+    const PlaneSide* beyond(std::uint32_t plane, std::uint32_t far) const {
+        const BentEdge& e = bent_.edges[far];
+        for (const int side : {0, 1})
+            if (bent_.plane(e, side) != plane) return &side_of(far, side);
+        return nullptr;
+    }
+
+    /// Whether a third bend follows: a round shape. Two equal bends are a chamfer.
+    bool has_three(std::uint32_t e, const bool (&is_equal)[2]) const {
+        if (is_equal[0] && is_equal[1]) return true;
+        for (const int side : {0, 1}) {
+            if (!is_equal[side]) continue;
+            const PlaneSide* const next = beyond(bent_.plane(bent_.edges[e], side), side_of(e, side).far);
+            if (next && next->far != no_edge && bends_as(next->far, e, equal_bends)) return true;
+        }
+        return false;
+    }
+
+    /// Whether a plane runs into a strip that bends twice as much at its far side.
+    bool is_tangent(std::uint32_t e, int narrow) const {
+        const std::uint32_t far = side_of(e, narrow).far;
+        if (far == no_edge) return false;
+        const double ratio = double(bent_.edges[far].bend_deg) / double(bent_.edges[e].bend_deg);
+        if (ratio < twice_least || ratio > twice_most) return false;
+        const PlaneSide* const next = beyond(bent_.plane(bent_.edges[e], narrow), far);
+        return next && next->width <= strip_width * side_of(e, narrow).width;
+    }
+
+    CreaseDecision decide_planes(std::uint32_t e) const {
+        const PlaneSide sides[2] = {side_of(e, 0), side_of(e, 1)};
+        const int narrow = sides[0].width > sides[1].width ? 1 : 0;
+        const double thin = double(sides[narrow].width), wide = double(sides[1 - narrow].width), bend = size(e);
+        bool is_equal[2], is_half[2];
+        int loose = 0;
+        for (const int s : {0, 1}) {
+            const std::uint32_t far = sides[s].far;
+            const double ratio =
+                far == no_edge ? 0 : double(bent_.edges[far].bend_deg) / double(bent_.edges[e].bend_deg);
+            is_equal[s] = far != no_edge && bends_as(far, e, equal_bends);
+            is_half[s] = std::fabs(ratio - 0.5) < 0.1;
+            loose += ratio >= loosely_less && ratio <= loosely_more;
+        }
+        const bool is_similar = wide <= similar_width * thin, is_same = wide <= same_width * thin;
+        if (!is_same && is_tangent(e, narrow)) return {CreaseReason::tangent, false};
+        if (is_half[0] && is_half[1] && is_same && bend <= limits_.fillet) return {CreaseReason::tangent, false};
+        if ((is_equal[0] || is_equal[1]) && is_similar) {
+            if (bend > limits_.chamfer && !has_three(e, is_equal)) return {CreaseReason::chamfer, true};
+            return {CreaseReason::chain, bend > limits_.round};
+        }
+        if (loose > 0 && is_similar) return {CreaseReason::loose, bend > limits_.chamfer};
+        return {CreaseReason::planes, true};
+    }
+
+    const BentEdges& bent_;
+    const std::vector<PlaneSide>& widths_;
+    Thresholds limits_;
+    Sizes sizes_;
+};
+
+}  // namespace
+
+std::vector<CreaseDecision> apply_crease_rule(const BentEdges& bent, const std::vector<PlaneSide>& widths,
+                                              Context& context) {
+    constexpr std::size_t step = 1u << 15;
+    std::vector<CreaseDecision> out(bent.edges.size());
+    const Rule rule(bent, widths);
+    context.parallel_for((out.size() + step - 1) / step, [&](std::size_t c) {
+        for (std::size_t e = c * step; e < std::min(out.size(), (c + 1) * step); ++e)
+            out[e] = rule.decide(std::uint32_t(e));
+    });
+    return out;
+}
+
+}  // namespace rakelight::geometry

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// Automatic creases: edges that are hard or soft by construction.
+#include <rakelight/creases.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+
+#include "unit/geometry/hard_shapes.h"
+
+namespace rakelight::test {
+namespace {
+
+Creases creases_of(const std::vector<Shape>& shapes, int threads = 2) {
+    Context context({.threads = threads});
+    return find_creases(views(shapes), {}, context);
+}
+
+using Point = std::tuple<float, float, float>;
+using Edge = std::pair<Point, Point>;
+
+/// The hard edges as pairs of points, whatever their numbers.
+std::set<Edge> hard_edges(const std::vector<Shape>& shapes, const Creases& creases) {
+    std::set<Edge> out;
+    for (std::size_t m = 0; m < shapes.size(); ++m)
+        for (std::size_t c = 0; c < shapes[m].indices.size(); ++c) {
+            if ((creases.hard[m][c / 3] >> c % 3 & 1) == 0) continue;
+            const vec3 a = shapes[m].positions[shapes[m].indices[c]],
+                       b = shapes[m].positions[shapes[m].indices[c - c % 3 + (c + 1) % 3]];
+            const Point p{a.x, a.y, a.z}, q{b.x, b.y, b.z};
+            out.insert(std::minmax(p, q));
+        }
+    return out;
+}
+std::set<Edge> hard_edges(const std::vector<Shape>& shapes) { return hard_edges(shapes, creases_of(shapes)); }
+
+/// Edges between different surfaces.
+std::set<Edge> meant_hard(const HardShape& made) {
+    std::map<Edge, std::set<int>> surfaces;
+    const Shape& s = made.shape;
+    for (std::size_t c = 0; c < s.indices.size(); ++c) {
+        const vec3 a = s.positions[s.indices[c]], b = s.positions[s.indices[c - c % 3 + (c + 1) % 3]];
+        surfaces[std::minmax(Point{a.x, a.y, a.z}, Point{b.x, b.y, b.z})].insert(made.surface[c / 3]);
+    }
+    std::set<Edge> out;
+    for (const auto& [edge, of] : surfaces)
+        if (of.size() > 1) out.insert(edge);
+    return out;
+}
+
+void expect_as_meant(const HardShape& made, const char* what) {
+    EXPECT_EQ(hard_edges({made.shape}), meant_hard(made)) << what;
+}
+
+HardShape make_gear(double step) {
+    std::vector<dvec2> profile;
+    std::vector<int> ids;
+    for (int k = 0; k < 12; ++k)
+        for (const auto& [turn, radius] : {std::pair(-0.30, 0.8), {-0.14, 1.0}, {0.14, 1.0}, {0.30, 0.8}}) {
+            const double a = 2 * pi * (k + turn) / 12;
+            profile.push_back({radius * std::cos(a), radius * std::sin(a)});
+            ids.push_back(int(ids.size()));
+        }
+    return extrude(profile, ids, 0.4, step);
+}
+
+TEST(CreaseEdges, AHexagonalNutIsTheSameForEveryRounding) {
+    for (const double step : {0.0, 1e-6, 1e-4, 1e-3, 1e-2})
+        for (const double turn : {0.0, 0.1, 0.4}) expect_as_meant(make_nut(step, turn), "nut");
+}
+
+TEST(CreaseEdges, AQuantizedNutIsDecidedByItsStep) {
+    for (const double turn : {0.0, 0.1, 0.4}) {
+        HardShape nut = make_nut(2.0 / 16384, turn);
+        AttributeMesh mesh = nut.shape.view();
+        mesh.position_step = 2.0 / 16384;
+        Context context;
+        const Creases creases = find_creases(std::span(&mesh, 1), {}, context);
+        EXPECT_EQ(hard_edges({nut.shape}, creases), meant_hard(nut));
+        EXPECT_EQ(creases.report.rings[6], 1u);
+    }
+}
+
+TEST(CreaseEdges, ChamfersAreHardAndFilletsAreSoft) {
+    for (const double chamfer : {0.05, 0.15, 0.3}) expect_as_meant(make_chamfered_box(chamfer), "chamfer");
+    for (const int strips : {2, 3, 4, 8}) expect_as_meant(make_fillets(strips, 0.2), "fillet");
+    expect_as_meant(make_fillets(5, 0.6), "large fillet");
+    expect_as_meant(make_fillets(4, 0.2, 1e-3), "rounded fillet");
+}
+
+TEST(CreaseEdges, GearsAreHard) {
+    for (const double step : {0.0, 1e-3, 1e-2}) expect_as_meant(make_gear(step), "gear");
+}
+
+TEST(CreaseEdges, ColumnsAreFlatUpToSevenSides) {
+    for (const int sides : {3, 4, 5, 6, 7}) expect_as_meant(make_column(sides, true), "prism");
+    for (const int sides : {8, 9, 12, 16, 24, 48}) {
+        expect_as_meant(make_column(sides, false), "column");
+        expect_as_meant(make_column(sides, false, 1e-3, 0.1), "rounded column");
+    }
+    EXPECT_EQ(creases_of({make_column(6, true).shape}).report.rings[6], 1u);
+    EXPECT_EQ(creases_of({make_column(8, false).shape}).report.rings[8], 1u);
+    EXPECT_EQ(creases_of({make_column(24, false).shape}).report.rings, CreaseReport{}.rings);
+}
+
+TEST(CreaseEdges, SmoothSurfacesHaveNone) {
+    EXPECT_TRUE(hard_edges({make_sphere(12, 8)}).empty());
+    EXPECT_TRUE(hard_edges({make_torus(24, 12)}).empty());
+    EXPECT_TRUE(hard_edges({make_cylinder(12, 1)}).empty());
+}
+
+TEST(CreaseEdges, TheReportHasTheRanges) {
+    const CreaseReport r = creases_of({make_column(12, false).shape}).report;
+    EXPECT_EQ(r.hard, 24u);
+    EXPECT_EQ(r.soft, 12u);
+    EXPECT_NEAR(r.hard_least_deg, 90, 0.01);
+    EXPECT_NEAR(r.hard_most_deg, 90, 0.01);
+    EXPECT_NEAR(r.soft_most_deg, 30, 0.01);
+}
+
+/// The faces in another order, each from another corner, vertices renumbered.
+Shape renumbered(const Shape& s, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    std::vector<std::uint32_t> vertex(s.positions.size()), face(s.indices.size() / 3);
+    for (std::uint32_t i = 0; i < vertex.size(); ++i) vertex[i] = i;
+    for (std::uint32_t i = 0; i < face.size(); ++i) face[i] = i;
+    std::shuffle(vertex.begin(), vertex.end(), random);
+    std::shuffle(face.begin(), face.end(), random);
+    Shape out;
+    out.positions.resize(vertex.size());
+    for (std::size_t v = 0; v < vertex.size(); ++v) out.positions[vertex[v]] = s.positions[v];
+    for (const std::uint32_t t : face)
+        for (std::uint32_t k = 0, first = random() % 3; k < 3; ++k)
+            out.indices.push_back(vertex[s.indices[3 * t + (first + k) % 3]]);
+    return out;
+}
+
+std::vector<HardShape> all_shapes() {
+    return {make_nut(1e-3, 0.1), make_gear(1e-2), make_fillets(4, 0.2), make_chamfered_box(0.15),
+            make_column(9, false)};
+}
+
+TEST(CreaseEdges, NumbersAndCutsDoNotMatter) {
+    for (const HardShape& made : all_shapes()) {
+        const std::set<Edge> hard = hard_edges({made.shape});
+        for (const std::uint32_t seed : {1u, 2u, 3u}) {
+            EXPECT_EQ(hard_edges({renumbered(made.shape, seed)}), hard);
+            std::vector<Shape> parts = cut_at_random(made.shape, 4, seed);
+            EXPECT_EQ(hard_edges(parts), hard);
+            std::reverse(parts.begin(), parts.end());
+            EXPECT_EQ(hard_edges(parts), hard);
+        }
+    }
+}
+
+TEST(CreaseEdges, PlacementDoesNotMatter) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> angle(0, pi);
+    for (const HardShape& made : all_shapes()) {
+        const std::set<Edge> hard = hard_edges({made.shape});
+        for (const double scale : {1e-6, 1.0, 1e6})
+            for (const double mirror : {1.0, -1.0}) {
+                const double a = angle(random), c = std::cos(a), s = std::sin(a);
+                Shape placed = made.shape;
+                placed.to_world[0] = {scale * c, scale * s, 0, 0};
+                placed.to_world[1] = {0, 0, mirror * scale, 0};
+                placed.to_world[2] = {scale * s, -scale * c, 0, 0};
+                placed.to_world[3] = {3 * scale, 1 * scale, -2 * scale, 1};
+                EXPECT_EQ(hard_edges({placed}), hard) << scale << " " << mirror;
+            }
+    }
+}
+
+TEST(CreaseEdges, ThreadsDoNotMatter) {
+    const std::vector<Shape> shapes{make_torus(300, 150), make_nut(1e-3, 0.1).shape};
+    const Creases one = creases_of(shapes, 1), many = creases_of(shapes, 4);
+    EXPECT_EQ(one.hard, many.hard);
+    EXPECT_EQ(one.report, many.report);
+}
+
+TEST(CreaseEdges, SidesOfAShellAreDecidedAlone) {
+    Shape shell = make_cylinder(12, 1);
+    const std::size_t count = shell.indices.size();
+    for (std::size_t c = 0; c < count; c += 3)
+        shell.indices.insert(shell.indices.end(), {shell.indices[c], shell.indices[c + 2], shell.indices[c + 1]});
+    const Creases creases = creases_of({shell});
+    for (std::size_t c = 0; c < shell.indices.size(); ++c) {
+        const bool is_rim =
+            shell.positions[shell.indices[c]].y == shell.positions[shell.indices[c - c % 3 + (c + 1) % 3]].y;
+        EXPECT_EQ(creases.hard[0][c / 3] >> c % 3 & 1, is_rim);
+    }
+}
+
+TEST(CreaseEdges, AWallOnAFloorIsHardAndTheFloorIsNot) {
+    Shape s;
+    s.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 0, 0}, {-1, 1, 0}, {0, 0, 1}, {0, 1, 1}};
+    s.indices = {0, 1, 2, 0, 2, 3, 4, 0, 3, 4, 3, 5, 0, 3, 7, 0, 7, 6};
+    const Creases creases = creases_of({s});
+    EXPECT_EQ(creases.hard[0], (std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0}));
+}
+
+TEST(CreaseEdges, BadFacesAreLeftOut) {
+    HardShape nut = make_nut(1e-3, 0.1);
+    const std::set<Edge> hard = hard_edges({nut.shape});
+    Shape& s = nut.shape;
+    const std::uint32_t bad = std::uint32_t(s.positions.size());
+    s.positions.push_back({NAN, 0, 0});
+    s.indices.insert(s.indices.end(), {0, 1, bad, 0, 0, 1, 2, 1, 2});
+    EXPECT_EQ(hard_edges({s}), hard);
+    EXPECT_TRUE(hard_edges({Shape{}}).empty());
+    EXPECT_TRUE(creases_of({}).hard.empty());
+}
+
+}  // namespace
+}  // namespace rakelight::test
