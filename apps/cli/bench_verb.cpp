@@ -36,7 +36,7 @@ constexpr Word<bool> orders[] = {{"coherent", false}, {"shuffled", true}};
 constexpr Word<int> rows[] = {{"crease", 1}, {"tolerance", 2}, {"order", 4}, {"plan", 8}, {"borders", 16}, {"all", 31}};
 
 std::vector<Option> options_of_pictures() {
-    std::vector<Option> options = apps::without(apps::picture_options(), {"engine"});
+    std::vector<Option> options = apps::without(apps::picture_options(), {"engine", "crease"});
     apps::find(options, "resolution").help = "Size of the picture in pixels, also WxH (default 1920,1080)";
     Option& crease = apps::find(options, "crease-angle");
     crease.help = "Edges with a larger angle between their faces stay sharp, 0 to 180 (default 60; smooth: 180)";

@@ -46,8 +46,8 @@ std::vector<Option> normal_options() {
     apps::find(all, "border-distance").help =
         "Also measure seams along borders of different meshes that run along each other without shared vertices, at "
         "most this far apart [m] (default 0: off; a value is suggested if there are such borders)";
-    for (const char* name : {"normals", "crease-angle", "weld-distance", "border-distance", "weight", "tangents",
-                             "orthogonalize", "keep-instances"})
+    for (const char* name : {"normals", "crease-angle", "crease", "weld-distance", "border-distance", "weight",
+                             "tangents", "orthogonalize", "keep-instances"})
         options.push_back(apps::find(all, name));
     return options;
 }

@@ -75,6 +75,7 @@ Command smooth_command() {
                .help = "Old name of --normals",
                .words = apps::names_of<ways>},
               apps::find(shared, "crease-angle"),
+              apps::find(shared, "crease"),
               apps::find(shared, "weight"),
               {"weld-distance", "Normals", "M",
                "Positions of different objects at most this far apart [m] are welded (default: equal up to rounding)"},
@@ -116,6 +117,7 @@ SmoothFileOptions smooth_options(const Run& run, const PictureRequest& picture) 
     SmoothFileOptions options;
     AttributeOptions& a = options.attributes;
     a.crease_angle_rad = picture.prepare.crease_angle_rad;
+    a.creases = picture.prepare.creases;
     a.weight = picture.prepare.weight;
     options.border_distance = picture.prepare.border_distance;
     read_normals(run.given, options);

@@ -146,6 +146,9 @@ constexpr Entry entries[] = {
      "auto (default: the file's, else as its format says, else model), file, flat, object (smooth within each object), "
      "model (smooth across all objects: no seams), seams (the file's, joined only where parts meet)"},
     {normals, "crease-angle", "DEG", "Edges with a larger angle between their faces stay sharp, 0 to 180 (default 60)"},
+    {normals, "crease", "HOW",
+     "angle (default: hard edges by --crease-angle) or auto (edge by edge, from the planes on both sides: "
+     "no angle to choose)"},
     {normals, "weld-distance", "M",
      "Positions of different objects at most this far apart [m] are welded (default: equal up to rounding)"},
     {normals, "border-distance", "M",

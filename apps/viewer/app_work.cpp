@@ -181,6 +181,7 @@ void App::save_seamless() {
     if (!model_) return;
     SmoothFileOptions options{.load = active().look.request.load};
     options.attributes.crease_angle_rad = active().look.request.prepare.crease_angle_rad;
+    options.attributes.creases = active().look.request.prepare.creases;
     options.attributes.weight = active().look.request.prepare.weight;
     options.border_distance = active().look.request.prepare.border_distance;
     write_file("save seamless", [file = model_->file, options](Context& context) {

@@ -33,6 +33,7 @@ void draw_normals_panel(PanelView& view) {
                                               {"model", NormalSource::model},    {"seams", NormalSource::seams}};
     choose("normals", sources, p.normals);
     choose("weight", corner_weight_words, p.weight);
+    choose("creases", creasing_words, p.creases);
     double crease_deg = degrees(p.crease_angle_rad);
     if (slide("crease angle", crease_deg, 0, 180, "%.1f deg")) p.crease_angle_rad = radians(crease_deg);
     slide_border_distance(p.border_distance, view.model ? view.model->box.bounds().diagonal() : 0);

@@ -60,6 +60,10 @@ inline bool is_published(TangentMode mode) {
 /// `attribute`: the summed tangents are made perpendicular to the normals. `off`: they are only normalized.
 enum class Orthogonalize : std::uint8_t { attribute, off };
 
+/// How faces that share an edge are divided. `angle`: by AttributeOptions::crease_angle_rad. `automatic`: edge by edge, by
+/// the rule of find_creases() (<rakelight/creases.h>).
+enum class Creasing : std::uint8_t { angle, automatic };
+
 /// Options of compute_attributes().
 struct AttributeOptions {
     Scope scope = Scope::model;
@@ -67,6 +71,9 @@ struct AttributeOptions {
     /// [rad] 0..pi. Faces that share an edge are joined if the angle between their normals is at most this angle. A
     /// slack of 1e-5 rad allows for the rounding of positions. pi: all faces at a position are joined. 0: flat shading.
     double crease_angle_rad = radians(60);
+    /// `automatic`: crease_angle_rad is not used. AttributeMesh::crease_angle_rad, smoothing groups and hints go before
+    /// the rule. The rule sees the faces of all meshes. Where it meets an own angle, both must join the faces.
+    Creasing creases = Creasing::angle;
     /// [m] in world space. Vertices at most this far apart are welded. 0: only vertices with equal positions are
     /// welded.
     ///
@@ -180,8 +187,8 @@ private:
 RL_API AttributePlan group(std::span<const AttributeMesh> meshes, const AttributeOptions& options, Context& context);
 
 /// The first step again with other options, for example from a slider of the crease angle. It returns the same plan as
-/// group(meshes, options, context), but faster: it reuses face normals, welded positions and the faces around each
-/// position. It welds again only if AttributeOptions::weld_distance, `normals` or `scope` differs from the plan's.
+/// group(meshes, options, context), but faster: it reuses face normals, welded positions, automatic creases and the
+/// faces around each position. It welds again only if AttributeOptions::weld_distance, `normals` or `scope` differs from the plan's.
 /// @param plan    of group() or regroup()
 /// @param meshes as given to group(), with unmoved positions; only smoothing groups, hints and locks may have changed
 /// @throws Error bad_file: counts that differ from the plan's; and as group()

@@ -17,6 +17,8 @@ inline constexpr double always_hard_deg = 65;
 /// [degrees] At least three equal bends in a row up to this are a round shape. 50 lies between the bends of columns of
 /// 7 and 8 sides (51.4 and 45).
 inline constexpr double round_most_deg = 50;
+/// A ring of up to so many equal sides is flat.
+inline constexpr std::uint32_t flat_most_sides = 7;
 /// [degrees] Bends of less than this are soft.
 inline constexpr double soft_below_deg = 8;
 

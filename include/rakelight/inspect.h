@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/creases.h>
 #include <rakelight/export.h>
 #include <rakelight/matching_borders.h>
 #include <rakelight/picture.h>
@@ -190,7 +191,8 @@ struct Inspection {
     /// true: the scene has skins, morph targets or clips. The bounding box is that of the pose, but seams are those of
     /// the bind pose.
     bool is_posed = false;
-    std::uint64_t shared_positions = 0;  ///< world positions that two or more meshes share; each instance counts
+    std::optional<CreaseReport> creases{};  ///< if InspectOptions::prepare.creases is `automatic`
+    std::uint64_t shared_positions = 0;     ///< world positions that two or more meshes share; each instance counts
     SeamTotals seams{};
     std::vector<BorderSummary> borders{};  ///< at most 10,000, by falling seam_deg, then by the largest angle
     std::uint64_t borders_left_out = 0;    ///< pairs beyond the first 10,000

@@ -31,12 +31,18 @@ inline constexpr Word<CornerWeight> corner_weight_words[] = {
     {"max", CornerWeight::max},       {"angle-area", CornerWeight::angle_area}, {"fit", CornerWeight::fit},
     {"auto", CornerWeight::automatic}};
 
+/// The words for creases, the default first.
+inline constexpr Word<Creasing> creasing_words[] = {{"angle", Creasing::angle}, {"auto", Creasing::automatic}};
+
 /// Options of prepare_scene().
 struct PrepareOptions {
     NormalSource normals = NormalSource::automatic;  ///< `automatic`: Mesh::normal_choice applies if present
     CornerWeight weight = CornerWeight::angle;
     double crease_angle_rad = radians(60);  ///< for meshes without an applicable angle in Mesh::normal_choice
-    double weld_distance = -1;              ///< [m] AttributeOptions::weld_distance
+    /// `automatic`: creases by the rule, not by crease_angle_rad. The angle still limits which authored normals `seams`
+    /// joins, and which borders match.
+    Creasing creases = Creasing::angle;
+    double weld_distance = -1;  ///< [m] AttributeOptions::weld_distance
     /// [m] in world space, finite, >= 0: the largest distance between adjacent borders of different meshes that get
     /// matching normals (<rakelight/matching_borders.h>). 0: off. Meshes with normals computed over the model match
     /// each other. A mesh with normals computed over its object matches only meshes of that object. A mesh with flat

@@ -151,6 +151,7 @@ void check_options(const AttributeOptions& options) {
         if (!exists(value, last)) throw Error(ErrorCode::usage, no_such(what, value));
     };
     require("scope", options.scope, Scope::model);
+    require("way to find creases", options.creases, Creasing::automatic);
     require("weight", options.weight, CornerWeight::automatic);
     require("way to make tangents", options.tangent_mode, TangentMode::published_no_handedness);
     require("way to orthogonalize", options.orthogonalize, Orthogonalize::off);
@@ -162,6 +163,7 @@ CreaseRange crease_range(std::span<const AttributeMesh> meshes, const AttributeO
     for (const AttributeMesh& mesh : meshes) {
         range.least = std::min(range.least, crease_angle(mesh, options));
         range.most = std::max(range.most, crease_angle(mesh, options));
+        range.has_rule |= follows_rule(mesh, options);
     }
     return range;
 }

@@ -76,14 +76,20 @@ void check_options(const AttributeOptions& options);
 /// @throws Error bad_file: not one per vertex
 void check_normals(std::span<const AttributeMesh> meshes);
 
-/// [rad] The crease angle of one mesh.
+/// Whether the rule of creases decides at the edges of a mesh, not an angle.
+inline bool follows_rule(const AttributeMesh& mesh, const AttributeOptions& options) {
+    return options.creases == Creasing::automatic && mesh.crease_angle_rad < 0;
+}
+/// [rad] The crease angle of one mesh; pi if it follows the rule.
 inline double crease_angle(const AttributeMesh& mesh, const AttributeOptions& options) {
-    return mesh.crease_angle_rad < 0 ? options.crease_angle_rad : mesh.crease_angle_rad;
+    if (mesh.crease_angle_rad >= 0) return mesh.crease_angle_rad;
+    return options.creases == Creasing::automatic ? pi : options.crease_angle_rad;
 }
 /// [rad] Range over all meshes; without meshes the options' angle.
 struct CreaseRange {
     double least, most;
-    bool joins_all() const { return least + 1e-6 >= pi; }
+    bool has_rule = false;  ///< some mesh follows the rule
+    bool joins_all() const { return !has_rule && least + 1e-6 >= pi; }
 };
 CreaseRange crease_range(std::span<const AttributeMesh> meshes, const AttributeOptions& options);
 

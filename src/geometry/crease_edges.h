@@ -21,8 +21,10 @@ struct CreaseEdges {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> partners;
     CreaseReport report;
 
-    bool is_hard(std::uint32_t triangle, std::uint32_t k) const { return (bits[triangle] >> k & 1) != 0; }
-    bool is_crowded(std::uint32_t triangle, std::uint32_t k) const { return (bits[triangle] >> (k + 3) & 1) != 0; }
+    /// Of the edge from a corner to the next one of its face.
+    bool is_hard(std::uint32_t corner) const { return (bits[corner / 3] >> corner % 3 & 1) != 0; }
+    bool is_crowded(std::uint32_t corner) const { return (bits[corner / 3] >> (corner % 3 + 3) & 1) != 0; }
+    bool is_plainly_soft(std::uint32_t corner) const { return (bits[corner / 3] >> corner % 3 & 9) == 0; }
     /// Whether two corners are partners at a crowded edge.
     bool are_partners(std::uint32_t corner, std::uint32_t other) const;
 };

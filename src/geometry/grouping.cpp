@@ -92,8 +92,10 @@ Grouped make_groups(GroupingBase& base, const AttributeInput& input, const Attri
     made.topology.places = flat ? each_vertex_alone(input) : base.places;
     made.topology.group = *made.topology.places;
     if (refines) {
+        const CreaseEdges* const edges =
+            creases.has_rule && !flat ? &crease_edges(base, input, options, context) : nullptr;
         const JoinRules rules(input, made.topology, options, flat ? JoinRule::apart : JoinRule::crease,
-                              base.face_normals(input, context));
+                              base.face_normals(input, context), edges);
         context.throw_if_cancelled();
         CornerBins flat_bins;
         if (flat)

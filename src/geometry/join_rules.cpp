@@ -15,8 +15,13 @@ namespace {
 constexpr double crease_slack = 1e-5;
 // Sides of a shell: a neighbor beyond this angle (177 degrees) is on the other side.
 constexpr double turned_back = -0.9986;
+// Cosine of soft_below_deg.
+constexpr double cosine_of_soft = 0.9902680687415704;
 // Up to this number, pairs are compared directly.
 constexpr std::size_t few = 16;
+
+/// The corner before one in its face.
+std::uint32_t before(std::uint32_t corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
 
 bool is_hinted(const AttributeMesh& mesh) { return mesh.smoothing.empty() && !mesh.smoothing_hint.empty(); }
 bool is_grouped(const AttributeMesh& mesh) { return !mesh.smoothing.empty() && mesh.group_kind != GroupKind::none; }
@@ -29,19 +34,23 @@ double crease_cosine(double crease_angle_rad) {
 }
 
 JoinRules::JoinRules(const AttributeInput& input, const Topology& topology, const AttributeOptions& options,
-                     JoinRule rule, const FaceNormals& normals)
+                     JoinRule rule, const FaceNormals& normals, const CreaseEdges* creases)
     : input_(input),
       places_(topology.places->data()),
       normals_(normals.data()),
+      creases_(creases),
       rule_(rule),
       groups_across_(options.groups_across) {
-    const CreaseRange creases = crease_range(input.meshes, options);
-    min_cos_ = crease_cosine(creases.least);
-    joins_all_ = min_cos_ == -2 && !options.fans;
-    joins_some_ = crease_cosine(creases.most) == -2 && !options.fans;
-    if (creases.least != creases.most)
+    const CreaseRange range = crease_range(input.meshes, options);
+    min_cos_ = crease_cosine(range.least);
+    joins_all_ = min_cos_ == -2 && !options.fans && !creases_;
+    joins_some_ = crease_cosine(range.most) == -2 && !options.fans && !creases_;
+    if (range.least != range.most)
         for (const AttributeMesh& mesh : input.meshes) own_cos_.push_back(crease_cosine(crease_angle(mesh, options)));
     for (const AttributeMesh& mesh : input.meshes) {
+        has_own_angles_ |= mesh.crease_angle_rad >= 0;
+        joins_some_ |=
+            creases_ && !options.fans && mesh.crease_angle_rad >= 0 && crease_cosine(mesh.crease_angle_rad) == -2;
         has_hints_ |= is_hinted(mesh);
         has_groups_ |= is_hinted(mesh) || is_grouped(mesh);
     }
@@ -60,7 +69,7 @@ std::uint64_t JoinRules::authority_of(std::uint32_t m) const {
 struct JoinRules::CalmFan {
     static constexpr std::size_t most = 16;
     std::size_t size = 0;
-    std::uint32_t next[most], previous[most];
+    std::uint32_t corner[most], next[most], previous[most];
     const dvec3* normal[most];
 };
 
@@ -74,6 +83,7 @@ bool JoinRules::gather_calm(std::span<const std::uint32_t> corners, std::uint32_
         const std::uint32_t* const face =
             input_.meshes[mesh].indices.data() + 3 * std::size_t(triangle - input_.triangle_base[mesh]);
         const std::uint32_t* const places = places_ + input_.vertex_base[mesh];
+        fan.corner[i] = corners[i];
         fan.next[i] = places[face[after[k]]];
         fan.previous[i] = places[face[after[after[k]]]];
         fan.normal[i] = normals_ + triangle;
@@ -82,9 +92,17 @@ bool JoinRules::gather_calm(std::span<const std::uint32_t> corners, std::uint32_
     return true;
 }
 
+// Whether an edge is soft and has no other faces than two. @param forwards  the edge from the first face's corner
+bool JoinRules::is_plainly_soft(std::uint32_t corner, std::uint32_t other, bool forwards) const {
+    return creases_->is_plainly_soft(forwards ? corner : before(corner)) &&
+           creases_->is_plainly_soft(forwards ? before(other) : other);
+}
+
 bool JoinRules::is_calm(std::span<const std::uint32_t> corners, std::uint32_t& mesh) const {
     CalmFan fan;
-    if (rule_ != JoinRule::crease || has_groups_ || joins_all_ || corners.size() > CalmFan::most) return false;
+    if (rule_ != JoinRule::crease || has_groups_ || joins_all_ || (creases_ && has_own_angles_) ||
+        corners.size() > CalmFan::most)
+        return false;
     if (!gather_calm(corners, mesh, fan)) return false;
     // Walks from the first face in one direction, then in the other; visited faces move to the front.
     std::size_t met = 1;
@@ -95,6 +113,8 @@ bool JoinRules::is_calm(std::span<const std::uint32_t> corners, std::uint32_t& m
             std::size_t j = met;
             while (j < fan.size && behind[j] != ahead[at]) ++j;
             if (j == fan.size || !(dot(*fan.normal[at], *fan.normal[j]) >= min_cos_)) break;
+            if (creases_ && !is_plainly_soft(fan.corner[at], fan.corner[j], forwards)) break;
+            std::swap(fan.corner[j], fan.corner[met]);
             std::swap(fan.next[j], fan.next[met]);
             std::swap(fan.previous[j], fan.previous[met]);
             std::swap(fan.normal[j], fan.normal[met]);
@@ -143,7 +163,9 @@ void JoinRules::join(Fan& fan, UnionFind& sets) const {
     if (rule_ == JoinRule::apart || fan.size() < 2) return;
     if (rule_ == JoinRule::crease && (joins_all_ || joins_some_)) join_everything(fan, sets);
     gather_places(fan);
-    if (fan.size() <= few)
+    if (fan.size() <= few && creases_)
+        join_pairs_by_rule(fan, sets);
+    else if (fan.size() <= few)
         join_pairs(fan, sets);
     else
         join_edges(fan, sets);
@@ -176,6 +198,19 @@ void JoinRules::join_pairs(const Fan& fan, UnionFind& sets) const {
             if (fan.votes(i) && fan.votes(j) && joined(fan, i, j)) sets.join(i, j);
         }
     }
+}
+
+void JoinRules::join_pairs_by_rule(const Fan& fan, UnionFind& sets) const {
+    for (std::uint32_t i = 0; i < fan.size(); ++i)
+        for (std::uint32_t j = i + 1; j < fan.size(); ++j) {
+            if (!fan.votes(i) || !fan.votes(j)) continue;
+            for (const bool out : {true, false})
+                for (const bool other_out : {true, false}) {
+                    const std::uint32_t end = out ? fan.next[i] : fan.previous[i];
+                    if (end != (other_out ? fan.next[j] : fan.previous[j])) continue;
+                    if (joined(fan, {end, i, out}, {end, j, other_out})) sets.join(i, j);
+                }
+        }
 }
 
 void JoinRules::join_edges(Fan& fan, UnionFind& sets) const {
@@ -211,7 +246,20 @@ bool JoinRules::joined(const Fan& fan, std::uint32_t i, std::uint32_t j) const {
     return fan.kind[i] == GroupKind::numbers && fan.group[i] != 0 && fan.group[i] == fan.group[j];
 }
 bool JoinRules::joined(const Fan& fan, const Spoke& a, const Spoke& b) const {
-    return (rule_ == JoinRule::crease || a.outgoing != b.outgoing) && joined(fan, a.index, b.index);
+    return (rule_ == JoinRule::crease || a.outgoing != b.outgoing) && joined(fan, a.index, b.index) &&
+           (!creases_ || obeys_rule(fan, a, b));
+}
+
+// Groups go before the rule. At an edge of more than two faces, partners join, and faces that hardly bend.
+bool JoinRules::obeys_rule(const Fan& fan, const Spoke& a, const Spoke& b) const {
+    const std::uint32_t i = a.index, j = b.index;
+    if (fan.authority[i] != 0 && fan.authority[i] == fan.authority[j]) return true;
+    if (!follows_rule(fan.mesh[i]) && !follows_rule(fan.mesh[j])) return true;
+    const std::uint32_t corner = a.outgoing ? fan.corner[i] : before(fan.corner[i]),
+                        other = b.outgoing ? fan.corner[j] : before(fan.corner[j]);
+    if (!creases_->is_crowded(corner) && !creases_->is_crowded(other))
+        return !creases_->is_hard(corner) && !creases_->is_hard(other);
+    return creases_->are_partners(corner, other) || dot(fan.normal[i], fan.normal[j]) >= cosine_of_soft;
 }
 
 void JoinRules::join_edge(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const {
@@ -292,7 +340,7 @@ void JoinRules::join_many_by_group(const Fan& fan, std::span<const Spoke> spokes
 // another authority, or of none, joins everything. Faces of meshes with a smaller angle are excluded.
 void JoinRules::join_everything(const Fan& fan, UnionFind& sets) const {
     const auto takes_part = [&](std::size_t i) {
-        return fan.votes(i) && (own_cos_.empty() || own_cos_[fan.mesh[i]] == -2);
+        return fan.votes(i) && !follows_rule(fan.mesh[i]) && (own_cos_.empty() || own_cos_[fan.mesh[i]] == -2);
     };
     std::size_t first = fan.size(), other = fan.size();
     for (std::size_t i = 0; i < fan.size() && other == fan.size(); ++i) {

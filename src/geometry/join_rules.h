@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/crease_edges.h"
 #include "geometry/topology.h"
 #include "geometry/union_find.h"
 
@@ -49,8 +50,9 @@ struct Fan {
 
 class JoinRules {
 public:
+    /// @param creases  for meshes that follow the rule; null: there are none
     JoinRules(const AttributeInput& input, const Topology& topology, const AttributeOptions& options, JoinRule rule,
-              const FaceNormals& normals);
+              const FaceNormals& normals, const CreaseEdges* creases = nullptr);
 
     /// Fast test for the common case: all faces of a small place vote, are joined in one chain over common edges, and
     /// are within 89 degrees of the first one. False: the full rules are needed.
@@ -65,6 +67,10 @@ private:
     void gather_groups(Fan& fan) const;
     double min_cos(const Fan& fan, std::uint32_t i, std::uint32_t j) const;
     bool joined(const Fan& fan, std::uint32_t i, std::uint32_t j) const;
+    bool follows_rule(std::uint32_t mesh) const { return creases_ && input_.meshes[mesh].crease_angle_rad < 0; }
+    bool obeys_rule(const Fan& fan, const Spoke& a, const Spoke& b) const;
+    bool is_plainly_soft(std::uint32_t corner, std::uint32_t other, bool forwards) const;
+    void join_pairs_by_rule(const Fan& fan, UnionFind& sets) const;
     bool joined(const Fan& fan, const Spoke& a, const Spoke& b) const;
     void gather_places(Fan& fan) const;
     void join_pairs(const Fan& fan, UnionFind& sets) const;
@@ -82,13 +88,14 @@ private:
     const AttributeInput& input_;
     const std::uint32_t* places_;  ///< [input vertices]
     const dvec3* normals_;         ///< [triangles]
+    const CreaseEdges* creases_;   ///< null: angles alone
     JoinRule rule_;
     bool groups_across_;
     bool joins_all_, joins_some_;  ///< crease angle pi, of all meshes, of some
     double min_cos_;               ///< of the crease angle
     /// [meshes] where crease angles differ, else empty: above is that of the smallest then.
     std::vector<double> own_cos_;
-    bool has_groups_ = false, has_hints_ = false;
+    bool has_groups_ = false, has_hints_ = false, has_own_angles_ = false;
 };
 
 }  // namespace rakelight::geometry

@@ -34,6 +34,7 @@ SmoothRequest request_for(const PrepareOptions& options) {
     SmoothRequest request;
     request.attributes.weight = options.weight;
     request.attributes.crease_angle_rad = options.crease_angle_rad;
+    request.attributes.creases = options.creases;
     request.attributes.weld_distance = options.weld_distance;
     request.attributes.orthogonalize = options.orthogonalize;
     request.attributes.measure_orthogonality = options.measure_orthogonality;
@@ -339,6 +340,7 @@ void check_options(const PrepareOptions& o) {
     require(o.border_distance >= 0 && std::isfinite(o.border_distance), "the border distance must be 0 or more");
     require(exists(o.normals, NormalSource::seams), no_such("source of normals", o.normals));
     require(exists(o.weight, CornerWeight::automatic), no_such("weight", o.weight));
+    require(exists(o.creases, Creasing::automatic), no_such("way to find creases", o.creases));
     require(exists(o.uv, UvProjection::cylinder), no_such("projection of texture coordinates", o.uv));
     require(exists(o.orthogonalize, Orthogonalize::off), no_such("way to orthogonalize", o.orthogonalize));
     require(exists(o.bump, Bump::displacement), no_such("bump technique", o.bump));

@@ -207,7 +207,7 @@ void note_creases(const Scene& scene, const SmoothRequest& request, const std::v
                   Report& report) {
     if (!request.source || request.every_scope || request.attributes.scope != Scope::model) return;
     const geometry::CreaseRange creases = geometry::crease_range(meshes, request.attributes);
-    if (!request.attributes.normals || creases.least == creases.most) return;
+    if (!request.attributes.normals || creases.has_rule || creases.least == creases.most) return;
     char angles[64];
     std::snprintf(angles, sizeof angles, "%g to %g", degrees(creases.least), degrees(creases.most));
     report.add(Remark::note, scene.source, {},

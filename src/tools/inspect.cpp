@@ -310,6 +310,8 @@ Inspection inspect(const Scene& scene, const InspectOptions& options, Context& c
         context.progress("inspect", 0.3);
         if (options.surfaces) look_at_surfaces(result, placed, census, context);
         context.throw_if_cancelled();
+        if (options.prepare.creases == Creasing::automatic)
+            result.creases = find_creases(surfaces.meshes, {.weld_distance = options.weld_distance}, context).report;
         context.progress("inspect", 0.6);
         if (options.borders) look_at_borders(result, scene, surfaces, placed, census, options, context);
         look_at_winding(result, census);

@@ -155,6 +155,19 @@ Json json_of(const SeamTotals& s) {
             {"inconsistent_edges", s.inconsistent_edges}};
 }
 
+Json json_of(const CreaseReport& c) {
+    Json rings = Json::array();
+    for (std::size_t n = 0; n < c.rings.size(); ++n)
+        if (c.rings[n] > 0) rings.push_back({{"sides", n}, {"count", c.rings[n]}, {"hard", n <= flat_most_sides}});
+    return {{"hard", c.hard},
+            {"soft", c.soft},
+            {"hard_least_deg", c.hard_least_deg},
+            {"hard_most_deg", c.hard_most_deg},
+            {"soft_most_deg", c.soft_most_deg},
+            {"rings", std::move(rings)},
+            {"smooth_surfaces", c.smooth_surfaces}};
+}
+
 Json json_of(const SurfaceSummary& s) {
     return {{"closed", s.closed},
             {"edges", s.edges},
@@ -227,6 +240,7 @@ void add(Json& row, const Inspection& i) {
     row["clips"] = list(i.scene.animations);
     row["posed"] = i.is_posed;
     row["shared_positions"] = i.shared_positions;
+    if (i.creases) row["creases"] = json_of(*i.creases);
     row["seams"] = json_of(i.seams);
     row["borders"] = list(i.borders);
     row["borders_left_out"] = i.borders_left_out;

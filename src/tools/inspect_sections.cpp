@@ -23,7 +23,44 @@ std::uint64_t fault_count(const SurfaceSummary& s) {
     return s.degenerate_faces + bad_normals(s) + s.inconsistent_edges + s.non_manifold_edges + s.t_junctions;
 }
 
+/// "2 prisms of 6 sides as flat, 1 column of 8 sides as round", or nothing.
+std::string conventions_text(const CreaseReport& creases) {
+    std::string text;
+    const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
+    for (std::size_t n = 0; n < creases.rings.size(); ++n)
+        if (creases.rings[n] > 0)
+            add(counted(creases.rings[n], n <= flat_most_sides ? "prism" : "column") +
+                format_text(" of {} sides as ", n) + (n <= flat_most_sides ? "flat" : "round"));
+    if (creases.smooth_surfaces > 0)
+        add(counted(creases.smooth_surfaces, "surface") + " of single triangles as smooth");
+    return text;
+}
+
+/// "60 degrees", "60 to 90 degrees", or how creases are found.
+std::string crease_text(const Inspection& i) {
+    if (i.creases) return "with automatic creases";
+    const SeamTotals& s = i.seams;
+    return "at " + number(s.crease_angle_deg) +
+           (s.crease_angle_max_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_max_deg) : "") + " degrees";
+}
+
 }  // namespace
+
+std::vector<std::string> crease_lines(const Inspection& i) {
+    if (!i.creases) return {};
+    const CreaseReport& c = *i.creases;
+    const auto rounded = [](double deg) { return number(deg, "%.0f"); };
+    std::string line = "hard edges: ";
+    if (c.hard == 0)
+        line += "none";
+    else if (rounded(c.hard_least_deg) == rounded(c.hard_most_deg))
+        line += rounded(c.hard_least_deg) + " degrees";
+    else
+        line += rounded(c.hard_least_deg) + " to " + rounded(c.hard_most_deg) + " degrees";
+    line += c.soft == 0 ? "; soft: none" : "; soft: up to " + rounded(c.soft_most_deg) + " degrees";
+    const std::string conventions = conventions_text(c);
+    return {line + (conventions.empty() ? "" : "; by convention: " + conventions)};
+}
 
 std::vector<std::string> seams_lines(const Inspection& i) {
     const SeamTotals& s = i.seams;
@@ -32,9 +69,8 @@ std::vector<std::string> seams_lines(const Inspection& i) {
         lines.push_back(counted(s.missing_normals, "normal") +
                         " missing in the file (zero or not finite), computed for these angles");
     if (i.shared_positions == 0) return lines;
-    lines[0] += format_text(", {} continuous (normals: {}), {} once {} at {}{} degrees", s.continuous, s.normals_before,
-                            s.joined, s.normals_after, number(s.crease_angle_deg),
-                            s.crease_angle_max_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_max_deg) : "");
+    lines[0] += format_text(", {} continuous (normals: {}), {} once {} {}", s.continuous, s.normals_before, s.joined,
+                            s.normals_after, crease_text(i));
     lines.push_back("largest seam " + degrees_text(s.seam_deg) + " degrees; angles at shared positions max " +
                     degrees_text(s.before.max_deg) + ", mean " + degrees_text(s.before.mean_deg) + ", 95% " +
                     degrees_text(s.before.p95_deg) + "; smoothed max " + degrees_text(s.after.max_deg) + ", mean " +

@@ -46,6 +46,8 @@ Section section(const char* title, std::vector<std::string> head, const List& li
 
 /// The lines above all tables: "3 objects, ...", bounds, "300 positions shared by meshes, ..."; without line ends.
 std::vector<std::string> summary_lines(const Inspection& inspection);
+/// One line on automatic creases, or none.
+std::vector<std::string> crease_lines(const Inspection& inspection);
 std::vector<std::string> seams_lines(const Inspection& inspection);
 /// All tables, those that are empty left out.
 std::vector<Section> sections_of(const Inspection& inspection);

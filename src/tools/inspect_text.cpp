@@ -139,6 +139,7 @@ std::vector<std::string> summary_lines(const Inspection& i) {
             counted(i.scene.textures.size(), "texture") + ", " + counted(i.scene.animations.size(), "animation"),
         "bounds " + text(i.low, " ") + " to " + text(i.high, " ") + ", size " + text(size, " x ") + " " + i.unit +
             (i.is_posed ? " as posed; seams in the bind pose" : "")};
+    for (std::string& line : crease_lines(i)) lines.push_back(std::move(line));
     for (std::string& line : seams_lines(i)) lines.push_back(std::move(line));
     for (std::string& line : matched_lines(i)) lines.push_back(std::move(line));
     return lines;

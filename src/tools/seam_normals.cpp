@@ -24,6 +24,7 @@ void make_normals(std::vector<PartNormals>& normals, std::span<const AttributeMe
     attributes.scope = scope;
     attributes.weight = options.prepare.weight;
     attributes.crease_angle_rad = options.prepare.crease_angle_rad;
+    attributes.creases = options.prepare.creases;
     attributes.weld_distance = options.weld_distance;
     attributes.tangents = false;
     std::vector<MeshAttributes> made = compute_attributes(meshes, attributes, context);

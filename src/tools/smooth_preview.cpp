@@ -124,6 +124,7 @@ InspectOptions inspect_options(const SmoothFileOptions& options) {
     out.border_distance = options.border_distance;
     out.authored = options.authored;
     out.prepare.crease_angle_rad = options.attributes.crease_angle_rad;
+    out.prepare.creases = options.attributes.creases;
     out.prepare.weight = options.attributes.weight;
     return out;
 }

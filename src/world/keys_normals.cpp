@@ -47,6 +47,7 @@ void read_crease(PictureRequest& r, Words w) {
     const double angle = values::number("crease-angle", w[0]);
     if (!(angle >= 0 && angle <= 180)) throw values::wrong("crease-angle", "must be 0 to 180 degrees");
     r.prepare.crease_angle_rad = angle == 180 ? pi : radians(angle);
+    r.prepare.creases = Creasing::angle;  // `crease`, which is read later, may override it
 }
 
 double distance(const char* name, const std::string& text) {
@@ -70,6 +71,7 @@ constexpr RenderKey table_of_normal[] = {
     RL_WORD_KEY("normals", r.prepare.normals, normal_words),
     {"crease-angle", Kind::value, read_crease,
      RL_WRITE(r.prepare.crease_angle_rad, {degrees_of(r.prepare.crease_angle_rad)})},
+    RL_WORD_KEY("crease", r.prepare.creases, creasing_words),
     RL_WORD_KEY("weight", r.prepare.weight, corner_weight_words),
     RL_KEY("weld-distance", value, r.prepare.weld_distance, distance("weld-distance", w[0]),
            {text_of(r.prepare.weld_distance)}),

@@ -21,9 +21,11 @@ bool has(std::span<const WorldValue> values, std::string_view key) {
     return std::ranges::find(values, key, &WorldValue::key) != values.end();
 }
 
-/// Whether a given setting overrides one of the file: the same key, another camera placement, or a preset.
+/// Whether a given setting overrides one of the file: the same key, another camera placement,
+/// a crease angle for automatic creases, or a preset.
 bool is_overridden(std::span<const WorldValue> given, std::string_view key) {
     if (is_preset_key(key) && sets_preset(given)) return true;
+    if (key == "crease" && has(given, "crease-angle")) return true;
     if (!places_camera(key)) return has(given, key);
     return std::ranges::any_of(given, [](const WorldValue& value) { return places_camera(value.key); });
 }
