@@ -135,13 +135,16 @@ private:
         return nullptr;
     }
 
+    static bool are_similar(float a, float b) { return std::max(a, b) <= float(similar_width) * std::min(a, b); }
+
     /// Whether a third bend follows: a round shape. Two equal bends are a chamfer.
     bool has_three(std::uint32_t e, const bool (&is_equal)[2]) const {
         if (is_equal[0] && is_equal[1]) return true;
         for (const int side : {0, 1}) {
             if (!is_equal[side]) continue;
             const PlaneSide* const next = beyond(bent_.plane(bent_.edges[e], side), side_of(e, side).far);
-            if (next && next->far != no_edge && bends_as(next->far, e, equal_bends)) return true;
+            if (!next || next->far == no_edge || !are_similar(next->width, side_of(e, side).width)) continue;
+            if (bends_as(next->far, e, equal_bends)) return true;
         }
         return false;
     }
