@@ -12,7 +12,7 @@ namespace {
 // Bends in degrees, all others are ratios.
 constexpr double chamfer_over_deg = 32;  // two equal bends over this are a chamfer
 constexpr double fillet_most_deg = 46;   // a fillet of two strips bends at most so in the middle
-constexpr double equal_bends = 0.15, equal_in_fan = 0.1;
+constexpr double equal_in_fan = 0.1;
 constexpr double loosely_less = 0.45, loosely_more = 2.2;
 constexpr double twice_least = 1.5, twice_most = 2.4;  // half a bend into a fillet
 constexpr double same_width = 1.3, similar_width = 2.5, uneven_width = 4, strip_width = 1.6;

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double parallel = 0.8;         // cosine: 37 degrees
 constexpr double far_share = 0.3;        // of the width: an edge nearer than this is at the same side
-constexpr double equal_bends = 0.15;     // of a bend: as in the rule
 constexpr double same_distance = 1e-3;   // of the width: edges at one distance from the first
 constexpr std::size_t most_pairs = 128;  // edges of a plane that are compared with all others
 
