@@ -59,6 +59,8 @@ struct Creases {
 ///    - A wide plane at a narrow one that bends twice as much at its far side: soft, a fillet begins.
 ///    - Equal bends (15 %) between planes of similar width: at least three in a row are a round shape, which is soft up
 ///      to `round_most_deg`. Two are a chamfer, which is hard over 32 degrees.
+///    - Far bends within a factor of 2.2, planes of similar width: soft up to `round_most_deg` if both sides have such
+///      far bends, a round shape of changing radius. With one such side hard over 32 degrees.
 ///    - All others are hard.
 ///
 /// A threshold moves by up to 2 degrees into the widest gap between the bends of the model, so that rounding never

@@ -184,14 +184,15 @@ private:
         const int narrow = sides[0].width > sides[1].width ? 1 : 0;
         const double thin = double(sides[narrow].width), wide = double(sides[1 - narrow].width), bend = size(e);
         bool is_equal[2], is_half[2];
-        int loose = 0;
+        int loose = 0, curved = 0;  // far bends of one order, and those of round shapes
         for (const int s : {0, 1}) {
             const std::uint32_t far = sides[s].far;
             const double ratio =
                 far == no_edge ? 0 : double(bent_.edges[far].bend_deg) / double(bent_.edges[e].bend_deg);
             is_equal[s] = far != no_edge && bends_as(far, e, equal_bends);
             is_half[s] = std::fabs(ratio - 0.5) < 0.1;
-            loose += ratio >= loosely_less && ratio <= loosely_more;
+            const bool is_loose = ratio >= loosely_less && ratio <= loosely_more;
+            loose += is_loose, curved += is_loose && size(far) <= limits_.round;
         }
         const bool is_similar = wide <= similar_width * thin, is_same = wide <= same_width * thin;
         if (!is_same && is_tangent(e, narrow)) return {CreaseReason::tangent, false};
@@ -201,7 +202,7 @@ private:
             return {CreaseReason::chain, bend > limits_.round};
         }
         if (loose > 0 && wide <= (loose == 2 ? uneven_width : similar_width) * thin)
-            return {CreaseReason::loose, bend > limits_.chamfer};
+            return {CreaseReason::loose, bend > (curved == 2 ? limits_.round : limits_.chamfer)};
         return {CreaseReason::planes, true};
     }
 

@@ -311,6 +311,10 @@ class Worlds(program.Case):
             self.assertEqual(picture("asked"), picture(scope))
             self.assertAlmostEqual(seam("asked"), seam(scope), places=3)
         self.assertIn("at 60 to 180 degrees", self.run_program("inspect", "mixed.scene.toml").out)
+        self.write("auto.scene.toml", "[render]\nnormals = 'model'\ncrease = 'auto'\n" + parts.replace("KEYS", ""))
+        self.assertEqual(picture("auto"), picture("silent", "--normals", "model", "--crease", "auto"))
+        self.assertEqual(picture("auto", "--crease-angle", "180"), picture("silent", "--normals", "model", "--crease-angle", "180"), "a given angle overrides the file")
+        self.assertIn("hard edges: ", self.run_program("inspect", "auto.scene.toml").out)
         self.assertEqual(picture("model", "--weight", "area"), picture("silent", "--normals", "model", "--crease-angle", "180", "--weight", "area"))
 
     def test_files_outside_of_the_folder_need_to_be_allowed(self):

@@ -45,6 +45,26 @@ TEST(Inspect, CountsObjectsMeshesAndAttributes) {
     EXPECT_TRUE(i.scene.meshes.empty());
 }
 
+TEST(Inspect, AutomaticCreasesAreSummarized) {
+    Inspection i;
+    EXPECT_EQ(to_text(i).find("hard edges"), std::string::npos);
+    i.creases.emplace();
+    EXPECT_NE(to_text(i).find("  hard edges: none; soft: none\n"), std::string::npos) << to_text(i);
+    i.creases->hard = 20, i.creases->hard_least_deg = 34.2, i.creases->hard_most_deg = 90;
+    i.creases->soft = 7, i.creases->soft_most_deg = 30;
+    i.creases->rings[6] = 2, i.creases->rings[8] = 1, i.creases->smooth_surfaces = 1;
+    EXPECT_NE(
+        to_text(i).find("  hard edges: 34 to 90 degrees; soft: up to 30 degrees; by convention: 2 prisms of 6 sides "
+                        "as flat, 1 column of 8 sides as round, 1 surface of single triangles as smooth\n"),
+        std::string::npos)
+        << to_text(i);
+    Context context;
+    InspectOptions options;
+    EXPECT_FALSE(inspect(two_squares(), options, context).creases);
+    options.prepare.creases = Creasing::automatic;
+    EXPECT_TRUE(inspect(two_squares(), options, context).creases);
+}
+
 TEST(Inspect, MaterialsThatNoObjectHasAreUnused) {
     Scene scene = two_squares();
     scene.materials.resize(3);

@@ -98,6 +98,7 @@ const std::map<std::string, std::vector<std::string>> examples = {
     {"ambient-occlusion-samples", {"64"}},
     {"normals", {"model"}},
     {"crease-angle", {"33.3"}},
+    {"crease", {"auto"}},
     {"weight", {"angle-area"}},
     {"weld-distance", {"0.001"}},
     {"border-distance", {"0.002"}},
@@ -234,6 +235,17 @@ TEST(RenderKeys, WhatExcludesEachOtherNamesBoth) {
     EXPECT_EQ(fault_of({value("channels", {"nonsense"})}).setting(), "channels");
     EXPECT_NE(std::string(fault_of({value("crease_angle", {"1"})}).what()).find("did you mean 'crease-angle'?"),
               std::string::npos);
+}
+
+TEST(RenderKeys, AutomaticCreasesGoBeforeTheAngle) {
+    EXPECT_EQ(read(std::vector{value("crease-angle", {"40"})}).prepare.creases, Creasing::angle);
+    for (const bool first : {true, false}) {
+        std::vector<WorldValue> both = {value("crease", {"auto"}), value("crease-angle", {"40"})};
+        if (first) std::swap(both[0], both[1]);
+        const PictureRequest request = read(both);
+        EXPECT_EQ(request.prepare.creases, Creasing::automatic);
+        EXPECT_EQ(request.prepare.crease_angle_rad, radians(40));
+    }
 }
 
 TEST(RenderKeys, WhatNoKeySaysIsNotLeftOutInSilence) {
