@@ -202,7 +202,7 @@ private:
             return {CreaseReason::chain, bend > limits_.round};
         }
         if (loose > 0 && wide <= (loose == 2 ? uneven_width : similar_width) * thin)
-            return {CreaseReason::loose, bend > (curved == 2 ? limits_.round : limits_.chamfer)};
+            return {CreaseReason::loose, bend > (curved == 2 && is_similar ? limits_.round : limits_.chamfer)};
         return {CreaseReason::planes, true};
     }
 
