@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
-#include <tuple>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -20,14 +22,43 @@ namespace {
 
 using Decisions = std::vector<std::uint8_t>;  ///< [edges] whether it is hard
 
+/// [edges] Equal where edges are alike before rounding.
+std::vector<std::uint32_t> kinds_of(const CreaseModel& model, const std::vector<ModelEdge>& edges) {
+    // Steps far over what symmetric edges of a model differ by, and far under what its kinds of edges differ by.
+    const auto steps = [](double value) { return std::llround(value * 1e5); };
+    std::vector<double> faces, surfaces;  // areas
+    for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+        const auto& v = model.triangles[t];
+        const dvec3 a = model.exact[v[0]];
+        faces.push_back(0.5 * length(cross(model.exact[v[1]] - a, model.exact[v[2]] - a)));
+        surfaces.resize(std::max(surfaces.size(), std::size_t(model.surfaces[t]) + 1), 0);
+        surfaces[model.surfaces[t]] += faces.back();
+    }
+    std::map<std::array<std::int64_t, 7>, std::uint32_t> known;
+    std::vector<std::uint32_t> out;
+    for (const ModelEdge& edge : edges) {
+        std::array<std::int64_t, 7> kind{edge.is_hard, steps(edge.bend_deg), steps(edge.length)};
+        for (std::size_t side = 0; side < 2; ++side) {
+            kind[3 + side] = steps(faces[edge.triangles[side]]);
+            kind[5 + side] = steps(surfaces[model.surfaces[edge.triangles[side]]]);
+        }
+        if (kind[3] > kind[4]) std::swap(kind[3], kind[4]);
+        if (kind[5] > kind[6]) std::swap(kind[5], kind[6]);
+        out.push_back(known.try_emplace(kind, std::uint32_t(known.size())).first->second);
+    }
+    return out;
+}
+
 /// A model as its file would bring it: objects, positions in float.
 class LoadedModel {
 public:
-    explicit LoadedModel(const CreaseModel& model) : model_(model), edges_(edges_of(model)) {
+    explicit LoadedModel(const CreaseModel& model)
+        : model_(model), edges_(edges_of(model)), kinds_(kinds_of(model, edges_)) {
         for (const dvec3& p : model.positions) positions_.push_back({float(p.x), float(p.y), float(p.z)});
         for (std::uint32_t t = 0; t < model.triangles.size(); ++t) add(t);
     }
     const std::vector<ModelEdge>& edges() const { return edges_; }
+    const std::vector<std::uint32_t>& kinds() const { return kinds_; }  ///< [edges]
 
     /// As AttributeOptions::crease_angle_rad decides.
     Decisions by_angle(double deg) const {
@@ -85,6 +116,7 @@ private:
 
     const CreaseModel& model_;
     std::vector<ModelEdge> edges_;
+    std::vector<std::uint32_t> kinds_;
     std::vector<vec3> positions_;
     std::vector<Object> objects_;
     std::vector<Place> places_;  ///< [T]
@@ -102,22 +134,20 @@ struct Lengths {
     }
 };
 
-struct Judged {
+struct Outcome {
     Lengths lengths;
     CreaseScore score;
 };
 
-std::uint64_t count_mixes(const std::vector<ModelEdge>& edges, const Decisions& decisions) {
-    // Steps far over what symmetric edges of a model differ by, and far under what its kinds of edges differ by.
-    const auto steps = [](double value) { return std::llround(value * 1e5); };
-    std::map<std::tuple<bool, std::int64_t, std::int64_t>, int> kinds;  // which decisions: 1 soft, 2 hard
-    for (std::size_t e = 0; e < edges.size(); ++e)
-        kinds[{edges[e].is_hard, steps(edges[e].bend_deg), steps(edges[e].length)}] |= decisions[e] != 0 ? 2 : 1;
-    return std::uint64_t(std::ranges::count_if(kinds, [](const auto& kind) { return kind.second == 3; }));
+std::uint64_t count_mixes(const std::vector<std::uint32_t>& kinds, const Decisions& decisions) {
+    std::vector<int> which(kinds.size(), 0);  // decisions of a kind: 1 soft, 2 hard
+    for (std::size_t e = 0; e < kinds.size(); ++e) which[kinds[e]] |= decisions[e] != 0 ? 2 : 1;
+    return std::uint64_t(std::ranges::count(which, 3));
 }
 
-Judged judge(const std::vector<ModelEdge>& edges, const Decisions& decisions) {
-    Judged out;
+Outcome judge(const LoadedModel& model, const Decisions& decisions) {
+    const std::vector<ModelEdge>& edges = model.edges();
+    Outcome out;
     std::uint64_t wrong = 0;
     for (std::size_t e = 0; e < edges.size(); ++e) {
         const bool is_meant = edges[e].is_hard, is_decided = decisions[e] != 0;
@@ -127,7 +157,7 @@ Judged judge(const std::vector<ModelEdge>& edges, const Decisions& decisions) {
         wrong += is_meant != is_decided;
     }
     out.score = out.lengths.score();
-    out.score.wrong = wrong, out.score.mixes = count_mixes(edges, decisions);
+    out.score.wrong = wrong, out.score.mixes = count_mixes(model.kinds(), decisions);
     return out;
 }
 
@@ -143,7 +173,7 @@ public:
     Sum(const char* what, std::size_t rules) : total_{.what = what}, lengths_(rules) {
         total_.together.resize(rules), total_.means.resize(rules, {.precision = 0, .recall = 0});
     }
-    void add(const std::vector<Judged>& by_rule) {
+    void add(const std::vector<Outcome>& by_rule) {
         ++total_.models;
         for (std::size_t r = 0; r < by_rule.size(); ++r) {
             const CreaseScore& score = by_rule[r].score;
@@ -186,12 +216,12 @@ CreaseBenchReport bench_creases(const CreaseBenchOptions& options, Context& cont
     for (const CreaseModel& model : models) {
         context.throw_if_cancelled();
         const LoadedModel loaded(model);
-        std::vector<Judged> by_rule;
-        for (const double deg : options.angles_deg) by_rule.push_back(judge(loaded.edges(), loaded.by_angle(deg)));
-        by_rule.push_back(judge(loaded.edges(), loaded.by_rule(context)));
+        std::vector<Outcome> by_rule;
+        for (const double deg : options.angles_deg) by_rule.push_back(judge(loaded, loaded.by_angle(deg)));
+        by_rule.push_back(judge(loaded, loaded.by_rule(context)));
         CreaseBenchRow row{.model = model.name, .is_decidable = model.is_decidable, .is_holdout = model.is_holdout};
         row.triangles = model.triangles.size(), row.hard_share = hard_share(loaded.edges());
-        for (const Judged& judged : by_rule) row.scores.push_back(judged.score);
+        for (const Outcome& outcome : by_rule) row.scores.push_back(outcome.score);
         report.rows.push_back(std::move(row));
         if (model.is_decidable) all.add(by_rule), (model.is_holdout ? holdout : tuned).add(by_rule);
         context.progress("bench", double(report.rows.size()) / double(models.size()));
@@ -254,7 +284,8 @@ std::string to_text(const CreaseBenchReport& report) {
         table.add(mixes);
     }
     return "precision/recall of hard edges by crease angle in degrees and by the automatic rule, weighted by length;\n"
-           "*: equal edges are decided differently; open: the shape leaves open what is hard, totals leave it out\n" +
+           "*: edges that are alike before rounding are decided differently; open: the shape leaves open what is hard, "
+           "totals leave it out\n" +
            table.text("");
 }
 

@@ -9,10 +9,6 @@
 namespace rakelight {
 namespace {
 
-Loop reversed(Loop loop) {
-    std::ranges::reverse(loop);
-    return loop;
-}
 Loop rectangle_at(double half_x, double half_y, double z) {
     return at_height(rectangle(-half_x, -half_y, half_x, half_y).points(), z);
 }

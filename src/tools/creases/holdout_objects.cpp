@@ -9,11 +9,6 @@
 namespace rakelight {
 namespace {
 
-Loop reversed(Loop loop) {
-    std::ranges::reverse(loop);
-    return loop;
-}
-
 /// A frame and a sunken panel with slanted sides on each of six faces.
 Solid crate() {
     const Loop outer = at_height({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, 1),

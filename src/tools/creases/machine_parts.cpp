@@ -9,11 +9,6 @@
 namespace rakelight {
 namespace {
 
-Loop reversed(Loop loop) {
-    std::ranges::reverse(loop);
-    return loop;
-}
-
 /// A hexagonal head, a round shank with a chamfer at its end.
 Solid bolt(int sides) {
     Solid s;

@@ -182,6 +182,11 @@ Loop ring(double radius, double z, int sides, double first_turn) {
     return loop;
 }
 
+Loop reversed(Loop loop) {
+    std::ranges::reverse(loop);
+    return loop;
+}
+
 Loop at_height(const std::vector<dvec2>& points, double z) {
     Loop loop;
     for (const dvec2& p : points) loop.push_back({p.x, p.y, z});

@@ -67,6 +67,7 @@ private:
 /// [turns] `sides` equal steps.
 std::vector<double> even_turns(int sides, double first_turn = 0);
 Loop ring(double radius, double z, int sides, double first_turn = 0);
+Loop reversed(Loop loop);
 Loop at_height(const std::vector<dvec2>& points, double z);
 /// The point moved to a cylinder's coordinates.
 dvec3 around(double radius, double turn, double z);
