@@ -14,7 +14,7 @@ constexpr double chamfer_over_deg = 32;  // two equal bends over this are a cham
 constexpr double fillet_most_deg = 46;   // a fillet of two strips bends at most so in the middle
 constexpr double equal_in_fan = 0.1;
 constexpr double loosely_less = 0.45, loosely_more = 2.2;
-constexpr double twice_least = 1.5, twice_most = 2.4;  // half a bend into a fillet
+constexpr double twice_least = 1.5, twice_most = 3;  // half a bend into a fillet
 constexpr double same_width = 1.3, similar_width = 2.5, uneven_width = 4, strip_width = 1.6;
 constexpr double planes_share = 0.2;         // of the area: a surface with less in planes has none
 constexpr std::uint32_t small_surface = 64;  // faces

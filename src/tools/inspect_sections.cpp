@@ -49,7 +49,7 @@ std::string crease_text(const Inspection& i) {
 std::vector<std::string> crease_lines(const Inspection& i) {
     if (!i.creases) return {};
     const CreaseReport& c = *i.creases;
-    const auto rounded = [](double deg) { return number(deg, "%.0f"); };
+    const auto rounded = [](double deg) { return number(deg, deg < 1 ? "%.1f" : "%.0f"); };
     std::string line = "hard edges: ";
     if (c.hard == 0)
         line += "none";
