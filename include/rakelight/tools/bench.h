@@ -109,9 +109,8 @@ struct CreaseScore {
     double precision = 1;     ///< share of what is decided hard that is meant hard; 1 if nothing is decided hard
     double recall = 1;        ///< share of what is meant hard that is decided hard; 1 if nothing is meant hard
     std::uint64_t wrong = 0;  ///< edges that are decided otherwise than meant
-    /// Kinds of edges of which some are decided hard and some soft. Edges are of one kind if, before positions are
-    /// rounded, their lengths, their bends and the areas of their faces and surfaces are equal, and what they are meant
-    /// to be: a mix is a whim of the rounding.
+    /// Kinds of edges of which some are decided hard and some soft, by a whim of the rounding. Edges of one kind are
+    /// meant alike. Before rounding their lengths, their bends and the areas of their faces and surfaces are equal.
     std::uint64_t mixes = 0;
 };
 
