@@ -63,7 +63,7 @@ struct Creases {
 ///      to `round_most_deg`. Two are a chamfer, which is hard over 32 degrees.
 ///    - Far bends within a factor of 2.2, planes of similar width: soft up to `round_most_deg` if both sides have such
 ///      far bends, a round shape of changing radius. With one such side hard over 32 degrees.
-///    - All others are hard.
+///    - All others are hard, except that a strip of a fillet may end softly at a round corner (up to 25 degrees).
 ///
 /// A threshold moves by up to 2 degrees into the widest gap between the bends of the model, so that rounding never
 /// divides edges of one kind. At an edge of more than two faces, the two with the nearest normals and opposite

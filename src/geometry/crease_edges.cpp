@@ -7,6 +7,7 @@
 
 #include "geometry/crease_rule.h"
 #include "geometry/grouping.h"
+#include "geometry/round_corners.h"
 
 namespace rakelight::geometry {
 namespace {
@@ -121,7 +122,8 @@ CreaseEdges decide_creases(const AttributeInput& input, const std::vector<std::u
     const BentEdges bent = find_bent_edges(placed, normals, context);
     context.throw_if_cancelled();
     const std::vector<PlaneSide> widths = plane_widths(bent, input, context);
-    const std::vector<CreaseDecision> decisions = apply_crease_rule(bent, widths, context);
+    std::vector<CreaseDecision> decisions = apply_crease_rule(bent, widths, context);
+    soften_round_corners(bent, decisions, context);
     CreaseEdges out;
     set_bits(bent, decisions, out);
     out.report = report_of(bent, widths, decisions);

@@ -92,6 +92,39 @@ TEST(CreaseEdges, ChamfersAreHardAndFilletsAreSoft) {
     expect_as_meant(make_fillets(4, 0.2, 1e-3), "rounded fillet");
 }
 
+/// A box of size 2 whose edges are rounded in strips, and whose corners are parts of spheres.
+HardShape make_rounded_box(int strips, double radius) {
+    HardBuilder b;
+    const int n = 4 * strips + 4;  // columns: each quarter has strips + 1
+    const auto point = [&](int column, int row) {
+        const int quarter = (column / (strips + 1)) % 4, i = column % (strips + 1);
+        const bool upper = row > strips;
+        const double a = pi / 2 * (quarter + double(i) / strips),
+                     e = pi / 2 * (double(upper ? row - 1 : row) / strips - 1), c = 1 - radius;
+        const double x = quarter == 0 || quarter == 3 ? c : -c, y = quarter < 2 ? c : -c;
+        return dvec3{x + radius * std::cos(e) * std::cos(a), y + radius * std::cos(e) * std::sin(a),
+                     (upper ? c : -c) + radius * std::sin(e)};
+    };
+    const int rows = 2 * strips + 1;
+    for (int r = 0; r < rows; ++r)
+        for (int k = 0; k < n; ++k)
+            b.polygon({point(k, r), point((k + 1) % n, r), point((k + 1) % n, r + 1), point(k, r + 1)}, 0);
+    const auto lid = [&](int row, bool up) {
+        std::vector<dvec3> ring;
+        for (int q = 0; q < 4; ++q) ring.push_back(point(q * (strips + 1), row));
+        b.polygon(up ? ring : std::vector<dvec3>(ring.rbegin(), ring.rend()), 0);
+    };
+    lid(0, false), lid(rows, true);
+    return b.take();
+}
+
+TEST(CreaseEdges, RoundedCornersAreSoft) {
+    for (const int strips : {3, 4, 8}) {
+        const HardShape box = make_rounded_box(strips, 0.2);
+        EXPECT_TRUE(hard_edges({box.shape}).empty()) << strips << ": " << hard_edges({box.shape}).size();
+    }
+}
+
 TEST(CreaseEdges, GearsAreHard) {
     for (const double step : {0.0, 1e-3, 1e-2}) expect_as_meant(make_gear(step), "gear");
 }
