@@ -26,8 +26,12 @@ void measure_smooth(const Run&);
 void measure_render(const Run&);
 void measure_pose(const Run&);
 void measure_normals(const Run&);
-constexpr Word<Measure> measurements[] = {
-    {"smooth", measure_smooth}, {"render", measure_render}, {"pose", measure_pose}, {"normals", measure_normals}};
+void measure_creases(const Run&);
+constexpr Word<Measure> measurements[] = {{"smooth", measure_smooth},
+                                          {"render", measure_render},
+                                          {"pose", measure_pose},
+                                          {"normals", measure_normals},
+                                          {"creases", measure_creases}};
 constexpr Word<bool> orders[] = {{"coherent", false}, {"shuffled", true}};
 constexpr Word<int> rows[] = {{"crease", 1},   {"tolerance", 2}, {"order", 4}, {"plan", 8},
                               {"borders", 16}, {"weights", 32},  {"all", 63}};
@@ -97,8 +101,9 @@ Command bench_command() {
             "Measure the speed of the program next to baselines",
             bench_footer,
             {{"WHAT",
-              "What to measure: smooth (normals and tangents), render (pictures), pose (clips) or "
-              "normals (errors by each weight on surfaces with known normals)",
+              "What to measure: smooth (normals and tangents), render (pictures), pose (clips), "
+              "normals (errors by each weight on surfaces with known normals) or creases (what crease angles and the "
+              "automatic rule find on models with known hard edges)",
               true, false, apps::names_of<measurements>},
              {"SCENE",
               "For render: a model or world file, or builtin:teapot; for pose: a model with clips (default: generated)",
@@ -238,6 +243,7 @@ PoseBenchOptions pose_options(const Run& run) {
 /// What the program's own models may ask for: no file does.
 std::uint64_t memory_for(const SmoothBenchOptions& o) { return o.triangles * (o.order ? 500 : 400) + (1u << 30); }
 std::uint64_t memory_for(const NormalBenchOptions&) { return 1u << 30; }
+std::uint64_t memory_for(const CreaseBenchOptions&) { return 1u << 30; }
 std::uint64_t memory_for(const PoseBenchOptions& o) { return o.scene.empty() ? o.triangles * 1000 + (2ull << 30) : 0; }
 std::uint64_t memory_for(const RenderBenchOptions& o) {
     return o.scene.empty() ? o.triangles * 1200 + (4ull << 30) : 0;
@@ -261,20 +267,31 @@ void measure(const Run& run, const Options& options, const Bench& bench, Loudnes
 
 void measure_smooth(const Run& run) { measure(run, smooth_options(run), bench_smooth, Loudness::quiet); }
 void measure_render(const Run& run) { measure(run, render_options(run), bench_render, run.loudness); }
-NormalBenchOptions normal_options(const Run& run) {
-    const Given& given = run.given;
-    if (run.inputs.size() > 1) throw Error(ErrorCode::usage, "bench normals takes no scene");
-    refuse(given, "normals",
+/// Of a measurement that makes its own models and takes no settings.
+void refuse_all(const Run& run, const char* what) {
+    if (run.inputs.size() > 1) throw Error(ErrorCode::usage, std::string("bench ") + what + " takes no scene");
+    refuse(run.given, what,
            {"triangles", "objects", "order", "with", "brute-force", "lights", "engine", "frames", "output", "export",
             "joints"});
-    for (const WorldValue& value : given.settings())
-        throw Error(ErrorCode::usage, "--" + value.key + " does not apply to bench normals");
+    for (const WorldValue& value : run.given.settings())
+        throw Error(ErrorCode::usage, "--" + value.key + " does not apply to bench " + what);
+}
+
+NormalBenchOptions normal_options(const Run& run) {
+    refuse_all(run, "normals");
     NormalBenchOptions o;
-    read_count(given, "repetitions", o.repetitions, 1, 100);
+    read_count(run.given, "repetitions", o.repetitions, 1, 100);
     return o;
 }
 
+CreaseBenchOptions crease_options(const Run& run) {
+    refuse_all(run, "creases");
+    refuse(run.given, "creases", {"repetitions"});
+    return {};
+}
+
 void measure_normals(const Run& run) { measure(run, normal_options(run), bench_normals, Loudness::quiet); }
+void measure_creases(const Run& run) { measure(run, crease_options(run), bench_creases, Loudness::quiet); }
 void measure_pose(const Run& run) { measure(run, pose_options(run), bench_pose, run.loudness); }
 
 }  // namespace

@@ -17,6 +17,7 @@ constexpr double plane_deg = 0.05;       // neighbors that bend by this are one 
 constexpr double most_slack_deg = 12;    // more rounding than this says nothing about a plane
 constexpr double three_sigma = 3;        // of the tilt of two faces of one height whose corners are rounded
 constexpr double lies_in = 4;            // roundings: a thin face lies in a plane if no corner is farther from it
+constexpr double any_turn_deg = 70;      // a face that rounding may turn so far may have any normal
 constexpr std::size_t most_paired = 16;  // more faces at one edge are not paired
 constexpr std::uint32_t no_face = 0xffffffffu;
 
@@ -114,37 +115,45 @@ private:
 
     bool is_thin(std::uint32_t face) const { return double(rounding_deg_[face]) > most_slack_deg; }
 
-    // A face so thin that rounding decides about its normal takes the normal of a neighbor whose plane it lies in.
-    // Neighbors that are thin themselves are followed in the next rounds.
+    // A face so thin that rounding decides about its normal takes the normal of a neighbor whose plane it lies in, and
+    // whose normal rounding can have turned into its own. Neighbors that are thin themselves are followed in the next
+    // rounds. Neighbors at a short edge come last: a needle lies in many planes through its tip.
     void anchor_thin_faces() {
         constexpr int rounds = 4;
         anchor_.resize(input_.triangle_count());
         for (std::uint32_t t = 0; t < anchor_.size(); ++t) anchor_[t] = is_thin(t) ? no_face : t;
-        for (int round = 0; round < rounds; ++round) {
-            std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
-            for (std::uint32_t t = 0; t < anchor_.size(); ++t)
-                if (anchor_[t] == no_face && out_.is_face[t])
-                    if (const std::uint32_t a = anchor_for(t); a != no_face) found.emplace_back(t, a);
-            for (const auto& [face, anchor] : found) anchor_[face] = anchor;
-            if (found.empty()) break;
-        }
+        for (const double least_share : {0.5, 0.0})
+            for (int round = 0; round < rounds; ++round) {
+                std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+                for (std::uint32_t t = 0; t < anchor_.size(); ++t)
+                    if (anchor_[t] == no_face && out_.is_face[t])
+                        if (const std::uint32_t a = anchor_for(t, least_share); a != no_face) found.emplace_back(t, a);
+                for (const auto& [face, anchor] : found) anchor_[face] = anchor;
+                if (found.empty()) break;
+            }
         for (std::uint32_t t = 0; t < anchor_.size(); ++t)
             if (anchor_[t] == no_face) anchor_[t] = t;
     }
 
-    std::uint32_t anchor_for(std::uint32_t face) const {
+    // @param least_share  of the longest edge: neighbors at shorter edges do not count
+    std::uint32_t anchor_for(std::uint32_t face, double least_share) const {
         const FacePoints points = face_points(input_, face);
+        double edge[3];
+        for (std::uint32_t k = 0; k < 3; ++k) edge[k] = length(points.p[(k + 1) % 3] - points.p[k]);
+        const double least = least_share * std::max({edge[0], edge[1], edge[2]});
+        const double turned = double(rounding_deg_[face]);  // rounding alone turned its normal by no more
         const double reach = lies_in * error_[input_.mesh_of_triangle(face)];
         std::uint32_t best = no_face;
         double best_cosine = -2;
         for (std::uint32_t k = 0; k < 3; ++k) {
             const std::uint32_t e = out_.edge_of_corner[3 * face + k];
-            if (e == no_edge) continue;
+            if (e == no_edge || edge[k] < least) continue;
             const std::uint32_t other = out_.edges[e].face(out_.edges[e].face(0) == face), anchor = anchor_[other];
             if (anchor == no_face) continue;
             const dvec3 n = normals_[anchor];
             if (std::fabs(dot(n, points.p[(k + 2) % 3] - points.p[k])) > reach) continue;
             const double cosine = dot(n, normals_[face]);
+            if (turned < any_turn_deg && degrees_of(length(cross(n, normals_[face])), cosine) > turned) continue;
             if (cosine > best_cosine) best = anchor, best_cosine = cosine;
         }
         return best;

@@ -12,10 +12,10 @@ namespace {
 // Bends in degrees, all others are ratios.
 constexpr double chamfer_over_deg = 32;  // two equal bends over this are a chamfer
 constexpr double fillet_most_deg = 46;   // a fillet of two strips bends at most so in the middle
-constexpr double equal_bends = 0.15, equal_in_fan = 0.1;
+constexpr double equal_in_fan = 0.1;
 constexpr double loosely_less = 0.45, loosely_more = 2.2;
-constexpr double twice_least = 1.6, twice_most = 3;  // half a bend into a fillet
-constexpr double same_width = 1.3, similar_width = 2.5, strip_width = 1.6;
+constexpr double twice_least = 1.5, twice_most = 3;  // half a bend into a fillet
+constexpr double same_width = 1.3, similar_width = 2.5, uneven_width = 4, strip_width = 1.6;
 constexpr double planes_share = 0.2;         // of the area: a surface with less in planes has none
 constexpr std::uint32_t small_surface = 64;  // faces
 constexpr double moves_deg = 2;              // thresholds move by so much at most
@@ -74,10 +74,29 @@ Sizes count_faces(const BentEdges& bent) {
     return s;
 }
 
+/// [T] of planes: two triangles that lie in one plane by chance, or because a cut made a square of a triangle. Up to its
+/// hard borders such a plane meets single triangles only.
+std::vector<std::uint8_t> find_chance_planes(const BentEdges& bent, const Sizes& sizes, double hard_deg) {
+    constexpr std::uint8_t meets_single = 1, meets_plane = 2;
+    std::vector<std::uint8_t> meets(bent.plane_of.size(), 0);
+    for (const BentEdge& e : bent.edges) {
+        if (bent.plane(e, 0) == bent.plane(e, 1) || std::fabs(double(e.bend_deg)) >= hard_deg) continue;
+        for (const int side : {0, 1})
+            meets[bent.plane(e, side)] |=
+                sizes.faces_of_plane[bent.plane(e, 1 - side)] >= 2 ? meets_plane : meets_single;
+    }
+    for (std::size_t t = 0; t < meets.size(); ++t) meets[t] = meets[t] == meets_single && sizes.faces_of_plane[t] == 2;
+    return meets;
+}
+
 class Rule {
 public:
     Rule(const BentEdges& bent, const std::vector<PlaneSide>& widths)
-        : bent_(bent), widths_(widths), limits_(settle_thresholds(bent)), sizes_(count_faces(bent)) {}
+        : bent_(bent),
+          widths_(widths),
+          limits_(settle_thresholds(bent)),
+          sizes_(count_faces(bent)),
+          is_chance_(find_chance_planes(bent, sizes_, limits_.hard)) {}
 
     CreaseDecision decide(std::uint32_t e) const {
         const BentEdge& edge = bent_.edges[e];
@@ -97,7 +116,7 @@ private:
 
     bool is_flat(const BentEdge& e, int side) const {
         return sizes_.has_planes[bent_.surface_of[e.face(side)]] != 0 &&
-               sizes_.faces_of_plane[bent_.plane(e, side)] >= 2;
+               sizes_.faces_of_plane[bent_.plane(e, side)] >= 2 && is_chance_[bent_.plane(e, side)] == 0;
     }
 
     /// Whether edge `other` bends as much as `e` times a factor, within a share and the rounding of both.
@@ -135,13 +154,16 @@ private:
         return nullptr;
     }
 
+    static bool are_similar(float a, float b) { return std::max(a, b) <= float(similar_width) * std::min(a, b); }
+
     /// Whether a third bend follows: a round shape. Two equal bends are a chamfer.
     bool has_three(std::uint32_t e, const bool (&is_equal)[2]) const {
         if (is_equal[0] && is_equal[1]) return true;
         for (const int side : {0, 1}) {
             if (!is_equal[side]) continue;
             const PlaneSide* const next = beyond(bent_.plane(bent_.edges[e], side), side_of(e, side).far);
-            if (next && next->far != no_edge && bends_as(next->far, e, equal_bends)) return true;
+            if (!next || next->far == no_edge || !are_similar(next->width, side_of(e, side).width)) continue;
+            if (bends_as(next->far, e, equal_bends)) return true;
         }
         return false;
     }
@@ -150,6 +172,7 @@ private:
     bool is_tangent(std::uint32_t e, int narrow) const {
         const std::uint32_t far = side_of(e, narrow).far;
         if (far == no_edge) return false;
+        if (size(far) > limits_.round) return false;  // no fillet bends so much within itself
         const double ratio = double(bent_.edges[far].bend_deg) / double(bent_.edges[e].bend_deg);
         if (ratio < twice_least || ratio > twice_most) return false;
         const PlaneSide* const next = beyond(bent_.plane(bent_.edges[e], narrow), far);
@@ -178,8 +201,8 @@ private:
             if (bend > limits_.chamfer && !has_three(e, is_equal)) return {CreaseReason::chamfer, true};
             return {CreaseReason::chain, bend > limits_.round};
         }
-        if (loose > 0 && is_similar)
-            return {CreaseReason::loose, bend > (curved == 2 ? limits_.round : limits_.chamfer)};
+        if (loose > 0 && wide <= (loose == 2 ? uneven_width : similar_width) * thin)
+            return {CreaseReason::loose, bend > (curved == 2 && is_similar ? limits_.round : limits_.chamfer)};
         return {CreaseReason::planes, true};
     }
 
@@ -187,6 +210,7 @@ private:
     const std::vector<PlaneSide>& widths_;
     Thresholds limits_;
     Sizes sizes_;
+    std::vector<std::uint8_t> is_chance_;
 };
 
 }  // namespace

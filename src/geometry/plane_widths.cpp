@@ -23,14 +23,17 @@ struct Border {
     std::uint32_t edge;  // no_edge: an open edge
     std::uint32_t side;
     dvec3 from, middle, along;
+    double bend_deg;  // of the edge
 };
 
 double distance_from_line(dvec3 q, dvec3 along) { return length(q - along * dot(q, along)); }
 
-/// The farthest candidate; of several at one distance the one straight across.
+/// The farthest candidate. Of several at one distance one that bends as the edge itself, for the side of a strip may
+/// end at other faces here and there; then the one straight across.
 struct Farthest {
     double width = 0, distance = 0, shift = 0;
     std::uint32_t edge = no_edge;
+    bool is_equal = false;
 
     void see(const Border& from, const Border& b) {
         if (b.edge == no_edge || b.edge == from.edge || std::fabs(dot(b.along, from.along)) < parallel) return;
@@ -38,8 +41,10 @@ struct Farthest {
         const double d = distance_from_line(q, from.along), s = std::fabs(dot(q, from.along));
         if (d < far_share * width) return;
         const double slack = same_distance * width;
-        if (edge != no_edge && (d < distance - slack || (d <= distance + slack && s >= shift))) return;
-        distance = std::max(d, distance), shift = s, edge = b.edge;
+        const bool bends_equally = std::fabs(b.bend_deg - from.bend_deg) < equal_bends * std::fabs(from.bend_deg);
+        const bool is_better = bends_equally != is_equal ? bends_equally : s < shift;
+        if (edge != no_edge && (d < distance - slack || (d <= distance + slack && !is_better))) return;
+        distance = std::max(d, distance), shift = s, edge = b.edge, is_equal = bends_equally;
     }
     PlaneSide side() const { return {float(width), edge}; }
 };
@@ -156,8 +161,8 @@ void gather_borders(const BentEdges& bent, const AttributeInput& input, std::spa
             const std::uint32_t e = bent.edge_of_corner[3 * t + k];
             if (e != no_edge && bent.plane(bent.edges[e], 0) == bent.plane(bent.edges[e], 1)) continue;
             const dvec3 a = f.p[k], b = f.p[(k + 1) % 3];
-            out.push_back(
-                {e, e != no_edge && bent.edges[e].corner[0] != 3 * t + k, a, (a + b) * 0.5, direction_of(b - a).unit});
+            out.push_back({e, e != no_edge && bent.edges[e].corner[0] != 3 * t + k, a, (a + b) * 0.5,
+                           direction_of(b - a).unit, e == no_edge ? 0 : double(bent.edges[e].bend_deg)});
         }
     }
 }

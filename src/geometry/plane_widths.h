@@ -7,6 +7,8 @@
 
 namespace rakelight::geometry {
 
+constexpr double equal_bends = 0.15;  ///< of a bend: bends that differ by less count as equal
+
 /// One plane seen from one of its edges.
 struct PlaneSide {
     float width = 0;              ///< [m] largest distance of a corner of the plane from the line of the edge
