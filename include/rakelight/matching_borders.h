@@ -21,7 +21,9 @@ struct MatchOptions {
     Scope scope = Scope::model;             ///< `object`: meshes match only within one object; `face`: no meshes match
     double crease_angle_rad = radians(60);  ///< as AttributeOptions::crease_angle_rad, for the faces at the gap
     double weld_distance = -1;              ///< as AttributeOptions::weld_distance
-    CornerWeight weight = CornerWeight::angle;  ///< weight of normals in the sums of join_borders()
+    /// Weight of normals in the sums of join_borders(). With `fit` and `automatic`, normals of leading vertices are
+    /// fitted to the positions of both sides, unless `keep_flat` says that some normals are authored.
+    CornerWeight weight = CornerWeight::angle;
     /// For authored normals: borders stay separate if the faces of both sides are authored flat and their normals
     /// differ by more than `authored_flat_deg` (seams.h).
     bool keep_flat = false;
@@ -79,6 +81,11 @@ RL_API BorderMatch match_borders(std::span<const AttributeMesh> meshes, const Ma
 /// that follow its edges. A following vertex divides its contribution between the two ends of the leading edge, by hat
 /// functions. The following vertex itself gets the normalized linear interpolation of the normals at these two ends.
 /// Changes of at most 0.01 degrees are not applied.
+///
+/// With CornerWeight::fit and CornerWeight::automatic, a leading vertex whose followers do not agree yet gets the normal
+/// of a height function fitted to two rings of neighbors on both sides, as far as it is trusted. Where it is not, the
+/// sums above: with the weights of `max` beyond gaps, of `angle` where positions are noisy. The rings are found by
+/// match_borders(), and hold for all poses.
 ///
 /// Tangents are computed in the same way if both sides have the same handedness and their tangents differ by at most 45
 /// degrees. Otherwise each tangent rotates with its normal.

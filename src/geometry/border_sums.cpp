@@ -7,6 +7,7 @@
 
 #include "base/cancel_check.h"
 #include "geometry/authored_normals.h"
+#include "geometry/border_fits.h"
 #include "geometry/corner_weights.h"
 #include "geometry/finish_vertices.h"
 #include "geometry/orthogonality.h"
@@ -31,11 +32,13 @@ double weight_of_corner(CornerWeight weight, const AttributeInput& input, std::u
 }  // namespace
 
 BorderSums::BorderSums(const AttributeInput& input, std::span<const std::span<const vec4>> tangents,
-                       const BorderNodes& nodes, std::span<const BorderLink> links, CornerWeight weight)
+                       const BorderNodes& nodes, std::span<const BorderLink> links, const BorderRings& rings,
+                       CornerWeight weight)
     : input_(input),
       given_tangents_(tangents),
       nodes_(nodes),
       links_(links),
+      rings_(rings),
       weight_(weight),
       is_open_(nodes.count(), 0),
       role_(nodes.count(), no_part),
@@ -55,6 +58,8 @@ std::vector<MeshSeams> BorderSums::run(MatchReport& report, Context& context) {
     if (!given_tangents_.empty()) read_tangents();
     share_out();
     lead();
+    if (!rings_.node.empty()) fit_leaders(context);
+    if (!tangents_.empty()) lead_tangents();
     follow();
     std::vector<MeshSeams> out(input_.meshes.size());
     double sum = 0;
@@ -189,9 +194,38 @@ void BorderSums::lead() {
         if (role_[node] != leads) continue;
         if (is_open_[node] != 0 && length(sums_[node]) > cancelled_share * weights_[node])
             normals_[node] = normalize_or(sums_[node], normals_[node]);
-        for (std::uint32_t i = nodes_.member_begin[node]; !tangents_.empty() && i < nodes_.member_begin[node + 1]; ++i)
-            if (const Tangent& lead = tangents_[tangents_[i].lead]; lead.received) set_tangent(i, lead.sum);
     }
+}
+
+/// Votes by angles beside those of `weight_`, then fits.
+void BorderSums::fit_leaders(Context& context) {
+    context.memory().check(nodes_.count() * sizeof(dvec3), "fitting borders");
+    std::vector<dvec3> by_angle(nodes_.count());
+    CancelCheck check(context);
+    for (std::uint32_t node = 0; node < nodes_.count(); ++node) {
+        if (role_[node] == no_part) continue;
+        for (std::uint32_t i = nodes_.member_begin[node]; i < nodes_.member_begin[node + 1]; ++i) {
+            const std::uint32_t m = mesh_of(i), v = nodes_.members[i] - input_.vertex_base[m];
+            double weight = 0;
+            for (const std::uint32_t corner : nodes_.corners_of(i)) {
+                check();
+                weight += weight_of_corner(CornerWeight::angle, input_, m, corner);
+            }
+            by_angle[node] += given_normal(input_.placements[m], input_.meshes[m].normals[v]) * weight;
+        }
+    }
+    for (std::size_t l = links_.size(); l-- > 0;) {
+        by_angle[links_[l].node_a] += by_angle[links_[l].node] * (1 - links_[l].t);
+        by_angle[links_[l].node_b] += by_angle[links_[l].node] * links_[l].t;
+    }
+    fit_borders(input_, nodes_, links_, rings_, {is_open_, by_angle, normals_}, context);
+}
+
+void BorderSums::lead_tangents() {
+    for (std::uint32_t node = 0; node < nodes_.count(); ++node)
+        for (std::uint32_t i = nodes_.member_begin[node]; role_[node] == leads && i < nodes_.member_begin[node + 1];
+             ++i)
+            if (const Tangent& lead = tangents_[tangents_[i].lead]; lead.received) set_tangent(i, lead.sum);
 }
 
 void BorderSums::follow() {

@@ -6,16 +6,17 @@
 
 #include <rakelight/matching_borders.h>
 
-#include "geometry/border_links.h"
+#include "geometry/border_rings.h"
 
 namespace rakelight::geometry {
 
 class BorderSums {
 public:
     /// @param links  by depth
+    /// @param rings  for fits of leaders; empty: these get their sums
     /// All outlive it.
     BorderSums(const AttributeInput& input, std::span<const std::span<const vec4>> tangents, const BorderNodes& nodes,
-               std::span<const BorderLink> links, CornerWeight weight);
+               std::span<const BorderLink> links, const BorderRings& rings, CornerWeight weight);
     std::vector<MeshSeams> run(MatchReport& report, Context& context);
 
 private:
@@ -35,6 +36,8 @@ private:
     dvec3 between(const BorderLink& link) const;
     dvec3 tangent_between(const BorderLink& link) const;
     void lead();
+    void fit_leaders(Context& context);
+    void lead_tangents();
     void follow();
     void set_tangent(std::uint32_t member, dvec3 sum);
     void write(std::uint32_t node, std::vector<MeshSeams>& out, MatchReport& report, double& sum) const;
@@ -45,6 +48,7 @@ private:
     std::span<const std::span<const vec4>> given_tangents_;
     const BorderNodes& nodes_;
     std::span<const BorderLink> links_;
+    const BorderRings& rings_;
     CornerWeight weight_;
     std::vector<std::uint8_t> is_open_;  ///< [nodes] a follower does not agree yet
     std::vector<std::uint8_t> role_;     ///< [nodes]

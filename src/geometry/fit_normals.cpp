@@ -7,8 +7,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "geometry/face_vote.h"
-#include "geometry/fit_quality.h"
+#include "geometry/fit_trust.h"
 #include "geometry/group_planes.h"
 #include "geometry/height_fit.h"
 #include "geometry/place_faces.h"
@@ -16,13 +15,6 @@
 
 namespace rakelight::geometry {
 namespace {
-
-dvec3 unit_or(dvec3 v, dvec3 otherwise) {
-    const Direction d = direction_of(v);
-    return d.length > 0 ? d.unit : otherwise;
-}
-dvec3 blend(dvec3 a, dvec3 b, double share) { return unit_or(a * (1 - share) + b * share, a); }
-double angle_rad(dvec3 a, dvec3 b) { return corner_angle(length(cross(a, b)), dot(a, b)); }
 
 /// What the fits of a place say, for itself.
 struct Fits {
@@ -241,7 +233,7 @@ private:
         const auto fit_wide = [&] {
             memory.batch.fit_wide();
             for (std::uint32_t place = 0; place < memory.batch.size(); ++place)
-                decisions[wide[place]].wide_normal = memory.batch.wide_normal(place);
+                decisions[wide[place]].wide_normal = memory.batch.wide(place).normal;
             memory.batch.clear(), wide.clear();
         };
         std::vector<std::uint32_t> planes;
@@ -336,8 +328,7 @@ private:
         const double c = double(qualities_[i].least_cosine);
         if (dot(n, mean) >= c || mean == dvec3{}) return n;
         const double spread = corner_angle(std::sqrt(std::max(1 - c * c, 0.0)), c);
-        const double off = angle_rad(n, mean), most = (fits_[i].border ? 3 : 1) * spread + radians(1);
-        return off > most ? blend(mean, n, most / off) : n;
+        return geometry::bounded(n, mean, (fits_[i].border ? 3 : 1) * spread + radians(1));
     }
 
     const VoteSums& sums_;

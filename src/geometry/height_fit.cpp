@@ -40,11 +40,7 @@ HeightJob HeightBatch::job() {
 }
 
 void HeightBatch::fit() { kernels_.fit(job(), result_); }
-void HeightBatch::fit_wide() { kernels_.wide(job(), wide_); }
-
-dvec3 HeightBatch::wide_normal(std::uint32_t place) const {
-    return {wide_[0][place], wide_[1][place], wide_[2][place]};
-}
+void HeightBatch::fit_wide() { kernels_.wide(job(), wide_, result_.weight); }
 
 HeightFit HeightBatch::fit_at(const HeightNumbers& numbers, std::uint32_t place) const {
     return {{numbers.normal[0][place], numbers.normal[1][place], numbers.normal[2][place]},
@@ -59,7 +55,7 @@ HeightFit fit_height(std::span<const dvec3> neighbors, dvec3 normal, HeightForm 
     batch.add(neighbors, 1, normal);
     if (form == HeightForm::wide) {
         batch.fit_wide();
-        return {.normal = batch.wide_normal(0)};
+        return batch.wide(0);
     }
     batch.fit();
     return form == HeightForm::cubic ? batch.cubic(0) : batch.quadric(0);

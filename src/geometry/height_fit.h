@@ -50,7 +50,7 @@ public:
 
     /// Fits a wide quadric to all places.
     void fit_wide();
-    dvec3 wide_normal(std::uint32_t place) const;
+    HeightFit wide(std::uint32_t place) const { return fit_at(wide_, place); }
 
 private:
     HeightJob job();
@@ -60,7 +60,7 @@ private:
     std::vector<double> neighbors_;  ///< [rows][3][height_lanes]
     std::uint32_t counts_[height_lanes] = {}, size_ = 0;
     double normals_[3][height_lanes] = {};
-    double wide_[3][height_lanes] = {};
+    HeightNumbers wide_{};
     HeightResult result_{};
 };
 

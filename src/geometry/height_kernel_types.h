@@ -28,7 +28,7 @@ struct HeightResult {
 /// All arithmetic in double and in one order: the same bits for every instruction set.
 struct HeightKernels {
     void (*fit)(const HeightJob& job, HeightResult& out);
-    void (*wide)(const HeightJob& job, double (&normal)[3][height_lanes]);
+    void (*wide)(const HeightJob& job, HeightNumbers& out, double (&weight)[height_lanes]);
 };
 
 namespace scalar {

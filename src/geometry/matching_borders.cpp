@@ -11,6 +11,7 @@
 #include "geometry/border_links.h"
 #include "geometry/border_sums.h"
 #include "geometry/border_surface.h"
+#include "geometry/fit_normals.h"
 #include "geometry/open_edges.h"
 
 namespace rakelight {
@@ -20,6 +21,7 @@ struct BorderMatch::Impl {
     std::vector<std::uint32_t> vertices, triangles;  ///< [meshes] counts required by join_borders()
     geometry::BorderNodes nodes;
     geometry::BorderLinks links;
+    geometry::BorderRings rings;  ///< empty: no normals are fitted
 };
 
 bool BorderMatch::is_empty() const { return impl_->links.links.empty(); }
@@ -39,6 +41,8 @@ BorderMatch match_borders(std::span<const AttributeMesh> meshes, const MatchOpti
     const geometry::BorderSearch search(surface.edges, surface.placed.input, options, context);
     impl->links = geometry::link_borders(search, surface.placed.input, impl->nodes, options.distance, context);
     if (impl->links.links.empty()) impl->nodes = {};
+    if (geometry::is_fitted(options.weight) && !options.keep_flat)
+        impl->rings = geometry::border_rings(surface.placed, impl->nodes, impl->links.links, context);
     return BorderMatch(std::move(impl));
 }
 
@@ -59,7 +63,7 @@ std::vector<MeshSeams> join_borders(const BorderMatch& match, std::span<const At
             (!tangents.empty() && !tangents[m].empty() && tangents[m].size() != impl.vertices[m]))
             refuse(m);
     const geometry::AttributeInput input = geometry::number_input(meshes);
-    return geometry::BorderSums(input, tangents, impl.nodes, impl.links.links, impl.options.weight)
+    return geometry::BorderSums(input, tangents, impl.nodes, impl.links.links, impl.rings, impl.options.weight)
         .run(report, context);
 }
 

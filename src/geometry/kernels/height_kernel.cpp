@@ -192,11 +192,12 @@ RL_INLINE void solve(const Factored<K>& f, uint32_t used, numbers (&x)[K]) {
 }
 
 /// Traces of the inverse of the first five equations' matrix and of all.
-RL_INLINE void traces(const Factored<9>& f, numbers& of_five, numbers& of_all) {
+template <uint32_t K>
+RL_INLINE void traces(const Factored<K>& f, numbers& of_five, numbers& of_all) {
     of_five = of_all = all(0);
-    for (uint32_t c = 0; c < 9; ++c) {  // a column of the factor's inverse
-        numbers x[9];
-        for (uint32_t i = c; i < 9; ++i) {
+    for (uint32_t c = 0; c < K; ++c) {  // a column of the factor's inverse
+        numbers x[K];
+        for (uint32_t i = c; i < K; ++i) {
             numbers s = all(i == c ? 1.0 : 0.0);
             for (uint32_t k = c; k < i; ++k) s -= f.l[i][k] * x[k];
             x[i] = s * f.l[i][i];
@@ -216,11 +217,13 @@ RL_INLINE void store(double (&to)[3][height_lanes], uint32_t lane, const Three& 
     store(to[0] + lane, v.x), store(to[1] + lane, v.y), store(to[2] + lane, v.z);
 }
 
-/// @param used   5: the quadric, 9: the cubic
+/// @param used   5: the quadric, K: all
 /// @param trace  of the inverse of their matrix
-RL_INLINE void conclude(const Factored<9>& f, uint32_t used, numbers trace, const Axes& axes, const QuadricSums& s,
-                        uint32_t lane, HeightNumbers& out) {
-    numbers x[9], left = s.heights, most = all(0);
+/// @return the normal
+template <uint32_t K>
+RL_INLINE Three conclude(const Factored<K>& f, uint32_t used, numbers trace, const Axes& axes, const QuadricSums& s,
+                         uint32_t lane, HeightNumbers& out) {
+    numbers x[K], left = s.heights, most = all(0);
     solve(f, used, x);
     for (uint32_t i = 0; i < used; ++i) {
         left -= f.y[i] * f.y[i] + f.more[i] * x[i] * x[i];
@@ -233,7 +236,9 @@ RL_INLINE void conclude(const Factored<9>& f, uint32_t used, numbers trace, cons
     store(out.bent + lane, larger(bent, all(0)));
     const numbers rank = larger(all(1) / trace - all(little), all(0));
     store(out.rank + lane, most > all(0.01) ? all(0) : rank);
-    store(out.normal, lane, turned(axes, a, b));
+    const Three normal = turned(axes, a, b);
+    store(out.normal, lane, normal);
+    return normal;
 }
 
 RL_INLINE Three normal_of(const HeightJob& job, uint32_t lane) {
@@ -259,9 +264,8 @@ static void fit(const HeightJob& job, HeightResult& out) {
 }
 
 /// The sums of a quadric that need not meet the place; the place itself is one more neighbor.
-RL_INLINE Equations<6> wide_equations(const HeightJob& job, uint32_t lane, const Axes& axes, numbers& weight) {
+RL_INLINE Equations<6> wide_equations(const HeightJob& job, uint32_t lane, const Axes& axes, QuadricSums& s) {
     const numbers counts = counts_of(job, lane);
-    QuadricSums s{};
     numbers x = all(0), y = all(0), z = all(0), cxx = all(0), cxy = all(0), cyy = all(0);
     for (uint32_t row = 0; row < job.rows; ++row) {
         const Neighbor p =
@@ -271,7 +275,6 @@ RL_INLINE Equations<6> wide_equations(const HeightJob& job, uint32_t lane, const
         const numbers wc = p.w * p.c;
         cxx += wc * p.x * p.x, cxy += wc * p.x * p.y, cyy += wc * p.y * p.y;
     }
-    weight = s.weight;
     Equations<6> e;
     e.a[0][0] = s.xx, e.a[1][0] = s.xy, e.a[1][1] = s.yy, e.r[0] = s.xz, e.r[1] = s.yz;
     for (uint32_t i = 0; i < 3; ++i) {
@@ -284,20 +287,21 @@ RL_INLINE Equations<6> wide_equations(const HeightJob& job, uint32_t lane, const
     return e;
 }
 
-static void wide(const HeightJob& job, double (&normal)[3][height_lanes]) {
+static void wide(const HeightJob& job, HeightNumbers& out, double (&weight)[height_lanes]) {
     constexpr int rounds = 3;  // more gain nothing
     for (uint32_t lane = 0; lane < height_lanes; lane += lanes) {
         Three n = normal_of(job, lane);
         for (int round = 0; round < rounds; ++round) {
             const Axes axes = axes_of(n);
-            numbers weight, x[6];
-            const Equations<6> e = wide_equations(job, lane, axes, weight);
+            QuadricSums s{};
+            const Equations<6> e = wide_equations(job, lane, axes, s);
             Factored<6> f;
-            factor(e, weight, f);
-            solve(f, 6, x);
-            n = turned(axes, x[0] * f.scale[0], x[1] * f.scale[1]);
+            factor(e, s.weight, f);
+            numbers five, six;
+            traces(f, five, six);
+            n = conclude(f, 6, six, axes, s, lane, out);
+            store(weight + lane, s.weight);
         }
-        store(normal, lane, n);
     }
 }
 
