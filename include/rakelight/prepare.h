@@ -39,8 +39,8 @@ struct PrepareOptions {
     NormalSource normals = NormalSource::automatic;  ///< `automatic`: Mesh::normal_choice applies if present
     CornerWeight weight = CornerWeight::angle;
     double crease_angle_rad = radians(60);  ///< for meshes without an applicable angle in Mesh::normal_choice
-    /// `automatic`: creases by the rule, not by crease_angle_rad. The angle still limits which authored normals `seams`
-    /// joins, and which borders match.
+    /// `automatic`: creases by the rule, not by crease_angle_rad, for authored normals that `seams` joins too. The angle
+    /// still limits which borders match.
     Creasing creases = Creasing::angle;
     double weld_distance = -1;  ///< [m] AttributeOptions::weld_distance
     /// [m] in world space, finite, >= 0: the largest distance between adjacent borders of different meshes that get
