@@ -34,7 +34,7 @@ struct SeamOptions {
     /// As AttributeOptions::crease_angle_rad. AttributeMesh::crease_angle_rad overrides it.
     double crease_angle_rad = radians(60);
     Creasing creases = Creasing::angle;  ///< as AttributeOptions::creases; the rule sees the faces of all these meshes
-    double weld_distance = -1;  ///< as AttributeOptions::weld_distance
+    double weld_distance = -1;           ///< as AttributeOptions::weld_distance
 };
 
 /// Statistics over all meshes.
