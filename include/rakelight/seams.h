@@ -90,7 +90,7 @@ struct MeshSeams {
 /// No vertex is split: a vertex has one authored normal, so all its corners are in one fan. Mirrored meshes are handled
 /// in world space (cofactor matrix and sign of the determinant). Expected O(n); bit-identical for any number of
 /// threads. The order of meshes, vertices and faces only affects the rounding of sums. Creasing::automatic takes the
-/// time and memory of find_creases() more.
+/// time and memory of find_creases() more, if any edge between two meshes with different normals bends by over 6 degrees.
 /// @param meshes each with `normals`; smoothing groups, hints, locks and texture coordinates are not read
 /// @return one entry per mesh
 /// @throws Error bad_file: as group()

@@ -15,7 +15,7 @@ namespace {
 constexpr double facets_deg = 30;  // a smooth surface of single triangles that bends more may be meant hard
 constexpr std::uint32_t least_ring = 5, most_ring = 12;
 constexpr double cosine_of_soft = 0.9902680687415704;
-static_assert(soft_below_deg == 8);
+static_assert(soft_below_deg == 8 && soft_below_deg - thresholds_move_deg == 6);
 
 void check_memory(const AttributeInput& input, Context& context) {
     const std::uint64_t vertices = input.vertex_count(), triangles = input.triangle_count();

@@ -40,6 +40,7 @@ struct Scratch {
 struct Found {
     std::vector<Turn> turns;
     std::uint64_t flat_pairs = 0, crease_pairs = 0;
+    bool needs_creases = false;
 };
 
 class SeamPass {
@@ -50,8 +51,6 @@ public:
             rules_.cosines.push_back(crease_cosine(crease_angle(mesh, options)));
             rules_.follows.push_back(follows_rule(mesh, options));
         }
-        if (crease_range(input_.meshes, options).has_rule && input_.meshes.size() > 1)
-            rules_.creases = decide_creases(input_, placed_.place, face_normals(input_, context), context);
     }
 
     std::vector<Turn> run(SeamReport& report) {
@@ -61,8 +60,11 @@ public:
         mark_shared(used);
         count_normals(used, report);
         const CornerBins bins = shared_corners();
-        std::vector<Found> found(input_.vertex_count() / vertices_per_chunk + 1);
-        context_.parallel_for(found.size(), [&](std::size_t c) { found[c] = look_at_places(c, bins); });
+        std::vector<Found> found = look_at_places(bins);
+        if (std::ranges::any_of(found, &Found::needs_creases)) {
+            rules_.creases = decide_creases(input_, placed_.place, face_normals(input_, context_), context_);
+            found = look_at_places(bins);
+        }
         std::vector<Turn> turns;
         for (const Found& f : found) {
             turns.insert(turns.end(), f.turns.begin(), f.turns.end());
@@ -165,6 +167,12 @@ private:
         return {place, shared_[place] != 0, direction_of(input_.placements[m].linear * edge).unit, authored(m, vertex)};
     }
 
+    std::vector<Found> look_at_places(const CornerBins& bins) const {
+        std::vector<Found> found(input_.vertex_count() / vertices_per_chunk + 1);
+        context_.parallel_for(found.size(), [&](std::size_t c) { found[c] = look_at_places(c, bins); });
+        return found;
+    }
+
     Found look_at_places(std::size_t chunk, const CornerBins& bins) const {
         Found found;
         SeamFans fans(rules_);
@@ -182,6 +190,7 @@ private:
             }
             if (!corners.empty()) settle(std::uint32_t(place), corners, fans, scratch, found);
         }
+        found.needs_creases = fans.needs_creases();
         return found;
     }
 

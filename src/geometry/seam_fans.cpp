@@ -202,11 +202,14 @@ void SeamFans::look_at_pair(std::span<const SeamCorner> corners, const Spoke& a,
 }
 
 /// By the angles of both meshes, and by the rule if either follows it. Equal normals were authored soft.
-bool SeamFans::are_soft(const SeamCorner& p, bool p_outgoing, const SeamCorner& q, bool q_outgoing,
-                        double cosine) const {
+bool SeamFans::are_soft(const SeamCorner& p, bool p_outgoing, const SeamCorner& q, bool q_outgoing, double cosine) {
     if (!(cosine >= std::max(rules_.cosines[p.mesh], rules_.cosines[q.mesh]))) return false;
     if (!rules_.follows[p.mesh] && !rules_.follows[q.mesh]) return true;
-    if (dot(p.authored, q.authored) >= cosine_of_flat) return true;
+    if (cosine >= cosine_of_always_soft || dot(p.authored, q.authored) >= cosine_of_flat) return true;
+    if (!rules_.creases) {
+        needs_creases_ = true;
+        return false;
+    }
     return rules_.creases->are_soft(p_outgoing ? p.corner : corner_before(p.corner),
                                     q_outgoing ? q.corner : corner_before(q.corner), cosine);
 }

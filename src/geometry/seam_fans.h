@@ -43,7 +43,7 @@ struct AuthoredFan {
 struct SeamRules {
     std::vector<double> cosines;           ///< [meshes] the crease_cosine() of each; -2: the mesh follows the rule
     std::vector<std::uint8_t> follows;     ///< [meshes] whether `creases` decides at the mesh's edges
-    std::optional<CreaseEdges> creases{};  ///< if some mesh follows the rule
+    std::optional<CreaseEdges> creases{};  ///< if SeamFans::needs_creases()
 };
 
 /// The fans at one place. The object is reused for all places to keep its memory.
@@ -63,6 +63,8 @@ public:
     std::uint32_t joined(std::uint32_t fan) { return sets_.root(fan); }
     /// For a representative: whether its fans contain a seam to close.
     bool is_open(std::uint32_t fan) const { return is_open_[fan] != 0; }
+    /// Whether a decision of the rule was missing, for any call of find(). Then the results are not valid.
+    bool needs_creases() const { return needs_creases_; }
     /// Pairs of faces that stay hard at edges from here to larger places: flat ones, and other creases.
     std::uint64_t flat_pairs() const { return flat_pairs_; }
     std::uint64_t crease_pairs() const { return crease_pairs_; }
@@ -103,7 +105,7 @@ private:
     void find_contacts(std::uint32_t place, std::span<const SeamCorner> corners);
     void look_at_edge(std::span<const SeamCorner> corners, std::span<const Spoke> edge);
     void look_at_pair(std::span<const SeamCorner> corners, const Spoke& a, const Spoke& b);
-    bool are_soft(const SeamCorner& p, bool p_outgoing, const SeamCorner& q, bool q_outgoing, double cosine) const;
+    bool are_soft(const SeamCorner& p, bool p_outgoing, const SeamCorner& q, bool q_outgoing, double cosine);
     void look_at_fans(std::uint32_t place, std::span<const SeamCorner> corners, std::span<const Contact> contacts);
     Lean lean(std::span<const SeamCorner> corners, std::uint32_t fan, std::span<const Contact> contacts,
               std::uint32_t Contact::*own) const;
@@ -124,6 +126,7 @@ private:
     std::vector<Contact> contacts_;
     std::vector<Joint> joints_;
     UnionFind sets_, alike_;
+    bool needs_creases_ = false;
     std::uint64_t flat_pairs_ = 0, crease_pairs_ = 0;
 };
 
