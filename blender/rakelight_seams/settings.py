@@ -7,7 +7,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
 NORMALS = (
     ("SEAMS", "Seams only", "Normals stay, hard edges and weighted normals too; they are joined only where objects meet"),
-    ("MODEL", "Whole model", "All normals are made anew over all objects, with hard edges by the crease angle alone"),
+    ("MODEL", "Whole model", "All normals are made anew over all objects, with hard edges by the creases alone"),
     ("OBJECT", "Each object", "All normals are made anew within each object: borders between objects stay visible"),
 )
 WEIGHTS = (
@@ -15,6 +15,13 @@ WEIGHTS = (
     ("UNIFORM", "Uniform", "Every triangle alike"),
     ("AREA", "Area", "By the area of the triangle"),
     ("ANGLE_AREA", "Angle and area", "By the angle of the corner times the area of the triangle"),
+    ("MAX", "Max", "By the sine of the angle, divided by the lengths of both edges: exact on spheres"),
+    ("FIT", "Fit", "No weight: a surface is fitted to two rings of neighbors"),
+    ("AUTO", "Automatic", "Planes, fits and weights, chosen at each vertex"),
+)
+CREASES = (
+    ("ANGLE", "By angle", "Edges bent more than the crease angle stay sharp"),
+    ("AUTO", "Automatic", "Edge by edge, from the planes on both sides: no angle to choose"),
 )
 
 
@@ -22,6 +29,7 @@ class SeamOptions:
     """Annotations are inherited: operators and the scene's settings have the same properties."""
 
     normals: EnumProperty(name="Normals", items=NORMALS, default="SEAMS")
+    crease: EnumProperty(name="Creases", description="Which edges stay sharp", items=CREASES, default="ANGLE")
     crease_angle: FloatProperty(
         name="Crease Angle", description="Edges bent more than this stay sharp",
         subtype="ANGLE", default=math.radians(60), min=0, max=math.pi)
@@ -37,6 +45,8 @@ class SeamOptions:
         """The options of `rakelight smooth`; `rounding`: what the weld distance is where none is set, 0: the program's own."""
         words = ["--normals", self.normals.lower(), "--weight", self.weight.lower().replace("_", "-")]
         words += ["--crease-angle", repr(min(180.0, math.degrees(self.crease_angle)))]
+        if self.crease == "AUTO":
+            words += ["--crease", "auto"]
         if self.border_distance > 0:
             words += ["--border-distance", repr(self.border_distance)]
         weld = self.weld_distance or rounding
@@ -47,7 +57,10 @@ class SeamOptions:
     def draw_options(self, layout):
         layout.label(text="Normals:")
         layout.prop(self, "normals", text="")
-        layout.prop(self, "crease_angle")
+        layout.prop(self, "crease")
+        angle = layout.row()
+        angle.enabled = self.crease == "ANGLE" or self.border_distance > 0
+        angle.prop(self, "crease_angle")
         layout.prop(self, "border_distance")
 
     def draw_details(self, layout):

@@ -32,16 +32,16 @@ inline constexpr Word<CornerWeight> corner_weight_words[] = {
     {"fit", CornerWeight::fit}};
 
 /// The words for creases, the default first.
-inline constexpr Word<Creasing> creasing_words[] = {{"auto", Creasing::automatic}, {"angle", Creasing::angle}};
+inline constexpr Word<Creasing> creasing_words[] = {{"angle", Creasing::angle}, {"auto", Creasing::automatic}};
 
 /// Options of prepare_scene().
 struct PrepareOptions {
     NormalSource normals = NormalSource::automatic;  ///< `automatic`: Mesh::normal_choice applies if present
     CornerWeight weight = CornerWeight::automatic;
     double crease_angle_rad = radians(60);  ///< for meshes without an applicable angle in Mesh::normal_choice
-    /// `automatic`: creases by the rule, not by crease_angle_rad. The angle still limits which authored normals `seams`
-    /// joins, and which borders match.
-    Creasing creases = Creasing::automatic;
+    /// `automatic`: creases by the rule, not by crease_angle_rad, for authored normals that `seams` joins too. The angle
+    /// still limits which borders match.
+    Creasing creases = Creasing::angle;
     double weld_distance = -1;  ///< [m] AttributeOptions::weld_distance
     /// [m] in world space, finite, >= 0: the largest distance between adjacent borders of different meshes that get
     /// matching normals (<rakelight/matching_borders.h>). 0: off. Meshes with normals computed over the model match

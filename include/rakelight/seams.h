@@ -15,7 +15,8 @@ namespace rakelight {
 /// Two unit normals count as equal if the length of their difference is at most this.
 inline constexpr double authored_equality = 1e-3;
 /// [degrees] A corner normal counts as flat if its angle to the face normal is at most this. Two faces count as
-/// coplanar if the angle between their face normals is at most this.
+/// coplanar if the angle between their face normals is at most this. Two normals at an edge count as smooth across it if
+/// the angle between them is at most this.
 inline constexpr double authored_flat_deg = 1;
 /// An edge between two surfaces is an authored crease if, across the edge, the normals of both differ from their faces by
 /// at most this share of the angle between the faces. Where a surface of equal bends is smooth, the share is a half.
@@ -32,7 +33,8 @@ enum class AuthoredNormals : std::uint8_t { seams, replaced };
 struct SeamOptions {
     /// As AttributeOptions::crease_angle_rad. AttributeMesh::crease_angle_rad overrides it.
     double crease_angle_rad = radians(60);
-    double weld_distance = -1;  ///< as AttributeOptions::weld_distance
+    Creasing creases = Creasing::angle;  ///< as AttributeOptions::creases; the rule sees the faces of all these meshes
+    double weld_distance = -1;           ///< as AttributeOptions::weld_distance
 };
 
 /// Statistics over all meshes.
@@ -63,8 +65,10 @@ struct MeshSeams {
 ///    normals at a position, only corners with bit-equal normals form a fan. Two fans of one mesh are never joined,
 ///    because an author may place a hard edge at any angle.
 /// 2. *Joints.* Two fans of different meshes are joined if two conditions hold. A face of each fan uses the same edge
-///    at the position, and the normals of these faces differ by at most the crease angle. Two hard edges are
-///    exceptions:
+///    at the position, and this edge is soft. An edge is soft if the normals of these faces differ by at most the crease
+///    angle. With Creasing::automatic, it is soft by the rule of find_creases(), or if its normals at the position were
+///    authored so: those of both sides differ by at most `authored_flat_deg`. Two kinds of soft edges are hard
+///    nevertheless, because their normals were authored so:
 ///    - Both faces are authored flat, but not coplanar. A face is authored flat if its corners have the face normal,
 ///      within `authored_flat_deg`.
 ///    - Both fans end in an authored crease: neither bends across the edges that they share. The *lean* of a fan is the
@@ -85,7 +89,8 @@ struct MeshSeams {
 ///
 /// No vertex is split: a vertex has one authored normal, so all its corners are in one fan. Mirrored meshes are handled
 /// in world space (cofactor matrix and sign of the determinant). Expected O(n); bit-identical for any number of
-/// threads. The order of meshes, vertices and faces only affects the rounding of sums.
+/// threads. The order of meshes, vertices and faces only affects the rounding of sums. Creasing::automatic takes the
+/// time and memory of find_creases() more, if any edge between two meshes with different normals bends by over 6 degrees.
 /// @param meshes each with `normals`; smoothing groups, hints, locks and texture coordinates are not read
 /// @return one entry per mesh
 /// @throws Error bad_file: as group()

@@ -269,8 +269,14 @@ def scope_of(normals: str, scope: str | None) -> str:
     return normals_word(normals, scope, "model", ("model", "object", "face"), "; repair_seams() of a scene joins the normals that it has")
 
 
+def creases_of(crease_angle: float, crease: str) -> dict[str, Any]:
+    if not isinstance(crease, str):
+        raise UsageError(f"crease: a word is expected, not {type(crease).__name__}")
+    return {"crease_angle_rad": number("crease_angle", crease_angle) * (np.pi / 180.0), "crease": crease}
+
+
 def options_of(
-    scope: str, weight: str, crease_angle: float, weld_distance: float | None, tangents: bool, tangent_mode: str
+    scope: str, weight: str, crease_angle: float, crease: str, weld_distance: float | None, tangents: bool, tangent_mode: str
 ) -> dict[str, Any]:
     distance = -1.0 if weld_distance is None else number("weld_distance", weld_distance)
     if weld_distance is not None and not distance >= 0:
@@ -281,7 +287,7 @@ def options_of(
     return {
         "scope": scope,
         "weight": weight.replace("_", "-"),
-        "crease_angle_rad": number("crease_angle", crease_angle) * (np.pi / 180.0),
+        **creases_of(crease_angle, crease),
         "weld_distance": distance,
         "tangents": bool(tangents),
         "tangent_mode": tangent_mode.replace("_", "-"),
@@ -295,6 +301,7 @@ def attributes(
     scope: str | None = None,
     weight: str = "angle",
     crease_angle: float = 60.0,
+    crease: str = "angle",
     weld_distance: float | None = None,
     tangents: bool = True,
     tangent_mode: str = "averaged",
@@ -309,6 +316,7 @@ def attributes(
         scope: the old name of ``normals``
         weight: how strongly a triangle pulls on its corners: "angle", "area", "angle_area", "max", "fit", "auto", "uniform"
         crease_angle: [degrees] 0 to 180; edges bent more stay sharp
+        crease: "angle", or "auto": no angle, but the rule of creases finds the sharp edges
         weld_distance: [m] positions at most this far apart are one; None: equal, but for rounding; 0: equal
         tangents: also make tangents
         tangent_mode: "averaged", "mikktspace", "published", "published_no_handedness"
@@ -319,7 +327,7 @@ def attributes(
         UsageError: shapes, types or indices that do not fit
     """
     given = meshes_of(meshes)
-    options = options_of(scope_of(normals, scope), weight, crease_angle, weld_distance, tangents, tangent_mode)
+    options = options_of(scope_of(normals, scope), weight, crease_angle, crease, weld_distance, tangents, tangent_mode)
     numbers = list(range(len(given))) if objects is None else [whole("objects", thing, 0, 2**32 - 1) for thing in objects]
     if len(numbers) != len(given):
         raise UsageError(f"objects: there are {len(numbers)} numbers for {len(given)} meshes")

@@ -139,7 +139,7 @@ def inspect(
         check: limits by the names of the program's options with ``_`` for ``-``: ``{"max_seam": 1.0, "closed": True}``; the result's
             ``"check"`` has {"passed", "failures"} then. As by ``rakelight inspect --check``, "max_seam" is 1 degree where it is not given;
             None allows every seam. True: this limit alone
-        settings: ``normals``, ``crease_angle``, ``weight``, ``weld_distance``, ``border_distance``, ``animation_time``, ...
+        settings: ``normals``, ``crease_angle``, ``crease``, ``weight``, ``weld_distance``, ``border_distance``, ``animation_time``, ...
     Returns:
         {"triangles", "bounds", "objects", "seams", "borders", "materials", ...}: docs/inspect.md
     """
@@ -208,6 +208,7 @@ def smooth_file(
     scope: str | None = None,
     weight: str = "angle",
     crease_angle: float = 60.0,
+    crease: str = "angle",
     weld_distance: float | None = None,
     border_distance: float = 0.0,
     tangents: str = "auto",
@@ -220,6 +221,7 @@ def smooth_file(
         input, output: files; may be the same
         normals: "seams" (the file's stay, and are joined where parts meet), or made anew: "model", "object", "face"
         scope: the old name of ``normals``
+        weight, crease_angle, crease, weld_distance: as of :func:`rakelight.attributes`
         tangents: "auto", "always", "never"
         border_distance: [m] normals also agree along borders at most this far apart that share no vertices; 0: off
     Returns:
@@ -229,7 +231,7 @@ def smooth_file(
         raise UsageError(f"tangents: 'auto', 'always' or 'never' is expected, not {tangents!r:.40}")
     border_distance = number("border_distance", border_distance)
     normals = normals_word(normals, scope, "seams", ("seams", "model", "object", "face"))
-    options = options_of("model" if normals == "seams" else normals, weight, crease_angle, weld_distance, True, "averaged")
+    options = options_of("model" if normals == "seams" else normals, weight, crease_angle, crease, weld_distance, True, "averaged")
     with told(progress) as tell:
         text, remarks = _core.smooth_file(
             name_of(input), name_of(output), normals, tangents, border_distance, bool(allow_outside), options, threads(), tell

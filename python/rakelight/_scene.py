@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._errors import UsageError
-from ._mesh import Mesh, MeshLike, dicts_of, mesh_of, meshes_of, options_of, scope_of
+from ._mesh import Mesh, MeshLike, creases_of, dicts_of, mesh_of, meshes_of, options_of, scope_of
 from ._numbers import MAX_MEMORY, number, whole
 from ._run import Path, Progress, Remark, name_of, remarks_of, threads, told
 
@@ -146,6 +146,7 @@ class Scene:
         scope: str | None = None,
         weight: str = "angle",
         crease_angle: float = 60.0,
+        crease: str = "angle",
         weld_distance: float | None = None,
         tangents: bool = True,
         tangent_mode: str = "averaged",
@@ -153,17 +154,20 @@ class Scene:
     ) -> Scene:
         """The scene with new seam-free normals, and tangents where there are texture coordinates. Arguments: :func:`rakelight.attributes`.
         To join the file's normals instead: :meth:`repair_seams`."""
-        options = options_of(scope_of(normals, scope), weight, crease_angle, weld_distance, tangents, tangent_mode)
+        options = options_of(scope_of(normals, scope), weight, crease_angle, crease, weld_distance, tangents, tangent_mode)
         with told(progress) as tell:
             core, rows = _core.smooth(self._core, options, threads(), tell)
         return Scene(core, self.remarks + remarks_of(rows))
 
-    def repair_seams(self, *, crease_angle: float = 60.0, border_distance: float = 0.0, progress: Progress = None) -> Scene:
+    def repair_seams(
+        self, *, crease_angle: float = 60.0, crease: str = "angle", border_distance: float = 0.0, progress: Progress = None
+    ) -> Scene:
         """The scene with the file's normals, joined where meshes meet: what ``rakelight smooth`` does by default. Where the file has none
         they are made over the whole model.
 
         Args:
             crease_angle: [degrees] 0 to 180; edges bent more stay sharp
+            crease: "angle", or "auto": the rule of creases finds the sharp edges, and the angle only limits which borders agree
             border_distance: [m] normals also agree along borders at most this far apart that share no vertices; 0: off
         """
         crease_angle, border_distance = number("crease_angle", crease_angle), number("border_distance", border_distance)
@@ -172,7 +176,7 @@ class Scene:
         if not 0 <= border_distance < float("inf"):
             raise UsageError("border_distance: must be 0 or more")
         with told(progress) as tell:
-            core, rows = _core.repair(self._core, crease_angle * (np.pi / 180.0), border_distance, threads(), tell)
+            core, rows = _core.repair(self._core, creases_of(crease_angle, crease), border_distance, threads(), tell)
         return Scene(core, self.remarks + remarks_of(rows))
 
     def save(self, path: Path, *, progress: Progress = None) -> None:

@@ -38,6 +38,7 @@ AttributeOptions attribute_options(const py::dict& options) {
     AttributeOptions out;
     set_word(options, "scope", scopes, out.scope);
     set_word(options, "weight", corner_weight_words, out.weight);
+    set_word(options, "crease", creasing_words, out.creases);
     set_word(options, "tangent_mode", tangent_modes, out.tangent_mode);
     const auto number = [](const py::object& value) { return py::cast<double>(value); };
     set(options, "crease_angle_rad", out.crease_angle_rad, number);

@@ -88,14 +88,18 @@ bool has_normals(const Scene& scene) {
     return std::ranges::any_of(scene.meshes, [](const Mesh& mesh) { return !mesh.normals.empty(); });
 }
 
-py::tuple repaired(const SceneHandle& handle, double crease_angle_rad, double border_distance, int threads,
+/// @param options  only the creases are read
+py::tuple repaired(const SceneHandle& handle, const py::dict& options, double border_distance, int threads,
                    const py::object& progress) {
+    const AttributeOptions given = attribute_options(options);
+    const double crease_angle_rad = given.crease_angle_rad;
     Runner runner(threads, 0);
     Scene scene = runner.run(progress, [&] {
         Context& context = runner.context();
-        Scene joined = has_normals(handle.scene)
-                           ? repair_seams(handle.scene, {.crease_angle_rad = crease_angle_rad}, context)
-                           : smooth(handle.scene, {.crease_angle_rad = crease_angle_rad}, context);
+        Scene joined =
+            has_normals(handle.scene)
+                ? repair_seams(handle.scene, {.crease_angle_rad = crease_angle_rad, .creases = given.creases}, context)
+                : smooth(handle.scene, {.crease_angle_rad = crease_angle_rad, .creases = given.creases}, context);
         if (!(border_distance > 0)) return joined;
         MatchOptions match;
         match.distance = border_distance, match.crease_angle_rad = crease_angle_rad, match.keep_flat = true;

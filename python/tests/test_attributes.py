@@ -86,6 +86,41 @@ def test_repaired_seams_are_gone(model):
     assert not before["passed"] and after["passed"]
 
 
+def hinge(bend_deg, lean_deg=0.0):
+    """Two squares that bend where they meet. Their normals lean towards each other."""
+    def square(x, turn, lean):
+        c, s = np.cos(np.radians(turn)), np.sin(np.radians(turn))
+        vertices = np.array([[0, 0, 0], [0, 0, 1], [x * c, -abs(x) * s, 1], [x * c, -abs(x) * s, 0]], np.float32)
+        faces = np.array([[0, 1, 2], [0, 2, 3]] if x > 0 else [[0, 2, 1], [0, 3, 2]], np.uint32)
+        a = np.radians(90 - turn + lean)
+        return rakelight.Mesh(vertices, faces, normals=np.tile(np.array([np.cos(a), np.sin(a), 0], np.float32), (4, 1)))
+    return [square(-1, 0, -lean_deg), square(1, bend_deg, lean_deg)]
+
+
+def test_creases_by_the_rule(tmp_path):
+    meshes = hinge(45)
+    by_angle, by_rule = (rakelight.attributes(meshes, crease=word) for word in ("angle", "auto"))
+    assert not (by_angle[0].normals[:2] == by_rule[0].normals[:2]).all()
+    np.testing.assert_allclose(by_rule[0].normals, [[0, 1, 0]] * 4, atol=1e-6)
+    scene = rakelight.Scene.from_meshes(hinge(45, 15))
+    given = scene.meshes[0].normals
+    assert not (scene.repair_seams().meshes[0].normals == given).all()
+    assert (scene.repair_seams(crease="auto").meshes[0].normals == given).all()
+    assert not (scene.smooth(crease="angle").meshes[0].normals == scene.smooth(crease="auto").meshes[0].normals).all()
+    scene.save(tmp_path / "in.glb")
+    for word, turned in (("angle", 4), ("auto", 0)):
+        assert rakelight.smooth_file(tmp_path / "in.glb", tmp_path / "out.glb", crease=word)["seams"]["turned"] == turned
+    assert rakelight.inspect(scene, crease="auto", normals="model")["creases"]["hard"] == 1
+
+
+@pytest.mark.parametrize("weight", ["max", "fit", "auto"])
+def test_all_weights_have_words(weight, quad):
+    np.testing.assert_allclose(rakelight.attributes(quad, weight=weight)[0].normals, [[0, 0, 1]] * 4, atol=1e-6)
+    teapot = rakelight.load("builtin:teapot")
+    assert not (teapot.smooth(weight=weight).meshes[0].normals == teapot.smooth().meshes[0].normals).all()
+    assert rakelight.render(teapot, resolution=(16, 16), normals="model", weight=weight, crease="auto")["image"].shape == (16, 16, 3)
+
+
 def test_threads_do_not_change_bits():
     meshes = rakelight.load(DATA / "knight" / "Knight_noNormals.glb").placed_meshes()
     many = rakelight.attributes(meshes)

@@ -109,6 +109,7 @@ def test_a_session_draws_in_its_own_settings(teapot):
     (lambda s: rakelight.set_threads("4"), "threads: a whole number"), (lambda s: rakelight.set_threads(1025), "threads: must be 0 to 1024"),
     (lambda s: rakelight.explain(s, "a", 1), "x: a whole number"), (lambda s: rakelight.explain(s, 1, 2**40), "y: must be"),
     (lambda s: rakelight.explain_pixels(s, [1]), r"pixels: \(x, y\) is expected, not 1"), (lambda s: s.repair_seams(crease_angle="a"), "crease_angle"),
+    (lambda s: s.repair_seams(crease="a"), "crease"), (lambda s: s.repair_seams(crease=1), "crease"),
     (lambda s: s.repair_seams(border_distance=None), "border_distance"), (lambda s: s.render(channels=None), "channels: a name"),
     (lambda s: s.render(channels=[1]), "channels: a name"), (lambda s: s.render(progress=3), "progress: True or a function"),
     (lambda s: rakelight.smooth_file("a.glb", "b.glb", border_distance="x"), "border_distance"),
@@ -226,6 +227,7 @@ def test_no_meshes():
 
 @pytest.mark.parametrize("options", [
     {"normals": "all"}, {"scope": "all"}, {"normals": None}, {"normals": "face", "scope": "object"}, {"weight": "heavy"}, {"weight": 1},
+    {"crease": "soft"}, {"crease": 60},
     {"crease_angle": "wide"}, {"weld_distance": "far"}, {"crease_angle": 181}, {"crease_angle": NAN}, {"weld_distance": -1}, {"weld_distance": NAN},
     {"weld_distance": INF}, {"tangent_mode": "own"}, {"objects": [1]},
 ])  # fmt: skip

@@ -14,6 +14,8 @@ namespace {
 
 constexpr double facets_deg = 30;  // a smooth surface of single triangles that bends more may be meant hard
 constexpr std::uint32_t least_ring = 5, most_ring = 12;
+constexpr double cosine_of_soft = 0.9902680687415704;
+static_assert(soft_below_deg == 8 && soft_below_deg - thresholds_move_deg == 6);
 
 void check_memory(const AttributeInput& input, Context& context) {
     const std::uint64_t vertices = input.vertex_count(), triangles = input.triangle_count();
@@ -113,6 +115,11 @@ void set_bits(const BentEdges& bent, const std::vector<CreaseDecision>& decision
 
 bool CreaseEdges::are_partners(std::uint32_t corner, std::uint32_t other) const {
     return std::binary_search(partners.begin(), partners.end(), std::pair(corner, other));
+}
+
+bool CreaseEdges::are_soft(std::uint32_t corner, std::uint32_t other, double cosine) const {
+    if (!is_crowded(corner) && !is_crowded(other)) return !is_hard(corner) && !is_hard(other);
+    return are_partners(corner, other) || cosine >= cosine_of_soft;
 }
 
 CreaseEdges decide_creases(const AttributeInput& input, const std::vector<std::uint32_t>& places,

@@ -27,7 +27,17 @@ struct CreaseEdges {
     bool is_plainly_soft(std::uint32_t corner) const { return (bits[corner / 3] >> corner % 3 & 9) == 0; }
     /// Whether two corners are partners at a crowded edge.
     bool are_partners(std::uint32_t corner, std::uint32_t other) const;
+    /// Whether two faces at one edge join. At an edge of more than two faces, partners do, and faces that hardly bend.
+    /// @param corner, other  where the edge begins in each face
+    /// @param cosine  between the normals of the faces
+    bool are_soft(std::uint32_t corner, std::uint32_t other, double cosine) const;
 };
+
+/// Cosine of 6 degrees: faces that bend by less are soft wherever the thresholds move, without a look at the rule.
+constexpr double cosine_of_always_soft = 0.9945218953682733;
+
+/// The corner before one in its face: where the edge that ends at it begins.
+inline std::uint32_t corner_before(std::uint32_t corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
 
 /// @param places  [vertices] as Topology::places
 CreaseEdges decide_creases(const AttributeInput& input, const std::vector<std::uint32_t>& places,

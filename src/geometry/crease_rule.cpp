@@ -18,7 +18,6 @@ constexpr double twice_least = 1.5, twice_most = 3;  // half a bend into a fille
 constexpr double same_width = 1.3, similar_width = 2.5, uneven_width = 4, strip_width = 1.6;
 constexpr double planes_share = 0.2;         // of the area: a surface with less in planes has none
 constexpr std::uint32_t small_surface = 64;  // faces
-constexpr double moves_deg = 2;              // thresholds move by so much at most
 
 /// Thresholds in the gaps between the bends of the model.
 struct Thresholds {
@@ -30,9 +29,9 @@ struct Thresholds {
 double settled(double threshold, std::vector<float> near) {
     constexpr double clear_deg = 0.5;
     std::sort(near.begin(), near.end());
-    std::vector<double> stops{threshold - moves_deg};
+    std::vector<double> stops{threshold - thresholds_move_deg};
     for (const float x : near) stops.push_back(double(x));
-    stops.push_back(threshold + moves_deg);
+    stops.push_back(threshold + thresholds_move_deg);
     double best = 0, at = threshold;
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
         const double low = stops[i], high = stops[i + 1];
@@ -47,7 +46,7 @@ Thresholds settle_thresholds(const BentEdges& bent) {
     for (double* const threshold : {&t.low, &t.hard, &t.round, &t.chamfer, &t.fillet}) {
         std::vector<float> near;
         for (const BentEdge& e : bent.edges)
-            if (std::fabs(std::fabs(double(e.bend_deg)) - *threshold) < moves_deg)
+            if (std::fabs(std::fabs(double(e.bend_deg)) - *threshold) < thresholds_move_deg)
                 near.push_back(std::fabs(e.bend_deg));
         *threshold = settled(*threshold, std::move(near));
     }

@@ -9,6 +9,9 @@
 
 namespace rakelight::geometry {
 
+/// [degrees] Thresholds move by so much at most, into gaps between the bends of the model.
+constexpr double thresholds_move_deg = 2;
+
 /// Why an edge is hard or soft.
 enum class CreaseReason : std::uint8_t {
     plane,      ///< soft: in one plane, or a small bend

@@ -15,13 +15,8 @@ namespace {
 constexpr double crease_slack = 1e-5;
 // Sides of a shell: a neighbor beyond this angle (177 degrees) is on the other side.
 constexpr double turned_back = -0.9986;
-// Cosine of soft_below_deg.
-constexpr double cosine_of_soft = 0.9902680687415704;
 // Up to this number, pairs are compared directly.
 constexpr std::size_t few = 16;
-
-/// The corner before one in its face.
-std::uint32_t before(std::uint32_t corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
 
 bool is_hinted(const AttributeMesh& mesh) { return mesh.smoothing.empty() && !mesh.smoothing_hint.empty(); }
 bool is_grouped(const AttributeMesh& mesh) { return !mesh.smoothing.empty() && mesh.group_kind != GroupKind::none; }
@@ -94,8 +89,8 @@ bool JoinRules::gather_calm(std::span<const std::uint32_t> corners, std::uint32_
 
 // Whether an edge is soft and has no other faces than two. @param forwards  the edge from the first face's corner
 bool JoinRules::is_plainly_soft(std::uint32_t corner, std::uint32_t other, bool forwards) const {
-    return creases_->is_plainly_soft(forwards ? corner : before(corner)) &&
-           creases_->is_plainly_soft(forwards ? before(other) : other);
+    return creases_->is_plainly_soft(forwards ? corner : corner_before(corner)) &&
+           creases_->is_plainly_soft(forwards ? corner_before(other) : other);
 }
 
 bool JoinRules::is_calm(std::span<const std::uint32_t> corners, std::uint32_t& mesh) const {
@@ -250,16 +245,14 @@ bool JoinRules::joined(const Fan& fan, const Spoke& a, const Spoke& b) const {
            (!creases_ || obeys_rule(fan, a, b));
 }
 
-// Groups go before the rule. At an edge of more than two faces, partners join, and faces that hardly bend.
+// Groups go before the rule.
 bool JoinRules::obeys_rule(const Fan& fan, const Spoke& a, const Spoke& b) const {
     const std::uint32_t i = a.index, j = b.index;
     if (fan.authority[i] != 0 && fan.authority[i] == fan.authority[j]) return true;
     if (!follows_rule(fan.mesh[i]) && !follows_rule(fan.mesh[j])) return true;
-    const std::uint32_t corner = a.outgoing ? fan.corner[i] : before(fan.corner[i]),
-                        other = b.outgoing ? fan.corner[j] : before(fan.corner[j]);
-    if (!creases_->is_crowded(corner) && !creases_->is_crowded(other))
-        return !creases_->is_hard(corner) && !creases_->is_hard(other);
-    return creases_->are_partners(corner, other) || dot(fan.normal[i], fan.normal[j]) >= cosine_of_soft;
+    return creases_->are_soft(a.outgoing ? fan.corner[i] : corner_before(fan.corner[i]),
+                              b.outgoing ? fan.corner[j] : corner_before(fan.corner[j]),
+                              dot(fan.normal[i], fan.normal[j]));
 }
 
 void JoinRules::join_edge(const Fan& fan, std::span<const Spoke> spokes, UnionFind& sets) const {

@@ -40,15 +40,17 @@ struct Scratch {
 struct Found {
     std::vector<Turn> turns;
     std::uint64_t flat_pairs = 0, crease_pairs = 0;
+    bool needs_creases = false;
 };
 
 class SeamPass {
 public:
-    SeamPass(const PlacedMeshes& placed, const SeamOptions& options, Context& context)
+    SeamPass(const PlacedMeshes& placed, const AttributeOptions& options, Context& context)
         : placed_(placed), input_(placed.input), context_(context) {
-        for (const AttributeMesh& mesh : input_.meshes)
-            cosines_.push_back(
-                crease_cosine(mesh.crease_angle_rad < 0 ? options.crease_angle_rad : mesh.crease_angle_rad));
+        for (const AttributeMesh& mesh : input_.meshes) {
+            rules_.cosines.push_back(crease_cosine(crease_angle(mesh, options)));
+            rules_.follows.push_back(follows_rule(mesh, options));
+        }
     }
 
     std::vector<Turn> run(SeamReport& report) {
@@ -58,8 +60,11 @@ public:
         mark_shared(used);
         count_normals(used, report);
         const CornerBins bins = shared_corners();
-        std::vector<Found> found(input_.vertex_count() / vertices_per_chunk + 1);
-        context_.parallel_for(found.size(), [&](std::size_t c) { found[c] = look_at_places(c, bins); });
+        std::vector<Found> found = look_at_places(bins);
+        if (std::ranges::any_of(found, &Found::needs_creases)) {
+            rules_.creases = decide_creases(input_, placed_.place, face_normals(input_, context_), context_);
+            found = look_at_places(bins);
+        }
         std::vector<Turn> turns;
         for (const Found& f : found) {
             turns.insert(turns.end(), f.turns.begin(), f.turns.end());
@@ -141,7 +146,7 @@ private:
         const std::uint32_t k = corner % 3;
         const std::uint32_t* const index = mesh.indices.data() + (corner - k - 3 * input_.triangle_base[m]);
         SeamCorner c;
-        c.mesh = m;
+        c.mesh = m, c.corner = corner;
         c.vertex = input_.vertex_base[m] + index[k];
         c.authored = authored(m, index[k]);
         const FaceCorners face = face_corners(mesh, index);
@@ -162,9 +167,15 @@ private:
         return {place, shared_[place] != 0, direction_of(input_.placements[m].linear * edge).unit, authored(m, vertex)};
     }
 
+    std::vector<Found> look_at_places(const CornerBins& bins) const {
+        std::vector<Found> found(input_.vertex_count() / vertices_per_chunk + 1);
+        context_.parallel_for(found.size(), [&](std::size_t c) { found[c] = look_at_places(c, bins); });
+        return found;
+    }
+
     Found look_at_places(std::size_t chunk, const CornerBins& bins) const {
         Found found;
-        SeamFans fans(cosines_);
+        SeamFans fans(rules_);
         std::vector<SeamCorner> corners;
         Scratch scratch;
         const std::size_t first = chunk * vertices_per_chunk,
@@ -179,6 +190,7 @@ private:
             }
             if (!corners.empty()) settle(std::uint32_t(place), corners, fans, scratch, found);
         }
+        found.needs_creases = fans.needs_creases();
         return found;
     }
 
@@ -241,7 +253,7 @@ private:
     const PlacedMeshes& placed_;
     const AttributeInput& input_;
     Context& context_;
-    std::vector<double> cosines_;       ///< [meshes]
+    SeamRules rules_;
     std::vector<std::uint8_t> shared_;  ///< [places] whether several meshes have faces there
 };
 
@@ -260,13 +272,14 @@ std::vector<MeshSeams> join_seams(std::span<const AttributeMesh> meshes, const S
     report = {};
     AttributeOptions checked;
     checked.crease_angle_rad = options.crease_angle_rad;
+    checked.creases = options.creases;
     checked.weld_distance = options.weld_distance;
     geometry::check_options(checked);
     geometry::check_normals(meshes);
     std::vector<MeshSeams> out(meshes.size());
     geometry::check_memory(meshes, context);
     const geometry::PlacedMeshes placed = geometry::place_vertices(meshes, options.weld_distance, context);
-    const std::vector<geometry::Turn> turns = geometry::SeamPass(placed, options, context).run(report);
+    const std::vector<geometry::Turn> turns = geometry::SeamPass(placed, checked, context).run(report);
     double sum = 0;
     for (const geometry::Turn& t : turns) {
         const std::uint32_t m = placed.input.mesh_of_vertex(t.vertex);

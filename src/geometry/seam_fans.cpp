@@ -195,10 +195,23 @@ void SeamFans::look_at_pair(std::span<const SeamCorner> corners, const Spoke& a,
     const SeamCorner &p = corners[a.index], &q = corners[b.index];
     if (p.mesh == q.mesh) return;
     const double cosine = dot(p.face, q.face);
-    if (!(cosine >= std::max(cosines_[p.mesh], cosines_[q.mesh]))) return;
+    if (!are_soft(p, a.outgoing, q, b.outgoing, cosine)) return;
     const dvec3 along = a.outgoing ? p.next.direction : p.previous.direction;
     contacts_.push_back({fan_of_[a.index], fan_of_[b.index], a.index, b.index, a.place, along, cosine,
                          length(p.authored - q.authored) > continuous_rad});
+}
+
+/// By the angles of both meshes, and by the rule if either follows it. Equal normals were authored soft.
+bool SeamFans::are_soft(const SeamCorner& p, bool p_outgoing, const SeamCorner& q, bool q_outgoing, double cosine) {
+    if (!(cosine >= std::max(rules_.cosines[p.mesh], rules_.cosines[q.mesh]))) return false;
+    if (!rules_.follows[p.mesh] && !rules_.follows[q.mesh]) return true;
+    if (cosine >= cosine_of_always_soft || dot(p.authored, q.authored) >= cosine_of_flat) return true;
+    if (!rules_.creases) {
+        needs_creases_ = true;
+        return false;
+    }
+    return rules_.creases->are_soft(p_outgoing ? p.corner : corner_before(p.corner),
+                                    q_outgoing ? q.corner : corner_before(q.corner), cosine);
 }
 
 /// @param contacts  of two fans

@@ -3,9 +3,11 @@
 // are joined across meshes. The rules are in <rakelight/seams.h>.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "geometry/crease_edges.h"
 #include "geometry/join_rules.h"
 #include "geometry/union_find.h"
 #include "math/linear.h"
@@ -23,6 +25,7 @@ struct OtherCorner {
 /// One corner of a face at the place.
 struct SeamCorner {
     std::uint32_t mesh = 0, vertex = 0;  ///< global vertex index
+    std::uint32_t corner = 0;            ///< global index
     dvec3 authored;                      ///< its normal, unit, world space; zero: unusable
     dvec3 face;                          ///< the face normal, unit, world space; zero: none
     double angle = 0;                    ///< of the face at this corner [rad]
@@ -36,11 +39,17 @@ struct AuthoredFan {
     double angle = 0;  ///< sum of its corners'
 };
 
+/// What may join across an edge between meshes.
+struct SeamRules {
+    std::vector<double> cosines;           ///< [meshes] the crease_cosine() of each; -2: the mesh follows the rule
+    std::vector<std::uint8_t> follows;     ///< [meshes] whether `creases` decides at the mesh's edges
+    std::optional<CreaseEdges> creases{};  ///< if SeamFans::needs_creases()
+};
+
 /// The fans at one place. The object is reused for all places to keep its memory.
 class SeamFans {
 public:
-    /// @param crease_cosines  [meshes] the crease_cosine() of each
-    explicit SeamFans(std::span<const double> crease_cosines) : cosines_(crease_cosines) {}
+    explicit SeamFans(const SeamRules& rules) : rules_(rules) {}
 
     /// Finds fans and joins them.
     /// @param place    the place's number: pairs are counted at the smaller one of the edge's two
@@ -54,6 +63,8 @@ public:
     std::uint32_t joined(std::uint32_t fan) { return sets_.root(fan); }
     /// For a representative: whether its fans contain a seam to close.
     bool is_open(std::uint32_t fan) const { return is_open_[fan] != 0; }
+    /// Whether a decision of the rule was missing, for any call of find(). Then the results are not valid.
+    bool needs_creases() const { return needs_creases_; }
     /// Pairs of faces that stay hard at edges from here to larger places: flat ones, and other creases.
     std::uint64_t flat_pairs() const { return flat_pairs_; }
     std::uint64_t crease_pairs() const { return crease_pairs_; }
@@ -94,6 +105,7 @@ private:
     void find_contacts(std::uint32_t place, std::span<const SeamCorner> corners);
     void look_at_edge(std::span<const SeamCorner> corners, std::span<const Spoke> edge);
     void look_at_pair(std::span<const SeamCorner> corners, const Spoke& a, const Spoke& b);
+    bool are_soft(const SeamCorner& p, bool p_outgoing, const SeamCorner& q, bool q_outgoing, double cosine);
     void look_at_fans(std::uint32_t place, std::span<const SeamCorner> corners, std::span<const Contact> contacts);
     Lean lean(std::span<const SeamCorner> corners, std::uint32_t fan, std::span<const Contact> contacts,
               std::uint32_t Contact::*own) const;
@@ -102,7 +114,7 @@ private:
     void join_nearest_first();
     bool comes_before(const Joint& a, const Joint& b) const;
 
-    std::span<const double> cosines_;
+    const SeamRules& rules_;
     std::vector<std::uint32_t> fan_of_;                       ///< [corners]
     std::vector<std::uint8_t> is_flat_;                       ///< [corners] whether their faces are authored flat
     std::vector<std::uint32_t> order_, leads_, fan_of_lead_;  ///< of one mesh: scratch
@@ -114,6 +126,7 @@ private:
     std::vector<Contact> contacts_;
     std::vector<Joint> joints_;
     UnionFind sets_, alike_;
+    bool needs_creases_ = false;
     std::uint64_t flat_pairs_ = 0, crease_pairs_ = 0;
 };
 

@@ -286,8 +286,11 @@ private:
         const auto asks = [&](const Mesh& mesh) { return normal_rule(scene, mesh, options_.normals).joins_seams; };
         if (std::none_of(scene.meshes.begin(), scene.meshes.end(), asks)) return scene;
         SeamReport seams;
-        const SeamRequest request{
-            {options_.crease_angle_rad, options_.weld_distance}, options_.normals, options_.keep_instances};
+        const SeamRequest request{{.crease_angle_rad = options_.crease_angle_rad,
+                                   .creases = options_.creases,
+                                   .weld_distance = options_.weld_distance},
+                                  options_.normals,
+                                  options_.keep_instances};
         scene = paid(join_seams(std::move(scene), request, seams, context_));
         if (seams.turned + seams.flat_pairs + seams.crease_pairs > 0)
             context_.report().add(Remark::note, scene.source, {}, describe(seams));

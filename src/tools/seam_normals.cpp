@@ -69,8 +69,10 @@ void join_parts(std::vector<PartNormals>& normals, const Surfaces& surfaces, con
     if (parts.empty()) return;
     const MeshesWithNormals with = meshes_with_normals(surfaces, normals, parts, context);
     SeamReport report;
-    apply(join_seams(with.meshes, {options.prepare.crease_angle_rad, options.weld_distance}, report, context), parts,
-          normals);
+    const SeamOptions how{.crease_angle_rad = options.prepare.crease_angle_rad,
+                          .creases = options.prepare.creases,
+                          .weld_distance = options.weld_distance};
+    apply(join_seams(with.meshes, how, report, context), parts, normals);
 }
 
 }  // namespace

@@ -89,7 +89,10 @@ SmoothedScene repaired(const Scene& scene, const SmoothFileOptions& options, Con
     out.missing_made = count_missing_normals(scene);
     if (options.tangents == TangentChoice::never) out.scene = without_tangents(std::move(out.scene), context);
     const AttributeOptions& a = options.attributes;
-    const SeamRequest request{{a.crease_angle_rad, a.weld_distance}, {}, options.keep_instances};
+    const SeamRequest request{
+        {.crease_angle_rad = a.crease_angle_rad, .creases = a.creases, .weld_distance = a.weld_distance},
+        {},
+        options.keep_instances};
     out.scene = join_seams(std::move(out.scene), request, *out.seams, context);
     if (options.tangents != TangentChoice::always) return out;
     SmoothRequest tangents;

@@ -118,7 +118,7 @@ class Head(Case):
 
     def test_normals_made_anew_are_those_of_the_program(self):
         objects = scenes.head_parts()
-        for normals, weight in (("model", "area"), ("object", "angle")):
+        for normals, weight in (("model", "area"), ("object", "angle"), ("model", "max")):
             expected = smooth_as_obj(objects, "--normals", normals, "--weight", weight, "--crease-angle", "40")
             fix(objects, normals=normals.upper(), weight=weight.upper(), crease_angle=np.radians(40))
             self.assert_agree(objects, expected)

@@ -149,12 +149,11 @@ TEST(RepairSeams, InstancesThatTouchDifferentThingsGetAMeshOfTheirOwnAndMirrorsA
     EXPECT_EQ(repair_seams(scene, {}, context, nullptr, true).meshes.size(), 1u) << "kept shared";
 }
 
-TEST(RepairSeams, SkinnedMeshesMeetInTheirBindPose) {
-    Scene scene = two_squares();
+Scene skinned(Scene scene) {
     for (Mesh& mesh : scene.meshes) {
         JointInfluence influence;
         influence.weights[0] = 1;
-        mesh.influences = std::vector<JointInfluence>(4, influence);
+        mesh.influences = std::vector<JointInfluence>(mesh.positions.size(), influence);
     }
     Node joint;
     joint.local.translation = {0, 5, 0};
@@ -162,9 +161,51 @@ TEST(RepairSeams, SkinnedMeshesMeetInTheirBindPose) {
     scene.skins = {{"", {2}, {translation(dvec3{0, -5, 0})}}};
     scene.nodes[0].skin = scene.nodes[1].skin = 0;
     scene.nodes[1].local.matrix = translation(dvec3{9, 9, 9});  // does not count
+    return scene;
+}
+
+TEST(RepairSeams, SkinnedMeshesMeetInTheirBindPose) {
     SeamReport seams;
-    repaired(scene, &seams);
+    repaired(skinned(two_squares()), &seams);
     EXPECT_EQ(seams.turned, 4u);
+}
+
+/// Two squares that bend by 45 degrees where they meet, with normals that lean as on a round edge.
+Scene bent_squares() {
+    Scene scene = two_squares();
+    const float half = std::sqrt(0.5f);
+    scene.meshes[0] = square(0, 0.3f);
+    Mesh& bent = scene.meshes[1];
+    bent.positions = std::vector<vec3>{{1, 0, 0}, {1, 0, 1}, {1 + half, -half, 1}, {1 + half, -half, 0}};
+    bent.normals = std::vector<vec3>(4, cast<float>(normalize_or(dvec3{0.3, 0.8, 0}, dvec3{})));
+    bent.tangents = {};
+    return scene;
+}
+
+TEST(RepairSeams, TheRuleOfCreasesDecidesInTheBindPoseToo) {
+    for (const Scene& bent : {bent_squares(), skinned(bent_squares())}) {
+        SeamReport seams;
+        repaired(bent, &seams);
+        EXPECT_EQ(seams.turned, 4u) << "45 degrees";
+        Context context;
+        repair_seams(bent, {.creases = Creasing::automatic}, context, &seams);
+        EXPECT_EQ(seams.turned, 0u) << "two planes";
+    }
+    SeamReport seams;
+    Context context;
+    repair_seams(skinned(two_squares()), {.creases = Creasing::automatic}, context, &seams);
+    EXPECT_EQ(seams.turned, 4u) << "one plane";
+}
+
+TEST(PrepareSeams, FollowTheRuleOfCreases) {
+    const Scene bent = bent_squares();
+    Context context;
+    const auto turned = [&](Creasing creases) {
+        const Scene after = prepare_scene(bent, {.normals = NormalSource::seams, .creases = creases}, context);
+        return !(after.meshes[0].normals == bent.meshes[0].normals);
+    };
+    EXPECT_TRUE(turned(Creasing::angle));
+    EXPECT_FALSE(turned(Creasing::automatic));
 }
 
 TEST(PrepareSeams, AreJoinedForPicturesThatAskAndForPartsThatDo) {
