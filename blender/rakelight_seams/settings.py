@@ -33,7 +33,7 @@ class SeamOptions:
     crease_angle: FloatProperty(
         name="Crease Angle", description="Edges bent more than this stay sharp",
         subtype="ANGLE", default=math.radians(60), min=0, max=math.pi)
-    weight: EnumProperty(name="Weight", description="How a triangle pulls on a normal", items=WEIGHTS, default="ANGLE")
+    weight: EnumProperty(name="Weight", description="How a triangle pulls on a normal", items=WEIGHTS, default="AUTO")
     border_distance: FloatProperty(
         name="Border Distance", subtype="DISTANCE", default=0, min=0, soft_max=1, precision=5,
         description="Normals also agree along borders of different objects at most this far apart that share no vertices; 0: off")

@@ -206,7 +206,7 @@ def smooth_file(
     *,
     normals: str = "seams",
     scope: str | None = None,
-    weight: str = "angle",
+    weight: str = "auto",
     crease_angle: float = 60.0,
     crease: str = "angle",
     weld_distance: float | None = None,
@@ -221,7 +221,7 @@ def smooth_file(
         input, output: files; may be the same
         normals: "seams" (the file's stay, and are joined where parts meet), or made anew: "model", "object", "face"
         scope: the old name of ``normals``
-        weight, crease_angle, crease, weld_distance: as of :func:`rakelight.attributes`
+        weight, crease_angle, crease, weld_distance: as of :func:`rakelight.attributes`, but ``"auto"`` is the default weight
         tangents: "auto", "always", "never"
         border_distance: [m] normals also agree along borders at most this far apart that share no vertices; 0: off
     Returns:

@@ -144,7 +144,7 @@ class Scene:
         normals: str = "model",
         *,
         scope: str | None = None,
-        weight: str = "angle",
+        weight: str = "auto",
         crease_angle: float = 60.0,
         crease: str = "angle",
         weld_distance: float | None = None,
@@ -152,7 +152,8 @@ class Scene:
         tangent_mode: str = "averaged",
         progress: Progress = None,
     ) -> Scene:
-        """The scene with new seam-free normals, and tangents where there are texture coordinates. Arguments: :func:`rakelight.attributes`.
+        """The scene with new seam-free normals, and tangents where there are texture coordinates. Arguments: :func:`rakelight.attributes`,
+        but ``"auto"`` is the default weight.
         To join the file's normals instead: :meth:`repair_seams`."""
         options = options_of(scope_of(normals, scope), weight, crease_angle, crease, weld_distance, tangents, tangent_mode)
         with told(progress) as tell:

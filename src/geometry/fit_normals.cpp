@@ -110,22 +110,27 @@ private:
     dvec3 sum_by_max(std::uint32_t g) const { return sums_.normals[g].normal; }
     dvec3 by_max(std::uint32_t g) const { return direction_of(sum_by_max(g)).unit; }
 
+    /// Of groups, in any order.
+    struct Tally {
+        std::uint64_t sum = 0, squares = 0;
+        void add(std::uint64_t group) { sum += group, squares += group * group; }
+        bool operator==(const Tally&) const = default;
+    };
+
     /// By the weight of Max the normal would be off by more than a little.
     bool needs_fit(std::uint32_t g) const {
         const std::span<const std::uint32_t> corners = rings_.corners[g];
         if (corners.empty()) return false;
         const dvec3 n = by_max(g);
         double least = 1;
-        std::uint64_t ahead = 0, behind = 0;  // equal where faces go around
+        Tally ahead, behind;  // equal where faces go around
         for (const std::uint32_t corner : corners) {
             if (!rings_.is_face(corner / 3)) continue;
             least = std::min(least, dot(rings_.normal(corner / 3), n));
-            ahead += hash(rings_.next(corner)), behind += hash(rings_.previous(corner));
+            ahead.add(rings_.next(corner)), behind.add(rings_.previous(corner));
         }
-        return !is_automatic_ || !(least > (ahead != behind ? flat_cosine : mild_cosine));
+        return !is_automatic_ || !(least > (ahead == behind ? mild_cosine : flat_cosine));
     }
-    static std::uint64_t hash(std::uint32_t group) { return (group + 1) * 0x9e3779b97f4a7c15ull >> 7; }
-
     /// Ascending.
     std::vector<std::uint32_t> groups_to_fit() {
         const std::size_t count = topology_.group.size(), step = vertices_per_chunk;
