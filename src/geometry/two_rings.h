@@ -43,7 +43,8 @@ constexpr std::uint32_t most_to_widen = 64;
 inline void two_rings(const GroupRings& rings, std::uint32_t group, GroupSet& out) {
     const std::span<const std::uint32_t> ring = rings.ring(group);
     std::size_t most = 1 + ring.size();
-    for (const std::uint32_t u : ring) most += rings.ring_size[u];
+    for (const std::uint32_t u : ring)
+        if (rings.ring_size[u] <= most_to_widen) most += rings.ring_size[u];
     out.clear(most);
     out.add(group);
     for (const std::uint32_t u : ring) out.add(u);

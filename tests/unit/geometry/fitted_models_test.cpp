@@ -217,6 +217,37 @@ void expect_unit(const std::vector<MeshAttributes>& out) {
         for (const vec3 n : mesh.normals) ASSERT_NEAR(length(cast<double>(n)), 1, 1e-5);
 }
 
+/// Faces around a point, waved.
+Shape make_fan(std::uint32_t faces) {
+    Shape s;
+    s.positions.push_back({0, 0, 0});
+    for (std::uint32_t i = 0; i < faces; ++i) {
+        const double a = 2 * pi * i / faces;
+        s.positions.push_back({float(std::cos(a)), float(std::sin(a)), float(0.1 * std::sin(9 * a))});
+    }
+    for (std::uint32_t i = 0; i < faces; ++i) s.indices.insert(s.indices.end(), {0, i + 1, (i + 1) % faces + 1});
+    return s;
+}
+/// Pages around one edge, which every second one uses backwards.
+Shape make_book(std::uint32_t pages) {
+    Shape s;
+    s.positions = {{0, 0, 0}, {0, 0, 1}};
+    for (std::uint32_t i = 0; i < pages; ++i) {
+        const double a = 2 * pi * i / pages;
+        s.positions.push_back({float(std::cos(a)), float(std::sin(a)), 0.5f});
+        s.indices.insert(s.indices.end(), {i % 2, 1 - i % 2, i + 2});
+    }
+    return s;
+}
+
+// Work that grows with the square of a place's or an edge's faces would take hours here.
+TEST(FittedModels, PlacesAndEdgesOfVeryManyFacesEnd) {
+    for (const CornerWeight weight : fitted) expect_unit(compute({make_book(100'000)}, by(weight, Creasing::angle)));
+    expect_unit(compute({make_book(100'000)}, by(CornerWeight::automatic, Creasing::automatic)));
+    expect_unit(compute({make_fan(100'000)}, by(CornerWeight::fit, Creasing::automatic)));
+    expect_unit(compute({make_fan(1'000'000)}, by(CornerWeight::automatic, Creasing::automatic)));
+}
+
 TEST(FittedModels, LittleMemoryIsAnError) {
     const std::vector<Shape> parts = {make_torus(100, 50)};
     const auto meshes = views(parts);
