@@ -302,5 +302,25 @@ TEST(FittedModels, FewAndBrokenFacesAreNoTrouble) {
     EXPECT_TRUE(find_creases({}, {}, context).hard.empty());
 }
 
+TEST(FittedModels, AuthoredNormalsOfSmallFacesCountInLargeGroups) {
+    Shape large = make_grid(1, 1, [](double u, double v) { return vec3{float(8192 * u), float(8192 * v), 0}; });
+    Shape little;
+    little.positions = {{0, 0, 0}, {-1e-3f, 0, 0}, {0, -1e-3f, 0}};
+    little.indices = {0, 1, 2};
+    const vec3 authored = cast<float>(normalize_or(dvec3{0.3, 0.1, 0.8}, {}));
+    const std::vector<vec3> normals(3, authored);
+    const std::vector<std::uint8_t> locked(3, 2);
+    const std::vector<Shape> shapes = {large, little};
+    std::vector<AttributeMesh> meshes = views(shapes);
+    meshes[1].normals = normals, meshes[1].locked = locked;
+    Context context;
+    for (const CornerWeight weight : {CornerWeight::area, CornerWeight::fit, CornerWeight::automatic}) {
+        const AttributeOptions options = by(weight, Creasing::angle);
+        const auto out = compute_attributes(meshes, options, context);
+        EXPECT_LT(angle_between(out[0].normals[0], authored), 1e-6);
+        EXPECT_EQ(accumulate(group(meshes, options, context), meshes, context)[0].normals, out[0].normals);
+    }
+}
+
 }  // namespace
 }  // namespace rakelight::test
