@@ -10,6 +10,7 @@
 
 #include <rakelight/creases.h>
 
+#include "geometry/height_fit.h"
 #include "math/isa.h"
 #include "support/environment_variable.h"
 #include "unit/geometry/hard_shapes.h"
@@ -320,6 +321,15 @@ TEST(FittedModels, AuthoredNormalsOfSmallFacesCountInLargeGroups) {
         EXPECT_LT(angle_between(out[0].normals[0], authored), 1e-6);
         EXPECT_EQ(accumulate(group(meshes, options, context), meshes, context)[0].normals, out[0].normals);
     }
+}
+
+TEST(FittedModels, PlacesWithoutNeighborsKeepTheirGuess) {
+    geometry::HeightBatch batch;
+    batch.add({}, 1, {0, 0, 1});
+    batch.add({}, 1, {0, 1, 0});
+    batch.fit();
+    EXPECT_EQ(batch.cubic(0).normal, (dvec3{0, 0, 1}));
+    EXPECT_EQ(batch.cubic(1).normal, (dvec3{0, 1, 0}));
 }
 
 }  // namespace
