@@ -25,6 +25,8 @@ public:
     Bytes(const std::uint8_t* data, std::size_t size) : at_(data), end_(data + size) {}
     std::uint32_t byte() { return at_ == end_ ? 0 : *at_++; }
     std::uint32_t below(std::uint32_t count) { return byte() % count; }
+    /// Rarely up to 255, for the ways of crowded places and large planes.
+    std::uint32_t few(std::uint32_t count) { return is_rare() ? byte() : below(count); }
     bool is_rare() { return byte() < 10; }
     /// On a coarse grid for the most part, so that places meet and faces are flat.
     float coordinate() {
@@ -121,7 +123,7 @@ void read_faces(Bytes& bytes, Model::Part& part) {
         for (std::uint32_t v = 0; v + width + 1 < count; ++v)
             if (v % width != width - 1)
                 part.indices.insert(part.indices.end(), {v, v + 1, v + width + 1, v, v + width + 1, v + width});
-    for (std::uint32_t faces = bytes.below(32); faces > 0; --faces)
+    for (std::uint32_t faces = bytes.few(32); faces > 0; --faces)
         for (int k = 0; k < 3; ++k) part.indices.push_back(bytes.below(count));
 }
 
@@ -149,7 +151,7 @@ Model::Part read_part(Bytes& bytes) {
     Model::Part part;
     part.mesh.object = bytes.below(3);
     part.mesh.to_world = read_matrix(bytes);
-    for (std::uint32_t count = bytes.below(40); count > 0; --count)
+    for (std::uint32_t count = bytes.few(40); count > 0; --count)
         part.positions.push_back({bytes.coordinate(), bytes.coordinate(), bytes.coordinate()});
     part.moved = part.positions;
     if (bytes.below(2) == 0)
