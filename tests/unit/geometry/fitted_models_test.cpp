@@ -272,6 +272,10 @@ TEST(FittedModels, LittleMemoryIsAnError) {
         EXPECT_TRUE(before);
         EXPECT_FALSE(fits(options, 1 << 16));
     }
+    const std::vector<Shape> crowded = {make_fan(100'000)};  // the rings of its middle take more than all else
+    Context some({.threads = 1, .max_memory = 24 << 20});
+    EXPECT_NO_THROW(compute_attributes(views(crowded), by(CornerWeight::max, Creasing::angle), some));
+    EXPECT_THROW(compute_attributes(views(crowded), by(CornerWeight::fit, Creasing::angle), some), Error);
     Context little({.threads = 1, .max_memory = 1 << 16});
     EXPECT_THROW(find_creases(meshes, {}, little), Error);
 }
