@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "base/hash_key.h"
 #include "geometry/face_vote.h"
 #include "geometry/fit_quality.h"
 #include "geometry/group_planes.h"
@@ -131,7 +132,7 @@ private:
         }
         return !is_automatic_ || !(least > (ahead != behind ? flat_cosine : mild_cosine));
     }
-    static std::uint64_t hash(std::uint32_t group) { return (group + 1) * 0x9e3779b97f4a7c15ull >> 7; }
+    std::uint64_t hash(std::uint32_t group) const { return folded_product(group ^ key_.a, key_.b | 1); }
 
     /// Ascending.
     std::vector<std::uint32_t> groups_to_fit() {
@@ -329,6 +330,7 @@ private:
     bool is_automatic_;
     Context& context_;
     GeneralScratch& scratch_;
+    HashKey key_ = hash_key_of_this_run();
     GroupRings rings_;
     std::vector<std::uint32_t> fitted_;  // groups
     std::vector<std::uint32_t> number_;  // [groups] in fitted_, or none
