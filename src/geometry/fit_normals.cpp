@@ -55,7 +55,8 @@ public:
         add_rings(rings_, topology, with_neighbors(), context);
         if (is_automatic && !fitted_.empty())
             planes_ = face_planes(rings_, topology, input.triangle_count(), scratch, context);
-        context.memory().check(fitted_.size() * (sizeof(Fits) + sizeof(Qualities) + sizeof(dvec3)), "fitting normals");
+        context.memory().check(fitted_.size() * (sizeof(Fits) + sizeof(Qualities) + sizeof(dvec3)) + bytes_of_largest(),
+                               "fitting normals");
         for (std::size_t i = 0; i < fitted_.size(); ++i) number_[fitted_[i]] = std::uint32_t(i);
         fits_ = scratch.take<Fits>(fitted_.size()), qualities_ = scratch.take<Qualities>(fitted_.size());
         normals_ = scratch.take<dvec3>(fitted_.size());
@@ -99,6 +100,14 @@ private:
         std::vector<dvec3> neighbors;
         HeightBatch batch;
     };
+
+    /// Of the two rings of the most crowded place, at most: where many faces meet, most of the memory.
+    std::uint64_t bytes_of_largest() const {
+        std::uint64_t most = 0;
+        for (const std::uint32_t g : fitted_) most = std::max<std::uint64_t>(most, rings_.corners.size(g));
+        const std::uint64_t places = std::min<std::uint64_t>(2 * most * most_to_widen, topology_.group.size());
+        return places * (3 * height_lanes * sizeof(double) + sizeof(dvec3) + 4 * sizeof(std::uint32_t));
+    }
 
     template <class Body>
     void each_chunk(const Body& body) {

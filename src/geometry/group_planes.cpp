@@ -35,10 +35,7 @@ public:
         }
         if (ahead_.size() > few) {
             std::sort(behind_.begin(), behind_.end());
-            for (const FacePair& a : ahead_)
-                for (auto b = std::lower_bound(behind_.begin(), behind_.end(), FacePair{a.first, 0});
-                     b != behind_.end() && b->first == a.first; ++b)
-                    if (join(a, *b, out)) break;
+            for (const FacePair& a : ahead_) join_any(a, out);
             return;
         }
         for (const FacePair& a : ahead_)
@@ -47,7 +44,15 @@ public:
     }
 
 private:
-    static constexpr std::size_t few = 16;
+    static constexpr std::size_t few = 16, most_at_edge = 64;  // an edge of more faces is in no plane
+
+    void join_any(const FacePair& a, std::vector<FacePair>& out) const {
+        const auto first = std::lower_bound(behind_.begin(), behind_.end(), FacePair{a.first, 0});
+        const auto last = std::upper_bound(first, behind_.end(), FacePair{a.first, 0xffffffffu});
+        if (last - first > std::ptrdiff_t(most_at_edge)) return;
+        for (auto b = first; b != last; ++b)
+            if (join(a, *b, out)) break;
+    }
 
     bool join(const FacePair& a, const FacePair& b, std::vector<FacePair>& out) const {
         if (!are_flat(rings_.faces[a.second], rings_.faces[b.second])) return false;

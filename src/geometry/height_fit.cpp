@@ -13,13 +13,12 @@ HeightBatch::HeightBatch() : kernels_(*RL_BY_ISA(isa_from_environment(), height_
 void HeightBatch::add(std::span<const dvec3> neighbors, double scale, dvec3 normal) {
     constexpr std::size_t row = 3 * height_lanes;
     if (neighbors_.size() < neighbors.size() * row) neighbors_.resize(neighbors.size() * row);
-    double* to = neighbors_.data() + size_;
     std::uint32_t count = 0;
     for (const dvec3& neighbor : neighbors) {
         const dvec3 d = neighbor * scale;
         if (!(dot(d, d) < 1e20)) continue;
+        double* const to = neighbors_.data() + count++ * row + size_;
         to[0] = d.x, to[height_lanes] = d.y, to[2 * height_lanes] = d.z;
-        to += row, ++count;
     }
     counts_[size_] = count;
     for (int axis = 0; axis < 3; ++axis) normals_[axis][size_] = normal[std::size_t(axis)];

@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "base/hash_key.h"
 #include "geometry/group_rings.h"
 
 namespace rakelight::geometry {
@@ -20,7 +21,7 @@ public:
     /// At most clear()'s `most` times.
     void add(std::uint32_t group) {
         const std::size_t mask = slots_.size() - 1;
-        std::size_t at = (group * 0x9e3779b1u >> 12) & mask;
+        std::size_t at = folded_product(group ^ key_.a, key_.b | 1) & mask;
         while (slots_[at] != none) {
             if (slots_[at] == group) return;
             at = (at + 1) & mask;
@@ -32,6 +33,7 @@ public:
 
 private:
     static constexpr std::uint32_t none = 0xffffffffu;
+    HashKey key_ = hash_key_of_this_run();  // the order of groups does not depend on it
     std::vector<std::uint32_t> slots_, groups_;
     std::size_t count_ = 0;
 };
@@ -43,7 +45,8 @@ constexpr std::uint32_t most_to_widen = 64;
 inline void two_rings(const GroupRings& rings, std::uint32_t group, GroupSet& out) {
     const std::span<const std::uint32_t> ring = rings.ring(group);
     std::size_t most = 1 + ring.size();
-    for (const std::uint32_t u : ring) most += rings.ring_size[u];
+    for (const std::uint32_t u : ring)
+        if (rings.ring_size[u] <= most_to_widen) most += rings.ring_size[u];
     out.clear(most);
     out.add(group);
     for (const std::uint32_t u : ring) out.add(u);

@@ -299,9 +299,10 @@ VoteSums sum_votes(const Topology& topology, const AttributeInput& input, const 
     return sums;
 }
 
-/// The normals of a group's authored members, with the weights of their faces: what the group gets instead of `voted`.
+/// The normals of a group's authored members, with the weights of their faces: what the group gets instead of `voted`. As
+/// long as the weight of the whole group asks for, or a small share would look cancelled.
 /// Equal ones are taken as they are. `voted` where there are none, or where they point to the other side or cancel.
-static dvec3 authored_or(dvec3 voted, std::span<const std::uint32_t> members, const VoteSums& sums,
+static dvec3 authored_or(const NormalRow& voted, std::span<const std::uint32_t> members, const VoteSums& sums,
                          const Topology& topology, const AttributeInput& input) {
     dvec3 first, sum;
     double weight = 0;
@@ -315,8 +316,8 @@ static dvec3 authored_or(dvec3 voted, std::span<const std::uint32_t> members, co
         sum += given * sums.normals[row].weight;
         weight += sums.normals[row].weight;
     }
-    if (!(weight > 0) || has_cancelled({sum, weight}) || !(dot(sum, voted) > 0)) return voted;
-    return are_equal ? first * weight : sum;
+    if (!(weight > 0) || has_cancelled({sum, weight}) || !(dot(sum, voted.normal) > 0)) return voted.normal;
+    return are_equal ? first * voted.weight : sum * (voted.weight / weight);
 }
 
 namespace {
@@ -371,7 +372,7 @@ void sum_groups(VoteSums& sums, const VertexGroups& groups, const Topology& topo
                 if (voters.votes(v)) add(sum, sums.normals[v].normal, sums.normals[v].weight);
             if (!(sum.weight > 0)) return;
             if (has_cancelled(sum)) return cancelled[c].push_back(std::uint32_t(g));
-            if (voters.has_locked()) sum.normal = authored_or(sum.normal, members, sums, topology, input);
+            if (voters.has_locked()) sum.normal = authored_or(sum, members, sums, topology, input);
             for (const std::uint32_t v : members) sums.normals[v] = sum;
         };
     });

@@ -22,7 +22,11 @@ struct TangentRow {
 /// A sum shorter than this share of its weights has cancelled.
 constexpr double cancelled_share = 1e-6;
 inline bool has_cancelled(const NormalRow& row) {
-    return !(dot(row.normal, row.normal) > cancelled_share * cancelled_share * row.weight * row.weight);
+    const double square = dot(row.normal, row.normal);
+    if (square > 1e-280 && square < 1e280)
+        return !(square > cancelled_share * cancelled_share * row.weight * row.weight);
+    const dvec3 share = row.normal * (1 / row.weight);  // squares of the weights of extreme slivers leave double
+    return !(dot(share, share) > cancelled_share * cancelled_share);
 }
 
 struct VoteSums {

@@ -96,8 +96,9 @@ struct PixelBytes {
 template <class T>
 PixelBytes bytes_of(const T (&components)[4], int channels) {
     const bool is_gray = channels < 3;
-    const T gray = T(0.2126f * float(components[0]) + 0.7152f * float(components[1]) + 0.0722f * float(components[2]));
-    const T in_order[4] = {is_gray ? gray : components[0], is_gray ? components[3] : components[1], components[2],
+    const T luminance =
+        T(0.2126f * float(components[0]) + 0.7152f * float(components[1]) + 0.0722f * float(components[2]));
+    const T in_order[4] = {is_gray ? luminance : components[0], is_gray ? components[3] : components[1], components[2],
                            components[3]};
     PixelBytes out{};
     out.count = std::size_t(channels) * sizeof(T);
