@@ -227,8 +227,8 @@ private:
     dvec3 fitted(std::size_t i) const {
         const Fits& f = fits_[i];
         const std::uint32_t g = fitted_[i];
-        const bool is_cubic = !f.border && f.neighbors >= 11 && f.cubic_rank > 1e-5f;
-        const bool is_quadric = f.neighbors >= 7 && f.quadric_rank > 1e-5f;
+        const bool is_cubic = !f.border && f.neighbors >= 11 && double(f.cubic_rank) > least_rank(false);
+        const bool is_quadric = f.neighbors >= 7 && double(f.quadric_rank) > least_rank(true);
         return is_cubic ? cast<double>(f.cubic) : is_quadric ? cast<double>(f.quadric) : by_max(g);
     }
 
@@ -246,8 +246,11 @@ private:
         std::vector<std::size_t> wide;
         const auto fit_wide = [&] {
             memory.batch.fit_wide();
-            for (std::uint32_t place = 0; place < memory.batch.size(); ++place)
-                decisions[wide[place]].wide_normal = memory.batch.wide(place).normal;
+            for (std::uint32_t place = 0; place < memory.batch.size(); ++place) {
+                const HeightFit fit = memory.batch.wide(place);
+                decisions[wide[place]].wide_normal = fit.normal;
+                decisions[wide[place]].wide *= step_between(fit.rank, 1e-5, 1e-4);
+            }
             memory.batch.clear(), wide.clear();
         };
         std::vector<std::uint32_t> planes;

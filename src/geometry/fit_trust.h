@@ -50,11 +50,17 @@ struct FitQuality {
     }
 };
 
+/// HeightFit::rank below which a fit is not trusted. A quadric is taken at open borders, where all neighbors may lie on one
+/// side: of one row there, they tell its slope across the border badly, and have ranks of about 4e-4.
+constexpr double least_rank(bool is_quadric) { return is_quadric ? 2e-3 : 1e-5; }
+
 /// 0 to 1.
 /// @param allowed  factor on the share of the heights that the fit may leave unexplained
 inline double trust(double unexplained, double allowed, double rank, std::size_t neighbors, HeightForm form) {
     if (neighbors < std::size_t(terms_of(form)) + 2) return 0;
-    return (1 - step_between(unexplained / allowed, 0.01, 0.05)) * step_between(rank, 1e-5, 1e-4);
+    const bool is_quadric = form == HeightForm::quadric;
+    return (1 - step_between(unexplained / allowed, 0.01, 0.05)) *
+           step_between(rank, least_rank(is_quadric), (is_quadric ? 5 : 10) * least_rank(is_quadric));
 }
 inline double trust_in(const HeightFit& fit, std::size_t neighbors, HeightForm form, const FitQuality& around,
                        double allowed) {

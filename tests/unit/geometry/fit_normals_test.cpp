@@ -171,6 +171,26 @@ TEST(FitNormals, AuthoredNormalsStayAndAreTakenBesideThem) {
     }
 }
 
+TEST(FitNormals, ATubeOfOneRowOfFacesHasNormalsAcrossItsAxis) {
+    std::vector<vec3> positions;
+    std::vector<std::uint32_t> indices;
+    constexpr std::uint32_t sides = 12;
+    for (std::uint32_t i = 0; i < 2 * sides; ++i) {
+        const double a = 2 * pi * (i % sides) / sides;
+        positions.push_back({float(std::cos(a)), float(std::sin(a)), i < sides ? 0.0f : 1.0f});
+    }
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const std::uint32_t next = (i + 1) % sides;
+        for (const std::uint32_t v : {i, next, next + sides, i, next + sides, i + sides}) indices.push_back(v);
+    }
+    const AttributeMesh mesh{.positions = positions, .indices = indices};
+    Context context;
+    for (const CornerWeight weight : {CornerWeight::fit, CornerWeight::automatic}) {
+        const MeshAttributes out = compute_attributes({&mesh, 1}, by(weight), context).front();
+        for (const vec3 n : out.normals) EXPECT_NEAR(n.z, 0, 1e-5) << int(weight);
+    }
+}
+
 TEST(FitNormals, MemoryIsAskedForBeforeItIsTaken) {
     const std::vector<Shape> parts = {make_torus(100, 50)};
     const std::vector<AttributeMesh> meshes = views(parts);

@@ -62,7 +62,25 @@ TEST(Inspect, AutomaticCreasesAreSummarized) {
     InspectOptions options;
     EXPECT_FALSE(inspect(two_squares(), options, context).creases);
     options.prepare.creases = Creasing::automatic;
+    EXPECT_FALSE(inspect(two_squares(), options, context).creases) << "the file's normals count";
+    options.prepare.normals = NormalSource::model;
     EXPECT_TRUE(inspect(two_squares(), options, context).creases);
+}
+
+TEST(Inspect, WhatDecidesNormalsIsALine) {
+    Context context;
+    InspectOptions options;
+    EXPECT_FALSE(inspect(two_squares(), options, context).choices) << "the file's normals count";
+    options.prepare.normals = NormalSource::model;
+    Inspection i = inspect(two_squares(), options, context);
+    ASSERT_TRUE(i.choices);
+    EXPECT_GT(i.choices->smooth, 0u);
+    i.choices = NormalChoices{.smooth = 1, .plane = 20, .fit = 978, .noise = 1};
+    EXPECT_NE(to_text(i).find("  normals: 98% fitted, 2% of a plane, 0.1% nearly flat, 0.1% averaged over noise\n"),
+              std::string::npos)
+        << to_text(i);
+    options.prepare.weight = CornerWeight::angle;
+    EXPECT_FALSE(inspect(two_squares(), options, context).choices);
 }
 
 TEST(Inspect, MaterialsThatNoObjectHasAreUnused) {
