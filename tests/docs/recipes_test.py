@@ -141,7 +141,7 @@ class Action(unittest.TestCase):
     def test_a_seam_ends_with_5_an_annotation_and_a_failure_in_the_report(self):
         done, report = self.run_action(models="models/**/spot*.glb", limits="--max-seam 2 --no-degenerate", report="out/checks.xml")
         self.assertEqual(done.returncode, 5)
-        self.assertRegex(done.stdout + done.stderr, r"::error title=rakelight::models/in side/spot 5\.glb: max-seam: seam of 31\.76")
+        self.assertRegex(done.stdout + done.stderr, r"::error title=rakelight::models/in side/spot 5\.glb: max-seam: seam of 30\.26")
         self.assertEqual(self.failures(report), {"load": False, "max-seam": True, "no-degenerate": False})
 
     def test_a_broken_model_ends_with_4_and_a_missing_one_with_3(self):
