@@ -186,14 +186,14 @@ TEST_P(BesideAuthored, PlacementsDoNotMatter) {
 
 /// Zeros and numbers that are not finite are no normals: what is there instead is as if there were none.
 TEST_P(BesideAuthored, NormalsThatAreNoneAreMade) {
-    const Mesh without = prepared(scene_of({c.with, c.without})).meshes[1];
+    const Mesh without = prepared(scene_of({c.with, c.without}), by_angle(NormalSource::automatic)).meshes[1];
     for (const vec3 none : {vec3{0, 0, 0}, vec3{nan_f, 0, 1}, vec3{-0.0f, 0, 0}, vec3{0, INFINITY, 0}}) {
         Mesh zeros = c.without;
         zeros.normals = std::vector<vec3>(zeros.positions.size(), none);
         EXPECT_TRUE(lacks_normals(zeros));
         EXPECT_TRUE(normal_gaps(zeros).is_all);
         Context context;
-        const Scene out = prepare_scene(scene_of({c.with, zeros}), {}, context);
+        const Scene out = prepare_scene(scene_of({c.with, zeros}), by_angle(NormalSource::automatic), context);
         expect_right(out.meshes[0], out.meshes[1]);
         EXPECT_TRUE(std::equal(without.normals.begin(), without.normals.end(), out.meshes[1].normals.begin()));
         EXPECT_EQ(remarks(context, Remark::warning, "all zero or not finite"), 1u);
@@ -215,7 +215,7 @@ TEST_P(BesideAuthored, GapsAreMadeAsTheModelsNormalsAre) {
     for (const bool missing_are_flat : {false, true}) {
         Scene scene = scene_of({mesh});
         scene.missing_normals_are_flat = missing_are_flat;
-        const Mesh out = prepared(scene).meshes[0];
+        const Mesh out = prepared(scene, by_angle(NormalSource::automatic)).meshes[0];
         ASSERT_EQ(out.normals.size(), right.size()) << "nothing is split on a smooth surface";
         for (std::size_t v = 0; v < right.size(); ++v) {
             if (gaps.contains(v))
