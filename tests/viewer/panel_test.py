@@ -49,7 +49,7 @@ class Panels(Case):
         window = self.open("builtin:teapot", "--normals", "object")
         window.key("F4")
         plain = window.settled_picture()
-        for x, y, what in ((20, row(5), "normals"), (20, row(6), "seams")):
+        for x, y, what in ((20, row(6), "normals"), (20, row(7), "seams")):
             self.click_changes(window, x, y, what)
             self.click(window, x, y)
             support.wait_for(lambda: seen(window.picture()) == seen(plain), f"{what} stay where they were unticked")

@@ -174,9 +174,10 @@ class Viewer(Case):
 
     def test_files_asked_for_one_after_the_other_are_all_written(self):
         window = self.open("builtin:teapot:tolerance=3e-5", "--samples", "8")  # so that each takes a while
+        window.settled_picture()
         window.key("F12", "ctrl+F12", "F12", "ctrl+s", "ctrl+s")
         pictures = lambda: sorted(self.folder.glob("teapot*-?.png"))
-        wait_for(lambda: len(pictures()) == 3 and len(list(self.folder.glob("*.scene.toml"))) == 2, "not all files were written")
+        wait_for(lambda: len(pictures()) == 3 and len(list(self.folder.glob("*.scene.toml"))) == 2, f"not all files were written: {sorted(x.name for x in self.folder.iterdir())}")
         self.assertEqual([png(path)[2] for path in pictures()], [3, 4, 3])  # the second one is transparent
 
     def test_a_recording_is_not_broken_off_by_what_comes_after(self):

@@ -219,9 +219,8 @@ RL_INLINE void store(double (&to)[3][height_lanes], uint32_t lane, const Three& 
 
 /// @param used   5: the quadric, K: all
 /// @param trace  of the inverse of their matrix
-/// @return the normal
 template <uint32_t K>
-RL_INLINE Three conclude(const Factored<K>& f, uint32_t used, numbers trace, const Axes& axes, const QuadricSums& s,
+RL_INLINE void conclude(const Factored<K>& f, uint32_t used, numbers trace, const Axes& axes, const QuadricSums& s,
                          uint32_t lane, HeightNumbers& out) {
     numbers x[K], left = s.heights, most = all(0);
     solve(f, used, x);
@@ -236,9 +235,7 @@ RL_INLINE Three conclude(const Factored<K>& f, uint32_t used, numbers trace, con
     store(out.bent + lane, larger(bent, all(0)));
     const numbers rank = larger(all(1) / trace - all(little), all(0));
     store(out.rank + lane, most > all(0.01) ? all(0) : rank);
-    const Three normal = turned(axes, a, b);
-    store(out.normal, lane, normal);
-    return normal;
+    store(out.normal, lane, turned(axes, a, b));
 }
 
 RL_INLINE Three normal_of(const HeightJob& job, uint32_t lane) {
@@ -297,9 +294,15 @@ static void wide(const HeightJob& job, HeightNumbers& out, double (&weight)[heig
             const Equations<6> e = wide_equations(job, lane, axes, s);
             Factored<6> f;
             factor(e, s.weight, f);
+            if (round + 1 < rounds) {
+                numbers x[6];
+                solve(f, 6, x);
+                n = turned(axes, x[0] * f.scale[0], x[1] * f.scale[1]);
+                continue;
+            }
             numbers five, six;
             traces(f, five, six);
-            n = conclude(f, 6, six, axes, s, lane, out);
+            conclude(f, 6, six, axes, s, lane, out);
             store(weight + lane, s.weight);
         }
     }
