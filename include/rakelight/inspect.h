@@ -196,7 +196,7 @@ struct Inspection {
     /// InspectOptions::prepare.creases is `automatic`, and what decides normals if `weight` is.
     std::optional<CreaseReport> creases{};
     std::optional<NormalChoices> choices{};
-    std::uint64_t shared_positions = 0;     ///< world positions that two or more meshes share; each instance counts
+    std::uint64_t shared_positions = 0;  ///< world positions that two or more meshes share; each instance counts
     SeamTotals seams{};
     std::vector<BorderSummary> borders{};  ///< at most 10,000, by falling seam_deg, then by the largest angle
     std::uint64_t borders_left_out = 0;    ///< pairs beyond the first 10,000

@@ -221,7 +221,7 @@ RL_INLINE void store(double (&to)[3][height_lanes], uint32_t lane, const Three& 
 /// @param trace  of the inverse of their matrix
 template <uint32_t K>
 RL_INLINE void conclude(const Factored<K>& f, uint32_t used, numbers trace, const Axes& axes, const QuadricSums& s,
-                         uint32_t lane, HeightNumbers& out) {
+                        uint32_t lane, HeightNumbers& out) {
     numbers x[K], left = s.heights, most = all(0);
     solve(f, used, x);
     for (uint32_t i = 0; i < used; ++i) {
