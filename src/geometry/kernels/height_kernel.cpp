@@ -3,41 +3,19 @@
 // of the terms x, y, c x^2, c x y, c y^2 and the cubic ones: many of their sums are equal, and each is computed once. The
 // quadric's equations are the first five of the cubic's, and so is its factor.
 #include "geometry/height_kernel_types.h"
+#include "geometry/kernels/double_lanes.h"
 
 namespace rakelight::geometry::RL_ISA {
 
-#if defined(RL_ISA_avx512)
-constexpr uint32_t lanes = 8;
-#elif defined(RL_ISA_avx2)
-constexpr uint32_t lanes = 4;
-#else
-constexpr uint32_t lanes = 2;
-#endif
-typedef double numbers __attribute__((vector_size(lanes * sizeof(double))));
-typedef long long bits __attribute__((vector_size(lanes * sizeof(double))));
-#define RL_INLINE static inline __attribute__((always_inline))
-
-RL_INLINE numbers all(double v) { return v - numbers{}; }
 RL_INLINE numbers load(const double* from) {
     numbers v;
     __builtin_memcpy(&v, from, sizeof v);
     return v;
 }
 RL_INLINE void store(double* to, numbers v) { __builtin_memcpy(to, &v, sizeof v); }
-RL_INLINE numbers square_root(numbers v) {
-    for (uint32_t i = 0; i < lanes; ++i) v[i] = __builtin_sqrt(v[i]);
-    return v;
-}
 RL_INLINE numbers larger(numbers a, numbers b) { return a > b ? a : b; }
 RL_INLINE numbers smaller(numbers a, numbers b) { return a < b ? a : b; }
 
-struct Three {
-    numbers x, y, z;
-};
-RL_INLINE numbers dot(const Three& a, const Three& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-RL_INLINE Three cross(const Three& a, const Three& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 RL_INLINE Three unit_or(const Three& v, const Three& otherwise) {
     const numbers square = dot(v, v), scale = all(1) / square_root(square);
     const bits good = (square > all(1e-280)) & (square < all(1e280));

@@ -1,45 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The votes of faces, several at a time in double, per instruction set: the vote of face_vote.h, operation by
 // operation, so that the bits are the same.
+#include "geometry/kernels/double_lanes.h"
 #include "geometry/vote_kernel_types.h"
 
 namespace rakelight::geometry::RL_ISA {
 
-#if defined(RL_ISA_avx512)
-constexpr uint32_t lanes = 8;
-#elif defined(RL_ISA_avx2)
-constexpr uint32_t lanes = 4;
-#else
-constexpr uint32_t lanes = 2;
-#endif
-/// Values of one vector of faces.
-typedef double numbers __attribute__((vector_size(lanes * sizeof(double))));
-typedef long long bits __attribute__((vector_size(lanes * sizeof(double))));
-#define RL_INLINE static inline __attribute__((always_inline))
-
-struct Three {
-    numbers x, y, z;
-};
-
-RL_INLINE numbers all(double v) { return v - numbers{}; }
 RL_INLINE Three difference(const Three& a, const Three& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 RL_INLINE Three times(const Three& a, numbers s) { return {a.x * s, a.y * s, a.z * s}; }
-RL_INLINE numbers dot(const Three& a, const Three& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-RL_INLINE Three cross(const Three& a, const Three& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 RL_INLINE Three product(const double (&m)[3][3], const Three& v) {
     return {v.x * m[0][0] + v.y * m[1][0] + v.z * m[2][0], v.x * m[0][1] + v.y * m[1][1] + v.z * m[2][1],
             v.x * m[0][2] + v.y * m[1][2] + v.z * m[2][2]};
 }
-RL_INLINE numbers square_root(numbers v) {
-    alignas(64) double n[lanes];
-    __builtin_memcpy(n, &v, sizeof n);
-    for (uint32_t i = 0; i < lanes; ++i) n[i] = __builtin_sqrt(n[i]);
-    __builtin_memcpy(&v, n, sizeof n);
-    return v;
-}
-
 /// direction_of(): unit and length.
 /// @param odd gets lanes for the scalar function
 RL_INLINE Three unit(const Three& v, numbers& length, bits& odd) {
