@@ -197,8 +197,7 @@ RL_API AttributePlan regroup(const AttributePlan& plan, std::span<const Attribut
 
 /// Second step: computes normals and tangents as sums over the corner groups of the plan. Positions may have moved
 /// since the first step; the counts of vertices and triangles must be equal. If no position has moved, the result is
-/// bit-identical to that of compute_attributes(). Exception: at a crease angle of pi with uniform weight,
-/// compute_attributes() sums in float.
+/// that of compute_attributes(): bit-identical but in the fast case (compute_attributes_into()), which sums in float.
 /// @return one entry per mesh, in the order of the input
 RL_API std::vector<MeshAttributes> accumulate(const AttributePlan& plan, std::span<const AttributeMesh> meshes,
                                               Context& context);
@@ -279,11 +278,12 @@ private:
 
 /// compute_attributes() into the caller's buffers.
 ///
-/// The *fast case* joins all faces at each position. It needs these options: crease angle pi, uniform weight, scope
-/// model or object, a weld distance of 0 or automatic (< 0), and averaged, orthogonalized tangents. All meshes must have the same
-/// angle-preserving matrix, and no smoothing groups, hints, locks or quantized positions. Once the workspace has grown,
-/// the fast case allocates no memory per vertex or triangle. In all other cases the workspace holds only the largest
-/// arrays, and each call allocates the others.
+/// The *fast case* sums in float, and decides in double only at creases and at open borders. It needs these options: one crease
+/// angle of at least a degree (not the rule of creases), no weight `fit` or `automatic`, scope model or object, a weld
+/// distance of 0 or automatic (< 0), and averaged, orthogonalized tangents. All meshes must have the same angle-preserving
+/// matrix, and no smoothing groups, hints, locks or quantized positions. At a crease angle of pi, once the workspace has grown,
+/// it allocates no memory per vertex or triangle. In all other cases the workspace holds the largest arrays, and each call
+/// allocates the others.
 ///
 /// @param out [meshes] buffers must not overlap each other or the input
 /// @return split vertices and counts, one entry per mesh; the same values as compute_attributes()

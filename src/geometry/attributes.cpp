@@ -136,10 +136,11 @@ void give_back(Plan& plan, GeneralScratch& scratch) {
 }
 
 std::vector<MeshAttributes> run(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
-                                GeneralScratch& scratch, Context& context) {
+                                std::span<const std::uint8_t> wanted, GeneralScratch& scratch, Context& context) {
     check_options(options);
     const AttributeInput input = check_input(meshes, context);
     const std::shared_ptr<Plan> plan = describe(meshes, options);
+    plan->base.wanted = wanted;
     std::vector<MeshAttributes> out;
     run(*plan, input, scratch, context, [&](const Plan& p, const VoteSums& sums) {
         return finish_vertices(sums, p.topology, input, p.options, out, context);
@@ -230,9 +231,15 @@ std::vector<MeshAttributes> compute_attributes(std::span<const AttributeMesh> me
 }
 
 std::vector<MeshAttributes> geometry::general_attributes(std::span<const AttributeMesh> meshes,
+                                                         const AttributeOptions& options,
+                                                         std::span<const std::uint8_t> wanted, GeneralScratch& scratch,
+                                                         Context& context) {
+    return run(meshes, options, wanted, scratch, context);
+}
+std::vector<MeshAttributes> geometry::general_attributes(std::span<const AttributeMesh> meshes,
                                                          const AttributeOptions& options, Context& context) {
     GeneralScratch scratch;
-    return run(meshes, options, scratch, context);
+    return run(meshes, options, {}, scratch, context);
 }
 
 std::vector<SplitAttributes> geometry::general_attributes_into(std::span<const AttributeMesh> meshes,
@@ -242,7 +249,7 @@ std::vector<SplitAttributes> geometry::general_attributes_into(std::span<const A
     std::vector<SplitAttributes> splits;
     if (options.tangents &&
         options.tangent_mode != TangentMode::averaged) {  // computed from complete arrays of normals
-        const std::vector<MeshAttributes> results = run(meshes, options, scratch, context);
+        const std::vector<MeshAttributes> results = run(meshes, options, {}, scratch, context);
         for (std::size_t m = 0; m < meshes.size(); ++m) splits.push_back(split_from(meshes[m], results[m], out[m]));
         return splits;
     }

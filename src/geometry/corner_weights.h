@@ -5,7 +5,12 @@
 
 namespace rakelight::geometry {
 
-/// Those of `max` where there is no weight: CornerWeight::fit, automatic.
+/// The weight of the sums that fits begin from, for those that are fits: CornerWeight::fit, automatic.
+constexpr CornerWeight sum_weight(CornerWeight weight) {
+    return weight == CornerWeight::fit || weight == CornerWeight::automatic ? CornerWeight::max : weight;
+}
+
+/// Those of sum_weight().
 /// @param area2 twice the area of the face in world space
 inline dvec3 corner_weights(CornerWeight weight, const Placement& placement, const FaceCorners& face, double area2) {
     switch (weight) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/fast_attributes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "geometry/fast_stages.h"
+#include "geometry/fit_normals.h"
 #include "math/isa.h"
 
 namespace rakelight::geometry {
@@ -31,11 +34,19 @@ bool is_plain(const AttributeMesh& m) {
            (m.smoothing.empty() || m.group_kind == GroupKind::none);
 }
 
+bool has_plain_creases(std::span<const AttributeMesh> meshes, const AttributeOptions& options) {
+    const CreaseRange range = crease_range(meshes, options);
+    return !range.has_rule && range.least == range.most && range.least >= least_crease_rad;
+}
+
 struct Kernels {
     const FastKernels* rows;
     const WeldKernels* weld;
+    const LookKernels* looks;
 };
-Kernels kernels_for(Isa isa) { return {RL_BY_ISA(isa, fast_kernels()), RL_BY_ISA(isa, weld_kernels())}; }
+Kernels kernels_for(Isa isa) {
+    return {RL_BY_ISA(isa, fast_kernels()), RL_BY_ISA(isa, weld_kernels()), RL_BY_ISA(isa, look_kernels())};
+}
 
 std::vector<SplitAttributes> without_splits(const FastState& state) {
     std::vector<SplitAttributes> splits(state.input.meshes.size());
@@ -58,7 +69,8 @@ std::vector<SplitAttributes> give_to_general(std::span<const AttributeMesh> mesh
 }  // namespace
 
 std::size_t FastScratch::bytes() const {
-    std::size_t sum = rows.bytes() + records.bytes();
+    std::size_t sum = rows.bytes() + records.bytes() + general.bytes();
+    for (const auto& some : classes) sum += some.capacity() * sizeof(Duplicate);
     for (const auto& box : outbox) sum += box.capacity();
     for (const LaneScratch& lane : lanes)
         sum += lane.table.bytes() + lane.left.bytes() + lane.hashed.capacity() * sizeof(HashedRange) +
@@ -68,8 +80,8 @@ std::size_t FastScratch::bytes() const {
 }
 
 bool takes_fast_path(std::span<const AttributeMesh> meshes, const AttributeOptions& options) {
-    const bool fits = options.normals && options.scope != Scope::face && crease_range(meshes, options).joins_all() &&
-                      options.weight == CornerWeight::uniform && options.weld_distance <= 0;
+    const bool fits = options.normals && options.scope != Scope::face && !is_fitted(options.weight) &&
+                      options.weld_distance <= 0 && has_plain_creases(meshes, options);
     if (!fits || !is_plain(options) || meshes.empty() || !keeps_angles(meshes[0].to_world)) return false;
     return std::all_of(meshes.begin(), meshes.end(),
                        [&](const AttributeMesh& m) { return m.to_world == meshes[0].to_world && is_plain(m); });
@@ -104,6 +116,7 @@ std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> mesh
     scratch.rows.reserve(vertices * floats);
     const Kernels kernels = kernels_for(isa_from_environment());
     const bool is_identity = meshes[0].to_world == dmat4{};
+    const CreaseRange range = crease_range(meshes, options);
     FastState state{input,
                     options,
                     out,
@@ -112,8 +125,11 @@ std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> mesh
                     scratch,
                     *kernels.rows,
                     *kernels.weld,
+                    *kernels.looks,
                     context,
                     tangents,
+                    range.least,
+                    !range.joins_all(),
                     {},
                     {}};
     state.degenerate.assign(meshes.size(), 0);
@@ -125,8 +141,14 @@ std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> mesh
     if (!scatter_votes(state)) check_indices(input, context);
     weld_rows(state);
     context.throw_if_cancelled();
-    const std::vector<std::uint32_t> hard = finish_rows(state);
+    std::vector<std::uint32_t> hard = finish_rows(state);
     context.throw_if_cancelled();
+    if (state.looks) {
+        const std::vector<std::uint32_t> weak = std::move(hard), creased = walk_fans(state, look_at_places(state));
+        hard.clear();
+        std::set_union(weak.begin(), weak.end(), creased.begin(), creased.end(), std::back_inserter(hard));
+        context.throw_if_cancelled();
+    }
     if (hard.size() > vertices / 4) return give_to_general(meshes, options, out, context);
     std::vector<SplitAttributes> splits = without_splits(state);
     if (!hard.empty()) redo_places(state, hard, out, splits);

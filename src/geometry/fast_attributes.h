@@ -8,6 +8,10 @@
 namespace rakelight::geometry {
 
 /// The general path (attributes.cpp): every option, in double.
+/// @param wanted  [vertices] 0: what comes out at its place is not needed; empty: all are
+std::vector<MeshAttributes> general_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                               std::span<const std::uint8_t> wanted, GeneralScratch& scratch,
+                                               Context& context);
 std::vector<MeshAttributes> general_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                                Context& context);
 

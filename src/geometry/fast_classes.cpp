@@ -127,14 +127,7 @@ void join_classes(FastState& state, std::vector<Duplicate>& duplicates) {
         __builtin_prefetch(state.row(d.winner), 1);
         __builtin_prefetch(state.row(d.vertex), 1);
     }
-    std::vector<std::uint32_t> members;
-    for (std::size_t i = 0; i < duplicates.size();) {
-        const std::uint32_t winner = duplicates[i].winner;
-        members.assign(1, winner);
-        for (; i < duplicates.size() && duplicates[i].winner == winner; ++i) members.push_back(duplicates[i].vertex);
-        std::rotate(members.begin(), members.begin() + 1, std::upper_bound(members.begin() + 1, members.end(), winner));
-        ClassJoin(state, members).run();
-    }
+    for_each_class(duplicates, [&](std::span<const std::uint32_t> members) { ClassJoin(state, members).run(); });
 }
 
 }  // namespace rakelight::geometry

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/fast_stages.h"
 
-#include <bit>
-
 #include "geometry/fast_attributes.h"
+#include "geometry/marked_vertices.h"
 
 namespace rakelight::geometry {
 namespace {
@@ -19,40 +18,16 @@ struct PartMesh {
     std::vector<std::uint32_t> indices;
 };
 
-// Numbers the marked vertices of a mesh from 0 on, in their order.
-class VertexRanks {
-public:
-    explicit VertexRanks(std::size_t vertices) : words_(vertices / 64 + 1), before_(vertices / 64 + 1) {}
-    void mark(std::uint32_t v) { words_[v >> 6] |= std::uint64_t(1) << (v & 63); }
-    /// All marked ones, ascending; rank() holds from now on.
-    std::vector<std::uint32_t> count() {
-        std::vector<std::uint32_t> marked;
-        for (std::size_t w = 0; w < words_.size(); ++w) {
-            before_[w] = std::uint32_t(marked.size());
-            for (std::uint64_t left = words_[w]; left != 0; left &= left - 1)
-                marked.push_back(std::uint32_t(w * 64 + std::size_t(std::countr_zero(left))));
-        }
-        return marked;
-    }
-    std::uint32_t rank(std::uint32_t v) const {
-        return before_[v >> 6] + std::uint32_t(std::popcount(words_[v >> 6] & ((std::uint64_t(1) << (v & 63)) - 1)));
-    }
-
-private:
-    std::vector<std::uint64_t> words_;
-    std::vector<std::uint32_t> before_;
-};
-
 class Redo {
 public:
     Redo(FastState& state, std::span<const std::uint32_t> wanted)
-        : state_(state), input_(state.input), wanted_(wanted) {}
+        : state_(state), input_(state.input), wanted_(wanted), marks_(state.input.vertex_count(), wanted) {}
 
     void run(std::span<const AttributeBuffers> out, std::vector<SplitAttributes>& splits) {
-        mark();
         collect_faces();
         state_.context.parallel_for(parts_.size(), [&](std::size_t p) { number(parts_[p]); });
         std::vector<AttributeMesh> meshes;
+        std::vector<std::uint8_t> wanted;
         for (const PartMesh& part : parts_) {
             AttributeMesh& mesh = meshes.emplace_back();
             mesh.object = input_.meshes[part.mesh].object;
@@ -60,43 +35,24 @@ public:
             mesh.texcoords = part.texcoords;
             mesh.indices = part.indices;
             mesh.to_world = input_.meshes[part.mesh].to_world;
+            mesh.crease_angle_rad = input_.meshes[part.mesh].crease_angle_rad;
+            wanted.insert(wanted.end(), part.is_wanted.begin(), part.is_wanted.end());
         }
-        const std::vector<MeshAttributes> results = general_attributes(meshes, state_.options, state_.context);
+        const std::vector<MeshAttributes> results = general_attributes(meshes, state_.options, wanted, state_.scratch.general, state_.context);
         state_.context.parallel_for(parts_.size(), [&](std::size_t p) {
             take(parts_[p], results[p], out[parts_[p].mesh], splits[parts_[p].mesh]);
         });
     }
 
 private:
-    bool is_wanted(std::uint32_t vertex) const { return (marks_[vertex >> 5] >> (vertex & 31) & 1) != 0; }
+    bool is_wanted(std::uint32_t vertex) const { return marks_.has(vertex); }
 
-    void mark() {
-        marks_.assign(std::size_t(input_.vertex_count()) / 32 + 1, 0);
-        for (const std::uint32_t v : wanted_) marks_[v >> 5] |= 1u << (v & 31);
-    }
-
-    // Skips stretches of faces whose vertex range contains no marked vertex.
     void collect_faces() {
-        const std::vector<std::size_t>& range_base = state_.scratch.range_base;
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> stretches;  // mesh, first face
-        for (std::uint32_t m = 0; m < input_.meshes.size(); ++m)
-            for (std::size_t r = range_base[m]; r < range_base[m + 1]; ++r) {
-                const VertexRange range = state_.scratch.ranges[r];
-                const auto at = std::lower_bound(wanted_.begin(), wanted_.end(), input_.vertex_base[m] + range.first);
-                if (at != wanted_.end() && *at <= input_.vertex_base[m] + range.last)
-                    stretches.emplace_back(m, std::uint32_t(r - range_base[m]) * faces_per_range);
-            }
+        const std::vector<FaceStretch> stretches = stretches_with(state_, wanted_);
         std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> found(stretches.size());  // mesh, face
         state_.context.parallel_for(stretches.size(), [&](std::size_t s) {
-            const auto [m, first] = stretches[s];
-            const std::uint32_t base = input_.vertex_base[m],
-                                faces = std::uint32_t(input_.meshes[m].indices.size() / 3);
-            const std::uint32_t* index = input_.meshes[m].indices.data();
-            for (std::uint32_t t = first; t < std::min(faces, first + faces_per_range); ++t) {
-                const std::uint32_t* corner = index + 3 * std::size_t(t);
-                if (is_wanted(base + corner[0]) || is_wanted(base + corner[1]) || is_wanted(base + corner[2]))
-                    found[s].emplace_back(m, t);
-            }
+            for_each_marked_face(input_, marks_, stretches[s],
+                                 [&](std::uint32_t m, std::uint32_t t) { found[s].emplace_back(m, t); });
         });
         std::vector<std::uint32_t> part_of(input_.meshes.size(), 0xffffffffu);
         const auto part = [&](std::uint32_t m) -> PartMesh& {
@@ -117,11 +73,14 @@ private:
 
     void number(PartMesh& part) const {
         const AttributeMesh& mesh = input_.meshes[part.mesh];
-        VertexRanks ranks(mesh.positions.size());
-        for (const std::uint32_t v : part.vertices) ranks.mark(v);
+        MarkedVertices marks(mesh.positions.size(), part.vertices);
         for (const std::uint32_t t : part.faces)
-            for (std::size_t k = 0; k < 3; ++k) ranks.mark(mesh.indices[3 * std::size_t(t) + k]);
-        part.vertices = ranks.count();
+            for (std::size_t k = 0; k < 3; ++k) marks.mark(mesh.indices[3 * std::size_t(t) + k]);
+        const VertexRanks ranks(marks);
+        part.vertices = ranks.all();
+        part.positions.reserve(part.vertices.size());
+        part.is_wanted.reserve(part.vertices.size());
+        part.indices.reserve(3 * part.faces.size());
         for (const std::uint32_t v : part.vertices) {
             part.positions.push_back(mesh.positions[v]);
             if (!mesh.texcoords.empty()) part.texcoords.push_back(mesh.texcoords[v]);
@@ -160,7 +119,7 @@ private:
     FastState& state_;
     const AttributeInput& input_;
     std::span<const std::uint32_t> wanted_;
-    std::vector<std::uint32_t> marks_;  // a bit per vertex
+    MarkedVertices marks_;
     std::vector<PartMesh> parts_;
 };
 

@@ -3,6 +3,8 @@
 #pragma once
 #include <stdint.h>
 
+#include "geometry/vote_kernel_types.h"
+
 namespace rakelight::geometry {
 
 /// Sum over the faces of one vertex, in object space: with tangents 8 floats { n.x, n.y, n.z, hand, t.x, t.y, t.z,
@@ -21,13 +23,16 @@ struct FastParcel {
 /// Sums of unit vectors shorter than this share of their weights are not computed in float.
 constexpr float weak_normal_share = 1.0f / 8, weak_tangent_share = 1.0f / 16;
 
-/// Some triangles of one mesh. A kernel adds their votes to the rows of vertices own_begin .. own_end - 1, which no
+/// Some triangles of one mesh. A kernel adds their votes (or looks) to the rows of vertices own_begin .. own_end - 1, which no
 /// other thread touches; votes for other vertices become parcels. It stops after a block of faces if `foreign` or `odd`
 /// could overflow.
 struct ScatterJob {
     const float* positions = nullptr;   ///< [3 * vertices]
     const float* texcoords = nullptr;   ///< [2 * vertices], or null: no votes for tangents
+    const float* normals = nullptr;     ///< [3 * vertices] of the vertices, for looks; or null
     const uint32_t* indices = nullptr;  ///< [3 * triangles]
+    VoteWeight weight = VoteWeight::uniform;
+    float hard_cosine = -1, bent_cosine = -1;  ///< for looks
     uint32_t vertices = 0;
     uint32_t face = 0, face_end = 0;  ///< advanced by the kernel
     float* rows = nullptr;            ///< row of vertex 0 of the mesh
@@ -55,24 +60,41 @@ struct FinishJob {
     uint32_t odd_count = 0;       ///< overflows, with begin advanced
 };
 
+/// What the faces at a vertex look like from its normal: integers in float, so that their sum does not depend on the order.
+/// `ends`: two halves of a hash of the faces' far ends, ahead minus behind: 0 if each face continues at another one.
+/// `turns`: how often the faces go around the vertex, if each continues. `bends`: faces that turn away from the normal
+/// beyond ScatterJob::bent_cosine, and `hard_face` for each one beyond hard_cosine.
+struct LookRow {
+    float ends[2], turns, bends;
+};
+static_assert(sizeof(LookRow) == normal_row_floats * sizeof(float));
+constexpr float hard_face = 4096;
+
 struct FastKernels {
     void (*scatter_normals)(ScatterJob*);
     void (*scatter_tangents)(ScatterJob*);
     void (*finish_normals)(FinishJob*);
     void (*finish_tangents)(FinishJob*);  ///< rows of 8; tangents may be null
 };
+struct LookKernels {
+    void (*scatter)(ScatterJob*);  ///< rows: LookRow
+};
 
 namespace scalar {
 const FastKernels* fast_kernels();
-}
+const LookKernels* look_kernels();
+}  // namespace scalar
 namespace sse2 {
 const FastKernels* fast_kernels();
-}
+const LookKernels* look_kernels();
+}  // namespace sse2
 namespace avx2 {
 const FastKernels* fast_kernels();
-}
+const LookKernels* look_kernels();
+}  // namespace avx2
 namespace avx512 {
 const FastKernels* fast_kernels();
-}
+const LookKernels* look_kernels();
+}  // namespace avx512
 
 }  // namespace rakelight::geometry

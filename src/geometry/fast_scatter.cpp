@@ -1,249 +1,76 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/fast_stages.h"
+#include "geometry/fast_scatter.h"
 
-#include <atomic>
-#include <cstring>
-
+#include "geometry/corner_weights.h"
 #include "geometry/face_vote.h"
 
 namespace rakelight::geometry {
 namespace {
 
-constexpr std::uint32_t faces_per_piece = 1u << 18;
-constexpr std::uint32_t max_pieces = 1u << 10;  // of one mesh
-constexpr std::uint32_t pieces_in_flight =
-    64;  // pieces with simultaneous outboxes, which limits their memory for shuffled meshes
-constexpr std::uint32_t faces_per_small_chunk = 1u << 15;
-constexpr std::uint32_t vertices_per_step = 1u << 10;  // rows prepared at a time, so that they are in the cache
-
-template <int floats>
-class FastScatter {
+/// Unit normals and tangents of faces, times the weights of their corners.
+template <int row_floats>
+class Votes {
 public:
-    using Parcel = FastParcel<floats>;
-    explicit FastScatter(FastState& state) : state_(state) {}
+    static constexpr int floats = row_floats;
+    static constexpr bool counts_degenerate = true;
+    explicit Votes(const FastState& state) : state_(state) {}
 
-    bool run() {
-        prepare_ranges();
-        for (const auto& box : state_.scratch.outbox) outbox_bytes_ += box.capacity();
-        const std::vector<std::uint32_t>& base = state_.input.triangle_base;
-        const std::uint32_t meshes = std::uint32_t(state_.input.meshes.size());
-        std::vector<Task> tasks;
-        std::uint32_t open = 0;
-        for (std::uint32_t m = 0; m < meshes; ++m) {
-            const std::uint32_t faces = base[m + 1] - base[m];
-            const std::uint32_t pieces = std::min(max_pieces, faces / faces_per_piece + 1);
-            if (pieces > 1) {
-                if (!tasks.empty() && tasks.size() + pieces > pieces_in_flight && !flush(tasks)) return false;
-                if (pieces > pieces_in_flight) clear_mesh(m);
-                for (std::uint32_t p = 0; p < pieces; ++p) {
-                    tasks.push_back({m, m + 1, p, pieces, pieces <= pieces_in_flight});
-                    if (tasks.size() == pieces_in_flight && p + 1 < pieces && !flush(tasks)) return false;
-                }
-                open = 0;
-                continue;
-            }
-            if (open == 0 || open + faces > faces_per_small_chunk || tasks.empty()) {
-                if (tasks.size() >= pieces_in_flight && !flush(tasks)) return false;
-                tasks.push_back({m, m + 1, 0, 1, true});
-                open = 0;
-            }
-            tasks.back().mesh_end = m + 1;
-            open += faces + 1;
-        }
-        return flush(tasks);
-    }
-
-private:
-    void prepare_ranges() {
-        std::vector<std::size_t>& base = state_.scratch.range_base;
-        base.assign(1, 0);
-        for (const AttributeMesh& mesh : state_.input.meshes)
-            base.push_back(base.back() + (mesh.indices.size() / 3 + faces_per_range - 1) / faces_per_range);
-        state_.scratch.ranges.resize(base.back());
-    }
-
-    struct Task {
-        std::uint32_t mesh_begin, mesh_end, piece, pieces;
-        bool clears;  ///< clears its own rows before adding to them
-    };
-
-    // Pieces begin where a range does.
-    static std::uint32_t face_begin(std::uint32_t faces, std::uint32_t piece, std::uint32_t pieces) {
-        return piece == pieces ? faces : piece_begin(faces, piece, pieces) / faces_per_range * faces_per_range;
-    }
-
-    std::uint32_t vertices(std::uint32_t m) const { return std::uint32_t(state_.input.meshes[m].positions.size()); }
-
-    void clear_mesh(std::uint32_t m) const {
-        constexpr std::uint32_t step = 1u << 16;
-        for_each_in_lanes(state_, (vertices(m) + step - 1) / step, [&](LaneScratch& lane, std::size_t c) {
-            const std::uint32_t first = std::uint32_t(c) * step;
-            make_ready(lane, m, first, std::min(vertices(m), first + step));
-        });
-    }
-
-    // Clears rows, and hashes positions for the weld while they are in the cache.
-    void make_ready(LaneScratch& lane, std::uint32_t m, std::uint32_t first, std::uint32_t last) const {
-        if (first >= last) return;
-        std::memset(state_.row(state_.input.vertex_base[m] + first), 0,
-                    std::size_t(last - first) * floats * sizeof(float));
+    /// Hashes positions for the weld while they are in the cache.
+    void ready(LaneScratch& lane, std::uint32_t m, std::uint32_t first, std::uint32_t last) const {
         hash_places(state_, lane, m, first, last);
     }
-
-    bool flush(std::vector<Task>& tasks) {
-        auto& outbox = state_.scratch.outbox;
-        std::size_t slots = 0;
-        first_slot_.clear();
-        for (const Task& task : tasks) {
-            first_slot_.push_back(slots);
-            slots += task.pieces > 1 ? task.pieces : 0;
-        }
-        if (outbox.size() < slots) outbox.resize(slots);
-        for (std::size_t s = 0; s < slots; ++s) outbox[s].clear();
-        std::atomic<bool> is_good{true};
-        for_each_in_lanes(state_, tasks.size(), [&](LaneScratch& lane, std::size_t i) {
-            if (!scatter(tasks[i], first_slot_[i], lane)) is_good = false;
-        });
-        if (!is_good) return false;
-        drain(tasks);
-        tasks.clear();
-        state_.context.throw_if_cancelled();
-        return true;
+    void set(ScatterJob& job, std::uint32_t m) const {
+        job.texcoords = state_.is_textured(m) ? &state_.input.meshes[m].texcoords[0].x : nullptr;
+        job.weight = VoteWeight(sum_weight(state_.options.weight));
+    }
+    auto kernel() const {
+        return floats == tangent_row_floats ? state_.kernels.scatter_tangents : state_.kernels.scatter_normals;
     }
 
-    bool scatter(const Task task, std::size_t slot, LaneScratch& lane) {
-        lane.parcels.resize(parcel_capacity * sizeof(Parcel));
-        lane.odd.resize(odd_capacity);
-        for (std::uint32_t m = task.mesh_begin; m != task.mesh_end; ++m)
-            if (!scatter_mesh(task, m, slot, lane)) return false;
-        return true;
-    }
-
-    bool scatter_mesh(const Task& task, std::uint32_t m, std::size_t slot, LaneScratch& lane) {
+    // In double, like the general path.
+    bool add_odd(const ScatterJob& job, std::uint32_t m, std::uint32_t face, FastParcel<floats> (&parcels)[3]) const {
         const AttributeMesh& mesh = state_.input.meshes[m];
-        const std::uint32_t faces = std::uint32_t(mesh.indices.size() / 3);
-        ScatterJob job;
-        job.positions = mesh.positions.empty() ? nullptr : &mesh.positions[0].x;
-        job.texcoords = state_.is_textured(m) ? &mesh.texcoords[0].x : nullptr;
-        job.indices = mesh.indices.data();
-        job.vertices = vertices(m);
-        job.face = face_begin(faces, task.piece, task.pieces);
-        const std::uint32_t face_end = face_begin(faces, task.piece + 1, task.pieces);
-        job.rows = state_.row(state_.input.vertex_base[m]);
-        job.own_begin = piece_begin(job.vertices, task.piece, task.pieces);
-        job.own_end = piece_begin(job.vertices, task.piece + 1, task.pieces);
-        job.foreign = lane.parcels.data();
-        job.odd = lane.odd.data();
-        job.ready_end = task.clears ? job.own_begin : job.own_end;
-        std::uint32_t degenerate = 0;
-        const auto kernel =
-            floats == tangent_row_floats ? state_.kernels.scatter_tangents : state_.kernels.scatter_normals;
-        while (job.face < face_end) {
-            const std::uint32_t range = job.face / faces_per_range;
-            if (job.face % faces_per_range == 0) {
-                job.smallest = 0xffffffffu;
-                job.largest = 0;
-            }
-            job.face_end = std::min(face_end, (range + 1) * faces_per_range);
-            kernel(&job);
-            if (job.is_index_bad) return false;
-            if (job.ready_end < job.wanted_end) {
-                const std::uint32_t last =
-                    std::min(job.own_end, std::max(job.wanted_end, job.ready_end + vertices_per_step));
-                make_ready(lane, m, job.ready_end, last);
-                job.ready_end = last;
-            }
-            state_.scratch.ranges[state_.scratch.range_base[m] + range] = {job.smallest, job.largest};
-            for (std::uint32_t i = 0; i < job.odd_count; ++i)
-                degenerate += add_odd(job, mesh, task, slot, job.odd[i]) ? 0 : 1;
-            const Parcel* parcels = static_cast<const Parcel*>(job.foreign);
-            for (std::uint32_t i = 0; i < job.foreign_count; ++i) send(job, task, slot, parcels[i]);
-            job.foreign_count = job.odd_count = 0;
-        }
-        make_ready(lane, m, job.ready_end, job.own_end);
-        if (degenerate != 0) std::atomic_ref(state_.degenerate[m]).fetch_add(degenerate, std::memory_order_relaxed);
-        return true;
-    }
-
-    void send(const ScatterJob& job, const Task& task, std::size_t slot, const Parcel& parcel) {
-        std::vector<std::byte>& box = state_.scratch.outbox[slot + piece_of(parcel.vertex, job.vertices, task.pieces)];
-        const std::size_t at = box.size();
-        if (box.capacity() < at + sizeof parcel) {  // for unordered triangles all parcels are sent
-            const std::size_t wanted = std::max<std::size_t>(4096, 2 * at), more = wanted - box.capacity();
-            state_.context.memory().check(outbox_bytes_.fetch_add(more) + more,
-                                          "smoothing normals of triangles in disorder");
-            box.reserve(wanted);
-        }
-        box.resize(at + sizeof parcel);
-        std::memcpy(box.data() + at, &parcel, sizeof parcel);
-    }
-
-    // Computes a face for which float is not safe, like the general path. False: no vote.
-    bool add_odd(const ScatterJob& job, const AttributeMesh& mesh, const Task& task, std::size_t slot,
-                 std::uint32_t face) {
         const std::uint32_t* index = &mesh.indices[3 * std::size_t(face)];
         const FaceCorners corners = face_corners(mesh, index);
         const Direction normal = direction_of(cross(corners.e1, corners.e2));
         if (!(normal.length > 0)) return false;
-        Parcel parcel{};
-        const auto put = [&](int at, dvec3 v) {
-            for (std::size_t a = 0; a < 3; ++a) parcel.row[std::size_t(at) + a] = float(v[a]);
-        };
-        put(0, normal.unit);
-        parcel.row[floats - 1] = 1;
-        if constexpr (floats == tangent_row_floats) {
-            if (job.texcoords != nullptr) {
-                const FaceTangent tangent = face_tangent(mesh, index, Placement{}, corners);
-                parcel.row[3] = float(tangent.hand);
-                put(4, tangent.unit);
-            }
-        }
+        const dvec3 weights = corner_weights(state_.options.weight, Placement{}, corners, normal.length);
+        FaceTangent tangent;
+        if (job.texcoords != nullptr) tangent = face_tangent(mesh, index, Placement{}, corners);
         for (std::size_t k = 0; k < 3; ++k) {
-            parcel.vertex = index[k];
-            if (parcel.vertex - job.own_begin < job.own_end - job.own_begin)
-                add(job.rows, parcel);
-            else
-                send(job, task, slot, parcel);
+            float(&row)[floats] = parcels[k].row;
+            put(row, normal.unit * weights[k]);
+            if constexpr (floats == tangent_row_floats) {
+                row[3] = float(tangent.hand * weights[k]);
+                put(row + 4, tangent.unit * weights[k]);
+            }
+            row[floats - 1] = weights[k] > least_weight && weights[k] < most_weight ? float(weights[k]) : no_weight;
         }
         return true;
     }
 
-    static void add(float* rows, const Parcel& parcel) {
-        float* to = rows + std::size_t(parcel.vertex) * floats;
-        for (int a = 0; a < floats; ++a) to[a] += parcel.row[a];
+private:
+    // Beyond, squares of sums leave float: the general path gets the place.
+    static constexpr double least_weight = 1e-15, most_weight = 1e15;
+    static constexpr float no_weight = std::numeric_limits<float>::quiet_NaN();
+
+    static void put(float* to, dvec3 v) {
+        for (std::size_t a = 0; a < 3; ++a) to[a] = float(v[a]);
     }
 
-    // Every piece receives parcels from the pieces of this wave, in their order. Meshes with more pieces take several
-    // waves.
-    void drain(const std::vector<Task>& tasks) {
-        std::vector<std::pair<std::size_t, std::uint32_t>> work;  // first task of the mesh, receiving piece
-        for (std::size_t i = 0; i < tasks.size(); ++i)
-            if (tasks[i].pieces > 1 && (i == 0 || tasks[i - 1].mesh_begin != tasks[i].mesh_begin))
-                for (std::uint32_t p = 0; p < tasks[i].pieces; ++p) work.emplace_back(i, p);
-        state_.context.parallel_for(work.size(), [&](std::size_t w) {
-            const auto [first, piece] = work[w];
-            const std::uint32_t m = tasks[first].mesh_begin;
-            float* const rows = state_.row(state_.input.vertex_base[m]);
-            for (std::size_t i = first; i < tasks.size() && tasks[i].mesh_begin == m; ++i) {
-                const std::vector<std::byte>& box = state_.scratch.outbox[first_slot_[i] + piece];
-                for (std::size_t at = 0; at < box.size(); at += sizeof(Parcel)) {
-                    Parcel parcel;
-                    std::memcpy(&parcel, box.data() + at, sizeof parcel);
-                    add(rows, parcel);
-                }
-            }
-        });
-    }
-
-    FastState& state_;
-    std::vector<std::size_t> first_slot_;
-    std::atomic<std::uint64_t> outbox_bytes_{0};  ///< held by all outboxes
+    const FastState& state_;
 };
+
+template <int floats>
+bool scatter(FastState& state) {
+    const Votes<floats> votes(state);
+    return FastScatter<Votes<floats>>(state, votes).run();
+}
 
 }  // namespace
 
 bool scatter_votes(FastState& state) {
-    return state.tangents ? FastScatter<tangent_row_floats>(state).run() : FastScatter<normal_row_floats>(state).run();
+    return state.tangents ? scatter<tangent_row_floats>(state) : scatter<normal_row_floats>(state);
 }
 
 }  // namespace rakelight::geometry

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The stages of the fast path in order, each with its source.
 #pragma once
+#include <algorithm>
+
 #include "geometry/fast_state.h"
 
 namespace rakelight::geometry {
 
 // --- fast_scatter.cpp ----------------------------------------------------------------------------------------
 
-/// Adds the votes of all faces to the rows of their vertices, inside each mesh. Fixed pieces of about 128k triangles
-/// own vertex ranges; votes for another piece's vertex are transferred and added in the order of the pieces, so results
-/// are bit-identical for any number of threads. Faces for which float is not safe are computed in double and rounded.
+/// Adds the votes of all faces to the rows of their vertices, inside each mesh (fast_scatter.h). Faces for which float is
+/// not safe are computed in double and rounded.
 /// @return false: an index is out of range (nothing was read through it)
 bool scatter_votes(FastState& state);
 
@@ -35,11 +36,43 @@ void weld_rows(FastState& state);
 /// @param duplicates  whole classes: all members but one, with that one; sorted here
 void join_classes(FastState& state, std::vector<Duplicate>& duplicates);
 
+/// Calls body(members, ascending) for each class.
+/// @param duplicates  after join_classes()
+template <class Body>
+void for_each_class(std::span<const Duplicate> duplicates, const Body& body) {
+    std::vector<std::uint32_t> members;
+    for (std::size_t i = 0; i < duplicates.size();) {
+        const std::uint32_t winner = duplicates[i].winner;
+        members.assign(1, winner);
+        for (; i < duplicates.size() && duplicates[i].winner == winner; ++i) members.push_back(duplicates[i].vertex);
+        std::rotate(members.begin(), members.begin() + 1, std::upper_bound(members.begin() + 1, members.end(), winner));
+        body(std::span<const std::uint32_t>(members));
+    }
+}
+
 // --- fast_finish.cpp -----------------------------------------------------------------------------------------
 
 /// From the sums to unit normals and tangents in the caller's buffers.
 /// @return global indices of vertices left to the general path, ascending; their output is invalid
 std::vector<std::uint32_t> finish_rows(FastState& state);
+
+// --- fast_looks.cpp ------------------------------------------------------------------------------------------
+
+/// The smallest crease angle [rad] for which float decides.
+constexpr double least_crease_rad = radians(1);
+
+/// Looks at the faces of each place from its normal. Where they go around it once, and none turns away from it by more than
+/// half the crease angle, all are joined. Open are creases, borders, bumps, and where surfaces touch. Rows hold LookRow
+/// afterwards.
+/// @return global indices of vertices of open places, ascending; with a vertex all others at its place
+std::vector<std::uint32_t> look_at_places(FastState& state);
+
+// --- fast_fans.cpp -------------------------------------------------------------------------------------------
+
+/// Walks the faces of open places over common edges.
+/// @param open  as look_at_places() returns them
+/// @return those left to the general path: their faces are not one fan within the crease angle
+std::vector<std::uint32_t> walk_fans(FastState& state, std::span<const std::uint32_t> open);
 
 // --- fast_hard_places.cpp ------------------------------------------------------------------------------------
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/attribute_input.h"
+#include "geometry/block_array.h"
 #include "geometry/fast_kernel_types.h"
 #include "geometry/fast_memory.h"
 #include "geometry/fast_weld_types.h"
@@ -39,12 +40,14 @@ struct VertexRange {
 constexpr std::uint32_t faces_per_range = 2048;
 
 struct FastScratch {
-    LargeArray<float> rows;                      ///< [vertices][floats]
-    LargeArray<std::uint64_t> records;           ///< [vertices] of the weld
-    std::vector<std::vector<std::byte>> outbox;  ///< [chunks of a wave][pieces] parcels
-    std::vector<VertexRange> ranges;             ///< [meshes][faces / faces_per_range, rounded up]
-    std::vector<std::size_t> range_base;         ///< [meshes + 1]
+    LargeArray<float> rows;                       ///< [vertices][floats]
+    LargeArray<std::uint64_t> records;            ///< [vertices] of the weld
+    std::vector<std::vector<std::byte>> outbox;   ///< [chunks of a wave][pieces] parcels
+    std::vector<std::vector<Duplicate>> classes;  ///< [tasks of the weld] sorted, whole classes; where they are kept
+    std::vector<VertexRange> ranges;              ///< [meshes][faces / faces_per_range, rounded up]
+    std::vector<std::size_t> range_base;          ///< [meshes + 1]
     std::vector<LaneScratch> lanes;
+    GeneralScratch general;  ///< for places that are left to the general path
     std::size_t bytes() const;
 };
 
@@ -58,8 +61,11 @@ struct FastState {
     FastScratch& scratch;
     const FastKernels& kernels;
     const WeldKernels& weld_kernels;
+    const LookKernels& look_kernels;
     Context& context;
-    bool tangents;  ///< rows of 8 floats; some mesh has texture coordinates and tangents are asked for
+    bool tangents;      ///< rows of 8 floats; some mesh has texture coordinates and tangents are asked for
+    double crease_rad;  ///< of all meshes
+    bool looks;         ///< below pi: whether the faces at a place are joined is to be looked at
     std::vector<std::uint32_t> degenerate;  ///< [meshes]
     std::vector<std::uint32_t> isolated;    ///< [meshes]
 
@@ -68,6 +74,8 @@ struct FastState {
     std::uint32_t* hashes(std::uint32_t mesh) const {
         return reinterpret_cast<std::uint32_t*>(out[mesh].normals.data());
     }
+    /// After scatter_looks().
+    LookRow* looks_at() const { return reinterpret_cast<LookRow*>(scratch.rows.data()); }
     float* row(std::uint32_t vertex) const { return scratch.rows.data() + std::size_t(vertex) * std::size_t(floats()); }
 };
 

@@ -67,14 +67,16 @@ public:
     void run() {
         place_partitions();
         partition();
-        for_each_in_lanes(state_, (partitions_ + partitions_per_task - 1) / partitions_per_task,
-                          [&](LaneScratch& lane, std::size_t t) {
-                              const std::uint32_t first = std::uint32_t(t) * partitions_per_task;
-                              lane.duplicates.clear();
-                              for (std::uint32_t p = first; p < std::min(partitions_, first + partitions_per_task); ++p)
-                                  match(p, lane);
-                              if (!lane.duplicates.empty()) join_classes(state_, lane.duplicates);
-                          });
+        const std::size_t tasks = (partitions_ + partitions_per_task - 1) / partitions_per_task;
+        std::vector<std::vector<Duplicate>>& classes = state_.scratch.classes;
+        if (state_.looks) classes.resize(tasks);
+        for_each_in_lanes(state_, tasks, [&](LaneScratch& lane, std::size_t t) {
+            const std::uint32_t first = std::uint32_t(t) * partitions_per_task;
+            lane.duplicates.clear();
+            for (std::uint32_t p = first; p < std::min(partitions_, first + partitions_per_task); ++p) match(p, lane);
+            if (!lane.duplicates.empty()) join_classes(state_, lane.duplicates);
+            if (state_.looks) classes[t].assign(lane.duplicates.begin(), lane.duplicates.end());
+        });
     }
 
 private:

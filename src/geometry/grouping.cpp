@@ -40,12 +40,12 @@ std::shared_ptr<const std::vector<std::uint32_t>> each_vertex_alone(const Attrib
 }
 
 CornerBins bins_by_place(const Topology& topology, const AttributeInput& input, GroupingBase& base, Context& context) {
-    if (!base.scratch) return bin_corners(topology, input, {}, context);
+    if (!base.scratch) return bin_corners(topology, input, base.wanted, context);
     CornerBins memory;
     memory.corners = BlockArray<std::uint32_t>(std::move(base.scratch->corners));
     memory.begin = base.scratch->take_words();
     BlockArray<std::uint16_t> keys(std::move(base.scratch->keys));
-    CornerBins bins = bin_corners(topology, input, {}, context, std::move(memory), &keys);
+    CornerBins bins = bin_corners(topology, input, base.wanted, context, std::move(memory), &keys);
     base.scratch->keys = keys.take();
     return bins;
 }

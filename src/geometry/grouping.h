@@ -2,6 +2,7 @@
 // Grouping: weld -> creases and smoothing groups -> mirrored texture coordinates.
 #pragma once
 #include <memory>
+#include <span>
 
 #include "geometry/block_array.h"
 #include "geometry/crease_edges.h"
@@ -16,7 +17,8 @@ struct GroupingBase {
     std::shared_ptr<FaceNormals> normals;                      ///< [triangles]
     std::shared_ptr<CornerBins> corners;                       ///< by place
     std::shared_ptr<const CreaseEdges> creases;                ///< of automatic creases
-    GeneralScratch* scratch = nullptr;                         ///< source of memory; null: allocate
+    std::span<const std::uint8_t> wanted;  ///< [vertices] 0: its place is not divided; empty: all are
+    GeneralScratch* scratch = nullptr;     ///< source of memory; null: allocate
 
     /// Returns the memory, if it is not shared.
     void release();

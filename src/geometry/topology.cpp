@@ -63,7 +63,7 @@ void sort_appended(Topology& topology, const AttributeInput& input, Context& con
     topology.source = std::move(source);
 }
 
-CornerBins bin_corners(const Topology& topology, const AttributeInput& input, const std::vector<std::uint8_t>& selected,
+CornerBins bin_corners(const Topology& topology, const AttributeInput& input, std::span<const std::uint8_t> selected,
                        Context& context, CornerBins bins, BlockArray<std::uint16_t>* keys) {
     BlockArray<std::uint16_t> own;
     CornerSort sort(input, std::uint32_t(topology.group.size()), std::move(bins), keys ? *keys : own, context);

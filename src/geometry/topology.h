@@ -44,7 +44,7 @@ void sort_appended(Topology& topology, const AttributeInput& input, Context& con
 /// The corners at each group of vertices.
 /// @param selected  [output vertices] only groups g with selected[g] != 0 get a bin; empty: all
 /// @param bins, keys reused memory, contents are ignored; `keys` keeps it. Null: allocate
-CornerBins bin_corners(const Topology& topology, const AttributeInput& input, const std::vector<std::uint8_t>& selected,
+CornerBins bin_corners(const Topology& topology, const AttributeInput& input, std::span<const std::uint8_t> selected,
                        Context& context, CornerBins bins = {}, BlockArray<std::uint16_t>* keys = nullptr);
 
 /// [triangles] Unit normal of each face in the world; zero where it has no vote.

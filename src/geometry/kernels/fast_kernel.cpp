@@ -1,192 +1,114 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two inner loops of the fast path, per instruction set. A block of faces is staged as structures of arrays,
-// computed `lanes` at a time, turned into rows and added corner by corner, in the order of the faces: bit-identical in
-// every flavor.
-#include "geometry/fast_kernel_types.h"
-#include "math/wide_rows.h"
+// The two inner loops of the fast path, per instruction set: votes of faces, and from sums to vectors.
+#include "geometry/kernels/face_blocks.h"
 
 namespace rakelight::geometry::RL_ISA {
-RL_USE_WIDE;
-using rakelight::wide::RL_ISA::load_vectors, rakelight::wide::RL_ISA::load_rows4, rakelight::wide::RL_ISA::load_rows8;
-using rakelight::wide::RL_ISA::store_rows4, rakelight::wide::RL_ISA::store_rows8;
+using rakelight::wide::RL_ISA::load_rows4, rakelight::wide::RL_ISA::load_rows8;
 
-typedef float Row4 __attribute__((vector_size(16), aligned(4), may_alias));
-typedef float Row8 __attribute__((vector_size(32), aligned(4), may_alias));
-template <int floats>
-struct RowOf;
-template <>
-struct RowOf<4> {
-    using type = Row4;
-};
-template <>
-struct RowOf<8> {
-    using type = Row8;
-};
-
-// Float is safe where sums of squares neither overflow nor come near the denormals, and where the edges are not nearly
-// parallel: an angle between 7 and 173 degrees loses at most three bits of the cross product.
-static inline mask is_safe(real cross_square, real square1, real square2) {
-    return cross_square >= square1 * square2 * real(1.0f / 4096) && cross_square > real(1e-34f) &&
-           cross_square < real(1e34f);
+/// corner_angle() of face_vote.h.
+static inline real corner_angle(real y, real x) {
+    const real a = abs(x);
+    const mask steep = y > a;
+    const real t = select(steep, a, y) / select(steep, y, a), s = t * t;
+    real p = real(-0.0161657367f) + s * real(0.0028662257f);
+    p = real(0.0429096138f) + s * p;
+    p = real(-0.0752896400f) + s * p;
+    p = real(0.1065626393f) + s * p;
+    p = real(-0.1420889944f) + s * p;
+    p = real(0.1999355085f) + s * p;
+    p = real(-0.3333314528f) + s * p;
+    p = t + t * s * p;
+    const real first = select(steep, real(1.57079633f) - p, p);
+    return select(x < real(0.0f), real(3.14159265f) - first, first);
 }
 
-// Source of a block's corners. Vectors are loaded as four floats, so incomplete blocks, and blocks that use the last
-// vertex of the mesh, read from a copy.
-struct BlockCopy {
-    float position[3 * 3 * face_block + 4], texcoord[2 * 3 * face_block + 4];
-    uint32_t index[3 * face_block];
-};
-
-template <bool textured>
-static inline void copy_block(const ScatterJob& job, const uint32_t* index, uint32_t count, BlockCopy& copy) {
-    for (uint32_t i = 0; i < 3 * face_block; ++i) {
-        const uint64_t v = index[i < 3 * count ? i : 0];
-        copy.index[i] = i;
-        for (uint32_t a = 0; a < 3; ++a) copy.position[3 * i + a] = job.positions[3 * v + a];
-        if constexpr (textured)
-            for (uint32_t a = 0; a < 2; ++a) copy.texcoord[2 * i + a] = job.texcoords[2 * v + a];
+/// corner_weights() of face_vote.h.
+static inline void weigh(VoteWeight weight, const vec3& e1, const vec3& e2, real area2, real (&w)[3], mask& safe) {
+    const real area = area2 * real(0.5f);
+    if (weight == VoteWeight::area) {
+        w[0] = w[1] = w[2] = area;
+        return;
     }
+    const vec3 e3 = e2 - e1;
+    if (weight == VoteWeight::max) {
+        const real a = dot(e1, e1), b = dot(e2, e2), c = dot(e3, e3), all = a * b * c, q = area2 / all;
+        safe &= all > real(1e-30f) && all < real(1e30f);
+        w[0] = q * c, w[1] = q * b, w[2] = q * a;
+        return;
+    }
+    w[0] = corner_angle(area2, dot(e1, e2));
+    w[1] = corner_angle(area2, -dot(e1, e3));
+    w[2] = corner_angle(area2, dot(e2, e3));
+    if (weight == VoteWeight::angle_area) w[0] = w[0] * area, w[1] = w[1] * area, w[2] = w[2] * area;
 }
 
-static inline vec3 corner_position(const float* positions, const uint32_t* corner) {
-    real v[3];
-    load_vectors<3, 3>(positions, corner, v);
-    return vec3(v[0], v[1], v[2]);
-}
-static inline vec2 corner_texcoord(const float* texcoords, const uint32_t* corner) {
-    real v[2];
-    load_vectors<2, 3>(texcoords, corner, v);
-    return vec2(v[0], v[1]);
+/// A unit tangent and its handedness.
+struct Tangent {
+    vec3 unit;
+    real hand;
+};
+static inline Tangent tangent_of(const BlockSource& from, const uint32_t* corner, const vec3& e1, const vec3& e2,
+                                 mask& safe) {
+    real q[2], q1[2], q2[2];
+    load_vectors<2, 3>(from.texcoords, corner, q);
+    load_vectors<2, 3>(from.texcoords, corner + 1, q1);
+    load_vectors<2, 3>(from.texcoords, corner + 2, q2);
+    const real du1 = q1[0] - q[0], dv1 = q1[1] - q[1], du2 = q2[0] - q[0], dv2 = q2[1] - q[1];
+    const real det = du1 * dv2 - du2 * dv1;
+    safe &= is_safe(det * det, du1 * du1 + dv1 * dv1, du2 * du2 + dv2 * dv2);
+    // dP/du = (dv2 e1 - dv1 e2) / det; cross(n, t) . dP/dv has the sign of det, the bitangent is -dP/dv.
+    const real hand = select(det < real(0.0f), real(1.0f), real(-1.0f));
+    const vec3 t = (e2 * dv1 - e1 * dv2) * hand;
+    const real tt = dot(t, t);
+    safe &= tt > real(1e-34f) && tt < real(1e34f);
+    return {t * (real(1.0f) / sqrt(tt)), hand};
 }
 
-// Computes rows of the block's faces; returns a bit for each unsafe face.
-template <bool textured, int floats>
-static inline uint32_t face_rows(const float* positions, const float* texcoords, const uint32_t* index, float* rows) {
+/// Unit normal and tangent of each face times the weights of its corners.
+template <bool textured, int floats, bool alike>
+static inline uint32_t vote_rows(VoteWeight weight, const BlockSource& from, BlockRows<floats, alike>& rows) {
     uint32_t odd = 0;
     for (uint32_t f = 0; f < face_block; f += uint32_t(lanes)) {
-        const uint32_t* corner = index + 3 * f;
-        const vec3 p = corner_position(positions, corner);
-        const vec3 e1 = corner_position(positions, corner + 1) - p, e2 = corner_position(positions, corner + 2) - p;
+        const uint32_t* corner = from.index + 3 * f;
+        const vec3 p = corner_vector(from.positions, corner);
+        const vec3 e1 = corner_vector(from.positions, corner + 1) - p,
+                   e2 = corner_vector(from.positions, corner + 2) - p;
         const vec3 c = cross(e1, e2);
-        const real cc = dot(c, c);
+        const real cc = dot(c, c), area2 = sqrt(cc);
         mask safe = is_safe(cc, dot(e1, e1), dot(e2, e2));
-        const vec3 n = c * (real(1.0f) / sqrt(cc));
-        real value[8] = {n.x, n.y, n.z, real(1.0f)};
-        if constexpr (floats == 8) {
-            real hand(0.0f);
-            vec3 t(real(0.0f));
-            if constexpr (textured) {
-                const vec2 q = corner_texcoord(texcoords, corner);
-                const vec2 q1 = corner_texcoord(texcoords, corner + 1) - q,
-                           q2 = corner_texcoord(texcoords, corner + 2) - q;
-                const real du1 = q1.x, dv1 = q1.y, du2 = q2.x, dv2 = q2.y;
-                const real det = du1 * dv2 - du2 * dv1;
-                safe &= is_safe(det * det, du1 * du1 + dv1 * dv1, du2 * du2 + dv2 * dv2);
-                // dP/du = (dv2 e1 - dv1 e2) / det; cross(n, t) . dP/dv has the sign of det, the bitangent is -dP/dv.
-                hand = select(det < real(0.0f), real(1.0f), real(-1.0f));
-                t = (e2 * dv1 - e1 * dv2) * hand;
-                const real tt = dot(t, t);
-                safe &= tt > real(1e-34f) && tt < real(1e34f);
-                t = t * (real(1.0f) / sqrt(tt));
-            }
-            value[3] = hand;
-            value[4] = t.x;
-            value[5] = t.y;
-            value[6] = t.z;
-            value[7] = real(1.0f);
-            store_rows8(rows + 8 * f, value);
+        const vec3 n = c * (real(1.0f) / area2);
+        real value[8] = {n.x, n.y, n.z, real(1.0f), real(0.0f), real(0.0f), real(0.0f), real(1.0f)};
+        if constexpr (floats == 8) value[3] = real(0.0f);
+        if constexpr (textured) {
+            const Tangent t = tangent_of(from, corner, e1, e2, safe);
+            value[3] = t.hand, value[4] = t.unit.x, value[5] = t.unit.y, value[6] = t.unit.z;
+        }
+        if constexpr (alike) {
+            rows.put(f, 0, value);
         } else {
-            store_rows4(rows + 4 * f, value);
+            real w[3], weighed[8];
+            weigh(weight, e1, e2, area2, w, safe);
+            for (uint32_t k = 0; k < 3; ++k) {
+                for (uint32_t i = 0; i < uint32_t(floats); ++i) weighed[i] = value[i] * w[k];
+                rows.put(f, k, weighed);
+            }
         }
         odd |= lane_bits(!safe) << f;
     }
     return odd;
 }
 
-// Common case: only vertices of the own piece, and no unsafe face.
-template <int floats>
-static inline void add_own_block(float* own, const uint32_t* index, const float* rows) {
-    using Row = typename RowOf<floats>::type;
-    for (uint32_t f = 0; f < face_block; ++f) {
-        const Row row = *reinterpret_cast<const Row*>(rows + uint32_t(floats) * f);
-        for (uint32_t k = 0; k < 3; ++k) {
-            Row* to = reinterpret_cast<Row*>(own + uint64_t(floats) * index[3 * f + k]);
-            *to = *to + row;
-        }
-    }
-}
-
-template <int floats>
-static inline void add_block(ScatterJob& job, const uint32_t* index, uint32_t count, uint32_t odd, const float* rows) {
-    using Row = typename RowOf<floats>::type;
-    FastParcel<floats>* parcels = static_cast<FastParcel<floats>*>(job.foreign);
-    const uint32_t own_begin = job.own_begin, own_size = job.own_end - own_begin;
-    for (uint32_t f = 0; f < count; ++f) {
-        if ((odd >> f & 1) != 0) {
-            job.odd[job.odd_count++] = job.face + f;
-            continue;
-        }
-        const Row row = *reinterpret_cast<const Row*>(rows + uint32_t(floats) * f);
-        for (uint32_t k = 0; k < 3; ++k) {
-            const uint32_t v = index[3 * f + k];
-            if (v - own_begin < own_size) {
-                Row* to = reinterpret_cast<Row*>(job.rows + uint64_t(floats) * v);
-                *to = *to + row;
-            } else {
-                FastParcel<floats>& parcel = parcels[job.foreign_count++];
-                parcel.vertex = v;
-                *reinterpret_cast<Row*>(parcel.row) = row;
-            }
-        }
-    }
-}
-
 template <bool textured, int floats>
-static inline bool scatter_block(ScatterJob& job) {
-    const uint32_t count = job.face_end - job.face < face_block ? job.face_end - job.face : face_block;
-    const uint32_t* index = job.indices + 3 * uint64_t(job.face);
-    uint32_t largest = 0, smallest = 0xffffffffu;
-    if (count == face_block) {
-        for (uint32_t i = 0; i < 3 * face_block; ++i) {
-            largest = index[i] > largest ? index[i] : largest;
-            smallest = index[i] < smallest ? index[i] : smallest;
-        }
-    } else {
-        for (uint32_t i = 0; i < 3 * count; ++i) largest = index[i] > largest ? index[i] : largest;
-        for (uint32_t i = 0; i < 3 * count; ++i) smallest = index[i] < smallest ? index[i] : smallest;
-    }
-    job.largest = largest > job.largest ? largest : job.largest;
-    job.smallest = smallest < job.smallest ? smallest : job.smallest;
-    if (largest >= job.vertices) {
-        job.is_index_bad = true;
-        return false;
-    }
-    job.wanted_end = largest < job.own_end ? largest + 1 : job.own_end;
-    if (job.wanted_end > job.ready_end) return false;
-    alignas(64) float rows[face_block * floats];
-    uint32_t odd;
-    if (count == face_block && largest + 1 < job.vertices) {
-        odd = face_rows<textured, floats>(job.positions, job.texcoords, index, rows);
-    } else {
-        BlockCopy copy;
-        copy_block<textured>(job, index, count, copy);
-        odd = face_rows<textured, floats>(copy.position, copy.texcoord, copy.index, rows);
-    }
-    if (odd == 0 && count == face_block && smallest >= job.own_begin && largest < job.own_end)
-        add_own_block<floats>(job.rows, index, rows);
+static inline void scatter(ScatterJob* job) {
+    if (job->weight == VoteWeight::uniform)
+        scatter_faces<floats, true>(job, [](const BlockSource& from, BlockRows<floats, true>& rows) {
+            return vote_rows<textured>(VoteWeight::uniform, from, rows);
+        });
     else
-        add_block<floats>(job, index, count, odd, rows);
-    job.face += count;
-    return true;
-}
-
-template <bool textured, int floats>
-static void scatter(ScatterJob* given) {
-    ScatterJob job = *given;  // on this thread's own stack
-    while (job.face < job.face_end && job.foreign_count + 3 * face_block <= parcel_capacity &&
-           job.odd_count + face_block <= odd_capacity && scatter_block<textured, floats>(job)) {
-    }
-    *given = job;
+        scatter_faces<floats, false>(job,
+                                     [weight = job->weight](const BlockSource& from, BlockRows<floats, false>& rows) {
+                                         return vote_rows<textured>(weight, from, rows);
+                                     });
 }
 
 static void scatter_normals(ScatterJob* job) { scatter<false, normal_row_floats>(job); }
@@ -211,7 +133,8 @@ static inline void finish_block(FinishJob& job, const float* rows, uint32_t coun
         const vec3 sum(v[0], v[1], v[2]);
         const real square = dot(sum, sum);
         const mask is_alone = weight == real(0.0f);
-        mask good = square >= weight * weight * real(weak_normal_share * weak_normal_share) && weight >= real(0.0f);
+        mask good = square >= weight * weight * real(weak_normal_share * weak_normal_share) && weight >= real(0.0f) &&
+                    square > real(1e-30f) && square < real(1e30f);
         vec3 n = sum * (real(1.0f) / sqrt(square));
         n = select(is_alone, vec3(real(0.0f), real(0.0f), real(1.0f)), n);
         const real out[4] = {n.x, n.y, n.z, real(0.0f)};

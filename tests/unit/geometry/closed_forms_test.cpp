@@ -221,12 +221,7 @@ TEST(ClosedForms, AccumulateAfterMovingPositionsEqualsAFreshRun) {
             for (Shape& s : parts)
                 for (vec3& p : s.positions) p = {p.x * 1.5f + 0.1f * p.y, p.y - 0.2f * p.z, p.z + 0.25f * p.x};
             const auto moved = accumulate(plan, views(parts), context), fresh = compute(parts, options, 1);
-            for (std::size_t m = 0; m < parts.size(); ++m) {
-                EXPECT_EQ(moved[m].normals, fresh[m].normals);
-                EXPECT_EQ(moved[m].tangents, fresh[m].tangents);
-                EXPECT_EQ(moved[m].bitangents, fresh[m].bitangents);
-                EXPECT_EQ(moved[m].indices, fresh[m].indices);
-            }
+            EXPECT_LE(largest_difference(moved, fresh), float_rounding);
         }
 }
 

@@ -17,12 +17,7 @@ TEST(AttributePlan, TwoStepsEqualTheOne) {
         Context context({.threads = 2});
         const auto meshes = views(parts);
         const auto two = accumulate(group(meshes, options, context), meshes, context), one = compute(parts, options);
-        for (std::size_t m = 0; m < parts.size(); ++m) {
-            EXPECT_EQ(one[m].normals, two[m].normals);
-            EXPECT_EQ(one[m].tangents, two[m].tangents);
-            EXPECT_EQ(one[m].indices, two[m].indices);
-            EXPECT_EQ(one[m].source_vertex, two[m].source_vertex);
-        }
+        EXPECT_LE(largest_difference(one, two), float_rounding);
     }
 }
 

@@ -86,11 +86,6 @@ AttributeOptions random_options(std::mt19937& random) {
     return o;
 }
 
-// compute_attributes() may take the path that sums in float.
-bool may_be_fast(const AttributeOptions& o) {
-    return o.crease_angle_rad + 1e-6 >= pi && o.weight == CornerWeight::uniform;
-}
-
 TEST(Regroup, EveryStepOfASliderEqualsGroupingAfresh) {
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
         const std::vector<Shape> shapes = random_model(seed);
@@ -111,8 +106,8 @@ TEST(Regroup, EveryStepOfASliderEqualsGroupingAfresh) {
             const auto made = accumulate(plan, meshes, context);
             EXPECT_TRUE(equal(made, accumulate(group(meshes, options, context), meshes, context)))
                 << seed << " step " << step;
-            if (may_be_fast(options)) continue;
-            EXPECT_TRUE(equal(made, compute_attributes(meshes, options, context))) << seed << " step " << step;
+            EXPECT_LE(largest_difference(made, compute_attributes(meshes, options, context)), float_rounding)
+                << seed << " step " << step;
         }
     }
 }
@@ -174,7 +169,8 @@ TEST(Regroup, BitsAreThoseOfOneThread) {
         for (const double deg : {3.0, 12.0, 60.0, 0.0}) {
             plan = regroup(plan, meshes, {.crease_angle_rad = radians(deg)}, context);
             steps.push_back(accumulate(plan, meshes, context));
-            EXPECT_TRUE(equal(steps.back(), compute_attributes(meshes, {.crease_angle_rad = radians(deg)}, context)));
+            const auto at_once = compute_attributes(meshes, {.crease_angle_rad = radians(deg)}, context);
+            EXPECT_LE(largest_difference(steps.back(), at_once), float_rounding);
         }
         if (of_one.empty()) of_one = steps;
         for (std::size_t i = 0; i < steps.size(); ++i) EXPECT_TRUE(equal(steps[i], of_one[i])) << threads << " threads";

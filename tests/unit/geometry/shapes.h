@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <random>
 #include <vector>
@@ -201,5 +202,28 @@ inline dmat4 random_affine(std::mt19937& random, bool mirrored) {
 /// [rad] between two unit vectors.
 inline double angle_between(dvec3 a, dvec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 inline double angle_between(vec3 a, vec3 b) { return angle_between(cast<double>(a), cast<double>(b)); }
+
+/// Largest difference of a component of normals, tangents and bitangents; infinite if the topologies differ.
+inline double largest_difference(const std::vector<MeshAttributes>& a, const std::vector<MeshAttributes>& b) {
+    constexpr double other = std::numeric_limits<double>::infinity();
+    if (a.size() != b.size()) return other;
+    double most = 0;
+    const auto add = [&most](const auto& x, const auto& y) {
+        if (x.size() != y.size()) most = other;
+        for (std::size_t v = 0; v < std::min(x.size(), y.size()); ++v)
+            for (std::size_t i = 0; i < sizeof(x[v]) / sizeof(float); ++i)
+                most = std::max(most, std::fabs(double(x[v][i]) - double(y[v][i])));
+    };
+    for (std::size_t m = 0; m < a.size(); ++m) {
+        const MeshAttributes &x = a[m], &y = b[m];
+        if (x.indices != y.indices || x.source_vertex != y.source_vertex || x.degenerate_faces != y.degenerate_faces ||
+            x.isolated_vertices != y.isolated_vertices)
+            return other;
+        add(x.normals, y.normals), add(x.tangents, y.tangents), add(x.bitangents, y.bitangents);
+    }
+    return most;
+}
+/// What rounding of float makes of it.
+constexpr double float_rounding = 5e-6;
 
 }  // namespace rakelight::test
