@@ -278,9 +278,9 @@ private:
 
 /// compute_attributes() into the caller's buffers.
 ///
-/// The *fast case* sums in float, and decides in double only at creases and at open borders. It needs these options: one crease
-/// angle of at least a degree (not the rule of creases), no weight `fit` or `automatic`, scope model or object, a weld
-/// distance of 0 or automatic (< 0), and averaged, orthogonalized tangents. All meshes must have the same angle-preserving
+/// The *fast case* sums in float, and decides in double only at creases and at open borders. It needs one crease angle of at
+/// least a degree, not the rule of creases, and no weight `fit` or `automatic`. The scope must be model or object, the weld
+/// distance 0 or automatic (< 0), and tangents averaged and orthogonalized. All meshes must have the same angle-preserving
 /// matrix, and no smoothing groups, hints, locks or quantized positions. At a crease angle of pi, once the workspace has grown,
 /// it allocates no memory per vertex or triangle. In all other cases the workspace holds the largest arrays, and each call
 /// allocates the others.

@@ -97,7 +97,6 @@ private:
 
     struct Memory {
         GroupSet groups;
-        std::vector<dvec3> neighbors;
         HeightBatch batch;
     };
 
@@ -168,26 +167,26 @@ private:
         return marks;
     }
 
-    /// The places of two rings, from g.
-    /// @return one over the edge: the root of the mean square of the edges at g
-    double gather(std::uint32_t g, Memory& memory) const {
+    /// Adds a place with the places of its two rings to the batch.
+    void gather(std::uint32_t g, dvec3 guess, Memory& memory) const {
         two_rings(rings_, g, memory.groups);
         const std::span<const std::uint32_t> groups = memory.groups.groups();
         const std::size_t ring = rings_.ring_size[g];
         const dvec3 at = rings_.places[g], n = by_max(g);
-        memory.neighbors.clear();
+        memory.batch.add_place(groups.size(), guess);
         double squares = 0;
+        for (std::size_t i = 1; i <= ring; ++i) {
+            const dvec3 d = rings_.places[groups[i]] - at;
+            squares += dot(d, d);
+        }
+        const double scale = std::sqrt(double(ring) / squares);  // one over the root of the mean square of the edges
+        if (!(scale > 0 && std::isfinite(scale))) return;
         for (std::size_t i = 1; i < groups.size(); ++i) {
-            const dvec3 other = sum_by_max(groups[i]), d = rings_.places[groups[i]] - at;
-            if (i <= ring) squares += dot(d, d);
+            const dvec3 other = sum_by_max(groups[i]);
             const double along = dot(other, n);
             if (along > 0 && along * along > least_cosine * least_cosine * dot(other, other))
-                memory.neighbors.push_back(d);
+                memory.batch.add_neighbor((rings_.places[groups[i]] - at) * scale);
         }
-        const double scale = std::sqrt(double(ring) / squares);
-        if (scale > 0 && std::isfinite(scale)) return scale;
-        memory.neighbors.clear();
-        return 1;
     }
 
     void fit(std::size_t first, std::size_t last) {
@@ -195,9 +194,8 @@ private:
         for (std::size_t i = first; i < last; ++i) {
             const std::uint32_t g = fitted_[i];
             const PlaceFaces faces = place_faces(rings_, g);
-            const double scale = gather(g, memory);
-            memory.batch.add(memory.neighbors, scale, by_max(g));
-            fits_[i].neighbors = std::uint32_t(memory.neighbors.size());
+            gather(g, by_max(g), memory);
+            fits_[i].neighbors = memory.batch.neighbors();
             fits_[i].border = is_border(rings_, g, faces.faces);
             qualities_[i].by_area = cast<float>(faces.by_area);
             qualities_[i].least_cosine = float(faces.least_cosine);
@@ -258,8 +256,7 @@ private:
             Decision& d = decisions[i - first];
             d = decision(i, planes);
             if (!(d.wide > 0)) continue;
-            const double scale = gather(fitted_[i], memory);
-            memory.batch.add(memory.neighbors, scale, wide_guess(fitted_[i]));
+            gather(fitted_[i], wide_guess(fitted_[i]), memory);
             wide.push_back(i - first);
             if (memory.batch.is_full()) fit_wide();
         }

@@ -59,24 +59,32 @@ void add_once(std::vector<std::uint32_t>& to, std::size_t first, std::uint32_t g
     if (std::find(to.begin() + std::ptrdiff_t(first), to.end(), group) == to.end()) to.push_back(group);
 }
 
+/// Appends the ring of a group of many corners.
+void put_large_ring(const GroupRings& rings, std::uint32_t group, std::vector<std::uint32_t>& to) {
+    const std::size_t first = to.size();
+    for (const std::uint32_t corner : rings.corners[group]) {
+        if (!rings.is_face(corner / 3)) continue;
+        for (const std::uint32_t other : {rings.next(corner), rings.previous(corner)})
+            if (other != group) to.push_back(other);
+    }
+    std::sort(to.begin() + std::ptrdiff_t(first), to.end());
+    to.erase(std::unique(to.begin() + std::ptrdiff_t(first), to.end()), to.end());
+}
+
 /// Appends the ring of a group.
 void put_ring(const GroupRings& rings, std::uint32_t group, std::vector<std::uint32_t>& to) {
     constexpr std::size_t few = 64;
-    const std::size_t first = to.size();
     const std::span<const std::uint32_t> corners = rings.corners[group];
+    if (corners.size() > few) return put_large_ring(rings, group, to);
+    const std::size_t first = to.size();
     for (const std::uint32_t corner : corners) {
         if (!rings.is_face(corner / 3)) continue;
-        for (const std::uint32_t other : {rings.next(corner), rings.previous(corner)}) {
-            if (other == group) continue;
-            if (corners.size() > few)
-                to.push_back(other);
-            else
-                add_once(to, first, other);
-        }
+        if (const std::uint32_t other = rings.next(corner); other != group) add_once(to, first, other);
     }
-    if (corners.size() <= few) return;
-    std::sort(to.begin() + std::ptrdiff_t(first), to.end());
-    to.erase(std::unique(to.begin() + std::ptrdiff_t(first), to.end()), to.end());
+    for (const std::uint32_t corner : corners) {
+        if (!rings.is_face(corner / 3)) continue;
+        if (const std::uint32_t other = rings.previous(corner); other != group) add_once(to, first, other);
+    }
 }
 
 }  // namespace

@@ -4,23 +4,19 @@
 #include <algorithm>
 
 #include "math/isa.h"
-#include "math/linear.h"
 
 namespace rakelight::geometry {
 
 HeightBatch::HeightBatch() : kernels_(*RL_BY_ISA(isa_from_environment(), height_kernels())) {}
 
 void HeightBatch::add(std::span<const dvec3> neighbors, double scale, dvec3 normal) {
-    constexpr std::size_t row = 3 * height_lanes;
-    if (neighbors_.size() < neighbors.size() * row) neighbors_.resize(neighbors.size() * row);
-    std::uint32_t count = 0;
-    for (const dvec3& neighbor : neighbors) {
-        const dvec3 d = neighbor * scale;
-        if (!(dot(d, d) < 1e20)) continue;
-        double* const to = neighbors_.data() + count++ * row + size_;
-        to[0] = d.x, to[height_lanes] = d.y, to[2 * height_lanes] = d.z;
-    }
-    counts_[size_] = count;
+    add_place(neighbors.size(), normal);
+    for (const dvec3& neighbor : neighbors) add_neighbor(neighbor * scale);
+}
+
+void HeightBatch::add_place(std::size_t most_neighbors, dvec3 normal) {
+    if (neighbors_.size() < most_neighbors * row) neighbors_.resize(most_neighbors * row);
+    counts_[size_] = 0;
     for (int axis = 0; axis < 3; ++axis) normals_[axis][size_] = normal[std::size_t(axis)];
     ++size_;
 }

@@ -11,6 +11,7 @@
 #include <rakelight/vector.h>
 
 #include "geometry/height_kernel_types.h"
+#include "math/linear.h"
 
 namespace rakelight::geometry {
 
@@ -42,6 +43,15 @@ public:
     /// @param scale      from their unit to about an edge
     /// @param normal     unit, a first guess, to which the heights are measured
     void add(std::span<const dvec3> neighbors, double scale, dvec3 normal);
+    /// The same one by one: first the place with room for its neighbors, then each.
+    void add_place(std::size_t most_neighbors, dvec3 normal);
+    void add_neighbor(dvec3 scaled) {
+        if (!(dot(scaled, scaled) < 1e20)) return;
+        double* const to = neighbors_.data() + counts_[size_ - 1]++ * row + (size_ - 1);
+        to[0] = scaled.x, to[height_lanes] = scaled.y, to[2 * height_lanes] = scaled.z;
+    }
+    /// Of the last place.
+    std::uint32_t neighbors() const { return counts_[size_ - 1]; }
 
     /// Fits all places.
     void fit();
@@ -53,6 +63,8 @@ public:
     HeightFit wide(std::uint32_t place) const { return fit_at(wide_, place); }
 
 private:
+    static constexpr std::size_t row = 3 * height_lanes;
+
     HeightJob job();
     HeightFit fit_at(const HeightNumbers& numbers, std::uint32_t place) const;
 

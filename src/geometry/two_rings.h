@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The neighbors of a corner group and their neighbors.
 #pragma once
+#include <algorithm>
+#include <bit>
 #include <vector>
 
 #include "base/hash_key.h"
@@ -12,29 +14,35 @@ namespace rakelight::geometry {
 class GroupSet {
 public:
     void clear(std::size_t most) {
-        std::size_t size = 64;
-        while (size < 2 * most) size *= 2;
-        slots_.assign(size, none);
+        if (slots_.size() < 2 * most || ++round_ == 0) {
+            bits_ = std::max(8u, unsigned(std::bit_width(2 * most)));
+            slots_.assign(std::size_t(1) << bits_, Slot{});
+            round_ = 1;
+        }
         if (groups_.size() < most) groups_.resize(most);
         count_ = 0;
     }
     /// At most clear()'s `most` times.
     void add(std::uint32_t group) {
-        const std::size_t mask = slots_.size() - 1;
-        std::size_t at = folded_product(group ^ key_.a, key_.b | 1) & mask;
-        while (slots_[at] != none) {
-            if (slots_[at] == group) return;
-            at = (at + 1) & mask;
-        }
-        slots_[at] = group;
+        // Multiplication by a random odd number: Dietzfelbinger et al. 1997, "A reliable randomized algorithm for the
+        // closest-pair problem" (lemma 1).
+        std::size_t at = (group * factor_) >> (64 - bits_);
+        for (; slots_[at].round == round_; at = (at + 1) & (slots_.size() - 1))
+            if (slots_[at].group == group) return;
+        slots_[at] = {group, round_};
         groups_[count_++] = group;
     }
     std::span<const std::uint32_t> groups() const { return {groups_.data(), count_}; }
 
 private:
-    static constexpr std::uint32_t none = 0xffffffffu;
-    HashKey key_ = hash_key_of_this_run();  // the order of groups does not depend on it
-    std::vector<std::uint32_t> slots_, groups_;
+    struct Slot {
+        std::uint32_t group = 0, round = 0;  ///< taken in the round of this number
+    };
+    std::uint64_t factor_ = hash_key_of_this_run().a | 1;  // the order of groups does not depend on it
+    std::vector<Slot> slots_;
+    std::vector<std::uint32_t> groups_;
+    std::uint32_t round_ = 0;
+    unsigned bits_ = 0;
     std::size_t count_ = 0;
 };
 
