@@ -48,18 +48,18 @@ std::vector<std::uint8_t> marks_of(const VoteSums& sums, const std::vector<std::
 }
 
 // Converts the sums of a plan to vertices.
-// @param finish (sums) -> Cancelled
+// @param fit     (sums) replaces normals
+// @param finish  (sums) -> Cancelled
 // @return marks of cancelled groups
-template <class FinishSums>
+template <class FitSums, class FinishSums>
 std::vector<std::uint8_t> add_up(const Plan& plan, const AttributeInput& input, GeneralScratch& scratch,
-                                 Context& context, const FinishSums& finish) {
+                                 Context& context, const FitSums& fit, const FinishSums& finish) {
     check_sums_memory(plan, input, context);
     VoteSums sums =
         sum_votes(plan.topology, input, plan.options, context, BlockArray<NormalRow>(std::move(scratch.faces)),
                   BlockArray<TangentRow>(std::move(scratch.corners)));
     sum_groups(sums, plan.groups, plan.topology, input, plan.options, context);
-    if (plan.options.normals && is_fitted(plan.options.weight))
-        fit_normals(sums, plan.topology, input, plan.options, scratch, context);
+    if (plan.options.normals && is_fitted(plan.options.weight)) fit(sums);
     average_tangents(sums, plan.groups, plan.topology, input, plan.options, context);
     context.throw_if_cancelled();
     const Cancelled cancelled = finish(sums);
@@ -67,6 +67,13 @@ std::vector<std::uint8_t> add_up(const Plan& plan, const AttributeInput& input, 
     scratch.faces = sums.normals.take();
     scratch.corners = sums.tangents.take();
     return marks;
+}
+
+template <class FinishSums>
+std::vector<std::uint8_t> add_up(const Plan& plan, const AttributeInput& input, GeneralScratch& scratch,
+                                 Context& context, const FinishSums& finish) {
+    const auto fit = [&](VoteSums& sums) { fit_normals(sums, plan.topology, input, plan.options, scratch, context); };
+    return add_up(plan, input, scratch, context, fit, finish);
 }
 
 // The cancelled groups that add_up() would find, from the sums of normals only.
@@ -150,15 +157,19 @@ std::vector<MeshAttributes> run(std::span<const AttributeMesh> meshes, const Att
     return out;
 }
 
+void make_mended_plan(Plan& plan, const AttributeInput& input, Context& context) {
+    if (make_plan(plan, input, context))
+        mend_cancelled(plan, input, find_cancelled(plan, input, context), context,
+                       [&] { return find_cancelled(plan, input, context); });
+}
+
 AttributePlan plan_from(GroupingBase base, std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                         Context& context) {
     check_options(options);
     const AttributeInput input = check_input(meshes, context);
     const std::shared_ptr<Plan> plan = describe(meshes, options);
     plan->base = std::move(base);
-    if (make_plan(*plan, input, context))
-        mend_cancelled(*plan, input, find_cancelled(*plan, input, context), context,
-                       [&] { return find_cancelled(*plan, input, context); });
+    make_mended_plan(*plan, input, context);
     return AttributePlan(plan);
 }
 
@@ -240,6 +251,34 @@ std::vector<MeshAttributes> geometry::general_attributes(std::span<const Attribu
                                                          const AttributeOptions& options, Context& context) {
     GeneralScratch scratch;
     return run(meshes, options, {}, scratch, context);
+}
+
+geometry::GroupedPart::GroupedPart(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                   std::span<const std::uint8_t> wanted, GeneralScratch& scratch, Context& context)
+    : input_(check_input(meshes, context)), plan_(describe(meshes, options)), scratch_(scratch), context_(context) {
+    plan_->base.wanted = wanted;
+    plan_->base.scratch = &scratch;
+    make_mended_plan(*plan_, input_, context);
+    plan_->base.release();
+}
+geometry::GroupedPart::~GroupedPart() { give_back(*plan_, scratch_); }
+
+const Topology& geometry::GroupedPart::topology() const { return plan_->topology; }
+
+VoteSums geometry::GroupedPart::sums() const {
+    AttributeOptions options = plan_->options;
+    options.tangents = false;
+    VoteSums sums = sum_votes(plan_->topology, input_, options, context_);
+    sum_groups(sums, plan_->groups, plan_->topology, input_, options, context_);
+    return sums;
+}
+
+std::vector<MeshAttributes> geometry::GroupedPart::finish(const std::function<void(VoteSums&)>& fit) const {
+    std::vector<MeshAttributes> out;
+    add_up(*plan_, input_, scratch_, context_, fit, [&](const VoteSums& sums) {
+        return finish_vertices(sums, plan_->topology, input_, plan_->options, out, context_);
+    });
+    return out;
 }
 
 std::vector<SplitAttributes> geometry::general_attributes_into(std::span<const AttributeMesh> meshes,

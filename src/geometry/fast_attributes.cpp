@@ -69,7 +69,7 @@ std::vector<SplitAttributes> give_to_general(std::span<const AttributeMesh> mesh
 }  // namespace
 
 std::size_t FastScratch::bytes() const {
-    std::size_t sum = rows.bytes() + records.bytes() + general.bytes();
+    std::size_t sum = rows.bytes() + looks.bytes() + records.bytes() + general.bytes();
     for (const auto& some : classes) sum += some.capacity() * sizeof(Duplicate);
     for (const auto& box : outbox) sum += box.capacity();
     for (const LaneScratch& lane : lanes)
@@ -80,8 +80,8 @@ std::size_t FastScratch::bytes() const {
 }
 
 bool takes_fast_path(std::span<const AttributeMesh> meshes, const AttributeOptions& options) {
-    const bool fits = options.normals && options.scope != Scope::face && !is_fitted(options.weight) &&
-                      options.weld_distance <= 0 && has_plain_creases(meshes, options);
+    const bool fits = options.normals && options.scope != Scope::face && options.weld_distance <= 0 &&
+                      has_plain_creases(meshes, options);
     if (!fits || !is_plain(options) || meshes.empty() || !keeps_angles(meshes[0].to_world)) return false;
     return std::all_of(meshes.begin(), meshes.end(),
                        [&](const AttributeMesh& m) { return m.to_world == meshes[0].to_world && is_plain(m); });
@@ -129,7 +129,8 @@ std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> mesh
                     context,
                     tangents,
                     range.least,
-                    !range.joins_all(),
+                    is_fitted(options.weight),
+                    is_fitted(options.weight) || !range.joins_all(),
                     {},
                     {}};
     state.degenerate.assign(meshes.size(), 0);
@@ -151,7 +152,10 @@ std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> mesh
     }
     if (hard.size() > vertices / 4) return give_to_general(meshes, options, out, context);
     std::vector<SplitAttributes> splits = without_splits(state);
-    if (!hard.empty()) redo_places(state, hard, out, splits);
+    if (state.fits)
+        fit_places(state, hard, out, splits);
+    else if (!hard.empty())
+        redo_places(state, hard, out, splits);
     return splits;
 }
 

@@ -8,9 +8,10 @@ namespace rakelight::geometry {
 namespace {
 
 // Stricter than the finish, which gets the sums accepted here.
-constexpr float class_normal_share = weak_normal_share * 1.01f, class_tangent_share = weak_tangent_share * 1.01f;
+constexpr float stricter = 1.01f, class_normal_share = weak_normal_share * stricter;
 constexpr float cos_45 = 0.70710678f, cos_margin = 1e-4f;
-constexpr std::size_t max_members = 16;  // for pairwise comparison of tangents; larger classes use the general path
+constexpr float cos_margin_of_fits = 0.25f;  // whose normals are not yet known
+constexpr std::size_t max_members = 16;      // for pairwise comparison of tangents; larger classes use the general path
 
 struct TangentRow8 {
     vec3 normal;
@@ -80,7 +81,7 @@ private:
             for (std::size_t b = a + 1; b < count; ++b) {
                 if (!(rows[a]->hand * rows[b]->hand > 0)) continue;
                 const float cosine = dot(direction[a], direction[b]);
-                if (std::fabs(cosine - cos_45) < cos_margin) return false;
+                if (std::fabs(cosine - cos_45) < (state_.fits ? cos_margin_of_fits : cos_margin)) return false;
                 if (cosine > cos_45) join(set, count, set[a], set[b]);
             }
         return add_sets(n, rows, set, count);
@@ -92,7 +93,7 @@ private:
             if (set[i] == high) set[i] = low;
     }
 
-    static bool add_sets(vec3 n, TangentRow8* const* rows, const std::size_t* set, std::size_t count) {
+    bool add_sets(vec3 n, TangentRow8* const* rows, const std::size_t* set, std::size_t count) const {
         vec3 tangent[max_members];
         float hand[max_members] = {};
         for (std::size_t i = 0; i < count; ++i) {
@@ -109,8 +110,9 @@ private:
     }
 
     static vec3 across(vec3 n, vec3 t) { return t - n * dot(n, t); }
-    static bool is_weak(vec3 t, float hand) {
-        return !(dot(t, t) >= hand * hand * class_tangent_share * class_tangent_share);
+    bool is_weak(vec3 t, float hand) const {
+        const float least = hand * state_.weak_tangent() * stricter;
+        return !(dot(t, t) >= least * least);
     }
 
     FastState& state_;

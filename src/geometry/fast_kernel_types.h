@@ -22,6 +22,8 @@ struct FastParcel {
 
 /// Sums of unit vectors shorter than this share of their weights are not computed in float.
 constexpr float weak_normal_share = 1.0f / 8, weak_tangent_share = 1.0f / 16;
+/// The same before and after normals are fitted.
+constexpr float weak_tangent_before_fit = 1.0f / 2, weak_tangent_after_fit = 1e-3f;
 
 /// Some triangles of one mesh. A kernel adds their votes (or looks) to the rows of vertices own_begin .. own_end - 1, which no
 /// other thread touches; votes for other vertices become parcels. It stops after a block of faces if `foreign` or `odd`
@@ -52,12 +54,14 @@ constexpr uint32_t parcel_capacity = 1024, odd_capacity = 1024;
 /// Some vertices of one mesh, from sums to attributes.
 struct FinishJob {
     const float* rows = nullptr;
-    uint32_t begin = 0, end = 0;  ///< vertices
-    float* normals = nullptr;     ///< [3 * vertices]
-    float* tangents = nullptr;    ///< [4 * vertices], or null
-    uint32_t isolated = 0;        ///< counted by the kernel
-    uint32_t* odd = nullptr;      ///< [odd_capacity] vertices left to the general path; the kernel stops before it
-    uint32_t odd_count = 0;       ///< overflows, with begin advanced
+    uint32_t begin = 0, end = 0;              ///< vertices
+    float* normals = nullptr;                 ///< [3 * vertices]
+    float* tangents = nullptr;                ///< [4 * vertices], or null
+    bool keeps_normals = false;               ///< those of the buffer stay, and tangents are made for them
+    float weak_tangent = weak_tangent_share;  ///< sums across the normal below this share are left to the general path
+    uint32_t isolated = 0;                    ///< counted by the kernel
+    uint32_t* odd = nullptr;  ///< [odd_capacity] vertices left to the general path; the kernel stops before it
+    uint32_t odd_count = 0;   ///< overflows, with begin advanced
 };
 
 /// What the faces at a vertex look like from its normal: integers in float, so that their sum does not depend on the order.

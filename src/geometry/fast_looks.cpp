@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "geometry/fast_scatter.h"
+#include "geometry/fit_normals.h"
 #include "math/angles.h"
 
 namespace rakelight::geometry {
@@ -12,12 +13,15 @@ class Looks {
 public:
     static constexpr int floats = normal_row_floats;
     static constexpr bool counts_degenerate = false;
-    explicit Looks(const FastState& state) : state_(state), hard_cosine_(hard_cosine(state.crease_rad)) {}
+    explicit Looks(const FastState& state)
+        : state_(state), hard_cosine_(hard_cosine(state.crease_rad)), bent_cosine_(bent_cosine(state)) {}
 
+    float* data() const { return state_.looks_at()->ends; }
     void ready(LaneScratch&, std::uint32_t, std::uint32_t, std::uint32_t) const {}
     void set(ScatterJob& job, std::uint32_t m) const {
         job.normals = state_.out[m].normals.empty() ? nullptr : &state_.out[m].normals[0].x;
         job.hard_cosine = hard_cosine_;
+        job.bent_cosine = bent_cosine_;
     }
     auto kernel() const { return state_.look_kernels.scatter; }
     // Without area, or a sliver: its place is left to the general path.
@@ -33,8 +37,14 @@ private:
         return float(math::cosine(std::min(0.5 * crease_rad - slack_rad, most_rad)));
     }
 
+    /// Every face is bent for CornerWeight::fit, and none where nothing is fitted.
+    static float bent_cosine(const FastState& state) {
+        if (!state.fits) return -2;
+        return state.options.weight == CornerWeight::automatic ? float(mild_cosine) : 2.0f;
+    }
+
     const FastState& state_;
-    float hard_cosine_;
+    float hard_cosine_, bent_cosine_;
 };
 
 void add_classes(FastState& state) {
@@ -60,6 +70,7 @@ bool is_calm(const LookRow& row) {
 }  // namespace
 
 std::vector<std::uint32_t> look_at_places(FastState& state) {
+    if (state.fits && state.tangents) state.scratch.looks.reserve(state.input.vertex_count());
     const Looks looks(state);
     FastScatter<Looks>(state, looks).run();
     add_classes(state);

@@ -15,6 +15,7 @@ public:
     static constexpr bool counts_degenerate = true;
     explicit Votes(const FastState& state) : state_(state) {}
 
+    float* data() const { return state_.scratch.rows.data(); }
     /// Hashes positions for the weld while they are in the cache.
     void ready(LaneScratch& lane, std::uint32_t m, std::uint32_t first, std::uint32_t last) const {
         hash_places(state_, lane, m, first, last);

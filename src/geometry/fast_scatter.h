@@ -17,7 +17,7 @@ constexpr std::uint32_t pieces_in_flight =
 constexpr std::uint32_t faces_per_small_chunk = 1u << 15;
 constexpr std::uint32_t vertices_per_step = 1u << 10;  // rows prepared at a time, so that they are in the cache
 
-/// @tparam Rows  what is added: floats (of a row); ready(lane, mesh, first, last), of rows that were cleared; set(job, mesh);
+/// @tparam Rows  what is added: floats (of a row); data(), of the first one; ready(lane, mesh, first, last), of rows that were cleared; set(job, mesh);
 ///               kernel(); add_odd(job, mesh, face, parcels[3]), for a face that the kernel leaves: whether it has rows
 template <class Rows>
 class FastScatter {
@@ -86,7 +86,7 @@ private:
         });
     }
 
-    float* row(std::uint32_t vertex) const { return state_.scratch.rows.data() + std::size_t(vertex) * floats; }
+    float* row(std::uint32_t vertex) const { return rows_.data() + std::size_t(vertex) * floats; }
 
     void make_ready(LaneScratch& lane, std::uint32_t m, std::uint32_t first, std::uint32_t last) const {
         if (first >= last) return;

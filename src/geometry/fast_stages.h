@@ -56,6 +56,9 @@ void for_each_class(std::span<const Duplicate> duplicates, const Body& body) {
 /// @return global indices of vertices left to the general path, ascending; their output is invalid
 std::vector<std::uint32_t> finish_rows(FastState& state);
 
+/// Tangents again, for other normals in the caller's buffers.
+void finish_tangents(FastState& state);
+
 // --- fast_looks.cpp ------------------------------------------------------------------------------------------
 
 /// The smallest crease angle [rad] for which float decides.
@@ -73,6 +76,14 @@ std::vector<std::uint32_t> look_at_places(FastState& state);
 /// @param open  as look_at_places() returns them
 /// @return those left to the general path: their faces are not one fan within the crease angle
 std::vector<std::uint32_t> walk_fans(FastState& state, std::span<const std::uint32_t> open);
+
+// --- fast_fits.cpp -------------------------------------------------------------------------------------------
+
+/// Fits normals, and then makes tangents.
+/// @param hard    vertices left to the general path, as look_at_places() returns them
+/// @param splits  [meshes] gets the split vertices
+void fit_places(FastState& state, std::span<const std::uint32_t> hard, std::span<const AttributeBuffers> out,
+                std::vector<SplitAttributes>& splits);
 
 // --- fast_hard_places.cpp ------------------------------------------------------------------------------------
 

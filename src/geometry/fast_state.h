@@ -41,6 +41,7 @@ constexpr std::uint32_t faces_per_range = 2048;
 
 struct FastScratch {
     LargeArray<float> rows;                       ///< [vertices][floats]
+    LargeArray<LookRow> looks;                    ///< [vertices] where tangents are made after the looks
     LargeArray<std::uint64_t> records;            ///< [vertices] of the weld
     std::vector<std::vector<std::byte>> outbox;   ///< [chunks of a wave][pieces] parcels
     std::vector<std::vector<Duplicate>> classes;  ///< [tasks of the weld] sorted, whole classes; where they are kept
@@ -65,17 +66,22 @@ struct FastState {
     Context& context;
     bool tangents;      ///< rows of 8 floats; some mesh has texture coordinates and tangents are asked for
     double crease_rad;  ///< of all meshes
-    bool looks;         ///< below pi: whether the faces at a place are joined is to be looked at
+    bool fits;          ///< normals are fitted after they are summed
+    bool looks;         ///< whether the faces at a place are joined, and how they bend, is to be looked at
     std::vector<std::uint32_t> degenerate;  ///< [meshes]
     std::vector<std::uint32_t> isolated;    ///< [meshes]
 
+    /// Share of a sum across the normal below which the general path makes the tangent.
+    float weak_tangent() const { return fits ? weak_tangent_before_fit : weak_tangent_share; }
     int floats() const { return tangents ? tangent_row_floats : normal_row_floats; }
     bool is_textured(std::uint32_t mesh) const { return tangents && !input.meshes[mesh].texcoords.empty(); }
     std::uint32_t* hashes(std::uint32_t mesh) const {
         return reinterpret_cast<std::uint32_t*>(out[mesh].normals.data());
     }
     /// After scatter_looks().
-    LookRow* looks_at() const { return reinterpret_cast<LookRow*>(scratch.rows.data()); }
+    LookRow* looks_at() const {
+        return fits && tangents ? scratch.looks.data() : reinterpret_cast<LookRow*>(scratch.rows.data());
+    }
     float* row(std::uint32_t vertex) const { return scratch.rows.data() + std::size_t(vertex) * std::size_t(floats()); }
 };
 

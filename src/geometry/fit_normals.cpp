@@ -31,30 +31,23 @@ struct Qualities {
     float least_cosine = 1;
 };
 
-/// Cosines of the spread of faces below which nothing is fitted: 1 degree, where the weight of Max errs by 0.3 of the spread
-/// in the mean; 0.02 degrees at open borders and creases, outside of which the surface goes on.
-constexpr double mild_cosine = 0.99984769515639123, flat_cosine = 0.99999993907;
+/// The same at open borders and creases, outside of which the surface goes on: 0.02 degrees.
+constexpr double flat_cosine = 0.99999993907;
 
 /// Neighbors whose normals turn away by more are of another side of a thin part: cosine of 78 degrees.
 constexpr double least_cosine = 0.2;
 
 class NormalFits {
 public:
-    NormalFits(const VoteSums& sums, const Topology& topology, const AttributeInput& input, bool is_automatic,
-               GeneralScratch& scratch, Context& context)
-        : sums_(sums),
-          topology_(topology),
-          is_automatic_(is_automatic),
-          context_(context),
-          scratch_(scratch),
-          rings_(group_faces(topology, input, scratch, context)),
-          fitted_(groups_to_fit()),
-          number_(scratch.take_words()) {
-        number_.assign(topology.group.size(), none);
-        rings_.ring_begin = scratch.take_words(), rings_.ring_size = scratch.take_words();
-        add_rings(rings_, topology, with_neighbors(), context);
-        if (is_automatic && !fitted_.empty())
-            planes_ = face_planes(rings_, topology, input.triangle_count(), scratch, context);
+    NormalFits(const FitInput& from, GeneralScratch& scratch, Context& context)
+        : from_(from), topology_(from.topology), context_(context), scratch_(scratch), number_(scratch.take_words()) {
+        std::vector<std::uint8_t> near_fits = groups_near_fits();
+        if (!find_neighbors(near_fits)) {
+            rings_.release(scratch_);
+            near_fits.clear();
+            find_neighbors(near_fits);
+        }
+        number_.assign(topology_.group.size(), none);
         context.memory().check(fitted_.size() * (sizeof(Fits) + sizeof(Qualities) + sizeof(dvec3)) + bytes_of_largest(),
                                "fitting normals");
         for (std::size_t i = 0; i < fitted_.size(); ++i) number_[fitted_[i]] = std::uint32_t(i);
@@ -73,7 +66,7 @@ public:
     void run() {
         each_chunk([&](std::size_t first, std::size_t last) { fit(first, last); });
         each_chunk([&](std::size_t first, std::size_t last) {
-            if (is_automatic_)
+            if (from_.is_automatic)
                 decide(first, last);
             else
                 for (std::size_t i = first; i < last; ++i) normals_[i] = fitted(i);
@@ -84,7 +77,7 @@ public:
     NormalChoices choices() const {
         NormalChoices sum;
         for (std::uint32_t g = 0; g < topology_.group.size(); ++g)
-            if (topology_.group[g] == g && number_[g] == none && sums_.normals[g].weight > 0) ++sum.smooth;
+            if (topology_.group[g] == g && number_[g] == none && from_.by_max[g] != vec3{}) ++sum.smooth;
         for (std::size_t i = 0; i < fitted_.size(); ++i) ++(sum.*fits_[i].choice);
         return sum;
     }
@@ -115,8 +108,49 @@ private:
                               [&](std::size_t c) { body(c * step, std::min(count, (c + 1) * step)); });
     }
 
-    dvec3 sum_by_max(std::uint32_t g) const { return sums_.normals[g].normal; }
-    dvec3 by_max(std::uint32_t g) const { return direction_of(sum_by_max(g)).unit; }
+    dvec3 by_max(std::uint32_t g) const { return cast<double>(from_.by_max[g]); }
+
+    /// [groups] Those that are not mild, and their neighbors: all that is asked for corners. Empty: all.
+    std::vector<std::uint8_t> groups_near_fits() const {
+        std::vector<std::uint8_t> marks;
+        if (from_.mild.empty()) return marks;
+        const AttributeInput& input = from_.input;
+        marks.assign(topology_.group.size(), 0);
+        const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
+        context_.parallel_for(chunks.size(), [&](std::size_t c) {
+            for_each_range(
+                chunks[c], input.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
+                    for (std::uint32_t t = input.triangle_base[m] + first; t != input.triangle_base[m] + last; ++t)
+                        mark_around(m, t, marks);
+                });
+        });
+        return marks;
+    }
+    void mark_around(std::uint32_t m, std::uint32_t triangle, std::vector<std::uint8_t>& marks) const {
+        std::uint32_t vertex[3];
+        bool is_near = false;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            vertex[k] = topology_.vertex_of(from_.input, m, 3 * triangle + k);
+            is_near |= from_.mild[vertex[k]] == 0;
+        }
+        if (!is_near) return;
+        for (const std::uint32_t v : vertex)
+            std::atomic_ref(marks[topology_.group[v]]).store(1, std::memory_order_relaxed);
+    }
+
+    /// Faces, rings and planes.
+    /// @param near_fits  where; empty: everywhere
+    /// @return false: a plane of a fitted place reaches farther
+    bool find_neighbors(std::span<const std::uint8_t> near_fits) {
+        rings_ = group_faces(topology_, from_.input, near_fits, scratch_, context_);
+        fitted_ = groups_to_fit(near_fits);
+        rings_.ring_begin = scratch_.take_words(), rings_.ring_size = scratch_.take_words();
+        add_rings(rings_, topology_, with_neighbors(), context_);
+        if (!from_.is_automatic || fitted_.empty()) return true;
+        planes_ = face_planes(rings_, topology_, from_.input.triangle_count(), near_fits, scratch_, context_);
+        return near_fits.empty() || std::none_of(fitted_.begin(), fitted_.end(),
+                                                 [&](std::uint32_t g) { return planes_.has_open(rings_.corners[g]); });
+    }
 
     /// Of groups, in any order.
     struct Tally {
@@ -137,14 +171,15 @@ private:
             least = std::min(least, dot(rings_.normal(corner / 3), n));
             ahead.add(rings_.next(corner)), behind.add(rings_.previous(corner));
         }
-        return !is_automatic_ || !(least > (ahead == behind ? mild_cosine : flat_cosine));
+        return !from_.is_automatic || !(least > (ahead == behind ? mild_cosine : flat_cosine));
     }
     /// Ascending.
-    std::vector<std::uint32_t> groups_to_fit() {
+    std::vector<std::uint32_t> groups_to_fit(std::span<const std::uint8_t> near_fits) const {
         const std::size_t count = topology_.group.size(), step = vertices_per_chunk;
         std::vector<std::vector<std::uint32_t>> parts((count + step - 1) / step);
         context_.parallel_for(parts.size(), [&](std::size_t c) {
             for_each_group(topology_, c * step, std::min(count, (c + 1) * step), [&](std::uint32_t g) {
+                if (!near_fits.empty() && (near_fits[g] == 0 || from_.mild[g] != 0)) return;
                 if (needs_fit(g)) parts[c].push_back(g);
             });
         });
@@ -182,9 +217,7 @@ private:
         const double scale = std::sqrt(double(ring) / squares);  // one over the root of the mean square of the edges
         if (!(scale > 0 && std::isfinite(scale))) return;
         for (std::size_t i = 1; i < groups.size(); ++i) {
-            const dvec3 other = sum_by_max(groups[i]);
-            const double along = dot(other, n);
-            if (along > 0 && along * along > least_cosine * least_cosine * dot(other, other))
+            if (dot(by_max(groups[i]), n) > least_cosine)
                 memory.batch.add_neighbor((rings_.places[groups[i]] - at) * scale);
         }
     }
@@ -345,9 +378,8 @@ private:
         return geometry::bounded(n, mean, (fits_[i].border ? 3 : 1) * spread + radians(1));
     }
 
-    const VoteSums& sums_;
+    const FitInput from_;
     const Topology& topology_;
-    bool is_automatic_;
     Context& context_;
     GeneralScratch& scratch_;
     GroupRings rings_;
@@ -374,22 +406,42 @@ std::vector<std::uint8_t> groups_with_authored(const Topology& topology, const A
 
 }  // namespace
 
-void fit_normals(VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options,
-                 GeneralScratch& scratch, Context& context, NormalChoices* choices) {
-    NormalFits fits(sums, topology, input, options.weight == CornerWeight::automatic, scratch, context);
+BlockArray<vec3> fit_groups(const FitInput& from, GeneralScratch& scratch, Context& context, NormalChoices* choices) {
+    NormalFits fits(from, scratch, context);
     fits.run();
     if (choices) *choices = fits.choices();
-    const std::vector<std::uint8_t> keeps = groups_with_authored(topology, input);
+    const std::size_t count = from.topology.group.size(), step = vertices_per_chunk;
+    BlockArray<vec3> normals = scratch.take<vec3>(count);
+    context.parallel_for((count + step - 1) / step, [&](std::size_t c) {
+        for (std::size_t g = c * step; g < std::min(count, (c + 1) * step); ++g)
+            normals[g] = cast<float>(fits.normal(std::uint32_t(g)));
+    });
+    return normals;
+}
+
+void fit_normals(VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options,
+                 GeneralScratch& scratch, Context& context, NormalChoices* choices) {
     const std::size_t count = topology.group.size(), step = vertices_per_chunk;
+    context.memory().check(2 * count * sizeof(vec3), "fitting normals");
+    BlockArray<vec3> by_max = scratch.take<vec3>(count);
+    context.parallel_for((count + step - 1) / step, [&](std::size_t c) {
+        for (std::size_t row = c * step; row < std::min(count, (c + 1) * step); ++row)
+            by_max[row] = cast<float>(direction_of(sums.normals[row].normal).unit);
+    });
+    const FitInput from{
+        topology, input, std::span(by_max.data(), count), {}, options.weight == CornerWeight::automatic};
+    BlockArray<vec3> normals = fit_groups(from, scratch, context, choices);
+    const std::vector<std::uint8_t> keeps = groups_with_authored(topology, input);
     context.parallel_for((count + step - 1) / step, [&](std::size_t c) {
         for (std::size_t row = c * step; row < std::min(count, (c + 1) * step); ++row) {
             const std::uint32_t g = topology.group[row];
             NormalRow& sum = sums.normals[row];
             const bool takes = (keeps.empty() || keeps[g] == 0) && sum.weight > 0 && !has_cancelled(sum);
-            const dvec3 n = takes ? fits.normal(g) : dvec3{};
+            const dvec3 n = takes ? cast<double>(normals[g]) : dvec3{};
             if (n != dvec3{}) sum.normal = n * sum.weight;
         }
     });
+    scratch.give(by_max), scratch.give(normals);
 }
 
 }  // namespace rakelight::geometry

@@ -1,11 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 // The general path (attributes.cpp) into the caller's buffers; the form with arrays is in fast_attributes.h.
 #pragma once
+#include <functional>
+#include <memory>
+
 #include <rakelight/attributes.h>
 
-#include "geometry/block_array.h"
+#include "geometry/attribute_plan.h"
+#include "geometry/vote_sums.h"
 
 namespace rakelight::geometry {
+
+/// Some places and their faces, grouped by the general path. Their normals are fitted among all others before tangents are
+/// made.
+class GroupedPart {
+public:
+    /// @param wanted  [vertices] 0: what comes out at its place is not needed
+    /// @throws Error as group()
+    GroupedPart(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                std::span<const std::uint8_t> wanted, GeneralScratch& scratch, Context& context);
+    ~GroupedPart();
+    GroupedPart(const GroupedPart&) = delete;
+    GroupedPart& operator=(const GroupedPart&) = delete;
+
+    const AttributeInput& input() const { return input_; }
+    const Topology& topology() const;
+    /// Of normals, before the fit.
+    VoteSums sums() const;
+    /// @param fit  replaces the normals of groups
+    std::vector<MeshAttributes> finish(const std::function<void(VoteSums&)>& fit) const;
+
+private:
+    AttributeInput input_;
+    std::shared_ptr<AttributePlan::Impl> plan_;
+    GeneralScratch& scratch_;
+    Context& context_;
+};
 
 /// @param out  [meshes] large enough: checked by the caller
 /// @throws Error as compute_attributes(); the scratch may then have lost its memory

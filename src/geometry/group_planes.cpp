@@ -64,39 +64,65 @@ private:
     std::vector<FacePair> ahead_, behind_;  // the group at the edge's other end, and the face
 };
 
-}  // namespace
-
-FacePlanes face_planes(const GroupRings& rings, const Topology& topology, std::size_t faces, GeneralScratch& scratch,
-                       Context& context) {
+/// [chunks of groups]
+std::vector<std::vector<FacePair>> flat_pairs(const GroupRings& rings, const Topology& topology, Context& context) {
     const std::size_t count = topology.group.size(), step = vertices_per_chunk;
-    context.memory().check(faces * (sizeof(double) + sizeof(FacePair) + 8ull), "planes of triangles");
-    FacePlanes out{scratch.take<std::uint32_t>(faces), scratch.take<double>(faces)};
     std::vector<std::vector<FacePair>> pairs((count + step - 1) / step);
     context.parallel_for(pairs.size(), [&](std::size_t c) {
         FlatPairs flat(rings);
         for_each_group(topology, c * step, std::min(count, (c + 1) * step),
                        [&](std::uint32_t g) { flat.add(g, pairs[c]); });
     });
+    return pairs;
+}
+
+bool is_known(const GroupRings& rings, std::uint32_t face, std::span<const std::uint8_t> known) {
+    const std::uint32_t* const group = rings.group_of_corner.data() + 3 * std::size_t(face);
+    return known.empty() || (known[group[0]] != 0 && known[group[1]] != 0 && known[group[2]] != 0);
+}
+
+}  // namespace
+
+bool FacePlanes::has_open(std::span<const std::uint32_t> corners) const {
+    return !open.empty() && std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
+        return std::binary_search(open.begin(), open.end(), plane_of[corner / 3]);
+    });
+}
+
+FacePlanes face_planes(const GroupRings& rings, const Topology& topology, std::size_t faces,
+                       std::span<const std::uint8_t> known, GeneralScratch& scratch, Context& context) {
+    std::vector<std::vector<FacePair>> pairs = flat_pairs(rings, topology, context);
+    FacePlanes out;
+    for (const std::vector<FacePair>& some : pairs) out.any |= !some.empty();
+    if (!out.any) return out;
+    context.memory().check(faces * (sizeof(double) + sizeof(FacePair) + 8ull), "planes of triangles");
+    out.plane_of = scratch.take<std::uint32_t>(faces), out.area = scratch.take<double>(faces);
     UnionFind sets;
     sets.reset(faces);
-    for (std::vector<FacePair>& some : pairs) {
+    for (const std::vector<FacePair>& some : pairs)
         for (const auto& [a, b] : some) sets.join(a, b);
-        some = {};
+    for (std::uint32_t t = 0; t < faces; ++t) {
+        out.area[t] = double(rings.faces[t].area);
+        out.plane_of[t] = FacePlanes::alone;
     }
-    for (std::uint32_t t = 0; t < faces; ++t) out.area[t] = double(rings.faces[t].area);
     for (std::uint32_t t = 0; t < faces; ++t) {
         const std::uint32_t plane = sets.root(t);
-        out.plane_of[t] = FacePlanes::alone;
         if (plane == t) continue;
         out.area[plane] += out.area[t];
         out.plane_of[t] = out.plane_of[plane] = plane;
     }
+    for (const std::vector<FacePair>& some : pairs)
+        for (const auto& [a, b] : some)
+            if (!is_known(rings, a, known) || !is_known(rings, b, known)) out.open.push_back(out.plane_of[a]);
+    std::sort(out.open.begin(), out.open.end());
+    out.open.erase(std::unique(out.open.begin(), out.open.end()), out.open.end());
     return out;
 }
 
 PlanesAtPlace planes_at(const GroupRings& rings, const FacePlanes& planes, std::uint32_t group,
                         std::vector<std::uint32_t>& memory) {
     PlanesAtPlace out;
+    if (!planes.any) return out;
     memory.clear();
     double all = 0, planar = 0, largest = -1;
     for (const std::uint32_t corner : rings.corners[group]) {

@@ -8,11 +8,17 @@ namespace rakelight::geometry {
 /// Faces that are joined by edges within corner groups and lie in one plane.
 struct FacePlanes {
     static constexpr std::uint32_t alone = 0xffffffffu;
+    bool any = false;                    ///< else the rest is empty: no plane has two faces
     BlockArray<std::uint32_t> plane_of;  ///< [triangles] the smallest face of its plane; alone: it has no second one
     BlockArray<double> area;  ///< [triangles] of the plane that the face is the smallest of, or of the face [m^2]
+    std::vector<std::uint32_t> open;  ///< ascending planes that may be larger than what is known of them
+
+    /// Whether such a plane is at one of the corners.
+    bool has_open(std::span<const std::uint32_t> corners) const;
 };
-FacePlanes face_planes(const GroupRings& rings, const Topology& topology, std::size_t faces, GeneralScratch& scratch,
-                       Context& context);
+/// @param known  [groups] not 0: the rings have its corners; empty: those of all
+FacePlanes face_planes(const GroupRings& rings, const Topology& topology, std::size_t faces,
+                       std::span<const std::uint8_t> known, GeneralScratch& scratch, Context& context);
 
 /// The planes at a place. A plane counts by its whole area, so that it does not matter how it is cut into triangles.
 struct PlanesAtPlace {

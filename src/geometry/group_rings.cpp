@@ -28,16 +28,23 @@ GroupFace face_of(const AttributeMesh& mesh, const Placement& placement, const s
 }
 
 /// Fills faces and group_of_corner.
-void read_faces(GroupRings& rings, const Topology& topology, const AttributeInput& input, Context& context) {
+void read_faces(GroupRings& rings, const Topology& topology, const AttributeInput& input,
+                std::span<const std::uint8_t> known, Context& context) {
     const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
     context.parallel_for(chunks.size(), [&](std::size_t c) {
         for_each_range(chunks[c], input.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
             const AttributeMesh& mesh = input.meshes[m];
             for (std::uint32_t t = first; t != last; ++t) {
                 const std::uint32_t at = input.triangle_base[m] + t;
-                rings.faces[at] = face_of(mesh, input.placements[m], mesh.indices.data() + 3 * std::size_t(t));
-                for (std::uint32_t corner = 3 * at; corner != 3 * at + 3; ++corner)
-                    rings.group_of_corner[corner] = topology.group[topology.vertex_of(input, m, corner)];
+                bool is_known = known.empty();
+                for (std::uint32_t corner = 3 * at; corner != 3 * at + 3; ++corner) {
+                    const std::uint32_t g = topology.group[topology.vertex_of(input, m, corner)];
+                    rings.group_of_corner[corner] = g;
+                    is_known = is_known || known[g] != 0;
+                }
+                rings.faces[at] = is_known
+                                      ? face_of(mesh, input.placements[m], mesh.indices.data() + 3 * std::size_t(t))
+                                      : GroupFace{};
             }
         });
     });
@@ -94,8 +101,8 @@ void GroupRings::release(GeneralScratch& scratch) {
     scratch.give(corners.begin), scratch.give(ring_begin), scratch.give(ring_size);
 }
 
-GroupRings group_faces(const Topology& topology, const AttributeInput& input, GeneralScratch& scratch,
-                       Context& context) {
+GroupRings group_faces(const Topology& topology, const AttributeInput& input, std::span<const std::uint8_t> known,
+                       GeneralScratch& scratch, Context& context) {
     GroupRings rings;
     const std::size_t corners = 3 * std::size_t(input.triangle_count());
     const std::size_t count = topology.group.size();
@@ -108,9 +115,9 @@ GroupRings group_faces(const Topology& topology, const AttributeInput& input, Ge
     memory.corners = scratch.take<std::uint32_t>(corners);
     memory.begin = scratch.take_words();
     BlockArray<std::uint16_t> keys(std::move(scratch.keys));
-    read_faces(rings, topology, input, context);
+    read_faces(rings, topology, input, known, context);
     read_places(rings, topology, input, context);
-    rings.corners = bin_corners(topology, input, {}, context, std::move(memory), &keys);
+    rings.corners = bin_corners(topology, input, known, context, std::move(memory), &keys);
     scratch.keys = keys.take();
     return rings;
 }

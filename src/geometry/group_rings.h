@@ -45,8 +45,9 @@ struct GroupRings {
 };
 
 /// All but rings.
-GroupRings group_faces(const Topology& topology, const AttributeInput& input, GeneralScratch& scratch,
-                       Context& context);
+/// @param known  [groups] not 0: its corners and their faces are asked for; empty: all. Other faces have no normal
+GroupRings group_faces(const Topology& topology, const AttributeInput& input, std::span<const std::uint8_t> known,
+                       GeneralScratch& scratch, Context& context);
 /// @param wanted  [groups] not 0: gets its ring
 void add_rings(GroupRings& rings, const Topology& topology, std::span<const std::uint8_t> wanted, Context& context);
 

@@ -30,6 +30,13 @@ static inline mask is_safe(real cross_square, real square1, real square2) {
            cross_square < real(1e34f);
 }
 
+/// A vector across n, far from zero.
+static inline vec3 across(const vec3& n) {
+    const mask upright = abs(n.z) > real(0.6f);
+    const real zero(0.0f);
+    return {select(upright, zero, -n.y), select(upright, -n.z, n.x), select(upright, n.y, zero)};
+}
+
 /// The vertices of a block, by its indices.
 struct BlockSource {
     const float* positions;

@@ -119,6 +119,19 @@ static void scatter_tangents(ScatterJob* job) {
         scatter<false, tangent_row_floats>(job);
 }
 
+/// Of lanes f and following; for lanes beyond the block's count any.
+static inline vec3 kept_normals(const FinishJob& job, uint32_t f, uint32_t count) {
+    alignas(64) float n[3][lanes];
+    for (uint32_t i = 0; i < uint32_t(lanes); ++i)
+        for (uint32_t a = 0; a < 3; ++a)
+            n[a][i] = f + i < count ? job.normals[3 * uint64_t(job.begin + f + i) + a] : (a == 2 ? 1.0f : 0.0f);
+    return {load(n[0]), load(n[1]), load(n[2])};
+}
+static inline vec3 some_across(const vec3& n) {
+    const vec3 v = across(n);
+    return v * (real(1.0f) / sqrt(dot(v, v)));
+}
+
 template <int floats>
 static inline void finish_block(FinishJob& job, const float* rows, uint32_t count, bool textured) {
     alignas(64) float normal[4 * face_block], tangent[4 * face_block];
@@ -137,17 +150,19 @@ static inline void finish_block(FinishJob& job, const float* rows, uint32_t coun
                     square > real(1e-30f) && square < real(1e30f);
         vec3 n = sum * (real(1.0f) / sqrt(square));
         n = select(is_alone, vec3(real(0.0f), real(0.0f), real(1.0f)), n);
+        if (job.keeps_normals) n = kept_normals(job, f, count);
         const real out[4] = {n.x, n.y, n.z, real(0.0f)};
         store_rows4(normal + 4 * f, out);
         if constexpr (floats == 8) {
             const real hand = v[3], size = abs(hand);
             const vec3 t(v[4], v[5], v[6]);
-            const vec3 across = t - n * dot(n, t);
-            const real across_square = dot(across, across);
+            const vec3 flat = t - n * dot(n, t);
+            const real across_square = dot(flat, flat);
             const mask has_tangent =
-                size == weight && across_square >= size * size * real(weak_tangent_share * weak_tangent_share);
+                size == weight && across_square >= size * size * real(job.weak_tangent * job.weak_tangent);
             if (textured) good = good && has_tangent;
-            vec3 unit = across * (real(1.0f) / sqrt(across_square));
+            vec3 unit = flat * (real(1.0f) / sqrt(across_square));
+            if (job.keeps_normals) unit = select(has_tangent, unit, some_across(n));
             unit = select(is_alone, vec3(real(1.0f), real(0.0f), real(0.0f)), unit);
             const real sign = select(is_alone || hand > real(0.0f), real(1.0f), real(-1.0f));
             const real out_t[4] = {unit.x, unit.y, unit.z, sign};

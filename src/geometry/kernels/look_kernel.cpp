@@ -24,13 +24,6 @@ static inline PlaceHash hash_of(const vec3& p) {
     return {load(low), load(high)};
 }
 
-/// A vector across n, far from zero.
-static inline vec3 across(const vec3& n) {
-    const mask upright = abs(n.z) > real(0.6f);
-    const real zero(0.0f);
-    return {select(upright, zero, -n.y), select(upright, -n.z, n.x), select(upright, n.y, zero)};
-}
-
 /// One corner's faces and neighbors, seen from its vertex's normal.
 static inline void look(const vec3& n, const vec3& vertex_normal, const vec3& to_next, const vec3& to_previous,
                         real hard_cosine, real bent_cosine, real& turns, real& bends) {

@@ -127,6 +127,38 @@ TEST(FastPath, EveryWeightAndCreaseEqualTheGeneralOnes) {
         }
 }
 
+TEST(FastPath, FitsEqualTheGeneralOnes) {
+    for (const CornerWeight weight : {CornerWeight::fit, CornerWeight::automatic})
+        for (const double crease : {30.0, 60.0, 180.0})
+            for (const bool tangents : {false, true}) {
+                SCOPED_TRACE(testing::Message() << int(weight) << ' ' << crease << ' ' << tangents);
+                AttributeOptions options = published();
+                options.weight = weight;
+                options.tangents = tangents;
+                options.crease_angle_rad = radians(crease);
+                for (const Shape& whole :
+                     {make_sphere(60, 30), make_torus(50, 30), make_cylinder(40, 12), make_cube()}) {
+                    expect_as_general({displaced(whole, 1)}, options, 3e-5);
+                    expect_as_general({whole}, options, 3e-5);
+                    expect_as_general(cut_at_random(displaced(whole, 3), 4, 3), options, 3e-5);
+                }
+            }
+}
+
+// Faces that fold over, slivers, and heights of several edges: normals alone, as tangents depend on them without bounds.
+TEST(FastPath, FitsEqualTheGeneralOnesOnRubble) {
+    for (const CornerWeight weight : {CornerWeight::fit, CornerWeight::automatic})
+        for (const double crease : {30.0, 60.0, 180.0}) {
+            AttributeOptions options = published();
+            options.weight = weight;
+            options.tangents = false;
+            options.crease_angle_rad = radians(crease);
+            expect_as_general({displaced(make_sphere(400, 300), 1)}, options, 1e-3);
+            for (std::uint32_t seed = 0; seed < 20; ++seed)
+                expect_as_general(random_model(seed, 1 + seed % 7, 1 + seed * 3 % 97), options, 1e-3);
+        }
+}
+
 // A fan of `faces` around a point, `height` below it: a cone. `turned`: about the axis.
 Shape fan_below(vec3 tip, std::uint32_t faces, float height, float turned, std::uint32_t object) {
     Shape s;

@@ -137,10 +137,7 @@ TEST(FittedModels, OtherCreasesOfAPlanAreThoseOfANewOne) {
         for (const AttributeOptions& options : all_options()) {
             plan = regroup(plan, meshes, options, context);
             const auto again = accumulate(plan, meshes, context), fresh = compute(parts, options);
-            for (std::size_t m = 0; m < parts.size(); ++m) {
-                EXPECT_EQ(again[m].normals, fresh[m].normals);
-                EXPECT_EQ(again[m].indices, fresh[m].indices);
-            }
+            EXPECT_LE(largest_difference(again, fresh), float_rounding);
         }
     }
 }
