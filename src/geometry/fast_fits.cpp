@@ -23,8 +23,8 @@ public:
         state_.context.memory().check(count * (sizeof(std::uint32_t) + 2 * sizeof(vec3) + 1), "fitting normals");
         topology_.group = scratch.take_words();
         topology_.group.resize(count);
-        by_max_.resize(count);
-        mild_.resize(count);
+        by_max_ = scratch.take<vec3>(count + hard_.corners());
+        mild_ = scratch.take<std::uint8_t>(count + hard_.corners());
         for_each_part([&](std::uint32_t m, std::uint32_t first, std::uint32_t last) { read(m, first, last); });
         for (const std::vector<Duplicate>& classes : state_.scratch.classes)
             for_each_class(classes, [&](std::span<const std::uint32_t> members) {
@@ -40,8 +40,9 @@ public:
         hard_.take(part.finish([&](VoteSums& sums) { replace(sums); }), out_, splits);
     }
     ~PlaceFits() {
-        state_.scratch.general.give(topology_.group);
-        state_.scratch.general.give(normals_);
+        GeneralScratch& scratch = state_.scratch.general;
+        scratch.give(topology_.group), scratch.give(topology_.corner_vertex);
+        scratch.give(by_max_), scratch.give(mild_), scratch.give(normals_);
     }
     PlaceFits(const PlaceFits&) = delete;
     PlaceFits& operator=(const PlaceFits&) = delete;
@@ -85,6 +86,7 @@ private:
                 by_max_[to_global_[row]] = cast<float>(normalize_or(sums.normals[row].normal, {}));
         state_.scratch.general.give(sums.normals);
         if (topology_.source.empty()) return;
+        topology_.spare = state_.scratch.general.take<char>(12 * std::size_t(input_.triangle_count())).take();
         materialize_corners(topology_, input_, state_.context);
         for (std::size_t p = 0; p < hard_.parts().size(); ++p) put_corners(part, std::uint32_t(p));
     }
@@ -105,9 +107,8 @@ private:
             if (source == none) continue;
             to_global_[row] = std::uint32_t(topology_.group.size());
             topology_.source.push_back(source);
+            mild_[to_global_[row]] = 0;
             topology_.group.push_back(none);
-            by_max_.push_back({});
-            mild_.push_back(0);
         }
     }
 
@@ -123,7 +124,12 @@ private:
 
     /// Fits all groups, and replaces the normals of places that are one group.
     void fit() {
-        const FitInput from{topology_, input_, by_max_, mild_, state_.options.weight == CornerWeight::automatic};
+        const std::size_t count = topology_.group.size();
+        const FitInput from{topology_,
+                            input_,
+                            {by_max_.data(), count},
+                            {mild_.data(), count},
+                            state_.options.weight == CornerWeight::automatic};
         normals_ = fit_groups(from, state_.scratch.general, state_.context);
         for_each_part([&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
             const std::uint32_t base = input_.vertex_base[m];
@@ -153,8 +159,8 @@ private:
     std::span<const AttributeBuffers> out_;
     HardPlaces hard_;
     Topology topology_;
-    std::vector<vec3> by_max_;              // [output vertices] world
-    std::vector<std::uint8_t> mild_;        // [output vertices]
+    BlockArray<vec3> by_max_;               // [output vertices, and room for more] world
+    BlockArray<std::uint8_t> mild_;         // [output vertices, and room for more]
     std::vector<std::uint32_t> to_global_;  // [output vertices of the hard part]
     BlockArray<vec3> normals_;
 };

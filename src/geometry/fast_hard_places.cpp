@@ -22,6 +22,12 @@ HardPlaces::HardPlaces(FastState& state, std::span<const std::uint32_t> wanted)
     }
 }
 
+std::size_t HardPlaces::corners() const {
+    std::size_t sum = 0;
+    for (const PartMesh& part : parts_) sum += part.indices.size();
+    return sum;
+}
+
 void HardPlaces::take(std::span<const MeshAttributes> results, std::span<const AttributeBuffers> out,
                       std::vector<SplitAttributes>& splits) const {
     state_.context.parallel_for(parts_.size(), [&](std::size_t p) {

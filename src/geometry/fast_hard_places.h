@@ -27,6 +27,8 @@ public:
     std::span<const AttributeMesh> meshes() const { return meshes_; }
     /// [vertices of all parts]
     std::span<const std::uint8_t> wanted() const { return is_wanted_; }
+    /// Of all parts: at most as many vertices are split.
+    std::size_t corners() const;
     bool is_wanted(std::uint32_t vertex) const { return marks_.has(vertex); }
 
     /// Replaces the output at these places.

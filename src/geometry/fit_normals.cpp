@@ -44,6 +44,7 @@ public:
         std::vector<std::uint8_t> near_fits = groups_near_fits();
         if (!find_neighbors(near_fits)) {
             rings_.release(scratch_);
+            scratch_.give(planes_.plane_of);
             near_fits.clear();
             find_neighbors(near_fits);
         }
@@ -57,7 +58,7 @@ public:
     ~NormalFits() {
         rings_.release(scratch_);
         scratch_.give(number_);
-        scratch_.give(planes_.plane_of), scratch_.give(planes_.area);
+        scratch_.give(planes_.plane_of);
         scratch_.give(fits_), scratch_.give(qualities_), scratch_.give(normals_);
     }
     NormalFits(const NormalFits&) = delete;

@@ -84,45 +84,49 @@ bool is_known(const GroupRings& rings, std::uint32_t face, std::span<const std::
 }  // namespace
 
 bool FacePlanes::has_open(std::span<const std::uint32_t> corners) const {
-    return !open.empty() && std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
-        return std::binary_search(open.begin(), open.end(), plane_of[corner / 3]);
+    return !empty() && std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
+        const std::uint32_t plane = plane_of[corner / 3];
+        return plane != alone && is_open[plane] != 0;
     });
 }
 
 FacePlanes face_planes(const GroupRings& rings, const Topology& topology, std::size_t faces,
                        std::span<const std::uint8_t> known, GeneralScratch& scratch, Context& context) {
-    std::vector<std::vector<FacePair>> pairs = flat_pairs(rings, topology, context);
+    const std::vector<std::vector<FacePair>> pairs = flat_pairs(rings, topology, context);
+    std::size_t count = 0;
+    for (const std::vector<FacePair>& some : pairs) count += some.size();
     FacePlanes out;
-    for (const std::vector<FacePair>& some : pairs) out.any |= !some.empty();
-    if (!out.any) return out;
-    context.memory().check(faces * (sizeof(double) + sizeof(FacePair) + 8ull), "planes of triangles");
-    out.plane_of = scratch.take<std::uint32_t>(faces), out.area = scratch.take<double>(faces);
+    if (count == 0) return out;
+    context.memory().check(faces * sizeof(std::uint32_t) + count * (sizeof(FacePair) + 24), "planes of triangles");
+    out.plane_of = scratch.take<std::uint32_t>(faces);
+    std::fill(out.plane_of.data(), out.plane_of.data() + faces, FacePlanes::alone);
+    for (const std::vector<FacePair>& some : pairs)
+        for (const auto& [a, b] : some) out.plane_of[a] = out.plane_of[b] = 0;
+    std::vector<std::uint32_t> flat;  // ascending; plane_of has their numbers until these are joined
+    for (std::uint32_t t = 0; t < faces; ++t) {
+        if (out.plane_of[t] == FacePlanes::alone) continue;
+        out.plane_of[t] = std::uint32_t(flat.size());
+        flat.push_back(t);
+    }
     UnionFind sets;
-    sets.reset(faces);
+    sets.reset(flat.size());
     for (const std::vector<FacePair>& some : pairs)
-        for (const auto& [a, b] : some) sets.join(a, b);
-    for (std::uint32_t t = 0; t < faces; ++t) {
-        out.area[t] = double(rings.faces[t].area);
-        out.plane_of[t] = FacePlanes::alone;
+        for (const auto& [a, b] : some) sets.join(out.plane_of[a], out.plane_of[b]);
+    out.area.resize(flat.size());
+    out.is_open.resize(flat.size());
+    for (std::uint32_t i = 0; i < flat.size(); ++i) {
+        const std::uint32_t plane = sets.root(i);
+        out.plane_of[flat[i]] = plane;
+        out.area[plane] += double(rings.faces[flat[i]].area);
+        if (!is_known(rings, flat[i], known)) out.is_open[plane] = 1;
     }
-    for (std::uint32_t t = 0; t < faces; ++t) {
-        const std::uint32_t plane = sets.root(t);
-        if (plane == t) continue;
-        out.area[plane] += out.area[t];
-        out.plane_of[t] = out.plane_of[plane] = plane;
-    }
-    for (const std::vector<FacePair>& some : pairs)
-        for (const auto& [a, b] : some)
-            if (!is_known(rings, a, known) || !is_known(rings, b, known)) out.open.push_back(out.plane_of[a]);
-    std::sort(out.open.begin(), out.open.end());
-    out.open.erase(std::unique(out.open.begin(), out.open.end()), out.open.end());
     return out;
 }
 
 PlanesAtPlace planes_at(const GroupRings& rings, const FacePlanes& planes, std::uint32_t group,
                         std::vector<std::uint32_t>& memory) {
     PlanesAtPlace out;
-    if (!planes.any) return out;
+    if (planes.empty()) return out;
     memory.clear();
     double all = 0, planar = 0, largest = -1;
     for (const std::uint32_t corner : rings.corners[group]) {
@@ -131,7 +135,8 @@ PlanesAtPlace planes_at(const GroupRings& rings, const FacePlanes& planes, std::
         if (plane != FacePlanes::alone)
             memory.push_back(plane);
         else
-            all += planes.area[corner / 3], largest = std::max(largest, planes.area[corner / 3]);
+            all += double(rings.faces[corner / 3].area),
+                largest = std::max(largest, double(rings.faces[corner / 3].area));
     }
     if (memory.empty()) return out;
     const bool has_single = all > 0;

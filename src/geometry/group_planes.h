@@ -8,12 +8,12 @@ namespace rakelight::geometry {
 /// Faces that are joined by edges within corner groups and lie in one plane.
 struct FacePlanes {
     static constexpr std::uint32_t alone = 0xffffffffu;
-    bool any = false;                    ///< else the rest is empty: no plane has two faces
-    BlockArray<std::uint32_t> plane_of;  ///< [triangles] the smallest face of its plane; alone: it has no second one
-    BlockArray<double> area;  ///< [triangles] of the plane that the face is the smallest of, or of the face [m^2]
-    std::vector<std::uint32_t> open;  ///< ascending planes that may be larger than what is known of them
+    BlockArray<std::uint32_t> plane_of;  ///< [triangles] alone: no other face is in its plane; empty: all are alone
+    std::vector<double> area;            ///< [planes] [m^2]
+    std::vector<std::uint8_t> is_open;   ///< [planes] not 0: it may be larger than what is known of it
 
-    /// Whether such a plane is at one of the corners.
+    bool empty() const { return plane_of.empty(); }
+    /// Whether an open plane is at one of the corners.
     bool has_open(std::span<const std::uint32_t> corners) const;
 };
 /// @param known  [groups] not 0: the rings have its corners; empty: those of all

@@ -36,15 +36,15 @@ void read_faces(GroupRings& rings, const Topology& topology, const AttributeInpu
             const AttributeMesh& mesh = input.meshes[m];
             for (std::uint32_t t = first; t != last; ++t) {
                 const std::uint32_t at = input.triangle_base[m] + t;
+                std::uint32_t group[3];
                 bool is_known = known.empty();
-                for (std::uint32_t corner = 3 * at; corner != 3 * at + 3; ++corner) {
-                    const std::uint32_t g = topology.group[topology.vertex_of(input, m, corner)];
-                    rings.group_of_corner[corner] = g;
-                    is_known = is_known || known[g] != 0;
+                for (std::uint32_t k = 0; k < 3; ++k) {
+                    group[k] = topology.group[topology.vertex_of(input, m, 3 * at + k)];
+                    is_known = is_known || known[group[k]] != 0;
                 }
-                rings.faces[at] = is_known
-                                      ? face_of(mesh, input.placements[m], mesh.indices.data() + 3 * std::size_t(t))
-                                      : GroupFace{};
+                if (!is_known) continue;
+                std::copy(group, group + 3, rings.group_of_corner.data() + 3 * std::size_t(at));
+                rings.faces[at] = face_of(mesh, input.placements[m], mesh.indices.data() + 3 * std::size_t(t));
             }
         });
     });

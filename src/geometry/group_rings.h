@@ -45,7 +45,7 @@ struct GroupRings {
 };
 
 /// All but rings.
-/// @param known  [groups] not 0: its corners and their faces are asked for; empty: all. Other faces have no normal
+/// @param known  [groups] not 0: its corners and their faces are asked for; empty: all. Nothing is known of other faces
 GroupRings group_faces(const Topology& topology, const AttributeInput& input, std::span<const std::uint8_t> known,
                        GeneralScratch& scratch, Context& context);
 /// @param wanted  [groups] not 0: gets its ring
