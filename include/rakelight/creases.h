@@ -59,7 +59,7 @@ struct Creases {
 ///    - Bends of less than `soft_below_deg` are soft; at least `always_hard_deg` are hard.
 ///    - Between single triangles: soft. Only in a small fan of equal bends, over `round_most_deg` are hard.
 ///    - A wide plane at a narrow one that bends two or three times as much at its far side, up to `round_most_deg`:
-///      soft, a fillet begins.
+///      soft, a fillet begins. With a bend of less than 14 degrees, planes of one width and up to four times as well.
 ///    - Equal bends (15 %) between planes of similar width: at least three in a row are a round shape, which is soft up
 ///      to `round_most_deg`. Two are a chamfer, which is hard over 32 degrees.
 ///    - Far bends within a factor of 2.2, planes of similar width: soft up to `round_most_deg` if both sides have such

@@ -17,13 +17,14 @@ constexpr double fillet_most_deg = 46;   // a fillet of two strips bends at most
 constexpr double equal_in_fan = 0.1;
 constexpr double loosely_less = 0.45, loosely_more = 2.2;
 constexpr double twice_least = 1.5, twice_most = 3;  // half a bend into a fillet
+constexpr double onset_deg = 14, onset_most = 4;     // a curved shape may begin with a small bend, between equal strips
 constexpr double same_width = 1.3, similar_width = 2.5, uneven_width = 4, strip_width = 1.6;
 constexpr std::uint32_t small_surface = 64;  // faces
 
 /// Thresholds in the gaps between the bends of the model.
 struct Thresholds {
     double low = soft_below_deg, hard = always_hard_deg, round = round_most_deg, chamfer = chamfer_over_deg,
-           fillet = fillet_most_deg;
+           fillet = fillet_most_deg, onset = onset_deg;
 };
 
 /// The middle of the widest gap of the values near a threshold, or the threshold if it lies in a gap wide enough.
@@ -44,7 +45,7 @@ double settled(double threshold, std::vector<float> near) {
 
 Thresholds settle_thresholds(const BentEdges& bent) {
     Thresholds t;
-    for (double* const threshold : {&t.low, &t.hard, &t.round, &t.chamfer, &t.fillet}) {
+    for (double* const threshold : {&t.low, &t.hard, &t.round, &t.chamfer, &t.fillet, &t.onset}) {
         std::vector<float> near;
         for (const BentEdge& e : bent.edges)
             if (std::fabs(std::fabs(double(e.bend_deg)) - *threshold) < thresholds_move_deg)
@@ -127,13 +128,14 @@ private:
         return false;
     }
 
-    /// Whether a plane runs into a strip that bends twice as much at its far side.
+    /// Whether a plane runs into a strip that bends twice as much at its far side, or up to four times if it begins to
+    /// curve with a small bend.
     bool is_tangent(std::uint32_t e, int narrow) const {
         const std::uint32_t far = side_of(e, narrow).far;
         if (far == no_edge) return false;
         if (size(far) > limits_.round) return false;  // no fillet bends so much within itself
         const double ratio = double(bent_.edges[far].bend_deg) / double(bent_.edges[e].bend_deg);
-        if (ratio < twice_least || ratio > twice_most) return false;
+        if (ratio < twice_least || ratio > (size(e) < limits_.onset ? onset_most : twice_most)) return false;
         const PlaneSide* const next = beyond(bent_.plane(bent_.edges[e], narrow), far);
         return next && next->width <= strip_width * side_of(e, narrow).width;
     }
@@ -155,6 +157,8 @@ private:
         }
         const bool is_similar = wide <= similar_width * thin, is_same = wide <= same_width * thin;
         if (!is_same && is_tangent(e, narrow)) return {CreaseReason::tangent, false};
+        if (is_same && bend < limits_.onset && (is_tangent(e, 0) || is_tangent(e, 1)))
+            return {CreaseReason::tangent, false};
         if (is_half[0] && is_half[1] && is_same && bend <= limits_.fillet) return {CreaseReason::tangent, false};
         if ((is_equal[0] || is_equal[1]) && is_similar) {
             if (bend > limits_.chamfer && !has_three(e, is_equal)) return {CreaseReason::chamfer, true};

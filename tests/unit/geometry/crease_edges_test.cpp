@@ -229,6 +229,22 @@ TEST(CreaseEdges, EachSurfaceShowsAloneWhetherItHasPlanes) {
     EXPECT_EQ(hard_edges({box.shape}).size(), meant_hard(box).size());
 }
 
+TEST(CreaseEdges, ACurveMayBeginWithASmallBend) {
+    // The bends of the edges of a lid, from its middle.
+    std::vector<dvec2> profile{{0, 1}};
+    double slope = -radians(3.0);
+    for (const double bend : {0.0, 0.4, 3.0, 9.0, 30.0, 40.0, 30.0, 20.0, 10.0}) {
+        slope -= radians(bend);
+        const double length = profile.size() < 2 ? 0.5 : 0.08;
+        profile.push_back(profile.back() + dvec2{length * std::cos(slope), length * std::sin(slope)});
+    }
+    std::reverse(profile.begin(), profile.end());
+    for (const int sides : {24, 40}) {
+        HardShape lid = make_turned(profile, std::vector<int>(profile.size(), 0), sides);
+        EXPECT_EQ(hard_edges({lid.shape}), meant_hard(lid)) << sides;
+    }
+}
+
 TEST(CreaseEdges, TheReportHasTheRanges) {
     const CreaseReport r = creases_of({make_column(12, false).shape}).report;
     EXPECT_EQ(r.hard, 24u);
