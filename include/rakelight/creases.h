@@ -51,7 +51,7 @@ struct Creases {
 ///    if all coordinates of the model lie on such a grid, or to floats. It follows how much each edge may bend by
 ///    rounding alone. Faces too thin for a normal take that of a neighbor.
 /// 2. *Planes.* Faces form one plane if an edge between them bends by at most 0.05 degrees, and what rounding can bend.
-///    Two triangles that meet only single triangles are in one plane by chance, and count as single ones. So do all
+///    Two triangles that meet mostly single triangles are in one plane by chance, and count as single ones. So do all
 ///    faces of a surface whose bends do not stop at what rounding does to planes: squares of a scan.
 /// 3. *Widths.* At each edge between two planes, each plane has a width across the edge. Its far side is its farthest
 ///    edge that is nearly parallel (37 degrees); of several at one distance, one that bends equally.

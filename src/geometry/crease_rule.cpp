@@ -19,7 +19,6 @@ constexpr double loosely_less = 0.45, loosely_more = 2.2;
 constexpr double twice_least = 1.5, twice_most = 3;  // half a bend into a fillet
 constexpr double onset_deg = 14, onset_most = 4;     // a curved shape may begin with a small bend, between equal strips
 constexpr double same_width = 1.3, similar_width = 2.5, uneven_width = 4, strip_width = 1.6;
-constexpr std::uint32_t small_surface = 64;  // faces
 
 /// Thresholds in the gaps between the bends of the model.
 struct Thresholds {

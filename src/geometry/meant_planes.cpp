@@ -52,18 +52,32 @@ std::vector<Evidence> gather_evidence(const BentEdges& bent, const std::vector<s
     return out;
 }
 
-/// Two triangles that lie in one plane by chance, or because a cut made a square of a triangle.
-std::vector<std::uint8_t> meet_single_only(const BentEdges& bent, const std::vector<std::uint32_t>& faces_of_plane,
-                                           double hard_deg) {
-    constexpr std::uint8_t meets_single = 1, meets_plane = 2;
-    std::vector<std::uint8_t> meets(bent.plane_of.size(), 0);
-    for (const BentEdge& e : bent.edges) {
-        if (bent.plane(e, 0) == bent.plane(e, 1) || std::fabs(double(e.bend_deg)) >= hard_deg) continue;
-        for (const int side : {0, 1})
-            meets[bent.plane(e, side)] |= faces_of_plane[bent.plane(e, 1 - side)] >= 2 ? meets_plane : meets_single;
+/// [T] of planes: pairs of triangles among single ones. Pairs found in one round are single triangles in the next.
+std::vector<std::uint8_t> find_chance_pairs(const BentEdges& bent, const std::vector<std::uint32_t>& faces_of_plane,
+                                            const std::vector<std::uint32_t>& faces_of_surface, double hard_deg) {
+    constexpr int rounds = 2;
+    struct Neighbors {
+        std::uint32_t single = 0, planes = 0;
+    };
+    std::vector<std::uint8_t> out(bent.plane_of.size(), 0);
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<Neighbors> meets(out.size());
+        for (const BentEdge& e : bent.edges) {
+            const std::uint32_t planes[2] = {bent.plane(e, 0), bent.plane(e, 1)};
+            if (planes[0] == planes[1] || std::fabs(double(e.bend_deg)) >= hard_deg) continue;
+            for (const int side : {0, 1}) {
+                const std::uint32_t other = planes[1 - side];
+                const bool is_plane = faces_of_plane[other] >= 2 && out[other] == 0;
+                ++(is_plane ? meets[planes[side]].planes : meets[planes[side]].single);
+            }
+        }
+        for (std::size_t t = 0; t < out.size(); ++t) {
+            const bool is_small = faces_of_surface[bent.surface_of[t]] <= small_surface;
+            const std::uint32_t most = is_small ? std::min(meets[t].single, 1u) : meets[t].single;
+            out[t] = faces_of_plane[t] == 2 && meets[t].planes < most;
+        }
     }
-    for (std::size_t t = 0; t < meets.size(); ++t) meets[t] = meets[t] == meets_single && faces_of_plane[t] == 2;
-    return meets;
+    return out;
 }
 
 }  // namespace
@@ -76,10 +90,10 @@ MeantPlanes find_meant_planes(const BentEdges& bent, double hard_deg) {
     for (std::size_t t = 0; t < count; ++t)
         ++faces_of_plane[bent.plane_of[t]], ++out.faces_of_surface[bent.surface_of[t]];
     const std::vector<Evidence> evidence = gather_evidence(bent, faces_of_plane);
-    const std::vector<std::uint8_t> is_pair = meet_single_only(bent, faces_of_plane, hard_deg);
+    const std::vector<std::uint8_t> is_chance = find_chance_pairs(bent, faces_of_plane, out.faces_of_surface, hard_deg);
     for (std::size_t t = 0; t < count; ++t) out.has_planes[t] = evidence[t].shows_planes();
     for (std::size_t t = 0; t < count; ++t)
-        out.is_meant[t] = faces_of_plane[t] >= 2 && is_pair[t] == 0 && out.has_planes[bent.surface_of[t]] != 0;
+        out.is_meant[t] = faces_of_plane[t] >= 2 && is_chance[t] == 0 && out.has_planes[bent.surface_of[t]] != 0;
     return out;
 }
 

@@ -200,6 +200,50 @@ TEST(CreaseEdges, SquaresOfAnEllipsoidAreSoft) {
         }
 }
 
+/// A lump cut out of tetrahedra: where two corners of one are inside, a square that lies in a plane.
+Shape make_cut_tetrahedra(int cells) {
+    const auto field = [](dvec3 p) {
+        double sum = -1.2;
+        for (const dvec3 c : {dvec3{-0.5, 0, 0.1}, {0.5, 0.2, 0}, {0, -0.5, -0.3}})
+            sum += 1 / (0.05 + 4 * dot(p - c, p - c));
+        return sum;
+    };
+    HardBuilder b;
+    const auto cut = [&](const dvec3(&corner)[4]) {
+        std::vector<dvec3> in, out;
+        for (const dvec3 p : corner) (field(p) > 0 ? in : out).push_back(p);
+        const auto at = [&](dvec3 p, dvec3 q) {
+            if (std::tie(q.x, q.y, q.z) < std::tie(p.x, p.y, p.z)) std::swap(p, q);
+            return p + (q - p) * (field(p) / (field(p) - field(q)));
+        };
+        std::vector<dvec3> ring;
+        for (std::size_t i = 0; i < in.size(); ++i)
+            for (std::size_t o = 0; o < out.size(); ++o)
+                ring.push_back(at(in[i], out[i % 2 == 0 ? o : out.size() - 1 - o]));
+        if (ring.empty()) return;
+        const bool is_outward = dot(cross(ring[1] - ring[0], ring[2] - ring[0]), out[0] - in[0]) > 0;
+        if (!is_outward) std::reverse(ring.begin(), ring.end());
+        b.polygon(ring, 0);
+    };
+    for (int i = 0; i < cells * cells * cells; ++i) {
+        const dvec3 low{double(i % cells), double(i / cells % cells), double(i / cells / cells)};
+        const auto point = [&](double x, double y, double z) {
+            return (low + dvec3{x, y, z}) * (3.2 / cells) - dvec3{1.6, 1.6, 1.6};
+        };
+        const dvec3 ring[] = {point(1, 0, 0), point(1, 1, 0), point(0, 1, 0),
+                              point(0, 1, 1), point(0, 0, 1), point(1, 0, 1)};
+        for (int k = 0; k < 6; ++k) cut({point(0, 0, 0), ring[k], ring[(k + 1) % 6], point(1, 1, 1)});
+    }
+    return b.take().shape;
+}
+
+TEST(CreaseEdges, SquaresOfCutTetrahedraAreSoft) {
+    for (const int cells : {16, 24}) {
+        const Shape lump = make_cut_tetrahedra(cells);
+        EXPECT_LT(double(hard_edges({lump}).size()), 0.04 * double(lump.indices.size() / 2)) << cells;
+    }
+}
+
 /// A knob with a chamfer of 45 degrees below and a fillet above.
 HardShape make_knob(int sides, int strips, double step) {
     std::vector<dvec2> profile{{0.9, 0}, {1, 0.1}, {1, 0.8}};
