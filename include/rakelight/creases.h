@@ -56,7 +56,8 @@ struct Creases {
 /// 3. *Widths.* At each edge between two planes, each plane has a width across the edge. Its far side is its farthest
 ///    edge that is nearly parallel (37 degrees); of several at one distance, one that bends equally.
 /// 4. *Decisions*, in this order:
-///    - Bends of less than `soft_below_deg` are soft; at least `always_hard_deg` are hard.
+///    - Bends of less than `soft_below_deg` are soft; at least `always_hard_deg` are hard. Of the others, those that
+///      rounding alone may have made are soft.
 ///    - Between single triangles: soft. Only in a small fan of equal bends, over `round_most_deg` are hard.
 ///    - A wide plane at a narrow one that bends two or three times as much at its far side, up to `round_most_deg`:
 ///      soft, a fillet begins. With a bend of less than 14 degrees, planes of one width and up to four times as well.

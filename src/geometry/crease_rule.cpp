@@ -67,6 +67,7 @@ public:
         const double bend = size(e);
         if (bend < limits_.low || bend <= double(edge.slack_deg)) return {CreaseReason::plane, false};
         if (bend >= limits_.hard) return {CreaseReason::steep, true};
+        if (bend <= double(edge.rounding_deg)) return {CreaseReason::plane, false};
         if (bent_.plane(edge, 0) == bent_.plane(edge, 1) && planes_.has_planes[bent_.surface_of[edge.face(0)]] != 0)
             return {CreaseReason::planes, bend > 2 * double(edge.rounding_deg)};  // the end of a crease, or by rounding
         if (!is_flat(edge, 0) && !is_flat(edge, 1)) return decide_triangles(e);

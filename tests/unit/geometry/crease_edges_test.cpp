@@ -265,6 +265,13 @@ TEST(CreaseEdges, FineShapesOfPlanesKeepTheirChamfers) {
     expect_as_meant(make_knob(24, 4, 1e-3), "knob of 3 decimals");
 }
 
+TEST(CreaseEdges, WhatRoundingAloneMayBendIsSoft) {
+    for (const int sides : {24, 48}) {  // strips that rounding turns by more than 12 degrees
+        const HardShape knob = make_knob(sides, 16, 1e-2);
+        EXPECT_LT(double(hard_edges({knob.shape}).size()), 2.0 * double(meant_hard(knob).size())) << sides;
+    }
+}
+
 TEST(CreaseEdges, EachSurfaceShowsAloneWhetherItHasPlanes) {
     const HardShape lump = make_lump(12, 0.2, {1, 1, 1}, 1e-3);
     HardShape box = make_chamfered_box(0.15);
