@@ -51,14 +51,16 @@ struct Creases {
 ///    if all coordinates of the model lie on such a grid, or to floats. It follows how much each edge may bend by
 ///    rounding alone. Faces too thin for a normal take that of a neighbor.
 /// 2. *Planes.* Faces form one plane if an edge between them bends by at most 0.05 degrees, and what rounding can bend.
-///    Two triangles that meet only single triangles are in one plane by chance, and count as single ones.
+///    Two triangles that meet mostly single triangles are in one plane by chance, and count as single ones. So do all
+///    faces of a surface whose bends do not stop at what rounding does to planes: squares of a scan.
 /// 3. *Widths.* At each edge between two planes, each plane has a width across the edge. Its far side is its farthest
 ///    edge that is nearly parallel (37 degrees); of several at one distance, one that bends equally.
 /// 4. *Decisions*, in this order:
-///    - Bends of less than `soft_below_deg` are soft; at least `always_hard_deg` are hard.
+///    - Bends of less than `soft_below_deg` are soft; at least `always_hard_deg` are hard. Of the others, those that
+///      rounding alone may have made are soft.
 ///    - Between single triangles: soft. Only in a small fan of equal bends, over `round_most_deg` are hard.
 ///    - A wide plane at a narrow one that bends two or three times as much at its far side, up to `round_most_deg`:
-///      soft, a fillet begins.
+///      soft, a fillet begins. With a bend of less than 14 degrees, planes of one width and up to four times as well.
 ///    - Equal bends (15 %) between planes of similar width: at least three in a row are a round shape, which is soft up
 ///      to `round_most_deg`. Two are a chamfer, which is hard over 32 degrees.
 ///    - Far bends within a factor of 2.2, planes of similar width: soft up to `round_most_deg` if both sides have such

@@ -19,7 +19,7 @@ static_assert(soft_below_deg == 8 && soft_below_deg - thresholds_move_deg == 6);
 
 void check_memory(const AttributeInput& input, Context& context) {
     const std::uint64_t vertices = input.vertex_count(), triangles = input.triangle_count();
-    context.memory().check(vertices * 12 + triangles * (24 + 60 + 3 * (sizeof(BentEdge) + 2 * sizeof(PlaneSide)) / 2),
+    context.memory().check(vertices * 12 + triangles * (24 + 100 + 3 * (sizeof(BentEdge) + 2 * sizeof(PlaneSide)) / 2),
                            "finding creases");
 }
 

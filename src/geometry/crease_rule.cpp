@@ -6,6 +6,8 @@
 
 #include <rakelight/creases.h>
 
+#include "geometry/meant_planes.h"
+
 namespace rakelight::geometry {
 namespace {
 
@@ -15,14 +17,13 @@ constexpr double fillet_most_deg = 46;   // a fillet of two strips bends at most
 constexpr double equal_in_fan = 0.1;
 constexpr double loosely_less = 0.45, loosely_more = 2.2;
 constexpr double twice_least = 1.5, twice_most = 3;  // half a bend into a fillet
+constexpr double onset_deg = 14, onset_most = 4;     // a curved shape may begin with a small bend, between equal strips
 constexpr double same_width = 1.3, similar_width = 2.5, uneven_width = 4, strip_width = 1.6;
-constexpr double planes_share = 0.2;         // of the area: a surface with less in planes has none
-constexpr std::uint32_t small_surface = 64;  // faces
 
 /// Thresholds in the gaps between the bends of the model.
 struct Thresholds {
     double low = soft_below_deg, hard = always_hard_deg, round = round_most_deg, chamfer = chamfer_over_deg,
-           fillet = fillet_most_deg;
+           fillet = fillet_most_deg, onset = onset_deg;
 };
 
 /// The middle of the widest gap of the values near a threshold, or the threshold if it lies in a gap wide enough.
@@ -43,7 +44,7 @@ double settled(double threshold, std::vector<float> near) {
 
 Thresholds settle_thresholds(const BentEdges& bent) {
     Thresholds t;
-    for (double* const threshold : {&t.low, &t.hard, &t.round, &t.chamfer, &t.fillet}) {
+    for (double* const threshold : {&t.low, &t.hard, &t.round, &t.chamfer, &t.fillet, &t.onset}) {
         std::vector<float> near;
         for (const BentEdge& e : bent.edges)
             if (std::fabs(std::fabs(double(e.bend_deg)) - *threshold) < thresholds_move_deg)
@@ -53,59 +54,22 @@ Thresholds settle_thresholds(const BentEdges& bent) {
     return t;
 }
 
-/// What is counted over planes and surfaces.
-struct Sizes {
-    std::vector<std::uint32_t> faces_of_plane, faces_of_surface;  // [T] of the smallest face
-    std::vector<std::uint8_t> has_planes;                         // [T] of surfaces
-};
-Sizes count_faces(const BentEdges& bent) {
-    const std::size_t count = bent.plane_of.size();
-    Sizes s{std::vector<std::uint32_t>(count, 0), std::vector<std::uint32_t>(count, 0),
-            std::vector<std::uint8_t>(count, 0)};
-    std::vector<double> all(count, 0), planar(count, 0);
-    for (std::size_t t = 0; t < count; ++t)
-        ++s.faces_of_plane[bent.plane_of[t]], ++s.faces_of_surface[bent.surface_of[t]];
-    for (std::size_t t = 0; t < count; ++t) {
-        all[bent.surface_of[t]] += double(bent.area[t]);
-        if (s.faces_of_plane[bent.plane_of[t]] >= 2) planar[bent.surface_of[t]] += double(bent.area[t]);
-    }
-    for (std::size_t t = 0; t < count; ++t) s.has_planes[t] = planar[t] >= planes_share * all[t];
-    return s;
-}
-
-/// [T] of planes: two triangles that lie in one plane by chance, or because a cut made a square of a triangle. Up to its
-/// hard borders such a plane meets single triangles only.
-std::vector<std::uint8_t> find_chance_planes(const BentEdges& bent, const Sizes& sizes, double hard_deg) {
-    constexpr std::uint8_t meets_single = 1, meets_plane = 2;
-    std::vector<std::uint8_t> meets(bent.plane_of.size(), 0);
-    for (const BentEdge& e : bent.edges) {
-        if (bent.plane(e, 0) == bent.plane(e, 1) || std::fabs(double(e.bend_deg)) >= hard_deg) continue;
-        for (const int side : {0, 1})
-            meets[bent.plane(e, side)] |=
-                sizes.faces_of_plane[bent.plane(e, 1 - side)] >= 2 ? meets_plane : meets_single;
-    }
-    for (std::size_t t = 0; t < meets.size(); ++t) meets[t] = meets[t] == meets_single && sizes.faces_of_plane[t] == 2;
-    return meets;
-}
-
 class Rule {
 public:
     Rule(const BentEdges& bent, const std::vector<PlaneSide>& widths)
         : bent_(bent),
           widths_(widths),
           limits_(settle_thresholds(bent)),
-          sizes_(count_faces(bent)),
-          is_chance_(find_chance_planes(bent, sizes_, limits_.hard)) {}
+          planes_(find_meant_planes(bent, limits_.hard)) {}
 
     CreaseDecision decide(std::uint32_t e) const {
         const BentEdge& edge = bent_.edges[e];
         const double bend = size(e);
         if (bend < limits_.low || bend <= double(edge.slack_deg)) return {CreaseReason::plane, false};
-        const bool is_steep = bend >= limits_.hard;
-        if (bent_.plane(edge, 0) == bent_.plane(edge, 1))  // around the end of a crease, or by rounding
-            return is_steep ? CreaseDecision{CreaseReason::steep, true}
-                            : CreaseDecision{CreaseReason::planes, bend > 2 * double(edge.rounding_deg)};
-        if (is_steep) return {CreaseReason::steep, true};
+        if (bend >= limits_.hard) return {CreaseReason::steep, true};
+        if (bend <= double(edge.rounding_deg)) return {CreaseReason::plane, false};
+        if (bent_.plane(edge, 0) == bent_.plane(edge, 1) && planes_.has_planes[bent_.surface_of[edge.face(0)]] != 0)
+            return {CreaseReason::planes, bend > 2 * double(edge.rounding_deg)};  // the end of a crease, or by rounding
         if (!is_flat(edge, 0) && !is_flat(edge, 1)) return decide_triangles(e);
         return decide_planes(e);
     }
@@ -113,10 +77,7 @@ public:
 private:
     double size(std::uint32_t e) const { return std::fabs(double(bent_.edges[e].bend_deg)); }
 
-    bool is_flat(const BentEdge& e, int side) const {
-        return sizes_.has_planes[bent_.surface_of[e.face(side)]] != 0 &&
-               sizes_.faces_of_plane[bent_.plane(e, side)] >= 2 && is_chance_[bent_.plane(e, side)] == 0;
-    }
+    bool is_flat(const BentEdge& e, int side) const { return planes_.is_meant[bent_.plane(e, side)] != 0; }
 
     /// Whether edge `other` bends as much as `e` times a factor, within a share and the rounding of both.
     bool bends_as(std::uint32_t other, std::uint32_t e, double share) const {
@@ -139,7 +100,7 @@ private:
         }
         if (!is_fan) return {CreaseReason::triangles, false};
         return {CreaseReason::fan,
-                sizes_.faces_of_surface[bent_.surface_of[edge.face(0)]] <= small_surface && size(e) > limits_.round};
+                planes_.faces_of_surface[bent_.surface_of[edge.face(0)]] <= small_surface && size(e) > limits_.round};
     }
 
     const PlaneSide& side_of(std::uint32_t e, int side) const {
@@ -167,13 +128,14 @@ private:
         return false;
     }
 
-    /// Whether a plane runs into a strip that bends twice as much at its far side.
+    /// Whether a plane runs into a strip that bends twice as much at its far side, or up to four times if it begins to
+    /// curve with a small bend.
     bool is_tangent(std::uint32_t e, int narrow) const {
         const std::uint32_t far = side_of(e, narrow).far;
         if (far == no_edge) return false;
         if (size(far) > limits_.round) return false;  // no fillet bends so much within itself
         const double ratio = double(bent_.edges[far].bend_deg) / double(bent_.edges[e].bend_deg);
-        if (ratio < twice_least || ratio > twice_most) return false;
+        if (ratio < twice_least || ratio > (size(e) < limits_.onset ? onset_most : twice_most)) return false;
         const PlaneSide* const next = beyond(bent_.plane(bent_.edges[e], narrow), far);
         return next && next->width <= strip_width * side_of(e, narrow).width;
     }
@@ -195,6 +157,8 @@ private:
         }
         const bool is_similar = wide <= similar_width * thin, is_same = wide <= same_width * thin;
         if (!is_same && is_tangent(e, narrow)) return {CreaseReason::tangent, false};
+        if (is_same && bend < limits_.onset && (is_tangent(e, 0) || is_tangent(e, 1)))
+            return {CreaseReason::tangent, false};
         if (is_half[0] && is_half[1] && is_same && bend <= limits_.fillet) return {CreaseReason::tangent, false};
         if ((is_equal[0] || is_equal[1]) && is_similar) {
             if (bend > limits_.chamfer && !has_three(e, is_equal)) return {CreaseReason::chamfer, true};
@@ -208,8 +172,7 @@ private:
     const BentEdges& bent_;
     const std::vector<PlaneSide>& widths_;
     Thresholds limits_;
-    Sizes sizes_;
-    std::vector<std::uint8_t> is_chance_;
+    MeantPlanes planes_;
 };
 
 }  // namespace

@@ -146,6 +146,156 @@ TEST(CreaseEdges, SmoothSurfacesHaveNone) {
     EXPECT_TRUE(hard_edges({make_cylinder(12, 1)}).empty());
 }
 
+/// A surface of squares: a cube whose sides are divided, drawn onto a lump.
+HardShape make_lump(int cells, double height, dvec3 axes, double step) {
+    HardBuilder b(step);
+    const auto point = [&](int axis, int sign, int i, int j) {
+        double p[3];
+        p[axis] = sign, p[(axis + 1) % 3] = 2.0 * i / cells - 1, p[(axis + 2) % 3] = 2.0 * j / cells - 1;
+        const dvec3 n = normalize_or(dvec3{p[0], p[1], p[2]}, dvec3{});
+        const double bump = std::sin(4 * n.x + 1) * std::sin(4 * n.y + 2) * std::sin(4 * n.z + 0.5);
+        const dvec3 at = n * (1 + height * bump);
+        return dvec3{axes.x * at.x, axes.y * at.y, axes.z * at.z};
+    };
+    for (const int axis : {0, 1, 2})
+        for (const int sign : {-1, 1})
+            for (int i = 0; i < cells; ++i)
+                for (int j = 0; j < cells; ++j) {
+                    std::vector<dvec3> square{point(axis, sign, i, j), point(axis, sign, i + 1, j),
+                                              point(axis, sign, i + 1, j + 1), point(axis, sign, i, j + 1)};
+                    if (sign < 0) std::reverse(square.begin(), square.end());
+                    std::rotate(square.begin(), square.begin() + (i + j) % 2, square.end());  // both diagonals
+                    b.polygon(square, 0);
+                }
+    return b.take();
+}
+
+/// A surface of revolution. @param profile  [points] radius and height from below, first and last on the axis or a lid
+HardShape make_turned(const std::vector<dvec2>& profile, const std::vector<int>& ids, int sides, double step = 0) {
+    HardBuilder b(step, 0.1);
+    for (std::size_t i = 0; i + 1 < profile.size(); ++i)
+        b.wall(circle(sides, profile[i].x, profile[i].y), circle(sides, profile[i + 1].x, profile[i + 1].y), ids[i]);
+    if (profile.front().x > 0) b.cap(circle(sides, profile.front().x, profile.front().y), 1000, false);
+    if (profile.back().x > 0) b.cap(circle(sides, profile.back().x, profile.back().y), 1001, true);
+    return b.take();
+}
+
+TEST(CreaseEdges, SquaresOfALumpAreSoftForEveryRounding) {
+    // To a hundredth of its size, faces are turned so far that nothing is known of their planes.
+    for (const double step : {0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2})
+        for (const int cells : {6, 12})
+            EXPECT_TRUE(hard_edges({make_lump(cells, 0.2, {1, 1, 1}, step).shape}).empty()) << step << " " << cells;
+}
+
+TEST(CreaseEdges, SquaresOfAnEllipsoidAreSoft) {
+    for (const double step : {0.0, 1e-5, 1e-4, 1e-3})
+        for (const int cells : {6, 12}) {
+            EXPECT_TRUE(hard_edges({make_lump(cells, 0, {1, 0.6, 0.4}, step).shape}).empty()) << step << " " << cells;
+            std::vector<dvec2> profile;  // squares in planes, not by chance
+            for (int i = 0; i <= 2 * cells; ++i)
+                profile.push_back({0.6 * std::sin(pi * i / (2 * cells)), -std::cos(pi * i / (2 * cells))});
+            profile.front().x = profile.back().x = 0;
+            const HardShape turned = make_turned(profile, std::vector<int>(profile.size(), 0), 4 * cells, step);
+            EXPECT_TRUE(hard_edges({turned.shape}).empty()) << step << " " << cells;
+        }
+}
+
+/// A lump cut out of tetrahedra: where two corners of one are inside, a square that lies in a plane.
+Shape make_cut_tetrahedra(int cells) {
+    const auto field = [](dvec3 p) {
+        double sum = -1.2;
+        for (const dvec3 c : {dvec3{-0.5, 0, 0.1}, {0.5, 0.2, 0}, {0, -0.5, -0.3}})
+            sum += 1 / (0.05 + 4 * dot(p - c, p - c));
+        return sum;
+    };
+    HardBuilder b;
+    const auto cut = [&](const dvec3(&corner)[4]) {
+        std::vector<dvec3> in, out;
+        for (const dvec3 p : corner) (field(p) > 0 ? in : out).push_back(p);
+        const auto at = [&](dvec3 p, dvec3 q) {
+            if (std::tie(q.x, q.y, q.z) < std::tie(p.x, p.y, p.z)) std::swap(p, q);
+            return p + (q - p) * (field(p) / (field(p) - field(q)));
+        };
+        std::vector<dvec3> ring;
+        for (std::size_t i = 0; i < in.size(); ++i)
+            for (std::size_t o = 0; o < out.size(); ++o)
+                ring.push_back(at(in[i], out[i % 2 == 0 ? o : out.size() - 1 - o]));
+        if (ring.empty()) return;
+        const bool is_outward = dot(cross(ring[1] - ring[0], ring[2] - ring[0]), out[0] - in[0]) > 0;
+        if (!is_outward) std::reverse(ring.begin(), ring.end());
+        b.polygon(ring, 0);
+    };
+    for (int i = 0; i < cells * cells * cells; ++i) {
+        const dvec3 low{double(i % cells), double(i / cells % cells), double(i / cells / cells)};
+        const auto point = [&](double x, double y, double z) {
+            return (low + dvec3{x, y, z}) * (3.2 / cells) - dvec3{1.6, 1.6, 1.6};
+        };
+        const dvec3 ring[] = {point(1, 0, 0), point(1, 1, 0), point(0, 1, 0),
+                              point(0, 1, 1), point(0, 0, 1), point(1, 0, 1)};
+        for (int k = 0; k < 6; ++k) cut({point(0, 0, 0), ring[k], ring[(k + 1) % 6], point(1, 1, 1)});
+    }
+    return b.take().shape;
+}
+
+TEST(CreaseEdges, SquaresOfCutTetrahedraAreSoft) {
+    for (const int cells : {16, 24}) {
+        const Shape lump = make_cut_tetrahedra(cells);
+        EXPECT_LT(double(hard_edges({lump}).size()), 0.04 * double(lump.indices.size() / 2)) << cells;
+    }
+}
+
+/// A knob with a chamfer of 45 degrees below and a fillet above.
+HardShape make_knob(int sides, int strips, double step) {
+    std::vector<dvec2> profile{{0.9, 0}, {1, 0.1}, {1, 0.8}};
+    std::vector<int> ids{1, 2};
+    for (int i = 1; i <= strips; ++i) {
+        const double a = pi / 2 * i / strips;
+        profile.push_back({0.8 + 0.2 * std::cos(a), 0.8 + 0.2 * std::sin(a)}), ids.push_back(2);
+    }
+    HardShape made = make_turned(profile, ids, sides, step);
+    for (int& s : made.surface) s = s == 1001 ? 2 : s;  // the fillet runs into the lid
+    return made;
+}
+
+TEST(CreaseEdges, FineShapesOfPlanesKeepTheirChamfers) {
+    for (const double step : {0.0, 1e-5, 1e-4}) {
+        expect_as_meant(make_knob(48, 8, step), "knob");
+        expect_as_meant(make_knob(96, 16, step), "fine knob");
+    }
+    expect_as_meant(make_knob(24, 4, 1e-3), "knob of 3 decimals");
+}
+
+TEST(CreaseEdges, WhatRoundingAloneMayBendIsSoft) {
+    for (const int sides : {24, 48}) {  // strips that rounding turns by more than 12 degrees
+        const HardShape knob = make_knob(sides, 16, 1e-2);
+        EXPECT_LT(double(hard_edges({knob.shape}).size()), 2.0 * double(meant_hard(knob).size())) << sides;
+    }
+}
+
+TEST(CreaseEdges, EachSurfaceShowsAloneWhetherItHasPlanes) {
+    const HardShape lump = make_lump(12, 0.2, {1, 1, 1}, 1e-3);
+    HardShape box = make_chamfered_box(0.15);
+    for (vec3& p : box.shape.positions) p = {0.001f * std::round(1000 * (p.x + 5)), p.y, p.z};
+    EXPECT_EQ(hard_edges({lump.shape, box.shape}), hard_edges({box.shape}));
+    EXPECT_EQ(hard_edges({box.shape}).size(), meant_hard(box).size());
+}
+
+TEST(CreaseEdges, ACurveMayBeginWithASmallBend) {
+    // The bends of the edges of a lid, from its middle.
+    std::vector<dvec2> profile{{0, 1}};
+    double slope = -radians(3.0);
+    for (const double bend : {0.0, 0.4, 3.0, 9.0, 30.0, 40.0, 30.0, 20.0, 10.0}) {
+        slope -= radians(bend);
+        const double length = profile.size() < 2 ? 0.5 : 0.08;
+        profile.push_back(profile.back() + dvec2{length * std::cos(slope), length * std::sin(slope)});
+    }
+    std::reverse(profile.begin(), profile.end());
+    for (const int sides : {24, 40}) {
+        HardShape lid = make_turned(profile, std::vector<int>(profile.size(), 0), sides);
+        EXPECT_EQ(hard_edges({lid.shape}), meant_hard(lid)) << sides;
+    }
+}
+
 TEST(CreaseEdges, TheReportHasTheRanges) {
     const CreaseReport r = creases_of({make_column(12, false).shape}).report;
     EXPECT_EQ(r.hard, 24u);
