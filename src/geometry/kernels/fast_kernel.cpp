@@ -132,6 +132,16 @@ static inline vec3 some_across(const vec3& n) {
     return v * (real(1.0f) / sqrt(dot(v, v)));
 }
 
+/// Rows of four, of which the first three are a unit vector but for the rounding of float: one step of Newton's method in
+/// double, so that it stays itself when it is normalized again.
+static inline void make_units(float (&rows)[4 * face_block]) {
+    for (uint32_t f = 0; f < face_block; ++f) {
+        const double x = double(rows[4 * f]), y = double(rows[4 * f + 1]), z = double(rows[4 * f + 2]);
+        const double scale = 1.5 - 0.5 * (x * x + y * y + z * z);
+        rows[4 * f] = float(x * scale), rows[4 * f + 1] = float(y * scale), rows[4 * f + 2] = float(z * scale);
+    }
+}
+
 template <int floats>
 static inline void finish_block(FinishJob& job, const float* rows, uint32_t count, bool textured) {
     alignas(64) float normal[4 * face_block], tangent[4 * face_block];
@@ -175,6 +185,8 @@ static inline void finish_block(FinishJob& job, const float* rows, uint32_t coun
     odd &= live;
     job.isolated += uint32_t(__builtin_popcount(alone & live));
     for (; odd != 0; odd &= odd - 1) job.odd[job.odd_count++] = job.begin + uint32_t(__builtin_ctz(odd));
+    if (!job.keeps_normals) make_units(normal);
+    if (floats == 8 && textured) make_units(tangent);
     float* to = job.normals + 3 * uint64_t(job.begin);
     for (uint32_t f = 0; f < count; ++f)
         for (uint32_t a = 0; a < 3; ++a) to[3 * f + a] = normal[4 * f + a];
