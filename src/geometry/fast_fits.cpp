@@ -24,7 +24,7 @@ public:
         topology_.group = scratch.take_words();
         topology_.group.resize(count);
         by_max_ = scratch.take<vec3>(count + hard_.corners());
-        mild_ = scratch.take<std::uint8_t>(count + hard_.corners());
+        spread_ = scratch.take<Spread>(count + hard_.corners());
         for_each_part([&](std::uint32_t m, std::uint32_t first, std::uint32_t last) { read(m, first, last); });
         for (const std::vector<Duplicate>& classes : state_.scratch.classes)
             for_each_class(classes, [&](std::span<const std::uint32_t> members) {
@@ -42,7 +42,7 @@ public:
     ~PlaceFits() {
         GeneralScratch& scratch = state_.scratch.general;
         scratch.give(topology_.group), scratch.give(topology_.corner_vertex);
-        scratch.give(by_max_), scratch.give(mild_), scratch.give(normals_);
+        scratch.give(by_max_), scratch.give(spread_), scratch.give(normals_);
     }
     PlaceFits(const PlaceFits&) = delete;
     PlaceFits& operator=(const PlaceFits&) = delete;
@@ -67,7 +67,9 @@ private:
             const LookRow& look = looks[v];
             const bool goes_around = look.ends[0] == 0 && look.ends[1] == 0;
             const bool has_faces = !goes_around || look.turns > 0 || look.bends > 0;
-            mild_[v] = goes_around && look.bends == 0 && !hard_.is_wanted(v) ? 1 : 0;
+            spread_[v] = !has_faces || hard_.is_wanted(v) || !goes_around ? Spread::unknown
+                         : look.bends == 0                                ? Spread::mild
+                                                                          : Spread::wide;
             const vec3 n = out_[m].normals[v - base];
             by_max_[v] = !has_faces ? vec3{} : state_.is_identity ? n : to_world(n);
         }
@@ -107,7 +109,7 @@ private:
             if (source == none) continue;
             to_global_[row] = std::uint32_t(topology_.group.size());
             topology_.source.push_back(source);
-            mild_[to_global_[row]] = 0;
+            spread_[to_global_[row]] = Spread::unknown;
             topology_.group.push_back(none);
         }
     }
@@ -128,13 +130,13 @@ private:
         const FitInput from{topology_,
                             input_,
                             {by_max_.data(), count},
-                            {mild_.data(), count},
+                            {spread_.data(), count},
                             state_.options.weight == CornerWeight::automatic};
         normals_ = fit_groups(from, state_.scratch.general, state_.context);
         for_each_part([&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
             const std::uint32_t base = input_.vertex_base[m];
             for (std::uint32_t v = base + first; v != base + last; ++v) {
-                if (mild_[v] != 0 || hard_.is_wanted(v)) continue;
+                if (spread_[v] == Spread::mild || hard_.is_wanted(v)) continue;
                 const vec3 n = normals_[topology_.group[v]];
                 if (n == vec3{}) continue;
                 out_[m].normals[v - base] =
@@ -160,7 +162,7 @@ private:
     HardPlaces hard_;
     Topology topology_;
     BlockArray<vec3> by_max_;               // [output vertices, and room for more] world
-    BlockArray<std::uint8_t> mild_;         // [output vertices, and room for more]
+    BlockArray<Spread> spread_;             // [output vertices, and room for more]
     std::vector<std::uint32_t> to_global_;  // [output vertices of the hard part]
     BlockArray<vec3> normals_;
 };

@@ -114,7 +114,7 @@ private:
     /// [groups] Those that are not mild, and their neighbors: all that is asked for corners. Empty: all.
     std::vector<std::uint8_t> groups_near_fits() const {
         std::vector<std::uint8_t> marks;
-        if (from_.mild.empty()) return marks;
+        if (from_.spread.empty()) return marks;
         const AttributeInput& input = from_.input;
         marks.assign(topology_.group.size(), 0);
         const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
@@ -132,7 +132,7 @@ private:
         bool is_near = false;
         for (std::uint32_t k = 0; k < 3; ++k) {
             vertex[k] = topology_.vertex_of(from_.input, m, 3 * triangle + k);
-            is_near |= from_.mild[vertex[k]] == 0;
+            is_near |= from_.spread[vertex[k]] != Spread::mild;
         }
         if (!is_near) return;
         for (const std::uint32_t v : vertex)
@@ -180,8 +180,9 @@ private:
         std::vector<std::vector<std::uint32_t>> parts((count + step - 1) / step);
         context_.parallel_for(parts.size(), [&](std::size_t c) {
             for_each_group(topology_, c * step, std::min(count, (c + 1) * step), [&](std::uint32_t g) {
-                if (!near_fits.empty() && (near_fits[g] == 0 || from_.mild[g] != 0)) return;
-                if (needs_fit(g)) parts[c].push_back(g);
+                const Spread spread = from_.spread.empty() ? Spread::unknown : from_.spread[g];
+                if (spread == Spread::mild || (!near_fits.empty() && near_fits[g] == 0)) return;
+                if (spread == Spread::wide || needs_fit(g)) parts[c].push_back(g);
             });
         });
         std::vector<std::uint32_t> all;

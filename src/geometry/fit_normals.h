@@ -9,15 +9,21 @@ namespace rakelight::geometry {
 
 inline bool is_fitted(CornerWeight weight) { return weight == CornerWeight::fit || weight == CornerWeight::automatic; }
 
+/// How the faces of a group spread around its normal by the weight `max`.
+enum class Spread : std::uint8_t {
+    unknown,
+    mild,  ///< they go around, and all are within mild_cosine: nothing is fitted by `automatic`
+    wide,  ///< they go around, and some are not
+};
+
 /// Vertices with their normals by sums, before some are fitted.
 struct FitInput {
     const Topology& topology;
     const AttributeInput& input;
     std::span<const vec3>
         by_max;  ///< [output vertices] of representatives: unit, world, by the weight `max`; zero: no votes
-    std::span<const std::uint8_t>
-        mild;           ///< [output vertices] not 0: faces that go around and differ by less than a degree; or empty
-    bool is_automatic;  ///< CornerWeight::automatic
+    std::span<const Spread> spread;  ///< [output vertices] or empty: not known
+    bool is_automatic;               ///< CornerWeight::automatic
 };
 /// Cosine of the spread of faces below which `automatic` fits nothing: 1 degree, where the weight of Max errs by 0.3 of the
 /// spread in the mean.

@@ -154,6 +154,7 @@ private:
         waved_ = make_waved_sphere(options_.triangles, options_.objects, 1);
         attributes.weight = CornerWeight::angle;
         add_smooth("angle, crease 60, ", model_, attributes);
+        add_smooth("angle, crease 60, waves, ", waved_, attributes);
         attributes.weight = CornerWeight::automatic;
         add_smooth("auto, a sixth fitted, ", few_, attributes);
         add_smooth("auto, all fitted, ", waved_, attributes);
