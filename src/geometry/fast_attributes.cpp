@@ -5,6 +5,9 @@
 #include <cmath>
 #include <iterator>
 
+#include <rakelight/creases.h>
+
+#include "geometry/crease_rule.h"
 #include "geometry/fast_stages.h"
 #include "geometry/fit_normals.h"
 #include "math/isa.h"
@@ -36,7 +39,17 @@ bool is_plain(const AttributeMesh& m) {
 
 bool has_plain_creases(std::span<const AttributeMesh> meshes, const AttributeOptions& options) {
     const CreaseRange range = crease_range(meshes, options);
-    return !range.has_rule && range.least == range.most && range.least >= least_crease_rad;
+    const bool all_follow =
+        std::all_of(meshes.begin(), meshes.end(), [&](const AttributeMesh& m) { return follows_rule(m, options); });
+    return (!range.has_rule || all_follow) && range.least == range.most && range.least >= least_crease_rad;
+}
+
+// The rule of creases calls no edge hard that bends less than this. If all edges do, it is this crease angle.
+constexpr double soft_rad = radians(soft_below_deg - thresholds_move_deg);
+AttributeOptions without_rule(const AttributeOptions& options) {
+    AttributeOptions plain = options;
+    if (options.creases == Creasing::automatic) plain.creases = Creasing::angle, plain.crease_angle_rad = soft_rad;
+    return plain;
 }
 
 struct Kernels {
@@ -55,6 +68,40 @@ std::vector<SplitAttributes> without_splits(const FastState& state) {
         splits[m].isolated_vertices = state.isolated[m];
     }
     return splits;
+}
+
+FastState make_state(const AttributeInput& input, const AttributeOptions& options,
+                     std::span<const AttributeBuffers> out, FastScratch& scratch, Context& context) {
+    const std::span<const AttributeMesh> meshes = input.meshes;
+    const bool tangents = options.tangents && std::any_of(meshes.begin(), meshes.end(),
+                                                          [](const AttributeMesh& m) { return !m.texcoords.empty(); });
+    const std::size_t vertices = input.vertex_count();
+    const std::size_t floats = tangents ? tangent_row_floats : normal_row_floats;
+    context.memory().check(vertices * (floats * sizeof(float) + 20), "smoothing normals");
+    scratch.rows.reserve(vertices * floats);
+    for (LaneScratch& lane : scratch.lanes) {
+        lane.hashed.clear();
+        lane.counts.clear();
+    }
+    const Kernels kernels = kernels_for(isa_from_environment());
+    const CreaseRange range = crease_range(meshes, options);
+    const bool fits = is_fitted(options.weight);
+    return {.input = input,
+            .options = options,
+            .out = out,
+            .is_identity = meshes[0].to_world == dmat4{},
+            .partition_bits = weld_partition_bits(input.vertex_count()),
+            .scratch = scratch,
+            .kernels = *kernels.rows,
+            .weld_kernels = *kernels.weld,
+            .look_kernels = *kernels.looks,
+            .context = context,
+            .tangents = tangents,
+            .crease_rad = range.least,
+            .fits = fits,
+            .looks = fits || !range.joins_all(),
+            .degenerate = std::vector<std::uint32_t>(meshes.size(), 0),
+            .isolated = std::vector<std::uint32_t>(meshes.size(), 0)};
 }
 
 // The general path's result, converted to the buffers.
@@ -108,37 +155,8 @@ std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> mesh
                                              std::span<const AttributeBuffers> out, FastScratch& scratch,
                                              Context& context) {
     const AttributeInput input = number_input(meshes);
-    const bool tangents = options.tangents && std::any_of(meshes.begin(), meshes.end(),
-                                                          [](const AttributeMesh& m) { return !m.texcoords.empty(); });
-    const std::size_t vertices = input.vertex_count();
-    const std::size_t floats = tangents ? tangent_row_floats : normal_row_floats;
-    context.memory().check(vertices * (floats * sizeof(float) + 20), "smoothing normals");
-    scratch.rows.reserve(vertices * floats);
-    const Kernels kernels = kernels_for(isa_from_environment());
-    const bool is_identity = meshes[0].to_world == dmat4{};
-    const CreaseRange range = crease_range(meshes, options);
-    FastState state{input,
-                    options,
-                    out,
-                    is_identity,
-                    weld_partition_bits(input.vertex_count()),
-                    scratch,
-                    *kernels.rows,
-                    *kernels.weld,
-                    *kernels.looks,
-                    context,
-                    tangents,
-                    range.least,
-                    is_fitted(options.weight),
-                    is_fitted(options.weight) || !range.joins_all(),
-                    {},
-                    {}};
-    state.degenerate.assign(meshes.size(), 0);
-    state.isolated.assign(meshes.size(), 0);
-    for (LaneScratch& lane : scratch.lanes) {
-        lane.hashed.clear();
-        lane.counts.clear();
-    }
+    const AttributeOptions plain = without_rule(options);
+    FastState state = make_state(input, plain, out, scratch, context);
     if (!scatter_votes(state)) check_indices(input, context);
     weld_rows(state);
     context.throw_if_cancelled();
@@ -146,11 +164,13 @@ std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> mesh
     context.throw_if_cancelled();
     if (state.looks) {
         const std::vector<std::uint32_t> weak = std::move(hard), creased = walk_fans(state, look_at_places(state));
+        if (options.creases == Creasing::automatic && !creased.empty())
+            return give_to_general(meshes, options, out, context);
         hard.clear();
         std::set_union(weak.begin(), weak.end(), creased.begin(), creased.end(), std::back_inserter(hard));
         context.throw_if_cancelled();
     }
-    if (hard.size() > vertices / 4) return give_to_general(meshes, options, out, context);
+    if (hard.size() > input.vertex_count() / 4) return give_to_general(meshes, options, out, context);
     std::vector<SplitAttributes> splits = without_splits(state);
     if (state.fits)
         fit_places(state, hard, out, splits);

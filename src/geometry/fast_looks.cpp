@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "geometry/fast_scatter.h"
-#include "geometry/fit_normals.h"
+#include "geometry/fitted_places.h"
 #include "math/angles.h"
 
 namespace rakelight::geometry {

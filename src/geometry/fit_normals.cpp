@@ -4,11 +4,9 @@
 #include "geometry/fit_normals.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "geometry/fit_trust.h"
-#include "geometry/group_planes.h"
 #include "geometry/height_fit.h"
 #include "geometry/place_faces.h"
 #include "geometry/two_rings.h"
@@ -31,34 +29,30 @@ struct Qualities {
     float least_cosine = 1;
 };
 
-/// The same at open borders and creases, outside of which the surface goes on: 0.02 degrees.
-constexpr double flat_cosine = 0.99999993907;
-
 /// Neighbors whose normals turn away by more are of another side of a thin part: cosine of 78 degrees.
 constexpr double least_cosine = 0.2;
 
 class NormalFits {
 public:
     NormalFits(const FitInput& from, GeneralScratch& scratch, Context& context)
-        : from_(from), topology_(from.topology), context_(context), scratch_(scratch), number_(scratch.take_words()) {
-        std::vector<std::uint8_t> near_fits = groups_near_fits();
-        if (!find_neighbors(near_fits)) {
-            rings_.release(scratch_);
-            scratch_.give(planes_.plane_of);
-            near_fits.clear();
-            find_neighbors(near_fits);
-        }
+        : from_(from),
+          topology_(from.topology),
+          context_(context),
+          scratch_(scratch),
+          found_(find_fitted_places(from, scratch, context)),
+          rings_(found_.rings),
+          fitted_(found_.groups),
+          number_(scratch.take_words()) {
         number_.assign(topology_.group.size(), none);
-        context.memory().check(fitted_.size() * (sizeof(Fits) + sizeof(Qualities) + sizeof(dvec3)) + bytes_of_largest(),
+        context.memory().check(fitted_.size() * (sizeof(Fits) + sizeof(Qualities) + sizeof(vec3)) + bytes_of_largest(),
                                "fitting normals");
         for (std::size_t i = 0; i < fitted_.size(); ++i) number_[fitted_[i]] = std::uint32_t(i);
         fits_ = scratch.take<Fits>(fitted_.size()), qualities_ = scratch.take<Qualities>(fitted_.size());
-        normals_ = scratch.take<dvec3>(fitted_.size());
+        normals_ = scratch.take<vec3>(fitted_.size());
     }
     ~NormalFits() {
-        rings_.release(scratch_);
+        found_.release(scratch_);
         scratch_.give(number_);
-        scratch_.give(planes_.plane_of);
         scratch_.give(fits_), scratch_.give(qualities_), scratch_.give(normals_);
     }
     NormalFits(const NormalFits&) = delete;
@@ -70,7 +64,7 @@ public:
             if (from_.is_automatic)
                 decide(first, last);
             else
-                for (std::size_t i = first; i < last; ++i) normals_[i] = fitted(i);
+                for (std::size_t i = first; i < last; ++i) normals_[i] = cast<float>(fitted(i));
         });
     }
 
@@ -84,7 +78,7 @@ public:
     }
 
     /// Zero: nothing was fitted.
-    dvec3 normal(std::uint32_t group) const { return number_[group] == none ? dvec3{} : normals_[number_[group]]; }
+    vec3 normal(std::uint32_t group) const { return number_[group] == none ? vec3{} : normals_[number_[group]]; }
 
 private:
     static constexpr std::uint32_t none = 0xffffffffu;
@@ -110,99 +104,6 @@ private:
     }
 
     dvec3 by_max(std::uint32_t g) const { return cast<double>(from_.by_max[g]); }
-
-    /// [groups] Those that are not mild, and their neighbors: all that is asked for corners. Empty: all.
-    std::vector<std::uint8_t> groups_near_fits() const {
-        std::vector<std::uint8_t> marks;
-        if (from_.spread.empty()) return marks;
-        const AttributeInput& input = from_.input;
-        marks.assign(topology_.group.size(), 0);
-        const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
-        context_.parallel_for(chunks.size(), [&](std::size_t c) {
-            for_each_range(
-                chunks[c], input.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
-                    for (std::uint32_t t = input.triangle_base[m] + first; t != input.triangle_base[m] + last; ++t)
-                        mark_around(m, t, marks);
-                });
-        });
-        return marks;
-    }
-    void mark_around(std::uint32_t m, std::uint32_t triangle, std::vector<std::uint8_t>& marks) const {
-        std::uint32_t vertex[3];
-        bool is_near = false;
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            vertex[k] = topology_.vertex_of(from_.input, m, 3 * triangle + k);
-            is_near |= from_.spread[vertex[k]] != Spread::mild;
-        }
-        if (!is_near) return;
-        for (const std::uint32_t v : vertex)
-            std::atomic_ref(marks[topology_.group[v]]).store(1, std::memory_order_relaxed);
-    }
-
-    /// Faces, rings and planes.
-    /// @param near_fits  where; empty: everywhere
-    /// @return false: a plane of a fitted place reaches farther
-    bool find_neighbors(std::span<const std::uint8_t> near_fits) {
-        rings_ = group_faces(topology_, from_.input, near_fits, scratch_, context_);
-        fitted_ = groups_to_fit(near_fits);
-        rings_.ring_begin = scratch_.take_words(), rings_.ring_size = scratch_.take_words();
-        add_rings(rings_, topology_, with_neighbors(), context_);
-        if (!from_.is_automatic || fitted_.empty()) return true;
-        planes_ = face_planes(rings_, topology_, from_.input.triangle_count(), near_fits, scratch_, context_);
-        return near_fits.empty() || std::none_of(fitted_.begin(), fitted_.end(),
-                                                 [&](std::uint32_t g) { return planes_.has_open(rings_.corners[g]); });
-    }
-
-    /// Of groups, in any order.
-    struct Tally {
-        std::uint64_t sum = 0, squares = 0;
-        void add(std::uint64_t group) { sum += group, squares += group * group; }
-        bool operator==(const Tally&) const = default;
-    };
-
-    /// By the weight of Max the normal would be off by more than a little.
-    bool needs_fit(std::uint32_t g) const {
-        const std::span<const std::uint32_t> corners = rings_.corners[g];
-        if (corners.empty()) return false;
-        const dvec3 n = by_max(g);
-        double least = 1;
-        Tally ahead, behind;  // equal where faces go around
-        for (const std::uint32_t corner : corners) {
-            if (!rings_.is_face(corner / 3)) continue;
-            least = std::min(least, dot(rings_.normal(corner / 3), n));
-            ahead.add(rings_.next(corner)), behind.add(rings_.previous(corner));
-        }
-        return !from_.is_automatic || !(least > (ahead == behind ? mild_cosine : flat_cosine));
-    }
-    /// Ascending.
-    std::vector<std::uint32_t> groups_to_fit(std::span<const std::uint8_t> near_fits) const {
-        const std::size_t count = topology_.group.size(), step = vertices_per_chunk;
-        std::vector<std::vector<std::uint32_t>> parts((count + step - 1) / step);
-        context_.parallel_for(parts.size(), [&](std::size_t c) {
-            for_each_group(topology_, c * step, std::min(count, (c + 1) * step), [&](std::uint32_t g) {
-                const Spread spread = from_.spread.empty() ? Spread::unknown : from_.spread[g];
-                if (spread == Spread::mild || (!near_fits.empty() && near_fits[g] == 0)) return;
-                if (spread == Spread::wide || needs_fit(g)) parts[c].push_back(g);
-            });
-        });
-        std::vector<std::uint32_t> all;
-        for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-        return all;
-    }
-
-    /// [groups] marks of the fitted ones and of their neighbors.
-    std::vector<std::uint8_t> with_neighbors() {
-        std::vector<std::uint8_t> marks(topology_.group.size(), 0);
-        const auto mark = [&](std::uint32_t g) { std::atomic_ref(marks[g]).store(1, std::memory_order_relaxed); };
-        each_chunk([&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i) {
-                mark(fitted_[i]);
-                for (const std::uint32_t corner : rings_.corners[fitted_[i]])
-                    mark(rings_.next(corner)), mark(rings_.previous(corner));
-            }
-        });
-        return marks;
-    }
 
     /// Adds a place with the places of its two rings to the batch.
     void gather(std::uint32_t g, dvec3 guess, Memory& memory) const {
@@ -297,14 +198,14 @@ private:
         }
         if (memory.batch.size() > 0) fit_wide();
         for (std::size_t i = first; i < last; ++i) {
-            normals_[i] = decided(i, decisions[i - first]);
+            normals_[i] = cast<float>(decided(i, decisions[i - first]));
             fits_[i].choice = choice_of(decisions[i - first]);
         }
     }
 
     Decision decision(std::size_t i, std::vector<std::uint32_t>& memory) const {
         const std::uint32_t g = fitted_[i];
-        Decision d{.planes = planes_at(rings_, planes_, g, memory)};
+        Decision d{.planes = planes_at(rings_, found_.planes, g, memory)};
         d.planarity = step_between(d.planes.planar_share, 0.4, 0.6);
         const double strict = 1 - 0.9 * d.planarity;  // where planes rule, the fit must explain more
         Qualities around;
@@ -384,13 +285,13 @@ private:
     const Topology& topology_;
     Context& context_;
     GeneralScratch& scratch_;
-    GroupRings rings_;
-    std::vector<std::uint32_t> fitted_;  // groups
-    std::vector<std::uint32_t> number_;  // [groups] in fitted_, or none
-    FacePlanes planes_;
-    BlockArray<Fits> fits_;            // [fitted_]
-    BlockArray<Qualities> qualities_;  // [fitted_]
-    BlockArray<dvec3> normals_;        // [fitted_]
+    FittedPlaces found_;
+    const GroupRings& rings_;
+    const std::vector<std::uint32_t>& fitted_;  // groups
+    std::vector<std::uint32_t> number_;         // [groups] in fitted_, or none
+    BlockArray<Fits> fits_;                     // [fitted_]
+    BlockArray<Qualities> qualities_;           // [fitted_]
+    BlockArray<vec3> normals_;                  // [fitted_]
 };
 
 /// [groups] whether the normal is that of authored members; empty: none is.
@@ -416,7 +317,7 @@ BlockArray<vec3> fit_groups(const FitInput& from, GeneralScratch& scratch, Conte
     BlockArray<vec3> normals = scratch.take<vec3>(count);
     context.parallel_for((count + step - 1) / step, [&](std::size_t c) {
         for (std::size_t g = c * step; g < std::min(count, (c + 1) * step); ++g)
-            normals[g] = cast<float>(fits.normal(std::uint32_t(g)));
+            normals[g] = fits.normal(std::uint32_t(g));
     });
     return normals;
 }

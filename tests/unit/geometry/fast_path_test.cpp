@@ -145,6 +145,23 @@ TEST(FastPath, FitsEqualTheGeneralOnes) {
             }
 }
 
+// Where every bend is small, the rule of creases joins all: without it. Elsewhere the general path asks it.
+TEST(FastPath, TheRuleOfCreasesIsThatOfTheGeneralPath) {
+    for (const CornerWeight weight : {CornerWeight::angle, CornerWeight::automatic})
+        for (const bool tangents : {false, true})
+            for (const Shape& whole : {make_torus(200, 120), make_torus(50, 30), make_sphere(90, 60), make_cube(),
+                                       make_cylinder(80, 4), make_cylinder(12, 4)}) {
+                AttributeOptions options = published();
+                options.weight = weight;
+                options.tangents = tangents;
+                options.creases = Creasing::automatic;
+                expect_as_general({whole}, options, 3e-5);
+                Shape folded = whole;  // mirrored texture, of which the general path splits vertices
+                for (vec2& uv : folded.texcoords) uv.x = uv.x < 0.5f ? uv.x : 1 - uv.x;
+                expect_as_general(cut_by_planes(folded, 3), options, 3e-5);
+            }
+}
+
 // Faces that fold over, slivers, and heights of several edges: normals alone, as tangents depend on them without bounds.
 TEST(FastPath, FitsEqualTheGeneralOnesOnRubble) {
     for (const CornerWeight weight : {CornerWeight::fit, CornerWeight::automatic})
