@@ -145,17 +145,18 @@ constexpr Entry entries[] = {
     {normals, "normals", "WHICH",
      "auto (default: the file's, else as its format says, else model), file, flat, object (smooth within each object), "
      "model (smooth across all objects: no seams), seams (the file's, joined only where parts meet)"},
-    {normals, "crease-angle", "DEG", "Edges with a larger angle between their faces stay sharp, 0 to 180 (default 60)"},
+    {normals, "crease-angle", "DEG", "Edges with a larger angle between their faces stay sharp, 0 to 180 (60 with --crease angle alone)"},
     {normals, "crease", "HOW",
-     "angle (default: hard edges by --crease-angle) or auto (edge by edge, from the planes on both sides: "
-     "no angle to choose)"},
+     "auto (edge by edge, from the planes on both sides: no angle to choose) or angle (by --crease-angle). Default: angle "
+     "if --crease-angle is given, else auto"},
     {normals, "weld-distance", "M",
      "Positions of different objects at most this far apart [m] are welded (default: equal up to rounding)"},
     {normals, "border-distance", "M",
      "Also join normals along borders of different meshes that run along each other without shared vertices, at most "
      "this far apart [m] (default 0: off); inspect suggests a value"},
     {normals, "weight", "HOW",
-     "Weight of a triangle in a vertex normal: angle (default), uniform, area, angle-area, max, fit, auto"},
+     "Weight of a triangle in a vertex normal: auto (default: planes, fits and weights, chosen at each vertex), angle, "
+     "uniform, area, angle-area, max, fit"},
     {normals, "tangents", "HOW",
      "auto (default: the file's, else mikktspace with the file's normals, else averaged), averaged, mikktspace, "
      "published, published-no-handedness (without the step that inverts maps where texture coordinates are mirrored)"},

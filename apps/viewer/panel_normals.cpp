@@ -35,7 +35,8 @@ void draw_normals_panel(PanelView& view) {
     choose("weight", corner_weight_words, p.weight);
     choose("creases", creasing_words, p.creases);
     double crease_deg = degrees(p.crease_angle_rad);
-    if (slide("crease angle", crease_deg, 0, 180, "%.1f deg")) p.crease_angle_rad = radians(crease_deg);
+    if (slide("crease angle", crease_deg, 0, 180, "%.1f deg"))
+        p.crease_angle_rad = radians(crease_deg), p.creases = Creasing::angle;
     slide_border_distance(p.border_distance, view.model ? view.model->box.bounds().diagonal() : 0);
     slide("subdivision", p.subdivision.level, 0, 4);
     ImGui::Checkbox("normals##lines", &view.ui.normals);

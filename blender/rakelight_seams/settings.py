@@ -20,8 +20,8 @@ WEIGHTS = (
     ("AUTO", "Automatic", "Planes, fits and weights, chosen at each vertex"),
 )
 CREASES = (
-    ("ANGLE", "By angle", "Edges bent more than the crease angle stay sharp"),
     ("AUTO", "Automatic", "Edge by edge, from the planes on both sides: no angle to choose"),
+    ("ANGLE", "By angle", "Edges bent more than the crease angle stay sharp"),
 )
 
 
@@ -29,7 +29,7 @@ class SeamOptions:
     """Annotations are inherited: operators and the scene's settings have the same properties."""
 
     normals: EnumProperty(name="Normals", items=NORMALS, default="SEAMS")
-    crease: EnumProperty(name="Creases", description="Which edges stay sharp", items=CREASES, default="ANGLE")
+    crease: EnumProperty(name="Creases", description="Which edges stay sharp", items=CREASES, default="AUTO")
     crease_angle: FloatProperty(
         name="Crease Angle", description="Edges bent more than this stay sharp",
         subtype="ANGLE", default=math.radians(60), min=0, max=math.pi)
@@ -44,9 +44,7 @@ class SeamOptions:
     def arguments(self, rounding=0.0):
         """The options of `rakelight smooth`; `rounding`: what the weld distance is where none is set, 0: the program's own."""
         words = ["--normals", self.normals.lower(), "--weight", self.weight.lower().replace("_", "-")]
-        words += ["--crease-angle", repr(min(180.0, math.degrees(self.crease_angle)))]
-        if self.crease == "AUTO":
-            words += ["--crease", "auto"]
+        words += ["--crease-angle", repr(min(180.0, math.degrees(self.crease_angle))), "--crease", self.crease.lower()]
         if self.border_distance > 0:
             words += ["--border-distance", repr(self.border_distance)]
         weld = self.weld_distance or rounding

@@ -31,8 +31,8 @@ inline constexpr Word<CornerWeight> corner_weight_words[] = {
     {"area", CornerWeight::area},      {"max", CornerWeight::max},     {"angle-area", CornerWeight::angle_area},
     {"fit", CornerWeight::fit}};
 
-/// The words for creases, the default first.
-inline constexpr Word<Creasing> creasing_words[] = {{"angle", Creasing::angle}, {"auto", Creasing::automatic}};
+/// The words for creases, the default of a PictureRequest first.
+inline constexpr Word<Creasing> creasing_words[] = {{"auto", Creasing::automatic}, {"angle", Creasing::angle}};
 
 /// Options of prepare_scene().
 struct PrepareOptions {

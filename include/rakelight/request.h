@@ -168,7 +168,7 @@ struct PictureRequest {
     MaterialOverrides materials{};
     Coloring coloring{};
     MotionRequest motion{};
-    PrepareOptions prepare{};
+    PrepareOptions prepare{.creases = Creasing::automatic};
     ViewRequest view{};
     /// If present, these lights replace all others. If absent, the picture has the lights of the file. If the file has
     /// neither lights nor an environment that lights the scene, the picture has the default light rig.

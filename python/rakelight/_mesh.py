@@ -269,14 +269,17 @@ def scope_of(normals: str, scope: str | None) -> str:
     return normals_word(normals, scope, "model", ("model", "object", "face"), "; repair_seams() of a scene joins the normals that it has")
 
 
-def creases_of(crease_angle: float, crease: str) -> dict[str, Any]:
+def creases_of(crease_angle: float | None, crease: str | None) -> dict[str, Any]:
+    """Without a word: by the angle if there is one, else by the rule."""
+    if crease is None:
+        crease = "auto" if crease_angle is None else "angle"
     if not isinstance(crease, str):
         raise UsageError(f"crease: a word is expected, not {type(crease).__name__}")
-    return {"crease_angle_rad": number("crease_angle", crease_angle) * (np.pi / 180.0), "crease": crease}
+    return {"crease_angle_rad": number("crease_angle", 60.0 if crease_angle is None else crease_angle) * (np.pi / 180.0), "crease": crease}
 
 
 def options_of(
-    scope: str, weight: str, crease_angle: float, crease: str, weld_distance: float | None, tangents: bool, tangent_mode: str
+    scope: str, weight: str, crease_angle: float | None, crease: str | None, weld_distance: float | None, tangents: bool, tangent_mode: str
 ) -> dict[str, Any]:
     distance = -1.0 if weld_distance is None else number("weld_distance", weld_distance)
     if weld_distance is not None and not distance >= 0:

@@ -207,8 +207,8 @@ def smooth_file(
     normals: str = "seams",
     scope: str | None = None,
     weight: str = "auto",
-    crease_angle: float = 60.0,
-    crease: str = "angle",
+    crease_angle: float | None = None,
+    crease: str | None = None,
     weld_distance: float | None = None,
     border_distance: float = 0.0,
     tangents: str = "auto",
@@ -221,7 +221,8 @@ def smooth_file(
         input, output: files; may be the same
         normals: "seams" (the file's stay, and are joined where parts meet), or made anew: "model", "object", "face"
         scope: the old name of ``normals``
-        weight, crease_angle, crease, weld_distance: as of :func:`rakelight.attributes`, but ``"auto"`` is the default weight
+        weight, crease_angle, crease, weld_distance: as of :func:`rakelight.attributes`, but ``"auto"`` is the default weight, and the
+            rule of creases finds sharp edges if no angle is given
         tangents: "auto", "always", "never"
         border_distance: [m] normals also agree along borders at most this far apart that share no vertices; 0: off
     Returns:

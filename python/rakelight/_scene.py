@@ -145,15 +145,15 @@ class Scene:
         *,
         scope: str | None = None,
         weight: str = "auto",
-        crease_angle: float = 60.0,
-        crease: str = "angle",
+        crease_angle: float | None = None,
+        crease: str | None = None,
         weld_distance: float | None = None,
         tangents: bool = True,
         tangent_mode: str = "averaged",
         progress: Progress = None,
     ) -> Scene:
         """The scene with new seam-free normals, and tangents where there are texture coordinates. Arguments: :func:`rakelight.attributes`,
-        but ``"auto"`` is the default weight.
+        but ``"auto"`` is the default weight, and the rule of creases finds sharp edges if no angle is given.
         To join the file's normals instead: :meth:`repair_seams`."""
         options = options_of(scope_of(normals, scope), weight, crease_angle, crease, weld_distance, tangents, tangent_mode)
         with told(progress) as tell:
@@ -161,18 +161,19 @@ class Scene:
         return Scene(core, self.remarks + remarks_of(rows))
 
     def repair_seams(
-        self, *, crease_angle: float = 60.0, crease: str = "angle", border_distance: float = 0.0, progress: Progress = None
+        self, *, crease_angle: float | None = None, crease: str | None = None, border_distance: float = 0.0, progress: Progress = None
     ) -> Scene:
         """The scene with the file's normals, joined where meshes meet: what ``rakelight smooth`` does by default. Where the file has none
         they are made over the whole model.
 
         Args:
             crease_angle: [degrees] 0 to 180; edges bent more stay sharp
-            crease: "angle", or "auto": the rule of creases finds the sharp edges, and the angle only limits which borders agree
+            crease: "auto": the rule of creases finds the sharp edges, and the angle (60) only limits which borders agree; or "angle".
+                None: "angle" if an angle is given, else "auto"
             border_distance: [m] normals also agree along borders at most this far apart that share no vertices; 0: off
         """
-        crease_angle, border_distance = number("crease_angle", crease_angle), number("border_distance", border_distance)
-        if not 0 <= crease_angle <= 180:
+        border_distance = number("border_distance", border_distance)
+        if crease_angle is not None and not 0 <= number("crease_angle", crease_angle) <= 180:
             raise UsageError("crease_angle: must be 0 to 180 degrees")
         if not 0 <= border_distance < float("inf"):
             raise UsageError("border_distance: must be 0 or more")

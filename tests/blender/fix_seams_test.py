@@ -120,7 +120,7 @@ class Head(Case):
         objects = scenes.head_parts()
         for normals, weight in (("model", "area"), ("object", "angle"), ("model", "max")):
             expected = smooth_as_obj(objects, "--normals", normals, "--weight", weight, "--crease-angle", "40")
-            fix(objects, normals=normals.upper(), weight=weight.upper(), crease_angle=np.radians(40))
+            fix(objects, normals=normals.upper(), weight=weight.upper(), crease="ANGLE", crease_angle=np.radians(40))
             self.assert_agree(objects, expected)
 
     def assert_agree(self, objects, expected):
@@ -276,7 +276,7 @@ class Meshes(Case):
     def test_normals_that_hardly_differ_stay_apart(self):
         """Blender averages normals within 0.8 degrees unless an edge between them is sharp."""
         objects = halves(segments=720, rings=12)
-        fix(objects, normals="MODEL", crease_angle=0)
+        fix(objects, normals="MODEL", crease="ANGLE", crease_angle=0)
         for item in objects:
             flat = [face.normal[:] for face in item.data.polygons for _ in face.loop_indices]
             self.assertLess(scenes.degrees_between(flat, scenes.corner_normals(item.data)).max(), CODE_DEG)
