@@ -118,7 +118,8 @@ private:
 
     /// Whether a third bend follows: a round shape. Two equal bends are a chamfer.
     bool has_three(std::uint32_t e, const bool (&is_equal)[2]) const {
-        if (is_equal[0] && is_equal[1]) return true;
+        const float a = side_of(e, 0).width, b = side_of(e, 1).width;
+        if (is_equal[0] && is_equal[1]) return std::max(a, b) <= float(same_width) * std::min(a, b);
         for (const int side : {0, 1}) {
             if (!is_equal[side]) continue;
             const PlaneSide* const next = beyond(bent_.plane(bent_.edges[e], side), side_of(e, side).far);

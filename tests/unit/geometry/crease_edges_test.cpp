@@ -406,6 +406,39 @@ TEST(CreaseEdges, ShallowBevelsOfPanelsStayHard) {
     expect_as_meant(made, "panel");
 }
 
+/// A trapezoidal thread: a profile of heights and radii that rises along a helix. Its ends are open.
+HardShape make_thread(int sides, int turns, const std::vector<dvec2>& profile, double pitch) {
+    HardBuilder b(1e-6);
+    const auto at = [&](int i, std::size_t k) {
+        const double a = 2 * pi * (i % sides) / sides;
+        return dvec3{profile[k].y * std::cos(a), profile[k].y * std::sin(a), pitch * i / sides + profile[k].x};
+    };
+    for (int i = 0; i < sides * turns; ++i)
+        for (std::size_t k = 0; k + 1 < profile.size(); ++k)
+            b.polygon({at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)}, int(k));
+    return b.take();
+}
+
+TEST(CreaseEdges, ThreadsOfFewPlanesAreHard) {
+    // The lands are planes, a fifth of the area; the flanks are twisted squares. The ends may miss an edge at each line.
+    for (const int sides : {12, 20, 40}) {
+        const HardShape thread = make_thread(sides, 4, {{0, 8}, {0.6, 8}, {1.9, 10}, {2.5, 10}, {4, 8}}, 4);
+        const std::set<Edge> hard = hard_edges({thread.shape}), meant = meant_hard(thread);
+        for (const Edge& e : hard) EXPECT_EQ(meant.count(e), 1u) << sides;
+        EXPECT_GE(hard.size() + 16, meant.size()) << sides;
+    }
+}
+
+TEST(CreaseEdges, EqualBendsOfUnequalPlanesAreNotRound) {
+    const auto bar = [](double cut) {  // a square bar of size 2 with its corners cut off
+        const double c = 1 - cut;
+        const std::vector<dvec2> profile{{1, -c}, {1, c}, {c, 1}, {-c, 1}, {-1, c}, {-1, -c}, {-c, -1}, {c, -1}};
+        return extrude(profile, {0, 1, 2, 3, 4, 5, 6, 7}, 4);
+    };
+    for (const double cut : {0.1, 0.3, 0.4, 0.45, 0.75}) expect_as_meant(bar(cut), "bar");
+    EXPECT_EQ(hard_edges({bar(2 - std::sqrt(2)).shape}).size(), 16u);  // a column of 8 equal sides
+}
+
 TEST(CreaseEdges, TheReportHasTheRanges) {
     const CreaseReport r = creases_of({make_column(12, false).shape}).report;
     EXPECT_EQ(r.hard, 24u);
