@@ -116,7 +116,8 @@ private:
 
     static bool are_similar(float a, float b) { return std::max(a, b) <= float(similar_width) * std::min(a, b); }
 
-    /// Whether a third bend follows: a round shape. Two equal bends are a chamfer.
+    /// Whether a third bend follows: a round shape. Two equal bends are a chamfer, and so are more between planes of
+    /// unequal widths.
     bool has_three(std::uint32_t e, const bool (&is_equal)[2]) const {
         const float a = side_of(e, 0).width, b = side_of(e, 1).width;
         if (is_equal[0] && is_equal[1]) return std::max(a, b) <= float(same_width) * std::min(a, b);
