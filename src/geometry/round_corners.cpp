@@ -12,6 +12,7 @@ namespace {
 constexpr double most_deg = 25;         // less than the usual chamfers
 constexpr double as_much = 0.85;        // of the bend
 constexpr double bends_on_least = 0.3;  // of the bend, at the next edges of a curve
+constexpr double begins_least = 1.5;    // the same, where a curve begins
 constexpr double similar_strips = 2.5;
 constexpr int most_steps = 64;   // faces of one plane around a place
 constexpr int most_rounds = 32;  // how far an edge that stays hard reaches others
@@ -87,17 +88,23 @@ private:
         return is_crossed && is_in_curve(e);
     }
 
-    /// A ring of a turned shape: alone among soft ones if it bends little, or the curve bends on beyond both strips.
+    /// A ring of a turned shape: alone among soft ones if it bends little, or the curve bends on beyond both strips, or
+    /// beyond one by much more, and back at the other side.
     bool is_in_curve(std::uint32_t e) const {
-        bool bends_on = true, has_far = false;
+        int known = 0, soft = 0, bends_on = 0, begins = 0, turns_back = 0;
         for (const int side : {0, 1}) {
             const std::uint32_t far = widths_[2 * std::size_t(e) + std::size_t(side)].far;
-            if (far != no_edge && !is_soft(far)) return false;
-            has_far |= far != no_edge;
-            bends_on &= far != no_edge && bent_.edges[far].bend_deg / bent_.edges[e].bend_deg >= float(bends_on_least);
+            if (far == no_edge) continue;
+            const double ratio = double(bent_.edges[far].bend_deg) / double(bent_.edges[e].bend_deg);
+            ++known, turns_back += ratio < 0;
+            if (!is_soft(far)) continue;
+            ++soft, bends_on += ratio >= bends_on_least, begins += ratio >= begins_least;
         }
         const double a = double(widths_[2 * std::size_t(e)].width), b = double(widths_[2 * std::size_t(e) + 1].width);
-        return (size(e) <= most_deg && has_far) || (bends_on && std::max(a, b) <= similar_strips * std::min(a, b));
+        const bool is_similar = std::max(a, b) <= similar_strips * std::min(a, b), is_small = size(e) <= most_deg;
+        const bool is_alone = soft == known && soft > 0;
+        return (is_small && is_alone) ||
+               (is_similar && (bends_on == 2 || (is_small && begins == 1 && turns_back == 1)));
     }
 
     const BentEdges& bent_;

@@ -357,15 +357,22 @@ HardShape make_cap_of_a_key(int strips) {
             }
         return out;
     };
-    const std::vector<dvec3> low = ring(18, 18, 1.5, 0, 0), high = ring(12.6, 13.6, 2, 0.8, 9);
-    b.wall(low, high, 0);
+    const std::vector<dvec3> low = ring(18, 18, 1.5, 0, 0);
+    std::vector<dvec3> high = ring(12.6, 13.6, 2, 0.8, 9.4);
+    for (dvec3& p : high) p.z -= 0.9 * (1 - p.x * p.x / 41);  // hollow
+    std::vector<dvec3> middle;
+    for (std::size_t i = 0; i < low.size(); ++i) middle.push_back(low[i] * 0.45 + high[i] * 0.55);
+    b.wall(low, middle, 0);
+    b.wall(middle, high, 0);
     b.cap(low, 1000, false);
     b.cap(high, 1001, true);
     return b.take();
 }
 
 TEST(CreaseEdges, WallsRunIntoTwistedFillets) {
-    for (const int strips : {3, 4, 6}) expect_as_meant(make_cap_of_a_key(strips), "cap of a key");
+    for (const int strips : {3, 4, 6})
+        for (const Edge& e : hard_edges({make_cap_of_a_key(strips).shape}))  // only rims: nothing that goes up
+            EXPECT_LT(std::fabs(std::get<2>(e.first) - std::get<2>(e.second)), 1) << strips;
 }
 
 /// A rod with four waves of so many points each, between two collars.
@@ -380,7 +387,12 @@ HardShape make_waves(int points, double depth) {
 }
 
 TEST(CreaseEdges, CoarseWavesOfTurnedShapesAreSoft) {
-    for (const int points : {6, 8, 12}) expect_as_meant(make_waves(points, 0.025), "waves");
+    for (const int points : {6, 8, 12})
+        for (const Edge& e : hard_edges({make_waves(points, 0.0375).shape})) {
+            // Two rings beside the collars may be hard.
+            const float z = std::get<2>(e.first), rim = 0.25f * 1.5f / float(points);
+            EXPECT_TRUE(z < 0.5f + rim || z > 1.5f - rim) << points << " " << z;
+        }
 }
 
 TEST(CreaseEdges, OneSmallBendOfATurnedShapeIsSoftAmongSoftOnes) {
