@@ -61,11 +61,13 @@ struct Creases {
 ///    - Between single triangles: soft. Only in a small fan of equal bends, over `round_most_deg` are hard.
 ///    - A wide plane at a narrow one that bends two or three times as much at its far side, up to `round_most_deg`:
 ///      soft, a fillet begins. With a bend of less than 14 degrees, planes of one width and up to four times as well.
-///    - Equal bends (15 %) between planes of similar width: at least three in a row are a round shape, which is soft up
-///      to `round_most_deg`. Two are a chamfer, which is hard over 32 degrees.
+///      The same where a plane meets bent squares.
+///    - Equal bends (15 %) between planes of similar width: at least three in a row, between planes of one width, are a
+///      round shape, which is soft up to `round_most_deg`. Others are a chamfer, which is hard over 32 degrees.
 ///    - Far bends within a factor of 2.2, planes of similar width: soft up to `round_most_deg` if both sides have such
 ///      far bends, a round shape of changing radius. With one such side hard over 32 degrees.
-///    - All others are hard, except that a strip of a fillet may end softly at a round corner (up to 25 degrees).
+///    - All others are hard, except for two kinds among soft edges: a strip of a fillet may end softly at a round corner,
+///      and a turned shape may bend once (both up to 25 degrees) or be a coarse wave (up to `round_most_deg`).
 ///
 /// A threshold moves by up to 2 degrees into the widest gap between the bends of the model, so that rounding never
 /// divides edges of one kind. At an edge of more than two faces, the two with the nearest normals and opposite

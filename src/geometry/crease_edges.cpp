@@ -130,7 +130,7 @@ CreaseEdges decide_creases(const AttributeInput& input, const std::vector<std::u
     context.throw_if_cancelled();
     const std::vector<PlaneSide> widths = plane_widths(bent, input, context);
     std::vector<CreaseDecision> decisions = apply_crease_rule(bent, widths, context);
-    soften_round_corners(bent, decisions, context);
+    soften_round_corners(bent, widths, decisions, context);
     CreaseEdges out;
     set_bits(bent, decisions, out);
     out.report = report_of(bent, widths, decisions);

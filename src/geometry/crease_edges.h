@@ -36,9 +36,6 @@ struct CreaseEdges {
 /// Cosine of 6 degrees: faces that bend by less are soft wherever the thresholds move, without a look at the rule.
 constexpr double cosine_of_always_soft = 0.9945218953682733;
 
-/// The corner before one in its face: where the edge that ends at it begins.
-inline std::uint32_t corner_before(std::uint32_t corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
-
 /// @param places  [vertices] as Topology::places
 CreaseEdges decide_creases(const AttributeInput& input, const std::vector<std::uint32_t>& places,
                            const FaceNormals& normals, Context& context);

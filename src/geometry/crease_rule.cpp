@@ -116,9 +116,11 @@ private:
 
     static bool are_similar(float a, float b) { return std::max(a, b) <= float(similar_width) * std::min(a, b); }
 
-    /// Whether a third bend follows: a round shape. Two equal bends are a chamfer.
+    /// Whether a third bend follows: a round shape. Two equal bends are a chamfer, and so are more between planes of
+    /// unequal widths.
     bool has_three(std::uint32_t e, const bool (&is_equal)[2]) const {
-        if (is_equal[0] && is_equal[1]) return true;
+        const float a = side_of(e, 0).width, b = side_of(e, 1).width;
+        if (is_equal[0] && is_equal[1]) return std::max(a, b) <= float(same_width) * std::min(a, b);
         for (const int side : {0, 1}) {
             if (!is_equal[side]) continue;
             const PlaneSide* const next = beyond(bent_.plane(bent_.edges[e], side), side_of(e, side).far);
@@ -138,6 +140,34 @@ private:
         if (ratio < twice_least || ratio > (size(e) < limits_.onset ? onset_most : twice_most)) return false;
         const PlaneSide* const next = beyond(bent_.plane(bent_.edges[e], narrow), far);
         return next && next->width <= strip_width * side_of(e, narrow).width;
+    }
+
+    /// Whether a plane runs into single triangles that are the bent squares of a fillet: the edge across the square bends
+    /// on, as in `is_tangent`. The diagonal of the square is one of the two other edges of the triangle, and bends less.
+    bool is_tangent_to_squares(std::uint32_t e) const {
+        for (const int side : {0, 1}) {
+            const BentEdge& edge = bent_.edges[e];
+            if (is_flat(edge, side) || !is_flat(edge, 1 - side)) continue;
+            const std::uint32_t corner = edge.corner[side];
+            for (const bool is_after : {false, true}) {
+                const std::uint32_t far = across_square(corner, is_after);
+                if (far == no_edge || size(far) > limits_.round) continue;
+                const BentEdge& f = bent_.edges[far];
+                if (is_flat(f, 0) || is_flat(f, 1)) continue;
+                const double ratio = double(f.bend_deg) / double(edge.bend_deg);
+                if (ratio >= twice_least && ratio <= twice_most) return true;
+            }
+        }
+        return false;
+    }
+    /// The edge across a square from the edge at a corner. The diagonal is the edge after or before it in its triangle.
+    std::uint32_t across_square(std::uint32_t corner, bool is_after) const {
+        const std::uint32_t through = is_after ? corner_after(corner) : corner_before(corner),
+                            diagonal = bent_.edge_of_corner[through];
+        if (diagonal == no_edge || size(diagonal) >= limits_.low) return no_edge;
+        const BentEdge& d = bent_.edges[diagonal];
+        const std::uint32_t beyond = d.corner[d.corner[0] == through ? 1 : 0];
+        return bent_.edge_of_corner[is_after ? corner_before(beyond) : corner_after(beyond)];
     }
 
     CreaseDecision decide_planes(std::uint32_t e) const {
@@ -166,6 +196,7 @@ private:
         }
         if (loose > 0 && wide <= (loose == 2 ? uneven_width : similar_width) * thin)
             return {CreaseReason::loose, bend > (curved == 2 && is_similar ? limits_.round : limits_.chamfer)};
+        if (is_tangent_to_squares(e)) return {CreaseReason::tangent, false};
         return {CreaseReason::planes, true};
     }
 

@@ -7,7 +7,7 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr double least_planar = 0.2;      // of the area
+constexpr double least_planar = 0.1;      // of the area
 constexpr double least_known = 0.25;      // of the area
 constexpr float near_rounding = 1.f / 3;  // of what rounding may turn at most: most bends within a plane are smaller
 constexpr float beyond_rounding = 2;      // larger bends say nothing: they are those of the shape

@@ -18,7 +18,7 @@ struct MeantPlanes {
 };
 
 /// A surface has planes, unless
-/// - they are less than a fifth of its area, or
+/// - they are less than a tenth of its area, or
 /// - rounding may turn the faces of three quarters of its area so far that nothing is known of their planes, or
 /// - they are there by chance. Rounding turns most faces by less than a third of what it may turn at most. A shape that
 ///   was rounded, as a scan, does not stop there: more edges bend by a third to twice of it than by less, and for more

@@ -11,6 +11,10 @@
 
 namespace rakelight::geometry {
 
+/// The corner before one in its face: where the edge that ends at it begins.
+inline std::uint32_t corner_before(std::uint32_t corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
+inline std::uint32_t corner_after(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+
 /// Output vertices have global indices: first the input's (as in AttributeInput), then the appended ones.
 struct Topology {
     std::shared_ptr<const std::vector<std::uint32_t>>

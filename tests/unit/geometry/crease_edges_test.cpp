@@ -296,6 +296,161 @@ TEST(CreaseEdges, ACurveMayBeginWithASmallBend) {
     }
 }
 
+/// A box of half sizes whose edges are rounded: each side is a grid of squares that ends in the middle of the fillets.
+/// @param diagonals  0, 1: the same everywhere; 2: alternating
+HardShape make_soap(int strips, dvec3 half, double radius, int diagonals) {
+    HardBuilder b;
+    const auto lines = [&](double h) {
+        std::vector<double> out;
+        for (const double sign : {-1.0, 1.0})
+            for (int i = 0; i <= strips / 2; ++i) {
+                const double a = pi / 2 / strips * (sign < 0 ? strips / 2 - i : i);
+                out.push_back(sign * (h - radius + radius * std::tan(a)));
+            }
+        return out;
+    };
+    const auto onto = [&](dvec3 p) {
+        dvec3 q;
+        for (std::size_t k = 0; k < 3; ++k) q[k] = std::clamp(p[k], radius - half[k], half[k] - radius);
+        return q + (p - q) * (radius / length(p - q));
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const double sign : {-1.0, 1.0}) {
+            const std::vector<double> x = lines(half[(axis + 1) % 3]), y = lines(half[(axis + 2) % 3]);
+            const auto at = [&](std::size_t i, std::size_t j) {
+                dvec3 p;
+                p[axis] = sign * half[axis], p[(axis + 1) % 3] = x[i], p[(axis + 2) % 3] = y[j];
+                return onto(p);
+            };
+            for (std::size_t i = 0; i + 1 < x.size(); ++i)
+                for (std::size_t j = 0; j + 1 < y.size(); ++j) {
+                    std::vector<dvec3> square{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
+                    const bool is_second = diagonals == 2 ? (i + j) % 2 == 1 : diagonals == 1;
+                    if (is_second) std::rotate(square.begin(), square.begin() + 1, square.end());
+                    if (sign < 0) std::reverse(square.begin() + 1, square.end());
+                    b.polygon(square, 0);
+                }
+        }
+    return b.take();
+}
+
+TEST(CreaseEdges, CornersOfRoundedBoxesAreSoftWhateverTheDiagonals) {
+    for (const int strips : {2, 4, 6})
+        for (const int diagonals : {0, 1, 2}) {
+            const HardShape soap = make_soap(strips, {3, 2, 1.2}, 0.5, diagonals);
+            EXPECT_TRUE(hard_edges({soap.shape}).empty()) << strips << " " << diagonals;
+            const HardShape cube = make_soap(strips, {2, 2, 2}, 1.2, diagonals);
+            EXPECT_TRUE(hard_edges({cube.shape}).empty()) << strips << " " << diagonals;
+        }
+}
+
+/// A square with round corners, and one of another size and radius above: the squares of the corners are twisted.
+HardShape make_cap_of_a_key(int strips) {
+    HardBuilder b;
+    const auto ring = [&](double width, double depth, double radius, double y, double z) {
+        std::vector<dvec3> out;
+        for (int q = 0; q < 4; ++q)
+            for (int i = 0; i <= strips; ++i) {
+                const double a = pi / 2 * (q + double(i) / strips), x = width / 2 - radius, w = depth / 2 - radius;
+                out.push_back({(q == 0 || q == 3 ? x : -x) + radius * std::cos(a),
+                               y + (q < 2 ? w : -w) + radius * std::sin(a), z});
+            }
+        return out;
+    };
+    const std::vector<dvec3> low = ring(18, 18, 1.5, 0, 0);
+    std::vector<dvec3> high = ring(12.6, 13.6, 2, 0.8, 9.4);
+    for (dvec3& p : high) p.z -= 0.9 * (1 - p.x * p.x / 41);  // hollow
+    std::vector<dvec3> middle;
+    for (std::size_t i = 0; i < low.size(); ++i) middle.push_back(low[i] * 0.45 + high[i] * 0.55);
+    b.wall(low, middle, 0);
+    b.wall(middle, high, 0);
+    b.cap(low, 1000, false);
+    b.cap(high, 1001, true);
+    return b.take();
+}
+
+TEST(CreaseEdges, WallsRunIntoTwistedFillets) {
+    for (const int strips : {3, 4, 6})
+        for (const Edge& e : hard_edges({make_cap_of_a_key(strips).shape}))  // only rims: nothing that goes up
+            EXPECT_LT(std::fabs(std::get<2>(e.first) - std::get<2>(e.second)), 1) << strips;
+}
+
+/// A rod with four waves of so many points each, between two collars.
+HardShape make_waves(int points, double depth) {
+    std::vector<dvec2> profile{{1.3, 0}, {1.3, 0.5}};
+    for (int i = 0; i <= 4 * points; ++i)
+        profile.push_back({1 + depth * (1 - std::cos(2 * pi * i / points)), 0.5 + 0.25 * i / points});
+    profile.insert(profile.end(), {{1.3, 1.5}, {1.3, 2}});
+    std::vector<int> ids(profile.size(), 0);
+    ids[0] = 1, ids[1] = 2, ids[ids.size() - 3] = 3, ids[ids.size() - 2] = 4;
+    return make_turned(profile, ids, 24);
+}
+
+TEST(CreaseEdges, CoarseWavesOfTurnedShapesAreSoft) {
+    for (const int points : {6, 8, 12})
+        for (const Edge& e : hard_edges({make_waves(points, 0.0375).shape})) {
+            // Two rings beside the collars may be hard.
+            const float z = std::get<2>(e.first), rim = 0.25f * 1.5f / float(points);
+            EXPECT_TRUE(z < 0.5f + rim || z > 1.5f - rim) << points << " " << z;
+        }
+}
+
+TEST(CreaseEdges, OneSmallBendOfATurnedShapeIsSoftAmongSoftOnes) {
+    // Hollow below, with a bend of 17 degrees half way; the rim is flat.
+    const std::vector<dvec2> profile{{0, 0.28}, {0.48, 0.22}, {0.88, 0.04}, {0.95, 0}, {1, 0}, {1, 2}};
+    expect_as_meant(make_turned(profile, {0, 0, 0, 3, 4, 5}, 28), "hollow foot");
+}
+
+TEST(CreaseEdges, ShallowBevelsOfPanelsStayHard) {
+    // A groove around a field that rises by 11 degrees. Nothing beside these bends is soft.
+    HardBuilder b;
+    const auto square = [](double inset, double z) {
+        const double x = 30 - inset, y = 40 - inset;
+        return std::vector<dvec3>{{-x, -y, z}, {x, -y, z}, {x, y, z}, {-x, y, z}};
+    };
+    const std::vector<std::vector<dvec3>> rings{square(0, -4),      square(0, 0),     square(10, 0),
+                                                square(11.2, -0.9), square(14, -0.9), square(17.5, -0.2)};
+    for (std::size_t i = 0; i + 1 < rings.size(); ++i) b.wall(rings[i], rings[i + 1], 10 * int(i), true);
+    b.polygon(std::vector<dvec3>(rings[0].rbegin(), rings[0].rend()), 100);
+    b.polygon(rings.back(), 101);
+    HardShape made = b.take();
+    for (int& s : made.surface) s = s / 10 == 1 || s / 10 == 3 ? s / 10 * 10 : s;  // flat rings are one surface
+    expect_as_meant(made, "panel");
+}
+
+/// A trapezoidal thread: a profile of heights and radii that rises along a helix. Its ends are open.
+HardShape make_thread(int sides, int turns, const std::vector<dvec2>& profile, double pitch) {
+    HardBuilder b(1e-6);
+    const auto at = [&](int i, std::size_t k) {
+        const double a = 2 * pi * (i % sides) / sides;
+        return dvec3{profile[k].y * std::cos(a), profile[k].y * std::sin(a), pitch * i / sides + profile[k].x};
+    };
+    for (int i = 0; i < sides * turns; ++i)
+        for (std::size_t k = 0; k + 1 < profile.size(); ++k)
+            b.polygon({at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)}, int(k));
+    return b.take();
+}
+
+TEST(CreaseEdges, ThreadsOfFewPlanesAreHard) {
+    // The lands are planes, a fifth of the area; the flanks are twisted squares. The ends may miss an edge at each line.
+    for (const int sides : {12, 20, 40}) {
+        const HardShape thread = make_thread(sides, 4, {{0, 8}, {0.6, 8}, {1.9, 10}, {2.5, 10}, {4, 8}}, 4);
+        const std::set<Edge> hard = hard_edges({thread.shape}), meant = meant_hard(thread);
+        for (const Edge& e : hard) EXPECT_EQ(meant.count(e), 1u) << sides;
+        EXPECT_GE(hard.size() + 16, meant.size()) << sides;
+    }
+}
+
+TEST(CreaseEdges, EqualBendsOfUnequalPlanesAreNotRound) {
+    const auto bar = [](double cut) {  // a square bar of size 2 with its corners cut off
+        const double c = 1 - cut;
+        const std::vector<dvec2> profile{{1, -c}, {1, c}, {c, 1}, {-c, 1}, {-1, c}, {-1, -c}, {-c, -1}, {c, -1}};
+        return extrude(profile, {0, 1, 2, 3, 4, 5, 6, 7}, 4);
+    };
+    for (const double cut : {0.1, 0.3, 0.4, 0.45, 0.75}) expect_as_meant(bar(cut), "bar");
+    EXPECT_EQ(hard_edges({bar(2 - std::sqrt(2)).shape}).size(), 16u);  // a column of 8 equal sides
+}
+
 TEST(CreaseEdges, TheReportHasTheRanges) {
     const CreaseReport r = creases_of({make_column(12, false).shape}).report;
     EXPECT_EQ(r.hard, 24u);
