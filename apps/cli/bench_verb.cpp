@@ -40,7 +40,9 @@ std::vector<Option> options_of_pictures() {
     std::vector<Option> options = apps::without(apps::picture_options(), {"engine", "crease"});
     apps::find(options, "resolution").help = "Size of the picture in pixels, also WxH (default 1920,1080)";
     Option& crease = apps::find(options, "crease-angle");
-    crease.help = "Edges with a larger angle between their faces stay sharp, 0 to 180 (default 60; smooth: 180)";
+    crease.help =
+        "Edges with a larger angle between their faces stay sharp, 0 to 180 (default for render: the rule of creases; "
+        "smooth: 180)";
     crease.also = "crease";
     Option& weld = apps::find(options, "weld-distance");
     weld.help =
@@ -48,8 +50,8 @@ std::vector<Option> options_of_pictures() {
         "rounding), for smooth in edge lengths, up to 0.25 (default 0: exact)";
     weld.also = "tolerance";
     apps::find(options, "weight").help =
-        "Weight of a triangle in a vertex normal: angle (default for render), uniform (default for smooth), area, "
-        "angle-area, max, fit, auto";
+        "Weight of a triangle in a vertex normal: auto (default for render), uniform (default for smooth), angle, "
+        "area, angle-area, max, fit";
     return options;
 }
 

@@ -118,8 +118,8 @@ unfinished file remains. With --json, what was interrupted has the error "cancel
 inline constexpr const char* inspect_footer =
     R"(A border is a world position that two meshes share: objects, or parts of one object with
 materials of their own. Its angle is that between the nearest two normals there. A seam
-is such an angle that rakelight smooth would remove. Edges sharper than --crease-angle
-are no seams, nor are creases that were authored hard.
+is such an angle that rakelight smooth would remove. Hard edges (--crease) are no seams,
+nor are creases that were authored hard.
 
 Heat map: the model in gray, its seams from 0.01 degrees (dark blue) through 1
 (violet), 5 (red) and 20 (orange) to 60 and more (light yellow).
@@ -140,8 +140,8 @@ largest.)";
 
 inline constexpr const char* smooth_footer =
     R"(Normals of the file are kept, except where parts meet: there they are joined across
-edges up to the crease angle. Hard edges within a part are kept, and so are those
-between two parts where both were authored hard. Files whose open borders fit together
+soft edges (--crease). Hard edges within a part are kept, and so are those between two
+parts where both were authored hard. Files whose open borders fit together
 are smoothed as one model, each into its own output. Everything but normals and tangents
 is kept: names, extras, animations, images, and compression where no normal changes. One
 line says how many normals turned, and by how much at most; --quiet leaves it out. A

@@ -145,9 +145,11 @@ constexpr Entry entries[] = {
     {normals, "normals", "WHICH",
      "auto (default: the file's, else as its format says, else model), file, flat, object (smooth within each object), "
      "model (smooth across all objects: no seams), seams (the file's, joined only where parts meet)"},
-    {normals, "crease-angle", "DEG", "Edges with a larger angle between their faces stay sharp, 0 to 180 (60 with --crease angle alone)"},
+    {normals, "crease-angle", "DEG",
+     "Edges with a larger angle between their faces stay sharp, 0 to 180 (60 with --crease angle alone)"},
     {normals, "crease", "HOW",
-     "auto (edge by edge, from the planes on both sides: no angle to choose) or angle (by --crease-angle). Default: angle "
+     "auto (edge by edge, from the planes on both sides: no angle to choose) or angle (by --crease-angle). Default: "
+     "angle "
      "if --crease-angle is given, else auto"},
     {normals, "weld-distance", "M",
      "Positions of different objects at most this far apart [m] are welded (default: equal up to rounding)"},

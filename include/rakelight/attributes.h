@@ -260,8 +260,8 @@ struct SplitAttributes {
 
 /// Scratch memory of compute_attributes_into(), reused by later calls with any number of vertices. The fast case (see
 /// compute_attributes_into()) uses 24 bytes per vertex for normals alone, or 40 for normals and tangents. 8 of these
-/// bytes are for the weld. All other cases use about 42 bytes per triangle. Concurrent calls must not share a
-/// workspace.
+/// bytes are for the weld. The general path uses about 70 bytes per triangle, and fitted normals up to 180 more.
+/// Concurrent calls must not share a workspace.
 class RL_API AttributeWorkspace {
 public:
     AttributeWorkspace();
@@ -278,12 +278,12 @@ private:
 
 /// compute_attributes() into the caller's buffers.
 ///
-/// The *fast case* sums in float, and decides in double only at creases and at open borders. It needs one crease angle of at
-/// least a degree, not the rule of creases, and no weight `fit` or `automatic`. The scope must be model or object, the weld
-/// distance 0 or automatic (< 0), and tangents averaged and orthogonalized. All meshes must have the same angle-preserving
-/// matrix, and no smoothing groups, hints, locks or quantized positions. At a crease angle of pi, once the workspace has grown,
-/// it allocates no memory per vertex or triangle. In all other cases the workspace holds the largest arrays, and each call
-/// allocates the others.
+/// The *fast case* sums in float, and decides in double only at creases and where several surfaces meet. It needs one crease
+/// angle of at least a degree, or the rule of creases on a model that bends by less than 6 degrees at every edge. The scope
+/// must be model or object, the weld distance 0 or automatic (< 0), and tangents averaged and orthogonalized. All meshes
+/// must have the same angle-preserving matrix, and no smoothing groups, hints, locks or quantized positions. At a crease
+/// angle of pi and with a weight of sums, once the workspace has grown, it allocates no memory per vertex or triangle. In
+/// all other cases the workspace holds the largest arrays, and each call allocates the others.
 ///
 /// @param out [meshes] buffers must not overlap each other or the input
 /// @return split vertices and counts, one entry per mesh; the same values as compute_attributes()

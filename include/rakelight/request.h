@@ -168,6 +168,7 @@ struct PictureRequest {
     MaterialOverrides materials{};
     Coloring coloring{};
     MotionRequest motion{};
+    /// As by default, but that hard edges are found by the rule of creases: who sets an angle here sets `creases` too.
     PrepareOptions prepare{.creases = Creasing::automatic};
     ViewRequest view{};
     /// If present, these lights replace all others. If absent, the picture has the lights of the file. If the file has

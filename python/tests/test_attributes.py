@@ -36,7 +36,7 @@ def test_normals_are_those_that_the_program_writes(program, tmp_path, scope):
     model = DATA / "spot" / "spot_slab5.glb"
     program.run("smooth", model, "-o", tmp_path / "program.glb", "--normals", scope)
     written = accessors(tmp_path / "program.glb")
-    made = rakelight.attributes(rakelight.load(model).placed_meshes(), normals=scope, weight="auto", tangents=False)
+    made = rakelight.attributes(rakelight.load(model).placed_meshes(), normals=scope, weight="auto", crease="auto", tangents=False)
     assert len(written) == len(made)
     for a, b in zip(written, made):
         assert a["NORMAL"].tobytes() == b.normals.tobytes()
@@ -104,13 +104,31 @@ def test_creases_by_the_rule(tmp_path):
     np.testing.assert_allclose(by_rule[0].normals, [[0, 1, 0]] * 4, atol=1e-6)
     scene = rakelight.Scene.from_meshes(hinge(45, 15))
     given = scene.meshes[0].normals
-    assert not (scene.repair_seams().meshes[0].normals == given).all()
+    assert not (scene.repair_seams(crease="angle").meshes[0].normals == given).all()
     assert (scene.repair_seams(crease="auto").meshes[0].normals == given).all()
     assert not (scene.smooth(crease="angle").meshes[0].normals == scene.smooth(crease="auto").meshes[0].normals).all()
     scene.save(tmp_path / "in.glb")
     for word, turned in (("angle", 4), ("auto", 0)):
         assert rakelight.smooth_file(tmp_path / "in.glb", tmp_path / "out.glb", crease=word)["seams"]["turned"] == turned
     assert rakelight.inspect(scene, crease="auto", normals="model")["creases"]["hard"] == 1
+
+
+def test_an_angle_alone_is_taken_and_else_the_rule(tmp_path):
+    scene = rakelight.Scene.from_meshes(hinge(45, 15))
+    scene.save(tmp_path / "in.glb")
+    given = scene.meshes[0].normals
+    for options, is_hard in (
+        ({}, True),
+        ({"crease_angle": 60}, False),
+        ({"crease_angle": 30}, True),
+        ({"crease_angle": 60, "crease": "auto"}, True),
+        ({"crease": "angle"}, False),
+    ):
+        assert (scene.repair_seams(**options).meshes[0].normals == given).all() == is_hard, options
+        report = rakelight.smooth_file(tmp_path / "in.glb", tmp_path / "out.glb", **options)
+        assert (report["seams"]["turned"] == 0) == is_hard, options
+        smooth = scene.smooth(**options).meshes
+        assert np.allclose(smooth[0].normals, [[0, 1, 0]] * 4, atol=1e-6) == is_hard, options
 
 
 @pytest.mark.parametrize("weight", ["max", "fit", "auto"])

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // compute_attributes() and its steps: weld -> creases and smoothing groups -> mirrored texture coordinates -> sums ->
-// vertices. With crease angle pi and no groups everything at a place is joined, so the second stage is skipped and only
-// vertices are welded, never corners: the fast path.
+// vertices. Where one crease angle (or none) decides, most places are joined whole, and vertices are welded, never corners:
+// the fast path.
 #include <rakelight/attributes.h>
 
 #include <algorithm>

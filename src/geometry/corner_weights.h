@@ -5,10 +5,12 @@
 
 namespace rakelight::geometry {
 
-/// The weight of the sums that fits begin from, for those that are fits: CornerWeight::fit, automatic.
-constexpr CornerWeight sum_weight(CornerWeight weight) {
-    return weight == CornerWeight::fit || weight == CornerWeight::automatic ? CornerWeight::max : weight;
+constexpr bool is_fitted(CornerWeight weight) {
+    return weight == CornerWeight::fit || weight == CornerWeight::automatic;
 }
+
+/// The weight of the sums that fits begin from, for those that are fits: CornerWeight::fit, automatic.
+constexpr CornerWeight sum_weight(CornerWeight weight) { return is_fitted(weight) ? CornerWeight::max : weight; }
 
 /// Those of sum_weight().
 /// @param area2 twice the area of the face in world space

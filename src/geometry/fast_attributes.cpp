@@ -10,6 +10,7 @@
 #include "geometry/crease_rule.h"
 #include "geometry/fast_stages.h"
 #include "geometry/fit_normals.h"
+#include "geometry/general_attributes.h"
 #include "math/isa.h"
 
 namespace rakelight::geometry {
@@ -77,15 +78,16 @@ FastState make_state(const AttributeInput& input, const AttributeOptions& option
                                                           [](const AttributeMesh& m) { return !m.texcoords.empty(); });
     const std::size_t vertices = input.vertex_count();
     const std::size_t floats = tangents ? tangent_row_floats : normal_row_floats;
-    context.memory().check(vertices * (floats * sizeof(float) + 20), "smoothing normals");
+    const CreaseRange range = crease_range(meshes, options);
+    const bool fits = is_fitted(options.weight), looks = fits || !range.joins_all();
+    const std::size_t more = (fits && tangents ? sizeof(LookRow) : 0) + (looks ? sizeof(Duplicate) : 0);
+    context.memory().check(vertices * (floats * sizeof(float) + 20 + more), "smoothing normals");
     scratch.rows.reserve(vertices * floats);
     for (LaneScratch& lane : scratch.lanes) {
         lane.hashed.clear();
         lane.counts.clear();
     }
     const Kernels kernels = kernels_for(isa_from_environment());
-    const CreaseRange range = crease_range(meshes, options);
-    const bool fits = is_fitted(options.weight);
     return {.input = input,
             .options = options,
             .out = out,
@@ -99,18 +101,9 @@ FastState make_state(const AttributeInput& input, const AttributeOptions& option
             .tangents = tangents,
             .crease_rad = range.least,
             .fits = fits,
-            .looks = fits || !range.joins_all(),
+            .looks = looks,
             .degenerate = std::vector<std::uint32_t>(meshes.size(), 0),
             .isolated = std::vector<std::uint32_t>(meshes.size(), 0)};
-}
-
-// The general path's result, converted to the buffers.
-std::vector<SplitAttributes> give_to_general(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
-                                             std::span<const AttributeBuffers> out, Context& context) {
-    const std::vector<MeshAttributes> results = general_attributes(meshes, options, context);
-    std::vector<SplitAttributes> splits(meshes.size());
-    for (std::size_t m = 0; m < meshes.size(); ++m) splits[m] = split_from(meshes[m], results[m], out[m]);
-    return splits;
 }
 
 }  // namespace
@@ -165,12 +158,13 @@ std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> mesh
     if (state.looks) {
         const std::vector<std::uint32_t> weak = std::move(hard), creased = walk_fans(state, look_at_places(state));
         if (options.creases == Creasing::automatic && !creased.empty())
-            return give_to_general(meshes, options, out, context);
+            return general_attributes_into(meshes, options, out, scratch.general, context);
         hard.clear();
         std::set_union(weak.begin(), weak.end(), creased.begin(), creased.end(), std::back_inserter(hard));
         context.throw_if_cancelled();
     }
-    if (hard.size() > input.vertex_count() / 4) return give_to_general(meshes, options, out, context);
+    if (hard.size() > input.vertex_count() / 4)
+        return general_attributes_into(meshes, options, out, scratch.general, context);
     std::vector<SplitAttributes> splits = without_splits(state);
     if (state.fits)
         fit_places(state, hard, out, splits);

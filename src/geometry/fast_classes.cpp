@@ -39,10 +39,14 @@ public:
         if (weight == 0) return;
         if (silent != 0) count_isolated();
         const bool is_weak = !(dot(normal, normal) >= weight * weight * class_normal_share * class_normal_share);
-        if (is_weak || (state_.tangents && !join_tangents(normal * (1 / length(normal))))) return leave();
+        const bool is_left = is_weak || (state_.tangents && !join_tangents(normal * (1 / length(normal))));
         for (std::size_t i = 0; i < count; ++i) {
             float* row = state_.row(members_[i]);
-            std::memcpy(row, &normal, sizeof normal);
+            std::memcpy(row, &normal, sizeof normal);  // those that are left, too: looks begin from one normal
+            if (is_left) {
+                row[state_.floats() - 1] = -1;
+                continue;
+            }
             // The finish compares hand with weight; the tangents of this class are already checked.
             float& own = row[state_.floats() - 1];
             own = state_.tangents && row[3] != 0 ? std::fabs(row[3]) : weight;
@@ -55,10 +59,6 @@ private:
             if (state_.row(v)[state_.floats() - 1] == 0)
                 std::atomic_ref(state_.isolated[state_.input.mesh_of_vertex(v)])
                     .fetch_add(1, std::memory_order_relaxed);
-    }
-
-    void leave() const {
-        for (const std::uint32_t v : members_) state_.row(v)[state_.floats() - 1] = -1;
     }
 
     // False: undecidable in float.

@@ -108,7 +108,7 @@ private:
             if (places_[c] != none) corners_[begin_[places_[c] + 1]++] = std::uint32_t(c);
     }
 
-    struct Spread {
+    struct FanCorner {
         const vec3 *normal, *next, *previous;
     };
 
@@ -116,7 +116,7 @@ private:
     bool is_one_fan(std::uint32_t place) const {
         const std::size_t count = begin_[place + 1] - begin_[place];
         if (count > most) return false;
-        Spread fan[most];
+        FanCorner fan[most];
         for (std::size_t i = 0; i < count; ++i) {
             const std::uint32_t corner = corners_[begin_[place] + i], k = corner % 3;
             const FanFace& face = faces_[corner / 3];

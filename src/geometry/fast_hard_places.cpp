@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/fast_hard_places.h"
 
-#include "geometry/fast_attributes.h"
 #include "geometry/fast_stages.h"
+#include "geometry/general_attributes.h"
 
 namespace rakelight::geometry {
 
 HardPlaces::HardPlaces(FastState& state, std::span<const std::uint32_t> wanted)
     : state_(state), input_(state.input), wanted_(wanted), marks_(state.input.vertex_count(), wanted) {
+    constexpr std::uint64_t bytes_per_vertex = 400;  // with six faces, as they are here
+    state_.context.memory().check(bytes_per_vertex * wanted.size(), "smoothing normals at creases");
     collect_faces();
     state_.context.parallel_for(parts_.size(), [&](std::size_t p) { number(parts_[p]); });
     for (const PartMesh& part : parts_) {

@@ -133,6 +133,7 @@ private:
             gather(g, by_max(g), memory);
             fits_[i].neighbors = memory.batch.neighbors();
             fits_[i].border = is_border(rings_, g, faces.faces);
+            fits_[i].choice = &NormalChoices::fit;
             qualities_[i].by_area = cast<float>(faces.by_area);
             qualities_[i].least_cosine = float(faces.least_cosine);
             if (memory.batch.is_full() || i + 1 == last) take_fits(memory.batch, i + 1 - memory.batch.size());

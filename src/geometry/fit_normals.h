@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // CornerWeight::fit and CornerWeight::automatic: normals of groups from two rings of neighbors, over all objects.
 #pragma once
+#include "geometry/corner_weights.h"
 #include "geometry/fitted_places.h"
 #include "geometry/vote_sums.h"
 
 namespace rakelight::geometry {
-
-inline bool is_fitted(CornerWeight weight) { return weight == CornerWeight::fit || weight == CornerWeight::automatic; }
 
 /// [output vertices] Of representatives: unit normals in the world; zero: nothing was fitted.
 /// @param scratch  source of memory

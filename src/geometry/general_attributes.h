@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The general path (attributes.cpp) into the caller's buffers; the form with arrays is in fast_attributes.h.
+// The general path (attributes.cpp): every option, in double.
 #pragma once
 #include <functional>
 #include <memory>
@@ -10,6 +10,13 @@
 #include "geometry/vote_sums.h"
 
 namespace rakelight::geometry {
+
+/// @param wanted  [vertices] 0: what comes out at its place is not needed; empty: all are
+std::vector<MeshAttributes> general_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                               std::span<const std::uint8_t> wanted, GeneralScratch& scratch,
+                                               Context& context);
+std::vector<MeshAttributes> general_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                                               Context& context);
 
 /// Some places and their faces, grouped by the general path. Their normals are fitted among all others before tangents are
 /// made.

@@ -50,6 +50,13 @@ void read_crease(PictureRequest& r, Words w) {
     r.prepare.creases = Creasing::angle;  // `crease`, which is read later, may override it
 }
 
+/// Not what `crease-angle` says already, by being written or left out.
+Written write_creases(const PictureRequest& r) {
+    const bool has_angle = r.prepare.crease_angle_rad != PictureRequest{}.prepare.crease_angle_rad;
+    if (r.prepare.creases == (has_angle ? Creasing::angle : Creasing::automatic)) return {};
+    return name_in(creasing_words, r.prepare.creases);
+}
+
 double distance(const char* name, const std::string& text) {
     const double meters = values::number(name, text);
     if (!(meters >= 0)) throw values::wrong(name, "must be 0 or more");
@@ -71,7 +78,9 @@ constexpr RenderKey table_of_normal[] = {
     RL_WORD_KEY("normals", r.prepare.normals, normal_words),
     {"crease-angle", Kind::value, read_crease,
      RL_WRITE(r.prepare.crease_angle_rad, {degrees_of(r.prepare.crease_angle_rad)})},
-    RL_WORD_KEY("crease", r.prepare.creases, creasing_words),
+    {"crease", Kind::value,
+     [](PictureRequest& r, Words w) { r.prepare.creases = values::word("crease", w[0], creasing_words); },
+     write_creases},
     RL_WORD_KEY("weight", r.prepare.weight, corner_weight_words),
     RL_KEY("weld-distance", value, r.prepare.weld_distance, distance("weld-distance", w[0]),
            {text_of(r.prepare.weld_distance)}),

@@ -113,7 +113,7 @@ class Cli(program.Case):
                           {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
             "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
             "buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]}))
-        common = ("render", "a.gltf", "-o", "a.png", "--resolution", "64,48", "--normals", "model", "--verbose")
+        common = ("render", "a.gltf", "-o", "a.png", "--resolution", "64,48", "--normals", "model", "--crease-angle", "60", "--verbose")
         copied, kept = self.run_program(*common), self.run_program(*common, "--keep-instances")
         self.assertEqual((copied.code, kept.code), (0, 0), copied.err + kept.err)
         self.assertIn("1 instances got a mesh of their own", copied.err)

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "geometry/fast_attributes.h"
+#include "geometry/general_attributes.h"
 #include "math/isa.h"
 #include "unit/geometry/shapes.h"
 
@@ -162,6 +163,22 @@ TEST(FastPath, TheRuleOfCreasesIsThatOfTheGeneralPath) {
             }
 }
 
+// Charts that turn at a border between parts leave its tangents to the general path, and its bend must be seen all the same.
+TEST(FastPath, TheRuleOfCreasesSeesBendsBetweenPartsOfTurnedCharts) {
+    for (const double turned : {0.0, 20.0, 35.0, 45.0, 60.0, 90.0})
+        for (const bool fits : {false, true}) {
+            AttributeOptions options = published();
+            options.weight = fits ? CornerWeight::automatic : CornerWeight::angle;
+            options.creases = Creasing::automatic;
+            std::vector<Shape> parts = cut_by_planes(make_torus(24, 12), 2);
+            const float c = float(std::cos(radians(turned))), s = float(std::sin(radians(turned)));
+            for (vec2& uv : parts[1].texcoords) uv = {c * uv.x - s * uv.y, s * uv.x + c * uv.y};
+            expect_as_general(parts, options, 3e-5);
+            options.creases = Creasing::angle, options.crease_angle_rad = radians(20);
+            expect_as_general(parts, options, 3e-5);
+        }
+}
+
 // Faces that fold over, slivers, and heights of several edges: normals alone, as tangents depend on them without bounds.
 TEST(FastPath, FitsEqualTheGeneralOnesOnRubble) {
     for (const CornerWeight weight : {CornerWeight::fit, CornerWeight::automatic})
@@ -263,7 +280,7 @@ TEST(FastPath, HasTheSameBitsForAllThreadsAndInstructionSets) {
         for (const bool tangents : {false, true}) {
             AttributeOptions options = published();
             options.tangents = tangents;
-            if (creased) options.weight = CornerWeight::angle, options.crease_angle_rad = radians(60);
+            if (creased) options.weight = CornerWeight::automatic, options.crease_angle_rad = radians(60);
             const auto expected = compute(parts, options, 1);
             for (const int threads : {2, 4}) expect_equal(expected, compute(parts, options, threads));
             for (const Isa isa : {Isa::scalar, Isa::sse2, Isa::avx2, Isa::avx512}) {
@@ -341,6 +358,11 @@ TEST(FastPath, MatricesThatKeepAnglesAreTaken) {
     auto parts = cut_by_planes(displaced(make_sphere(40, 20), 4), 3);
     for (Shape& p : parts) p.to_world = m;
     expect_as_general(parts, published());
+    for (const CornerWeight weight : {CornerWeight::angle, CornerWeight::max, CornerWeight::automatic}) {
+        AttributeOptions options = published();
+        options.weight = weight, options.crease_angle_rad = radians(40);
+        expect_as_general(parts, options, 3e-5);
+    }
     parts[1].to_world[3].x += 1;
     EXPECT_FALSE(geometry::takes_fast_path(views(parts), published()));
     for (Shape& p : parts) p.to_world[0] = {0, 2.4, 0, 0};

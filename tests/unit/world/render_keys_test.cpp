@@ -98,7 +98,7 @@ const std::map<std::string, std::vector<std::string>> examples = {
     {"ambient-occlusion-samples", {"64"}},
     {"normals", {"model"}},
     {"crease-angle", {"33.3"}},
-    {"crease", {"auto"}},
+    {"crease", {"angle"}},
     {"weight", {"angle-area"}},
     {"weld-distance", {"0.001"}},
     {"border-distance", {"0.002"}},
