@@ -77,8 +77,8 @@ Examples:
       A clip as a movie; inspect lists the clips. -o 'walk/{frame:4}.png' writes numbered
       pictures, --frames 0:23 some of them (for several machines), and --skip-existing
       continues an interrupted run. The view is fitted to the whole clip.
-  rakelight render parts.obj -o parts.png --normals model --crease-angle 60
-      Objects that touch look like one surface; edges over 60 degrees stay sharp.
+  rakelight render parts.obj -o parts.png --normals model
+      Objects that touch look like one surface; hard edges are found by its planes.
   rakelight render head.obj -o head.png --camera-position 0,1,5 \
       --light point:2,3,4:attenuation=1,0,0.02 --light ambient:0.05,0.05,0.05
       A camera and lights of your own.

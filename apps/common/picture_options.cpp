@@ -146,7 +146,8 @@ constexpr Entry entries[] = {
      "auto (default: the file's, else as its format says, else model), file, flat, object (smooth within each object), "
      "model (smooth across all objects: no seams), seams (the file's, joined only where parts meet)"},
     {normals, "crease-angle", "DEG",
-     "Edges with a larger angle between their faces stay sharp, 0 to 180 (60 with --crease angle alone)"},
+     "Edges with a larger angle between their faces stay sharp, 0 to 180 (60 with --crease angle alone). With --crease "
+     "auto it only limits which borders match"},
     {normals, "crease", "HOW",
      "auto (edge by edge, from the planes on both sides: no angle to choose) or angle (by --crease-angle). Default: "
      "angle "

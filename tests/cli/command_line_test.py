@@ -360,7 +360,7 @@ class CommandLine(program.Case):
         gap = "o left\nv -1 0 0\nv 0 0 0\nv 0 1 0\nv -1 1 0\nf 1 2 3 4\no right\nv 0.001 0 0\nv 1 0 0.5\nv 1 1 0.5\nv 0.001 1 0\nf 5 6 7 8\n"
         self.write("a.obj", gap)
         def picture(*words):
-            self.fine("render", "a.obj", "-o", "a.png", *SIZE, "--normals", "model", *words)
+            self.fine("render", "a.obj", "-o", "a.png", *SIZE, "--normals", "model", "--crease-angle", "60", *words)
             return (self.folder / "a.png").read_bytes()
         self.assertNotEqual(picture("--weld-distance", "0.01"), picture())
         self.assertEqual(picture("--weld-distance", "0.0001"), picture())
