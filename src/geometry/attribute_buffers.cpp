@@ -30,6 +30,7 @@ void check_buffers(std::span<const AttributeMesh> meshes, const AttributeOptions
 struct AttributeWorkspace::Impl {
     geometry::FastScratch scratch;
     geometry::GeneralScratch general;
+    Impl() { scratch.general.is_kept = general.is_kept = true; }
 };
 
 AttributeWorkspace::AttributeWorkspace() : impl_(std::make_unique<Impl>()) {}

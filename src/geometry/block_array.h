@@ -41,6 +41,12 @@ struct GeneralScratch {
     Block keys;     ///< of CornerSort
     std::vector<Block> spare;
     std::vector<std::vector<std::uint32_t>> spare_words;
+    bool is_kept = false;  ///< by a workspace, for the next call
+
+    /// Where nothing of it is needed again in this call.
+    void free_spare() {
+        if (!is_kept) spare.clear(), spare_words.clear();
+    }
 
     std::size_t bytes() const {
         std::size_t sum = faces.bytes() + corners.bytes() + keys.bytes();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include <rakelight/creases.h>
 
@@ -51,6 +52,14 @@ AttributeOptions without_rule(const AttributeOptions& options) {
     AttributeOptions plain = options;
     if (options.creases == Creasing::automatic) plain.creases = Creasing::angle, plain.crease_angle_rad = soft_rad;
     return plain;
+}
+
+// Very many small meshes: each would have its own splits here, beside its result.
+bool is_crumbs(std::span<const AttributeMesh> meshes) {
+    constexpr std::size_t many = 1u << 12, small = 16;
+    std::size_t vertices = 0;
+    for (const AttributeMesh& mesh : meshes) vertices += mesh.positions.size();
+    return meshes.size() > many && vertices < small * meshes.size();
 }
 
 struct Kernels {
@@ -106,6 +115,42 @@ FastState make_state(const AttributeInput& input, const AttributeOptions& option
             .isolated = std::vector<std::uint32_t>(meshes.size(), 0)};
 }
 
+// Its memory is not held beside that of the general path.
+void forget(FastScratch& scratch) {
+    GeneralScratch general = std::move(scratch.general);
+    scratch = {};
+    scratch.general = std::move(general);
+}
+
+// Nothing where the general path is the faster one, or the rule of creases must be asked; the contents of `out` are lost then.
+std::optional<std::vector<SplitAttributes>> try_fast(std::span<const AttributeMesh> meshes,
+                                                     const AttributeOptions& options,
+                                                     std::span<const AttributeBuffers> out, FastScratch& scratch,
+                                                     Context& context) {
+    const AttributeInput input = number_input(meshes);
+    const AttributeOptions plain = without_rule(options);
+    FastState state = make_state(input, plain, out, scratch, context);
+    if (!scatter_votes(state)) check_indices(input, context);
+    weld_rows(state);
+    context.throw_if_cancelled();
+    std::vector<std::uint32_t> hard = finish_rows(state);
+    context.throw_if_cancelled();
+    if (state.looks) {
+        const std::vector<std::uint32_t> weak = std::move(hard), creased = walk_fans(state, look_at_places(state));
+        if (options.creases == Creasing::automatic && !creased.empty()) return std::nullopt;
+        hard.clear();
+        std::set_union(weak.begin(), weak.end(), creased.begin(), creased.end(), std::back_inserter(hard));
+        context.throw_if_cancelled();
+    }
+    if (hard.size() > input.vertex_count() / 4) return std::nullopt;
+    std::vector<SplitAttributes> splits = without_splits(state);
+    if (state.fits)
+        fit_places(state, hard, out, splits);
+    else if (!hard.empty())
+        redo_places(state, hard, out, splits);
+    return splits;
+}
+
 }  // namespace
 
 std::size_t FastScratch::bytes() const {
@@ -123,6 +168,8 @@ bool takes_fast_path(std::span<const AttributeMesh> meshes, const AttributeOptio
     const bool fits = options.normals && options.scope != Scope::face && options.weld_distance <= 0 &&
                       has_plain_creases(meshes, options);
     if (!fits || !is_plain(options) || meshes.empty() || !keeps_angles(meshes[0].to_world)) return false;
+    const bool looks = is_fitted(options.weight) || !crease_range(meshes, options).joins_all();
+    if (looks && is_crumbs(meshes)) return false;
     return std::all_of(meshes.begin(), meshes.end(),
                        [&](const AttributeMesh& m) { return m.to_world == meshes[0].to_world && is_plain(m); });
 }
@@ -147,30 +194,10 @@ SplitAttributes split_from(const AttributeMesh& mesh, const MeshAttributes& resu
 std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                              std::span<const AttributeBuffers> out, FastScratch& scratch,
                                              Context& context) {
-    const AttributeInput input = number_input(meshes);
-    const AttributeOptions plain = without_rule(options);
-    FastState state = make_state(input, plain, out, scratch, context);
-    if (!scatter_votes(state)) check_indices(input, context);
-    weld_rows(state);
-    context.throw_if_cancelled();
-    std::vector<std::uint32_t> hard = finish_rows(state);
-    context.throw_if_cancelled();
-    if (state.looks) {
-        const std::vector<std::uint32_t> weak = std::move(hard), creased = walk_fans(state, look_at_places(state));
-        if (options.creases == Creasing::automatic && !creased.empty())
-            return general_attributes_into(meshes, options, out, scratch.general, context);
-        hard.clear();
-        std::set_union(weak.begin(), weak.end(), creased.begin(), creased.end(), std::back_inserter(hard));
-        context.throw_if_cancelled();
-    }
-    if (hard.size() > input.vertex_count() / 4)
-        return general_attributes_into(meshes, options, out, scratch.general, context);
-    std::vector<SplitAttributes> splits = without_splits(state);
-    if (state.fits)
-        fit_places(state, hard, out, splits);
-    else if (!hard.empty())
-        redo_places(state, hard, out, splits);
-    return splits;
+    if (std::optional<std::vector<SplitAttributes>> splits = try_fast(meshes, options, out, scratch, context))
+        return std::move(*splits);
+    forget(scratch);
+    return general_attributes_into(meshes, options, out, scratch.general, context);
 }
 
 std::vector<MeshAttributes> fast_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
@@ -183,7 +210,13 @@ std::vector<MeshAttributes> fast_attributes(std::span<const AttributeMesh> meshe
         out[m] = {results[m].normals, results[m].tangents};
     }
     FastScratch scratch;
-    std::vector<SplitAttributes> splits = fast_attributes(meshes, options, out, scratch, context);
+    std::optional<std::vector<SplitAttributes>> made = try_fast(meshes, options, out, scratch, context);
+    if (!made) {
+        forget(scratch);
+        results = {}, out = {};
+        return general_attributes(meshes, options, {}, scratch.general, context);
+    }
+    std::vector<SplitAttributes>& splits = *made;
     for (std::size_t m = 0; m < meshes.size(); ++m) {
         MeshAttributes& r = results[m];
         SplitAttributes& s = splits[m];

@@ -32,10 +32,7 @@ public:
             for_each_class(classes, [&](std::span<const std::uint32_t> members) {
                 for (const std::uint32_t v : members) topology_.group[v] = members[0];
             });
-        if (hard_.parts().empty()) {
-            fit();
-            return;
-        }
+        if (hard_.parts().empty()) return fit();
         const GroupedPart part(hard_.meshes(), state_.options, hard_.wanted(), scratch, state_.context);
         add_groups(part);
         fit();

@@ -16,7 +16,7 @@ public:
     explicit Looks(const FastState& state)
         : state_(state), hard_cosine_(hard_cosine(state.crease_rad)), bent_cosine_(bent_cosine(state)) {}
 
-    float* data() const { return state_.looks_at()->ends; }
+    float* data() const { return reinterpret_cast<float*>(state_.looks_at()); }
     void ready(LaneScratch&, std::uint32_t, std::uint32_t, std::uint32_t) const {}
     void set(ScatterJob& job, std::uint32_t m) const {
         job.normals = state_.out[m].normals.empty() ? nullptr : &state_.out[m].normals[0].x;

@@ -123,22 +123,27 @@ private:
         return true;
     }
 
-    bool scatter_mesh(const Task& task, std::uint32_t m, std::size_t slot, LaneScratch& lane) {
+    ScatterJob job_of(const Task& task, std::uint32_t m, LaneScratch& lane) const {
         const AttributeMesh& mesh = state_.input.meshes[m];
-        const std::uint32_t faces = std::uint32_t(mesh.indices.size() / 3);
         ScatterJob job;
         job.positions = mesh.positions.empty() ? nullptr : &mesh.positions[0].x;
         job.indices = mesh.indices.data();
         job.vertices = vertices(m);
-        job.face = face_begin(faces, task.piece, task.pieces);
-        const std::uint32_t face_end = face_begin(faces, task.piece + 1, task.pieces);
+        job.face = face_begin(std::uint32_t(mesh.indices.size() / 3), task.piece, task.pieces);
         job.rows = row(state_.input.vertex_base[m]);
-        rows_.set(job, m);
         job.own_begin = piece_begin(job.vertices, task.piece, task.pieces);
         job.own_end = piece_begin(job.vertices, task.piece + 1, task.pieces);
         job.foreign = lane.parcels.data();
         job.odd = lane.odd.data();
         job.ready_end = task.clears ? job.own_begin : job.own_end;
+        rows_.set(job, m);
+        return job;
+    }
+
+    bool scatter_mesh(const Task& task, std::uint32_t m, std::size_t slot, LaneScratch& lane) {
+        ScatterJob job = job_of(task, m, lane);
+        const std::uint32_t faces = std::uint32_t(state_.input.meshes[m].indices.size() / 3);
+        const std::uint32_t face_end = face_begin(faces, task.piece + 1, task.pieces);
         std::uint32_t degenerate = 0;
         while (job.face < face_end) {
             const std::uint32_t range = job.face / faces_per_range;

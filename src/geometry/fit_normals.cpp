@@ -346,6 +346,7 @@ void fit_normals(VoteSums& sums, const Topology& topology, const AttributeInput&
         }
     });
     scratch.give(by_max), scratch.give(normals);
+    scratch.free_spare();
 }
 
 }  // namespace rakelight::geometry

@@ -142,6 +142,39 @@ static inline void make_units(float (&rows)[4 * face_block]) {
     }
 }
 
+/// From a row with tangents to tangents beside normals.
+/// @return where there is one: a sum of one handedness that is not weak
+static inline mask finish_tangents_of(const FinishJob& job, const real (&v)[8], const vec3& n, mask is_alone,
+                                      float* to) {
+    const real hand = v[3], size = abs(hand), weight = v[7];
+    const vec3 t(v[4], v[5], v[6]);
+    const vec3 flat = t - n * dot(n, t);
+    const real across_square = dot(flat, flat);
+    const mask has_tangent = size == weight && across_square >= size * size * real(job.weak_tangent * job.weak_tangent);
+    vec3 unit = flat * (real(1.0f) / sqrt(across_square));
+    if (job.keeps_normals) unit = select(has_tangent, unit, some_across(n));
+    unit = select(is_alone, vec3(real(1.0f), real(0.0f), real(0.0f)), unit);
+    const real sign = select(is_alone || hand > real(0.0f), real(1.0f), real(-1.0f));
+    const real out[4] = {unit.x, unit.y, unit.z, sign};
+    store_rows4(to, out);
+    return has_tangent;
+}
+
+/// @param odd, alone  a bit for each vertex that is left to the general path, or has no faces
+static inline void put_block(FinishJob& job, uint32_t count, uint32_t odd, uint32_t alone,
+                             float (&normal)[4 * face_block], float (*tangent)[4 * face_block]) {
+    const uint32_t live = count == 32 ? 0xffffffffu : (1u << count) - 1;
+    job.isolated += uint32_t(__builtin_popcount(alone & live));
+    for (odd &= live; odd != 0; odd &= odd - 1) job.odd[job.odd_count++] = job.begin + uint32_t(__builtin_ctz(odd));
+    if (!job.keeps_normals) make_units(normal);
+    float* to = job.normals + 3 * uint64_t(job.begin);
+    for (uint32_t f = 0; f < count; ++f)
+        for (uint32_t a = 0; a < 3; ++a) to[3 * f + a] = normal[4 * f + a];
+    if (!tangent) return;
+    make_units(*tangent);
+    __builtin_memcpy(job.tangents + 4 * uint64_t(job.begin), *tangent, count * 16);
+}
+
 template <int floats>
 static inline void finish_block(FinishJob& job, const float* rows, uint32_t count, bool textured) {
     alignas(64) float normal[4 * face_block], tangent[4 * face_block];
@@ -164,33 +197,13 @@ static inline void finish_block(FinishJob& job, const float* rows, uint32_t coun
         const real out[4] = {n.x, n.y, n.z, real(0.0f)};
         store_rows4(normal + 4 * f, out);
         if constexpr (floats == 8) {
-            const real hand = v[3], size = abs(hand);
-            const vec3 t(v[4], v[5], v[6]);
-            const vec3 flat = t - n * dot(n, t);
-            const real across_square = dot(flat, flat);
-            const mask has_tangent =
-                size == weight && across_square >= size * size * real(job.weak_tangent * job.weak_tangent);
+            const mask has_tangent = finish_tangents_of(job, v, n, is_alone, tangent + 4 * f);
             if (textured) good = good && has_tangent;
-            vec3 unit = flat * (real(1.0f) / sqrt(across_square));
-            if (job.keeps_normals) unit = select(has_tangent, unit, some_across(n));
-            unit = select(is_alone, vec3(real(1.0f), real(0.0f), real(0.0f)), unit);
-            const real sign = select(is_alone || hand > real(0.0f), real(1.0f), real(-1.0f));
-            const real out_t[4] = {unit.x, unit.y, unit.z, sign};
-            store_rows4(tangent + 4 * f, out_t);
         }
         odd |= lane_bits(!(good || is_alone)) << f;
         alone |= lane_bits(is_alone) << f;
     }
-    const uint32_t live = count == 32 ? 0xffffffffu : (1u << count) - 1;
-    odd &= live;
-    job.isolated += uint32_t(__builtin_popcount(alone & live));
-    for (; odd != 0; odd &= odd - 1) job.odd[job.odd_count++] = job.begin + uint32_t(__builtin_ctz(odd));
-    if (!job.keeps_normals) make_units(normal);
-    if (floats == 8 && textured) make_units(tangent);
-    float* to = job.normals + 3 * uint64_t(job.begin);
-    for (uint32_t f = 0; f < count; ++f)
-        for (uint32_t a = 0; a < 3; ++a) to[3 * f + a] = normal[4 * f + a];
-    if (floats == 8 && textured) __builtin_memcpy(job.tangents + 4 * uint64_t(job.begin), tangent, count * 16);
+    put_block(job, count, odd, alone, normal, floats == 8 && textured ? &tangent : nullptr);
 }
 
 template <int floats>
