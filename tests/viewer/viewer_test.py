@@ -173,7 +173,7 @@ class Viewer(Case):
         (config / "view.conf").write_text(f"record-frames = {count}\n")
 
     def test_files_asked_for_one_after_the_other_are_all_written(self):
-        window = self.open("builtin:teapot:tolerance=3e-5", "--samples", "8")  # so that each takes a while
+        window = self.open("builtin:teapot:tolerance=1e-4", "--samples", "8")  # so that each takes a while
         window.settled_picture()
         window.key("F12", "ctrl+F12", "F12", "ctrl+s", "ctrl+s")
         pictures = lambda: sorted(self.folder.glob("teapot*-?.png"))
