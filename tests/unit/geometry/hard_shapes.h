@@ -167,4 +167,22 @@ inline HardShape make_chamfered_box(double chamfer) {
     return b.take();
 }
 
+inline HardShape make_gear(double step) {
+    std::vector<dvec2> profile;
+    std::vector<int> ids;
+    for (int k = 0; k < 12; ++k)
+        for (const auto& [turn, radius] : {std::pair(-0.30, 0.8), {-0.14, 1.0}, {0.14, 1.0}, {0.30, 0.8}}) {
+            const double a = 2 * pi * (k + turn) / 12;
+            profile.push_back({radius * std::cos(a), radius * std::sin(a)});
+            ids.push_back(int(ids.size()));
+        }
+    return extrude(profile, ids, 0.4, step);
+}
+
+/// One of each kind.
+inline std::vector<HardShape> all_shapes() {
+    return {make_nut(1e-3, 0.1), make_gear(1e-2), make_fillets(4, 0.2), make_chamfered_box(0.15),
+            make_column(9, false)};
+}
+
 }  // namespace rakelight::test
