@@ -124,7 +124,20 @@ std::vector<Option> own_options() {
            .words = apps::names_of<normals>},
           {"crease-angle", "Normals", "DEG",
            "Edges of LOW with a larger angle between their faces stay sharp where normals are computed (default 180: "
-           "none). Rays ignore creases"}},
+           "none). Rays ignore creases"},
+          {.name = "crease",
+           .group = "Normals",
+           .type = "HOW",
+           .help =
+               "Sharp edges of LOW: angle (default: by --crease-angle) or auto (edge by edge, as render finds them)",
+           .words = apps::names_of<creasing_words>},
+          {.name = "weight",
+           .group = "Normals",
+           .type = "HOW",
+           .help =
+               "Weight of a triangle in a computed normal of LOW: auto (default), angle, uniform, area, angle-area, "
+               "max, fit, as in render",
+           .words = apps::names_of<corner_weight_words>}},
          {{"make-coordinates", "Texture coordinates", "",
            "Generate texture coordinates even if LOW has some (where it has none, they are always generated)", flag}},
          number_options("Texture coordinates"),
@@ -167,6 +180,8 @@ BakeOptions bake_options(const Given& given) {
         options.normalize_frames = values::on_off("normalize-frames", given.word("normalize-frames"));
     if (given.has("crease-angle"))
         options.crease_angle_rad = radians(values::number("crease-angle", given.word("crease-angle"), 0, 180));
+    if (given.has("crease")) options.creases = values::word("crease", given.word("crease"), creasing_words);
+    if (given.has("weight")) options.weight = values::word("weight", given.word("weight"), corner_weight_words);
     options.make_coordinates = given.has("make-coordinates");
     return options;
 }

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include <rakelight/attributes.h>
 #include <rakelight/context.h>
 #include <rakelight/export.h>
 #include <rakelight/image.h>
@@ -53,8 +54,11 @@ struct BakeOptions {
     /// HIGH's normals. `automatic`: as rendered, so that glTF without normals is flat. `model`: computed over all
     /// objects with a crease angle of 60 degrees.
     NormalSource high_normals = NormalSource::automatic;
-    double crease_angle_rad = pi;   ///< 0..pi: for LOW's computed normals. The normals of the cage have no creases
-    int samples = 4;                ///< samples per texel: 1, 4 or 16, on a regular grid
+    double crease_angle_rad = pi;  ///< 0..pi: for LOW's computed normals. The normals of the cage have no creases
+    /// For LOW's computed normals. `automatic`: creases by the rule, not by crease_angle_rad.
+    Creasing creases = Creasing::angle;
+    CornerWeight weight = CornerWeight::automatic;  ///< for LOW's computed normals
+    int samples = 4;                                ///< samples per texel: 1, 4 or 16, on a regular grid
     int padding = 8;                ///< [px] 0..1024: width by which charts are extended beyond their borders
     bool make_coordinates = false;  ///< replace LOW's texture coordinates; LOW's textures are removed
     int chart_margin = 8;           ///< [px] 1..1024: free space between computed charts

@@ -83,8 +83,7 @@ Scene with_coordinates(Scene low, const BakeOptions& options, BakeReport& report
 Scene prepared_low(Scene low, const BakeOptions& options, Context& context) {
     for (Mesh& mesh : low.meshes) {
         const bool keeps = options.low_normals == NormalSource::automatic && !mesh.normals.empty();
-        mesh.normal_choice = NormalChoice{.source = keeps ? NormalSource::file : NormalSource::model,
-                                          .crease_angle_rad = options.crease_angle_rad};
+        mesh.normal_choice = NormalChoice{.source = keeps ? NormalSource::file : NormalSource::model};
         mesh.tangents = {};
         mesh.subdivision.reset();
     }
@@ -93,7 +92,13 @@ Scene prepared_low(Scene low, const BakeOptions& options, Context& context) {
         p.clearcoat_normal_texture = p.anisotropy_texture = {};
     }
     return prepare_scene(std::move(low),
-                         {.tangents = TangentMode::mikktspace, .all_tangents = true, .tessellate = true}, context);
+                         {.weight = options.weight,
+                          .crease_angle_rad = options.crease_angle_rad,
+                          .creases = options.creases,
+                          .tangents = TangentMode::mikktspace,
+                          .all_tangents = true,
+                          .tessellate = true},
+                         context);
 }
 
 bool gives_light(const Scene& scene) {

@@ -111,6 +111,41 @@ TEST_F(Bake, GreenDownTurnsTheGreenOfPicturesInTangentSpace) {
     for (std::size_t i = 0; i < 3u * 64 * 32; ++i) EXPECT_FLOAT_EQ(b[i], i % 3 == 1 ? 1 - a[i] : a[i]);
 }
 
+/// Two squares of 2 x 1 that meet at the ridge y = 1 over x, without normals.
+Mesh roof() {
+    Mesh mesh;
+    mesh.name = "roof";
+    mesh.positions = std::vector<vec3>{{-1, 0, 1}, {1, 0, 1}, {-1, 1, 0}, {1, 1, 0}, {-1, 0, -1}, {1, 0, -1}};
+    mesh.texcoords.emplace_back(std::vector<vec2>{{0, 1}, {1, 1}, {0, .5f}, {1, .5f}, {0, 0}, {1, 0}});
+    mesh.indices = std::vector<std::uint32_t>{0, 1, 3, 0, 3, 2, 2, 3, 5, 2, 5, 4};
+    return mesh;
+}
+
+TEST_F(Bake, ARoofKeepsItsRidgeByTheRuleOfCreases) {
+    const Scene scene = scene_of(roof());
+    BakeOptions options = options_for({BakeMap::normal}, 16, 16);
+    const auto vertices = [&] { return bake(scene, scene, options).low.meshes[0].positions.size(); };
+    EXPECT_EQ(vertices(), 6u);  // no creases by default
+    options.crease_angle_rad = radians(60);
+    EXPECT_EQ(vertices(), 8u);
+    options.crease_angle_rad = pi, options.creases = Creasing::automatic;
+    EXPECT_EQ(vertices(), 8u);
+    const Mesh low = bake(scene, scene, options).low.meshes[0];
+    for (const vec3& n : low.normals) EXPECT_NEAR(std::abs(n.z), std::sqrt(0.5f), 1e-6f);
+}
+
+TEST_F(Bake, NormalsOfLowTakeTheWeight) {
+    Mesh bent = roof();
+    bent.positions = std::vector<vec3>{{-1, 0, 1}, {1, 0, 1}, {-1, .2f, 0}, {1, .2f, 0}, {-1, 0, -3}, {1, 0, -3}};
+    const Scene scene = scene_of(std::move(bent));
+    BakeOptions options = options_for({BakeMap::normal}, 16, 16);
+    const auto lean = [&](CornerWeight weight) {
+        options.weight = weight;
+        return bake(scene, scene, options).low.meshes[0].normals[2].z;
+    };
+    EXPECT_LT(lean(CornerWeight::area), lean(CornerWeight::uniform) - 0.01f);  // the larger square faces -z
+}
+
 TEST_F(Bake, HeightOverATiltedSquareIsItsFormula) {
     Scene high = scene_of(square_mesh(no_index, 2));
     high.nodes[0].local.matrix =
