@@ -60,9 +60,12 @@ private:
         out_.crowded.assign(count, 0);
         out_.area.assign(count, 0);
         out_.edge_of_corner.assign(3 * count, no_edge);
+        if (std::ranges::any_of(input_.placements.distinct(), [](const Placement& p) { return p.flip < 0; }))
+            out_.is_mirrored.assign(count, 0);
         rounding_deg_.assign(count, 0);
         for_each_face([&](std::uint32_t m, std::uint32_t t) {
             FacePlaces places;
+            if (!out_.is_mirrored.empty()) out_.is_mirrored[t] = input_.placements[m].flip < 0;
             out_.is_face[t] = normals_[t] != dvec3{} && face_places(placed_, m, t, places);
             if (!out_.is_face[t]) return;
             const FacePoints f = face_points(input_, t);
@@ -151,7 +154,10 @@ private:
             const std::uint32_t other = out_.edges[e].face(out_.edges[e].face(0) == face), anchor = anchor_[other];
             if (anchor == no_face) continue;
             const dvec3 n = normals_[anchor];
-            if (std::fabs(dot(n, points.p[(k + 2) % 3] - points.p[k])) > reach) continue;
+            const dvec3 third = points.p[(k + 2) % 3];
+            if (std::max(std::fabs(dot(n, third - points.p[k])), std::fabs(dot(n, third - points.p[(k + 1) % 3]))) >
+                reach)
+                continue;
             const double cosine = dot(n, normals_[face]);
             if (turned < any_turn_deg && degrees_of(length(cross(n, normals_[face])), cosine) > turned) continue;
             if (cosine > best_cosine) best = anchor, best_cosine = cosine;

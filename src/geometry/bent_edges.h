@@ -32,7 +32,12 @@ struct BentEdges {
     std::vector<std::uint32_t> plane_of;        ///< [T] smallest face of its plane
     std::vector<std::uint32_t> surface_of;      ///< [T] smallest face of the surface: all that edges connect
     std::vector<float> area;                    ///< [T] [m^2]
+    std::vector<std::uint8_t> is_mirrored;  ///< [T] its placement turns the order of its corners around; empty: none
 
+    /// Whether its faces have their corners in opposite orders.
+    bool is_turned(const BentEdge& e) const {
+        return !is_mirrored.empty() && is_mirrored[e.face(0)] != is_mirrored[e.face(1)];
+    }
     std::uint32_t plane(const BentEdge& e, int side) const { return plane_of[e.face(side)]; }
 };
 

@@ -167,7 +167,7 @@ private:
         if (diagonal == no_edge || size(diagonal) >= limits_.low) return no_edge;
         const BentEdge& d = bent_.edges[diagonal];
         const std::uint32_t beyond = d.corner[d.corner[0] == through ? 1 : 0];
-        return bent_.edge_of_corner[is_after ? corner_before(beyond) : corner_after(beyond)];
+        return bent_.edge_of_corner[is_after != bent_.is_turned(d) ? corner_before(beyond) : corner_after(beyond)];
     }
 
     CreaseDecision decide_planes(std::uint32_t e) const {

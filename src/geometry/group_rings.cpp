@@ -24,7 +24,7 @@ GroupFace face_of(const AttributeMesh& mesh, const Placement& placement, const s
     const double longest = std::max({dot(face.e1, face.e1), dot(face.e2, face.e2), dot(third, third)});
     const double height = std::sqrt(dot(across, across) / longest);
     return {cast<float>(normal.unit), float(0.5 * normal.length),
-            height > 0 ? float(std::min(0x1p-23 * double(reach) / height, most_slack_rad)) : 0};
+            height > 0 ? float(std::min(0x1p-23 * double(reach) / height, most_slack_rad)) : 0, placement.flip < 0};
 }
 
 /// Fills faces and group_of_corner.

@@ -12,9 +12,10 @@ namespace rakelight::geometry {
 
 /// What places ask of a triangle.
 struct GroupFace {
-    vec3 normal;          ///< unit, world; zero: no face
-    float area = 0;       ///< [m^2]
-    float slack_rad = 0;  ///< by how much the rounding of positions may turn the normal
+    vec3 normal;               ///< unit, world; zero: no face
+    float area = 0;            ///< [m^2]
+    float slack_rad = 0;       ///< by how much the rounding of positions may turn the normal
+    bool is_mirrored = false;  ///< its placement turns the order of its corners around
 };
 
 /// Groups have the numbers of their representatives, as in Topology::group. Faces without area are left out.
@@ -35,12 +36,12 @@ struct GroupRings {
     }
     bool is_face(std::uint32_t triangle) const { return faces[triangle].normal != vec3{}; }
     dvec3 normal(std::uint32_t triangle) const { return cast<double>(faces[triangle].normal); }
-    /// The other two groups of a corner's face, in its order.
+    /// The other two groups of a corner's face, counter-clockwise as seen from outside.
     std::uint32_t next(std::uint32_t corner) const {
-        return group_of_corner[corner % 3 == 2 ? corner - 2 : corner + 1];
+        return group_of_corner[faces[corner / 3].is_mirrored ? corner_before(corner) : corner_after(corner)];
     }
     std::uint32_t previous(std::uint32_t corner) const {
-        return group_of_corner[corner % 3 == 0 ? corner + 2 : corner - 1];
+        return group_of_corner[faces[corner / 3].is_mirrored ? corner_after(corner) : corner_before(corner)];
     }
 };
 

@@ -30,6 +30,7 @@ std::uint32_t edge_beside(const BentEdges& bent, std::uint32_t corner, bool at_e
         const int beyond = edge.corner[0] == other ? 1 : 0;
         if (bent.plane(edge, beyond) != plane) return e;
         corner = edge.corner[beyond];
+        at_end ^= bent.is_turned(edge);
     }
     return no_edge;
 }
