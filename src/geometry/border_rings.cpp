@@ -8,6 +8,8 @@
 #include "geometry/authored_normals.h"
 #include "geometry/corner_bins.h"
 #include "geometry/face_vote.h"
+#include "geometry/fit_trust.h"
+#include "geometry/two_rings.h"
 
 namespace rakelight::geometry {
 namespace {
@@ -19,8 +21,6 @@ constexpr std::uint32_t none = 0xffffffffu;
 constexpr double reach = 2.6, link_cost = 0.5;
 constexpr double least_distance = 0.1;  // nearer neighbors say more of rounding than of the surface
 constexpr double spacing = 0.3;         // of two neighbors, as a share of their distance from the node
-/// Cosine of 78 degrees: normals that turn away by more are of another side of a thin part.
-constexpr double least_cosine = 0.2;
 constexpr std::size_t most_visited = 2048;
 
 /// The surface around a node as its coarsest mesh has it.
@@ -189,9 +189,11 @@ private:
     void step_from(const Step& step, const Scale& scale, Walk& walk) const {
         const dvec3 position = placed_.position(step.vertex), normal = normal_of(step.vertex);
         const double square = scale.square(position - scale.at);
-        if (!(square < 1e100) || !(dot(normal, scale.n) > least_cosine)) return;
+        if (!(square < 1e100) || !(dot(normal, scale.n) > least_cosine_around)) return;
         walk.found.push_back({std::sqrt(std::max(square, 0.0)), position, step.vertex});
-        for (const std::uint32_t corner : corners_[placed_.place[step.vertex]]) {
+        const std::span<const std::uint32_t> corners = corners_[placed_.place[step.vertex]];
+        const bool is_widened = step.cost == 0 || corners.size() <= most_to_widen;
+        for (const std::uint32_t corner : is_widened ? corners : std::span<const std::uint32_t>{}) {
             const std::uint32_t m = placed_.input.mesh_of_triangle(corner / 3), own = vertex_at(m, corner, 0);
             if (own != step.vertex && !are_one_normal(normal_of(own), normal)) continue;
             const auto [e1, e2] = edges_at(m, corner);
