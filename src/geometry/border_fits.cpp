@@ -157,13 +157,11 @@ private:
     /// The rules of CornerWeight::automatic. @param by_max  unit
     static dvec3 decided(const Fitted& f, dvec3 by_max, dvec3 by_angle) {
         if (f.faces == dvec3{}) return by_max;
-        // Where two planes meet, fits must explain more.
         const double planarity = 1 - step_between(f.side_rad, 0.05 * f.spread_rad, 0.3 * f.spread_rad + 1e-9);
-        const double strict = most_unexplained * (1 - 0.9 * planarity);
+        const double strict = most_unexplained * strictness(planarity);
         const double noise = noise_of(f.cubic, f.neighbors, HeightForm::cubic),
                      of_quadric = noise_of(f.quadric, f.neighbors, HeightForm::quadric);
-        // What a cubic explains better than a quadric is shape: noise it explains no better.
-        const double shape = (1 - planarity) * (1 - step_between(noise / std::max(of_quadric, 1e-12), 0.5, 0.85));
+        const double shape = share_of_shape(planarity, noise, of_quadric);
         const double wide = (1 - planarity) * trust_in_wide(f),
                      quadric = steadiness(f, of_quadric / (1 + 2 * shape)) *
                                trust_in(f.quadric, f.neighbors, HeightForm::quadric, f.around_quadric, strict),
@@ -189,9 +187,9 @@ private:
 
     /// 0 to 1: where faces spread little and neither side is much finer, a smooth surface with noise is likely.
     static double trust_in_wide(const Fitted& f) {
-        if (f.neighbors < 8) return 0;
+        if (f.neighbors < least_around) return 0;
         return (1 - step_between(f.spread_rad, radians(6), radians(10))) * (1 - step_between(f.followers, 2, 4)) *
-               step_between(f.wide.rank, 1e-5, 1e-4);
+               trust_of_certainty(f.wide.certainty);
     }
 
     const AttributeInput& input_;

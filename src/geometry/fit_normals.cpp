@@ -17,7 +17,7 @@ namespace {
 /// What the fits of a place say, for itself.
 struct Fits {
     vec3 cubic, quadric;  ///< unit normals
-    float cubic_rank = 0, quadric_rank = 0;
+    float cubic_certainty = 0, quadric_certainty = 0;
     std::uint32_t neighbors = 0;
     bool border = false;
     std::uint64_t NormalChoices::*choice = &NormalChoices::fit;
@@ -28,9 +28,6 @@ struct Qualities {
     vec3 by_area;  ///< as PlaceFaces
     float least_cosine = 1;
 };
-
-/// Neighbors whose normals turn away by more are of another side of a thin part: cosine of 78 degrees.
-constexpr double least_cosine = 0.2;
 
 class NormalFits {
 public:
@@ -120,7 +117,7 @@ private:
         const double scale = std::sqrt(double(ring) / squares);  // one over the root of the mean square of the edges
         if (!(scale > 0 && std::isfinite(scale))) return;
         for (std::size_t i = 1; i < groups.size(); ++i) {
-            if (dot(by_max(groups[i]), n) > least_cosine)
+            if (dot(by_max(groups[i]), n) > least_cosine_around)
                 memory.batch.add_neighbor((rings_.places[groups[i]] - at) * scale);
         }
     }
@@ -146,8 +143,8 @@ private:
             Fits& fits = fits_[first + place];
             fits = {cast<float>(cubic.normal),
                     cast<float>(quadric.normal),
-                    float(cubic.rank),
-                    float(quadric.rank),
+                    float(cubic.certainty),
+                    float(quadric.certainty),
                     fits.neighbors,
                     fits.border,
                     fits.choice};
@@ -162,8 +159,8 @@ private:
     dvec3 fitted(std::size_t i) const {
         const Fits& f = fits_[i];
         const std::uint32_t g = fitted_[i];
-        const bool is_cubic = !f.border && f.neighbors >= 11 && double(f.cubic_rank) > least_rank(false);
-        const bool is_quadric = f.neighbors >= 7 && double(f.quadric_rank) > least_rank(true);
+        const bool is_cubic = !f.border && f.neighbors >= 11 && double(f.cubic_certainty) > least_certainty;
+        const bool is_quadric = f.neighbors >= 7 && double(f.quadric_certainty) > least_certainty;
         return is_cubic ? cast<double>(f.cubic) : is_quadric ? cast<double>(f.quadric) : by_max(g);
     }
 
@@ -184,7 +181,7 @@ private:
             for (std::uint32_t place = 0; place < memory.batch.size(); ++place) {
                 const HeightFit fit = memory.batch.wide(place);
                 decisions[wide[place]].wide_normal = fit.normal;
-                decisions[wide[place]].wide *= step_between(fit.rank, 1e-5, 1e-4);
+                decisions[wide[place]].wide *= trust_of_certainty(fit.certainty);
             }
             memory.batch.clear(), wide.clear();
         };
@@ -208,29 +205,64 @@ private:
         const std::uint32_t g = fitted_[i];
         Decision d{.planes = planes_at(rings_, found_.planes, g, memory)};
         d.planarity = step_between(d.planes.planar_share, 0.4, 0.6);
-        const double strict = 1 - 0.9 * d.planarity;  // where planes rule, the fit must explain more
+        const double strict = strictness(d.planarity);
         Qualities around;
         for (const std::uint32_t u : rings_.ring(g))
-            if (number_[u] != none)
-                around.cubic += qualities_[number_[u]].cubic, around.quadric += qualities_[number_[u]].quadric;
+            if (number_[u] != none) add(around, number_[u]);
         const Qualities& own = qualities_[i];
         const Fits& fits = fits_[i];
         const std::size_t ring = rings_.ring_size[g];
-        d.quadric = trust(own.quadric.unexplained(around.quadric), strict, double(fits.quadric_rank), fits.neighbors,
-                          HeightForm::quadric);
+        d.quadric = trust(own.quadric.unexplained(around.quadric), strict, double(fits.quadric_certainty),
+                          fits.neighbors, HeightForm::quadric);
+        if (d.planarity > 0 && d.quadric > 0 && is_strip(i)) d.quadric *= 1 - d.planarity;
         d.noise = own.quadric.noise_with(around.quadric, ring);
         double shape = 0;
         if (!fits.border) {
             const double of_quadric = d.noise;
             d.noise = own.cubic.noise_with(around.cubic, ring);
-            // What a cubic explains better than a quadric is shape: noise it explains no better.
-            shape = (1 - d.planarity) * (1 - step_between(d.noise / std::max(of_quadric, 1e-12), 0.5, 0.85));
-            d.cubic = trust(own.cubic.unexplained(around.cubic), strict * (1 + 2 * shape), double(fits.cubic_rank),
+            shape = share_of_shape(d.planarity, d.noise, of_quadric);
+            d.cubic = trust(own.cubic.unexplained(around.cubic), strict * (1 + 2 * shape), double(fits.cubic_certainty),
                             fits.neighbors, HeightForm::cubic);
         }
-        if (fits.neighbors >= 8 && d.cubic < 1 && d.quadric < 1)
+        if (d.planarity > 0 && !fits.border) {
+            const double fitted = 1 - d.planarity * agreement(i);
+            d.cubic *= fitted, d.quadric *= fitted;
+        }
+        if (fits.neighbors >= least_around && d.cubic < 1 && d.quadric < 1)
             d.wide = step_between(d.noise, 0.01, 0.03) * (1 - d.planarity) * (1 - shape);
         return d;
+    }
+
+    /// Whether the surface around a border is one row of faces: it ends at all neighbors, too. Where both ends of a row are
+    /// circles, they lie on a cone and on a sphere: a fit cannot tell which, planar faces can.
+    bool is_strip(std::size_t i) const {
+        return fits_[i].border && std::ranges::all_of(rings_.ring(fitted_[i]), [&](std::uint32_t u) {
+                   return is_border(rings_, u, place_faces(rings_, u).faces);
+               });
+    }
+
+    /// 0 to 1: of the weights `max` and `angle`, in parts of the faces' spread. Where planar faces meet alike on both sides,
+    /// as around a cone, both are exact, and a fit is not.
+    double agreement(std::size_t i) const {
+        const std::uint32_t g = fitted_[i];
+        const double c = double(qualities_[i].least_cosine),
+                     spread = corner_angle(std::sqrt(std::max(1 - c * c, 0.0)), c);
+        const double off = angle_rad(normal_by_angle(rings_, g, by_area(i)), by_max(g));
+        return 1 - step_between(off / std::max(spread, 1e-6), 0.001, 0.004);
+    }
+
+    /// 0 to 1: of a place whose faces spread so much. It begins where places are fitted.
+    static double share_of_fit(const Qualities& q) {
+        constexpr double mild = 1 - mild_cosine;
+        return step_between(1 - double(q.least_cosine), mild, 2 * mild);
+    }
+    /// Of a neighbor, as far as its fits are determined.
+    void add(Qualities& around, std::uint32_t neighbor) const {
+        const Qualities& q = qualities_[neighbor];
+        const Fits& fits = fits_[neighbor];
+        const double share = share_of_fit(q);
+        around.cubic += q.cubic.times(float(share * trust_of_certainty(double(fits.cubic_certainty))));
+        around.quadric += q.quadric.times(float(share * trust_of_certainty(double(fits.quadric_certainty))));
     }
 
     dvec3 by_area(std::size_t i) const { return cast<double>(qualities_[i].by_area); }
@@ -249,6 +281,7 @@ private:
             n = blend(n, cast<double>(fits_[i].cubic), d.cubic);
         }
         n = bounded(n, i);
+        if (!fits_[i].border) n = blend(by_max(fitted_[i]), n, share_of_fit(qualities_[i]));
         const double plane = share_of_plane(d);
         return plane > 0 ? blend(n, d.planes.normal, plane) : n;
     }

@@ -35,6 +35,7 @@ struct FitQuality {
         return {float(residual), float(std::min(std::max(fit.bent / fit.weight, 1e-9), 1e9)),
                 float(residual * n / std::max(n - terms_of(form), 1.0))};
     }
+    FitQuality times(float share) const { return {residual * share, bent * share, noise * share}; }
     void operator+=(const FitQuality& o) { residual += o.residual, bent += o.bent, noise += o.noise; }
 
     /// The share of the heights that stays unexplained. @param around  where the neighbors' fits fail, this one may be
@@ -50,22 +51,34 @@ struct FitQuality {
     }
 };
 
-/// HeightFit::rank below which a fit is not trusted. A quadric is taken at open borders, where all neighbors may lie on one
-/// side: of one row there, they tell its slope across the border badly, and have ranks of about 4e-4.
-constexpr double least_rank(bool is_quadric) { return is_quadric ? 2e-3 : 1e-5; }
+/// Factor on what a fit may leave unexplained: where planes rule, it must explain more.
+inline double strictness(double planarity) { return 1 - 0.9 * planarity; }
+/// 0 to 1: what a cubic explains better than a quadric is shape: noise it explains no better.
+inline double share_of_shape(double planarity, double of_cubic, double of_quadric) {
+    return (1 - planarity) * (1 - step_between(of_cubic / std::max(of_quadric, 1e-12), 0.5, 0.85));
+}
+/// Neighbors whose normals turn away by more are of another side of a thin part: cosine of 78 degrees.
+constexpr double least_cosine_around = 0.2;
+/// Of a wide fit.
+constexpr std::uint32_t least_around = 8;
+
+/// Trust in how well the neighbors determine a slope. @param certainty  HeightFit::certainty: of rows between two borders, or of one
+/// row at a border, up to 0.02
+constexpr double least_certainty = 0.01;
+inline double trust_of_certainty(double certainty) {
+    return step_between(certainty, least_certainty, 4 * least_certainty);
+}
 
 /// 0 to 1.
 /// @param allowed  factor on the share of the heights that the fit may leave unexplained
-inline double trust(double unexplained, double allowed, double rank, std::size_t neighbors, HeightForm form) {
+inline double trust(double unexplained, double allowed, double certainty, std::size_t neighbors, HeightForm form) {
     if (neighbors < std::size_t(terms_of(form)) + 2) return 0;
-    const bool is_quadric = form == HeightForm::quadric;
-    return (1 - step_between(unexplained / allowed, 0.01, 0.05)) *
-           step_between(rank, least_rank(is_quadric), (is_quadric ? 5 : 10) * least_rank(is_quadric));
+    return (1 - step_between(unexplained / allowed, 0.01, 0.05)) * trust_of_certainty(certainty);
 }
 inline double trust_in(const HeightFit& fit, std::size_t neighbors, HeightForm form, const FitQuality& around,
                        double allowed) {
     const double unexplained = FitQuality::of(fit, neighbors, form).unexplained(around);
-    return trust(unexplained, allowed, fit.rank, neighbors, form);
+    return trust(unexplained, allowed, fit.certainty, neighbors, form);
 }
 
 /// Not farther from a mean of faces than `most_rad`.

@@ -83,12 +83,14 @@ private:
         if (corners.empty()) return false;
         const dvec3 n = by_max(g);
         double least = 1;
+        std::uint32_t faces = 0;
         Tally ahead, behind;  // equal where faces go around
         for (const std::uint32_t corner : corners) {
             if (!out_.rings.is_face(corner / 3)) continue;
-            least = std::min(least, dot(out_.rings.normal(corner / 3), n));
+            least = std::min(least, dot(out_.rings.normal(corner / 3), n)), ++faces;
             ahead.add(out_.rings.next(corner)), behind.add(out_.rings.previous(corner));
         }
+        if (faces == 1) return true;  // at the tip of a border
         return !from_.is_automatic || !(least > (ahead == behind ? mild_cosine : flat_cosine));
     }
     /// Ascending.

@@ -42,7 +42,7 @@ HeightFit HeightBatch::fit_at(const HeightNumbers& numbers, std::uint32_t place)
             numbers.residual[place],
             result_.weight[place],
             numbers.bent[place],
-            numbers.rank[place]};
+            numbers.certainty[place]};
 }
 
 HeightFit fit_height(std::span<const dvec3> neighbors, dvec3 normal, HeightForm form) {

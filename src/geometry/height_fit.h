@@ -27,9 +27,9 @@ struct HeightFit {
     double residual = 0;  ///< sum of weight times the square of what is unexplained
     double weight = 0;    ///< sum of weights
     double bent = 0;      ///< sum of weight times the square of the heights above the tangent plane
-    /// Of the matrix of the normal equations, its diagonal scaled to 1: a lower bound of its smallest eigenvalue, at
-    /// least about a ninth of it. 0: the neighbors do not determine the coefficients.
-    double rank = 0;
+    /// 0 to 1: how well the neighbors determine the slope: the variance that it would have if heights above a plane were
+    /// fitted, by the one that it has. Independent of the axes. 0: they do not.
+    double certainty = 0;
 };
 
 /// Places that are fitted together.

@@ -18,7 +18,7 @@ struct HeightJob {
 /// A lane of each array is one place. See HeightFit.
 struct HeightNumbers {
     double normal[3][height_lanes];
-    double residual[height_lanes], bent[height_lanes], rank[height_lanes];
+    double residual[height_lanes], bent[height_lanes], certainty[height_lanes];
 };
 struct HeightResult {
     HeightNumbers cubic, quadric;

@@ -26,6 +26,7 @@ public:
         coarse();
         bevels();
         round_parts();
+        tapers();
         thin();
         noise();
         borders();
@@ -272,6 +273,18 @@ private:
         }
         add("cone, wall", s, [](std::uint32_t v) { return v >= 1 && v < 97; });
         add("cone, tip", s, [](std::uint32_t v) { return v == 0; });
+    }
+    /// Walls that taper, mostly between two hard edges.
+    void tapers() {
+        const auto circle = [](std::uint32_t sides) { return elliptic_outline(sides, 1); };
+        add("frustum, 10 sides, 1 row", tapered(circle(10), 0.6, 1, 1));
+        add("frustum, 16 sides, 1 row", tapered(circle(16), 0.3, 1, 1));
+        add("frustum, 12 sides, 3 rows", tapered(circle(12), 0.6, 1, 3));
+        add("chamfer of a rod of 12 sides", tapered(circle(12), 0.9, 0.1, 1));
+        add("elliptic cup, 16 sides, 2 rows", tapered(elliptic_outline(16, 0.6), 0.8, 1, 2));
+        add("elliptic cup, 32 sides, 4 rows", tapered(elliptic_outline(32, 0.6), 0.8, 1, 4));
+        add("rounded box with draft, 1 row", tapered(rounded_square(4), 0.8, 1, 1));
+        add("rounded box with draft, 4 rows", tapered(rounded_square(8), 0.8, 1, 4));
     }
     void stairs() {
         std::vector<KnownPoint> profile;

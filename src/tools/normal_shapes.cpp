@@ -225,6 +225,45 @@ KnownSurface extruded(const std::vector<KnownPoint>& profile, std::uint32_t rows
     return s;
 }
 
+KnownSurface tapered(const std::vector<KnownPoint>& outline, double top, double height, std::uint32_t rows) {
+    KnownSurface s;
+    const auto sides = std::uint32_t(outline.size());
+    for (std::uint32_t k = 0; k <= rows; ++k)
+        for (const KnownPoint& p : outline) {
+            const double t = double(k) / rows;
+            const dvec3 n = p.normal;  // perpendicular to the outline and to the line up to the apex
+            s.positions.push_back(p.position * (1 - (1 - top) * t) + dvec3{0, 0, height * t});
+            s.normals.push_back(normalize_or(dvec3{n.x * height, n.y * height, (1 - top) * dot(n, p.position)}, n));
+        }
+    for (std::uint32_t k = 0; k < rows; ++k)
+        for (std::uint32_t i = 0; i < sides; ++i) {
+            const std::uint32_t a = k * sides + i, b = k * sides + (i + 1) % sides;
+            s.triangles.push_back({a, b, b + sides}), s.triangles.push_back({a, b + sides, a + sides});
+        }
+    return s;
+}
+
+std::vector<KnownPoint> elliptic_outline(std::uint32_t sides, double half_axis) {
+    std::vector<KnownPoint> outline;
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const double x = math::cos(2 * pi * i / sides), y = math::sin(2 * pi * i / sides);
+        outline.push_back({{x, half_axis * y, 0}, normalize_or(dvec3{x, y / half_axis, 0}, dvec3{})});
+    }
+    return outline;
+}
+
+std::vector<KnownPoint> rounded_square(std::uint32_t segments) {
+    std::vector<KnownPoint> outline;
+    for (int corner = 0; corner < 4; ++corner)
+        for (std::uint32_t i = 0; i <= segments; ++i) {
+            const double middle = pi * (0.25 + 0.5 * corner), turn = pi * (0.5 * corner + 0.5 * i / segments);
+            const dvec3 n{math::cos(turn), math::sin(turn), 0};
+            const double inside = 0.6 * std::sqrt(2.0);
+            outline.push_back({dvec3{math::cos(middle), math::sin(middle), 0} * inside + n * 0.4, n});
+        }
+    return outline;
+}
+
 KnownSurface half_of(const KnownSurface& whole) {
     KnownSurface s;
     std::vector<std::uint32_t> number(whole.positions.size(), 0xffffffffu);

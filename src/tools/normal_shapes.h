@@ -57,6 +57,13 @@ KnownSurface stretched(KnownSurface sphere, dvec3 half_axes);
 KnownSurface height_field(std::uint32_t columns, const PointAt& at, double jitter, Random& random);
 /// A profile in x and z with its normals, drawn along y.
 KnownSurface extruded(const std::vector<KnownPoint>& profile, std::uint32_t rows, double length);
+/// An open wall over a closed outline, `rows` rows of squares high, each cut by one diagonal.
+/// @param outline  in x and y, counterclockwise, with normals
+/// @param top      the scale of the outline at the top
+KnownSurface tapered(const std::vector<KnownPoint>& outline, double top, double height, std::uint32_t rows);
+std::vector<KnownPoint> elliptic_outline(std::uint32_t sides, double half_axis);
+/// A square of half side 1 with corners of radius 0.4.
+std::vector<KnownPoint> rounded_square(std::uint32_t segments);
 /// The triangles whose centers have a positive x, and their vertices.
 KnownSurface half_of(const KnownSurface& surface);
 /// Moves each point by Gaussian noise. @param share  deviation on each axis, in mean edges

@@ -131,7 +131,7 @@ RL_INLINE void fill(Equations<9>& e, const QuadricSums& s, const CubicSums& c) {
     }
 }
 
-constexpr double little_slope = 1e-7, little = 1e-4;  ///< added to the diagonal, which is scaled to 1
+constexpr double little_slope = 1e-7, little = 1e-9;  ///< added to the diagonal, which is scaled to 1
 
 /// Equations with their diagonal scaled to 1, a little added, and factored after Cholesky.
 template <uint32_t K>
@@ -169,20 +169,25 @@ RL_INLINE void solve(const Factored<K>& f, uint32_t used, numbers (&x)[K]) {
     }
 }
 
-/// Traces of the inverse of the first five equations' matrix and of all.
+/// The variance of the slope, as the trace of its block in the inverse of the first five equations' matrix and of all.
 template <uint32_t K>
-RL_INLINE void traces(const Factored<K>& f, numbers& of_five, numbers& of_all) {
+RL_INLINE void variances(const Factored<K>& f, numbers& of_five, numbers& of_all) {
     of_five = of_all = all(0);
-    for (uint32_t c = 0; c < K; ++c) {  // a column of the factor's inverse
-        numbers x[K];
+    for (uint32_t c = 0; c < 2; ++c) {  // a column of the factor's inverse
+        numbers x[K], squares = all(0);
         for (uint32_t i = c; i < K; ++i) {
             numbers s = all(i == c ? 1.0 : 0.0);
             for (uint32_t k = c; k < i; ++k) s -= f.l[i][k] * x[k];
             x[i] = s * f.l[i][i];
-            of_all += x[i] * x[i];
-            if (i < 5) of_five += x[i] * x[i];
+            squares += x[i] * x[i];
+            if (i == 4) of_five += squares * f.scale[c] * f.scale[c];
         }
+        of_all += squares * f.scale[c] * f.scale[c];
     }
+}
+/// The same if a plane were fitted.
+RL_INLINE numbers variance_of_plane(const QuadricSums& s) {
+    return (s.xx + s.yy) / larger(s.xx * s.yy - s.xy * s.xy, all(1e-12) * (s.xx * s.yy + all(1e-280)));
 }
 
 RL_INLINE Three turned(const Axes& axes, numbers along_t, numbers along_b) {
@@ -195,10 +200,10 @@ RL_INLINE void store(double (&to)[3][height_lanes], uint32_t lane, const Three& 
     store(to[0] + lane, v.x), store(to[1] + lane, v.y), store(to[2] + lane, v.z);
 }
 
-/// @param used   5: the quadric, K: all
-/// @param trace  of the inverse of their matrix
+/// @param used      5: the quadric, K: all
+/// @param variance  of the slope, by them
 template <uint32_t K>
-RL_INLINE void conclude(const Factored<K>& f, uint32_t used, numbers trace, const Axes& axes, const QuadricSums& s,
+RL_INLINE void conclude(const Factored<K>& f, uint32_t used, numbers variance, const Axes& axes, const QuadricSums& s,
                         uint32_t lane, HeightNumbers& out) {
     numbers x[K], left = s.heights, most = all(0);
     solve(f, used, x);
@@ -211,8 +216,7 @@ RL_INLINE void conclude(const Factored<K>& f, uint32_t used, numbers trace, cons
         s.heights - all(2) * (a * s.xz + b * s.yz) + a * a * s.xx + all(2) * a * b * s.xy + b * b * s.yy;
     store(out.residual + lane, larger(left, all(0)));
     store(out.bent + lane, larger(bent, all(0)));
-    const numbers rank = larger(all(1) / trace - all(little), all(0));
-    store(out.rank + lane, most > all(0.01) ? all(0) : rank);
+    store(out.certainty + lane, most > all(0.01) ? all(0) : variance_of_plane(s) / variance);
     store(out.normal, lane, turned(axes, a, b));
 }
 
@@ -231,7 +235,7 @@ static void fit(const HeightJob& job, HeightResult& out) {
         Factored<9> f;
         factor(e, quadric.weight, f);
         numbers five, nine;
-        traces(f, five, nine);
+        variances(f, five, nine);
         store(out.weight + lane, quadric.weight);
         conclude(f, 5, five, axes, quadric, lane, out.quadric);
         conclude(f, 9, nine, axes, quadric, lane, out.cubic);
@@ -279,7 +283,7 @@ static void wide(const HeightJob& job, HeightNumbers& out, double (&weight)[heig
                 continue;
             }
             numbers five, six;
-            traces(f, five, six);
+            variances(f, five, six);
             conclude(f, 6, six, axes, s, lane, out);
             store(weight + lane, s.weight);
         }

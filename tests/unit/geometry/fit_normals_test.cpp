@@ -63,7 +63,7 @@ TEST(HeightFit, ASphereIsExactFromAGuessThatIsNot) {
         const geometry::HeightFit fit = fit_height(neighbors, normalize_or(dvec3{0.1, -0.05, 1}, {}), form);
         EXPECT_LT(degrees(angle_between(fit.normal, dvec3{0, 0, 1})), 0.01);
         EXPECT_LT(fit.residual, 1e-6 * fit.bent);
-        EXPECT_GT(fit.rank, 1e-3);
+        EXPECT_GT(fit.certainty, 1e-3);
     }
 }
 
@@ -71,7 +71,7 @@ TEST(HeightFit, NeighborsThatDetermineNothingAreSaid) {
     const std::vector<dvec3> line = {{-2, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {2, 0, 0}};
     for (const auto form : {geometry::HeightForm::quadric, geometry::HeightForm::cubic}) {
         const geometry::HeightFit fit = fit_height(line, {0, 0, 1}, form);
-        EXPECT_LT(fit.rank, 1e-8);
+        EXPECT_LT(fit.certainty, 1e-8);
         EXPECT_TRUE(std::isfinite(fit.normal.x) && std::isfinite(fit.normal.y) && std::isfinite(fit.normal.z));
         EXPECT_EQ(fit_height({}, {0, 1, 0}, form).normal, (dvec3{0, 1, 0}));
     }

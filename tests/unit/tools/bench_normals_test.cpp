@@ -27,15 +27,37 @@ NormalBenchRow::Errors errors_of(const NormalBenchRow& row, CornerWeight weight)
 }
 
 TEST(NormalBench, TheAutomaticChoiceIsNowhereWorseThanTheAngle) {
-    ASSERT_GE(report().rows.size(), 45u);
+    // Its faces are planar, and a circle through three vertices is not an ellipse. docs/attributes.md says so.
+    const auto is_elliptic_cup = [](const NormalBenchRow& row) { return row.surface.starts_with("elliptic cup"); };
+    ASSERT_GE(report().rows.size(), 55u);
     for (const NormalBenchRow& row : report().rows) {
-        const double is = errors_of(row, CornerWeight::automatic).mean_deg,
-                     by_angle = errors_of(row, CornerWeight::angle).mean_deg;
+        const NormalBenchRow::Errors is = errors_of(row, CornerWeight::automatic),
+                                     by_angle = errors_of(row, CornerWeight::angle);
         EXPECT_GT(row.vertices, 0u) << row.surface;
-        EXPECT_LE(is, by_angle + 0.1) << row.surface;
-        if (row.kind != "smooth") continue;
-        EXPECT_LE(is, std::max(by_angle / 3, 0.1)) << row.surface;
+        if (is_elliptic_cup(row)) {
+            EXPECT_LE(is.mean_deg, 1.5) << row.surface;
+            continue;
+        }
+        EXPECT_LE(is.mean_deg, by_angle.mean_deg + 0.1) << row.surface;
+        EXPECT_LE(is.largest_deg, 1.2 * by_angle.largest_deg + 0.15) << row.surface;
+        if (row.kind == "smooth") {
+            EXPECT_LE(is.mean_deg, std::max(by_angle.mean_deg / 3, 0.1)) << row.surface;
+        }
+        const bool turns_much = row.surface == "terrain, coarse, border";
+        if (row.kind == "border" && !turns_much) {
+            EXPECT_LE(is.mean_deg, std::max(by_angle.mean_deg / 4, 0.1)) << row.surface;
+        }
     }
+}
+
+TEST(NormalBench, WallsThatTaperAreConesNotSpheres) {
+    int walls = 0;
+    for (const NormalBenchRow& row : report().rows)
+        if (row.surface.starts_with("frustum") || row.surface.starts_with("chamfer of")) {
+            EXPECT_LT(errors_of(row, CornerWeight::automatic).largest_deg, 0.01) << row.surface;
+            ++walls;
+        }
+    EXPECT_EQ(walls, 4);
 }
 
 TEST(NormalBench, TheWeightOfMaxIsExactOnSpheres) {
