@@ -69,8 +69,9 @@ struct MeshSeams {
 ///    angle. With Creasing::automatic, it is soft by the rule of find_creases(), or if its normals at the position were
 ///    authored so: those of both sides differ by at most `authored_flat_deg`. Two kinds of soft edges are hard
 ///    nevertheless, because their normals were authored so:
-///    - Both faces are authored flat, but not coplanar. A face is authored flat if its corners have the face normal,
-///      within `authored_flat_deg`.
+///    - Both faces are authored flat, but not coplanar, or their corner normals differ by over 3 degrees. A face is
+///      authored flat if its corners have the face normal, within `authored_flat_deg`, or all one normal
+///      (`authored_equality`) up to 45 degrees off, as those of a bent polygon.
 ///    - Both fans end in an authored crease: neither bends across the edges that they share. The *lean* of a fan is the
 ///      largest angle between a face of the fan and the normals of the face's corners, in the plane perpendicular to
 ///      that one of these edges that gives the smaller angle. Both leans are at most `authored_crease_share` of the

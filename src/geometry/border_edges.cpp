@@ -27,10 +27,9 @@ bool edge_at(const PlacedMeshes& placed, std::uint32_t corner, BorderEdge& edge)
     edge.inward = cross(edge.face, edge.along);
     edge.normal_a = given_normal(placement, mesh.normals[from]);
     edge.normal_b = given_normal(placement, mesh.normals[to]);
-    edge.is_flat = true;
-    for (int i = 0; i < 3; ++i)
-        edge.is_flat =
-            edge.is_flat && dot(given_normal(placement, mesh.normals[index[i]]), edge.face) >= cosine_of_flat;
+    dvec3 corners[3];
+    for (int i = 0; i < 3; ++i) corners[i] = given_normal(placement, mesh.normals[index[i]]);
+    edge.is_flat = are_authored_flat(corners, edge.face);
     return edge.length > 0 && edge.face != dvec3{} && edge.normal_a != dvec3{} && edge.normal_b != dvec3{};
 }
 

@@ -21,15 +21,15 @@ constexpr std::size_t few_normals = 64, few_faces = 16, few_corners = 64;
 
 auto key(dvec3 n) { return std::tuple(n.x, n.y, n.z); }
 
-/// Whether the face's own normal stands at its corners, but for those that may turn.
+/// By the corners of its face, but for those that may turn.
 bool is_authored_flat(const SeamCorner& c) {
-    const auto is_flat = [&](dvec3 normal) {
-        return normal != dvec3{} && angle_between(normal, c.face) <= radians(authored_flat_deg);
-    };
-    return c.face != dvec3{} && is_flat(c.authored) &&
-           std::ranges::all_of(std::array{c.next, c.previous}, [&](const OtherCorner& other) {
-               return other.authored != dvec3{} && (other.may_turn || is_flat(other.authored));
-           });
+    std::array<dvec3, 3> corners{c.authored};
+    std::size_t count = 1;
+    for (const OtherCorner* other : {&c.next, &c.previous}) {
+        if (other->authored == dvec3{}) return false;
+        if (!other->may_turn) corners[count++] = other->authored;
+    }
+    return are_authored_flat(std::span(corners.data(), count), c.face);
 }
 
 /// [rad] Between a face and the normals of its corners that count, in the plane perpendicular to an edge.
@@ -226,8 +226,11 @@ void SeamFans::look_at_fans(std::uint32_t place, std::span<const SeamCorner> cor
     }
     for (const Contact& c : contacts) {
         const double bend = angle_between(corners[c.p].face, corners[c.q].face);
+        // Triangles of bent polygons may lie in one plane.
         const bool bends = c.is_open && bend > radians(authored_flat_deg),
-                   is_flat = bends && is_flat_[c.p] != 0 && is_flat_[c.q] != 0,
+                   turns = c.is_open &&
+                           angle_between(corners[c.p].authored, corners[c.q].authored) > radians(3 * authored_flat_deg),
+                   is_flat = (bends || turns) && is_flat_[c.p] != 0 && is_flat_[c.q] != 0,
                    is_crease = bends && !is_flat && shows_crease(lean_f, bend) && shows_crease(lean_g, bend);
         if (place < c.place) flat_pairs_ += is_flat, crease_pairs_ += is_crease;
         if (!is_flat && !is_crease) joints_.push_back({f, g, dot(apart, apart), c.cosine, c.is_open});

@@ -108,7 +108,9 @@ TEST(JoinSeams, FlatFacesOfOnePlaneAreJoinedWithASmoothNeighbor) {
     hinge[1].object = 1;
     EXPECT_EQ(join(hinge).report.turned, 0u);
     EXPECT_EQ(join(hinge).report.flat_pairs, 1u);
-    for (vec3& n : hinge[1].normals) n = cast<float>(normalize_or(cast<double>(n) + dvec3{0.2, 0, 0.1}, dvec3{}));
+    double lean = 0.1;
+    for (vec3& n : hinge[1].normals)
+        n = cast<float>(normalize_or(cast<double>(n) + dvec3{lean += 0.05, 0, 0.1}, dvec3{}));
     EXPECT_GT(join(hinge).report.turned, 0u) << "one side is not flat";
     EXPECT_EQ(join(hinge, 20).report.turned, 0u) << "sharper than the crease angle";
 }
@@ -134,6 +136,7 @@ std::vector<Shape> hard_edge_meets_smooth() {
     b.positions = {{0, y, 0}, {-1, 0, 0}, {0, y, 1}, {1, 0, 0}};
     b.indices = {0, 1, 2, 0, 2, 3};
     b.normals.assign(4, cast<float>(normalize_or(dvec3{0.05, 1, 0.02}, dvec3{})));
+    b.normals[2] = cast<float>(normalize_or(dvec3{0.05, 1, 0.2}, dvec3{}));
     return {a, b};
 }
 
@@ -280,10 +283,14 @@ dvec3 mean(const std::vector<Corner>& here, const Labels& labels, std::size_t wa
 }
 
 bool is_authored_flat(const std::vector<Shape>& shapes, const Corner& c) {
-    double lean = degrees_between(c.normal, c.face);
-    for (std::size_t i = 1; i < 3; ++i)
-        if (c.counts[i]) lean = std::max(lean, degrees_between(normal_at(shapes[c.mesh], c.triangle, c.k + i), c.face));
-    return lean <= 1;
+    double lean = degrees_between(c.normal, c.face), apart = c.counts[1] || c.counts[2] ? 0 : 9;
+    for (std::size_t i = 1; i < 3; ++i) {
+        if (!c.counts[i]) continue;
+        const dvec3 other = normal_at(shapes[c.mesh], c.triangle, c.k + i);
+        lean = std::max(lean, degrees_between(other, c.face));
+        apart = std::max(apart, length(other - c.normal));
+    }
+    return lean <= 1 || (apart <= 1e-3 && degrees_between(c.normal, c.face) <= 45);
 }
 
 dvec3 edge_of(const std::vector<Shape>& shapes, const Corner& c, std::size_t i) {
@@ -328,9 +335,10 @@ bool shows_crease(const std::vector<Shape>& shapes, const std::vector<Corner>& h
 
 bool stays_hard(const std::vector<Shape>& shapes, const std::vector<Corner>& here, const Labels& fans, std::size_t i,
                 std::size_t j, double bend, double crease_deg) {
-    if (bend <= 1 || degrees_between(here[i].normal, here[j].normal) <= 0.01) return false;
-    if (is_authored_flat(shapes, here[i]) && is_authored_flat(shapes, here[j])) return true;
-    return shows_crease(shapes, here, fans, fans[i], fans[j], bend, crease_deg) &&
+    const double apart = degrees_between(here[i].normal, here[j].normal);
+    if (apart <= 0.01) return false;
+    if ((bend > 1 || apart > 3) && is_authored_flat(shapes, here[i]) && is_authored_flat(shapes, here[j])) return true;
+    return bend > 1 && shows_crease(shapes, here, fans, fans[i], fans[j], bend, crease_deg) &&
            shows_crease(shapes, here, fans, fans[j], fans[i], bend, crease_deg);
 }
 

@@ -326,6 +326,42 @@ TEST(SeamRule, PartsThatAreFlatShadedOnBothSidesStaySo) {
     EXPECT_GT(join_by_rule(smooth).report.turned, 0u);
 }
 
+/// Squares of a rough height field in two parts; each has one normal, and bends along its diagonal.
+Parts bent_squares() {
+    constexpr std::uint32_t n = 8;
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> height(0, 0.4f);
+    std::vector<float> z((n + 1) * (n + 1));
+    for (float& h : z) h = height(random);
+    Parts parts;
+    parts.shapes.resize(2), parts.surface.resize(2);
+    for (std::uint32_t i = 0; i < n * n; ++i) {
+        const std::uint32_t x = i % n, y = i / n, part = x < n / 2 ? 0 : 1;
+        Shape& s = parts.shapes[part];
+        s.object = part;
+        const auto first = std::uint32_t(s.positions.size());
+        for (const auto& [dx, dy] : {std::pair{0u, 0u}, {1u, 0u}, {1u, 1u}, {0u, 1u}})
+            s.positions.push_back({float(x + dx), float(y + dy), z[(y + dy) * (n + 1) + x + dx]});
+        const vec3* const p = &s.positions[first];
+        const dvec3 normal = normalize_or(cross(cast<double>(p[2] - p[0]), cast<double>(p[3] - p[1])), dvec3{});
+        s.normals.insert(s.normals.end(), 4, cast<float>(normal));
+        for (const std::uint32_t k : {0u, 1u, 2u, 0u, 2u, 3u}) s.indices.push_back(first + k);
+        parts.surface[part].insert(parts.surface[part].end(), 2, int(i));
+    }
+    return parts;
+}
+
+TEST(SeamRule, BentPolygonsOfOneNormalStayFlatShaded) {
+    const Parts parts = bent_squares();
+    const Joined joined = join_by_rule(parts);
+    EXPECT_EQ(joined.report.turned, 0u);
+    EXPECT_GT(joined.report.flat_pairs, 0u);
+    SeamReport report;
+    Context context;
+    (void)join_seams(views(parts.shapes), {.crease_angle_rad = radians(60)}, report, context);
+    EXPECT_EQ(report.turned, 0u);
+}
+
 /// A box whose chamfers have the normals of the sides beside them, with some digits.
 Parts weighted_box(double off) {
     const HardShape box = make_chamfered_box(0.1);
