@@ -3,13 +3,17 @@
 
 namespace rakelight {
 
+double own_crease_angle(const Mesh& mesh) {
+    return mesh.normal_choice ? mesh.normal_choice->crease_angle_rad.value_or(-1) : -1;
+}
+
 NormalRule normal_rule(const Scene& scene, const Mesh& mesh, NormalSource source) {
     NormalRule rule;
     bool missing_are_flat = scene.missing_normals_are_flat;
     if (source == NormalSource::automatic && mesh.normal_choice) {
         source = mesh.normal_choice->source;
         missing_are_flat = mesh.normal_choice->missing_are_flat;
-        rule.crease_angle_rad = mesh.normal_choice->crease_angle_rad.value_or(-1);
+        rule.crease_angle_rad = own_crease_angle(mesh);
     }
     rule.joins_seams = source == NormalSource::seams;
     rule.keeps_given = rule.joins_seams || source == NormalSource::automatic || source == NormalSource::file;

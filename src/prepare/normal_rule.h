@@ -14,6 +14,9 @@ struct NormalRule {
     double crease_angle_rad = -1;  ///< the mesh's own; < 0: by the picture's options
 };
 
+/// [rad] The crease angle that a mesh's part has in its world file; < 0: none.
+double own_crease_angle(const Mesh& mesh);
+
 /// @param source  of the picture's options: all but `automatic` overrule the mesh's own choice
 NormalRule normal_rule(const Scene& scene, const Mesh& mesh, NormalSource source);
 

@@ -43,7 +43,7 @@ private:
     void add(const Instance& instance) {
         const Mesh& mesh = scene_.meshes[instance.mesh];
         if (mesh.normals.empty()) return;
-        NormalRule rule{.scope = request_.options.scope};
+        NormalRule rule{.scope = request_.options.scope, .crease_angle_rad = own_crease_angle(mesh)};
         if (request_.source) {
             rule = normal_rule(scene_, mesh, *request_.source);
             if (rule.joins_seams) rule.scope = Scope::model;

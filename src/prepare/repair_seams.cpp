@@ -20,7 +20,7 @@ PlacedParts parts_of(const Scene& scene, const SeamRequest& request, const std::
     PlacedParts parts;
     for (const Instance& instance : drawn_instances(scene)) {
         const Mesh& mesh = scene.meshes[instance.mesh];
-        NormalRule rule;
+        NormalRule rule{.crease_angle_rad = own_crease_angle(mesh)};
         if (request.source) rule = normal_rule(scene, mesh, *request.source);
         if (mesh.normals.empty() || (request.source && !rule.joins_seams)) continue;
         parts.add(instance, mesh, world[instance.node]);

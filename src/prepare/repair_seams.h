@@ -11,7 +11,7 @@ namespace rakelight {
 
 struct SeamRequest {
     SeamOptions options{};
-    /// Set: only meshes whose normal_rule() joins seams, with their own crease angles. Absent: all.
+    /// Set: only meshes whose normal_rule() joins seams. Absent: all. Crease angles of meshes count in any case.
     std::optional<NormalSource> source{};
     bool keep_instances = false;  ///< instances share the first one's mesh even if their neighbors differ; reported
 };

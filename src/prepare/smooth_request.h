@@ -17,7 +17,7 @@ struct SmoothRequest {
     /// Keep normals that exist, and make those that are missing (NormalGaps): at borders as the kept ones are.
     bool only_missing = false;
     bool groups = true;  ///< use smoothing groups of the file; with `source` by normal_rule()
-    /// Set: only meshes whose normal_rule() has attributes.scope, with their own crease angles.
+    /// Set: only meshes whose normal_rule() has attributes.scope. Crease angles of meshes count in any case.
     std::optional<NormalSource> source;
     bool every_scope = false;     ///< with `source`: all meshes, over attributes.scope
     bool bitangents = false;      ///< of the published modes: stored as Mesh::bitangents of static meshes

@@ -55,7 +55,7 @@ struct Inputs {
 
 private:
     static void set_rule(AttributeMesh& out, const Scene& scene, const Mesh& mesh, const SmoothRequest& request) {
-        NormalRule rule{.groups = request.groups};
+        NormalRule rule{.groups = request.groups, .crease_angle_rad = own_crease_angle(mesh)};
         if (request.source) rule = normal_rule(scene, mesh, *request.source);
         out.crease_angle_rad = rule.crease_angle_rad;
         if (!rule.groups || !request.attributes.normals) return;

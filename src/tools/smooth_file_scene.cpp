@@ -130,6 +130,19 @@ void join_near_borders(SmoothedScene& smoothed, const SmoothFileOptions& options
     report_borders(smoothed.scene, request, outcome, context.report());
 }
 
+/// Parts of a world file may have normals of their own kind; their crease angles count.
+void warn_of_choices(const Scene& scene, Report& report) {
+    const auto is_alike = [](NormalSource source) {
+        return source != NormalSource::flat && source != NormalSource::object && source != NormalSource::file;
+    };
+    for (const Instance& instance : drawn_instances(scene)) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        if (mesh.normal_choice && !is_alike(mesh.normal_choice->source))
+            report.add(Remark::warning, scene.source, {},
+                       "what parts say of their normals has no effect: all are smoothed alike");
+    }
+}
+
 void check(const SmoothFileOptions& options) {
     if (!(options.border_distance >= 0) || !std::isfinite(options.border_distance))
         throw Error(ErrorCode::usage, "the border distance must be 0 or more");
@@ -144,6 +157,7 @@ SmoothedScene smooth_for_file(const Scene& given, const SmoothFileOptions& optio
     const bool is_replaced = options.authored == AuthoredNormals::replaced;
     const std::optional<Scene> cleaned = is_replaced ? std::nullopt : without_useless_normals(given, context);
     const Scene& scene = cleaned ? *cleaned : given;
+    warn_of_choices(scene, context.report());
     SharedCharge charge = share(MemoryCharge(context.memory(), table_bytes(scene), "the smoothed scene"));
     const bool keeps = !is_replaced && has_normals(scene);
     SmoothedScene out =

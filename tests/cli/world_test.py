@@ -171,6 +171,20 @@ class Worlds(program.Case):
         self.assertEqual(self.run_program("smooth", "w.scene.toml", "-o", "b.glb").code, 0)
         self.assertEqual(self.run_program("check", "b.glb").code, 0)
 
+    def test_smooth_takes_the_crease_angles_of_parts(self):
+        roof = "v -1 0 0\nv 1 0 0\nv -1 1 1\nv 1 1 1\nv -1 2 0\nv 1 2 0\nf 1 2 4\nf 1 4 3\nf 3 4 6\nf 3 6 5\n"  # bends by 90 degrees
+        self.write("roof.obj", roof)
+
+        def vertices(keys):
+            self.write("w.scene.toml", "[[model]]\nfile = 'roof.obj'\n" + keys)
+            result = self.run_program("smooth", "w.scene.toml", "-o", "b.obj", "--crease-angle", "60")
+            self.assertEqual(result.code, 0, result.err)
+            return (self.folder / "b.obj").read_text().count("\nvn "), result.err
+
+        self.assertGreater(vertices("")[0], vertices("crease_angle_deg = 100\n")[0])
+        self.assertNotIn("warning", vertices("crease_angle_deg = 100\n")[1])
+        self.assertIn("warning: w.scene.toml: what parts say of their normals has no effect: all are smoothed alike", vertices("normals = 'flat'\n")[1])
+
     def test_broken_worlds_get_one_line_with_line_and_column(self):
         self.assertGreater(len(BROKEN), 20)
         for text, line, column, words in BROKEN:
