@@ -7,8 +7,9 @@
 namespace rakelight::geometry {
 namespace {
 
-/// The same at open borders and creases, outside of which the surface goes on: 0.02 degrees.
-constexpr double flat_cosine = 0.99999993907;
+/// The same at open borders and creases, outside of which the surface goes on. Unit vectors of float are too long or too
+/// short by as much as the cosine of this angle differs from 1, so that it is compared as a sine.
+constexpr double flat_sine = radians(0.02);
 
 class Finder {
 public:
@@ -82,16 +83,18 @@ private:
         const std::span<const std::uint32_t> corners = out_.rings.corners[g];
         if (corners.empty()) return false;
         const dvec3 n = by_max(g);
-        double least = 1;
+        double least = 1, most_across = 0;
         std::uint32_t faces = 0;
         Tally ahead, behind;  // equal where faces go around
         for (const std::uint32_t corner : corners) {
             if (!out_.rings.is_face(corner / 3)) continue;
-            least = std::min(least, dot(out_.rings.normal(corner / 3), n)), ++faces;
+            const dvec3 face = out_.rings.normal(corner / 3), across = cross(face, n);
+            least = std::min(least, dot(face, n)), most_across = std::max(most_across, dot(across, across));
+            ++faces;
             ahead.add(out_.rings.next(corner)), behind.add(out_.rings.previous(corner));
         }
-        if (faces == 1) return true;  // at the tip of a border
-        return !from_.is_automatic || !(least > (ahead == behind ? mild_cosine : flat_cosine));
+        if (!from_.is_automatic || faces == 1 || !(least > mild_cosine)) return true;  // one: the tip of a border
+        return ahead != behind && !(most_across < flat_sine * flat_sine);
     }
     /// Ascending.
     std::vector<std::uint32_t> groups_to_fit(std::span<const std::uint8_t> near_fits) const {

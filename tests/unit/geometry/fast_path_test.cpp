@@ -193,6 +193,18 @@ TEST(FastPath, FitsEqualTheGeneralOnesOnRubble) {
         }
 }
 
+// Whether faces are flat is decided alike, though their vectors are rounded to float.
+TEST(FastPath, FitsAtBordersThatAreFlatWithinRoundingEqualTheGeneralOnes) {
+    Shape s;
+    for (const float low : {0.0f, -0.0004f, -0.0016f})
+        for (const float z : {0.005f, -0.12f, -0.495f})
+            s.positions.push_back({float(s.positions.size() / 3), float(s.positions.size() % 3), z + low});
+    s.indices = {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 3, 4, 7, 3, 7, 6, 4, 5, 8, 4, 8, 7};
+    AttributeOptions options = published();
+    options.weight = CornerWeight::automatic, options.tangents = false, options.crease_angle_rad = radians(60);
+    expect_as_general({s}, options, 3e-5);
+}
+
 // A fan of `faces` around a point, `height` below it: a cone. `turned`: about the axis.
 Shape fan_below(vec3 tip, std::uint32_t faces, float height, float turned, std::uint32_t object) {
     Shape s;
