@@ -174,12 +174,27 @@ std::vector<FileGroup> groups_of(const Run& run, const Inputs& inputs, const Smo
     return run.given.has("apart") || !is_over_parts ? each_alone(files) : groups_by_borders(run, files, options);
 }
 
+void warn_of_unused(const Run& run, const SmoothFileOptions& options, const SmoothedFile& result, Report& report) {
+    const auto warn = [&](const char* key, const char* why) {
+        if (run.given.has(key))
+            report.add(Remark::warning, result.file, {}, std::string("'") + key + "': no effect, because " + why,
+                       {key, "normals"});
+    };
+    if (result.seams && result.missing_made == 0)
+        warn("weight", "no normals are computed; 'normals' model computes all");
+    if (result.seams || options.attributes.scope != Scope::face) return;
+    for (const char* key : {"weight", "crease", "crease-angle"}) warn(key, "each face gets its own normal");
+}
+
 /// @return the exit code
 int smooth_alone(const Run& run, const InputRequest& input, SmoothedFileRow& row) {
     const PictureRequest& request = input.picture;
     row.file = request.input;
-    const int code = run_input(
-        run, input, row, [&](Context& c) { row.result = smooth_input(run, request, smooth_options(run, request), c); });
+    const int code = run_input(run, input, row, [&](Context& c) {
+        const SmoothFileOptions options = smooth_options(run, request);
+        row.result = smooth_input(run, request, options, c);
+        warn_of_unused(run, options, *row.result, c.report());
+    });
     if (code == 0) print_message(summary(*row.result), run.loudness);
     return code;
 }

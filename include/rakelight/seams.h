@@ -71,7 +71,7 @@ struct MeshSeams {
 ///    nevertheless, because their normals were authored so:
 ///    - Both faces are authored flat, but not coplanar, or their corner normals differ by over 3 degrees. A face is
 ///      authored flat if its corners have the face normal, within `authored_flat_deg`, or all one normal
-///      (`authored_equality`) up to 45 degrees off, as those of a bent polygon.
+///      (`authored_equality`), which is, within 5 degrees, that of a square: of the face and the one before or after it.
 ///    - Both fans end in an authored crease: neither bends across the edges that they share. The *lean* of a fan is the
 ///      largest angle between a face of the fan and the normals of the face's corners, in the plane perpendicular to
 ///      that one of these edges that gives the smaller angle. Both leans are at most `authored_crease_share` of the

@@ -29,7 +29,9 @@ bool edge_at(const PlacedMeshes& placed, std::uint32_t corner, BorderEdge& edge)
     edge.normal_b = given_normal(placement, mesh.normals[to]);
     dvec3 corners[3];
     for (int i = 0; i < 3; ++i) corners[i] = given_normal(placement, mesh.normals[index[i]]);
-    edge.is_flat = are_authored_flat(corners, edge.face);
+    edge.is_flat =
+        are_authored_flat(corners, edge.face,
+                          square_normal(mesh, placement, std::uint32_t((index - mesh.indices.data()) / 3), corners[0]));
     return edge.length > 0 && edge.face != dvec3{} && edge.normal_a != dvec3{} && edge.normal_b != dvec3{};
 }
 

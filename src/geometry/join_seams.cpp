@@ -153,6 +153,7 @@ private:
         const Direction normal = face_normal(placement, face);
         c.face = normal.unit;
         if (c.face == dvec3{}) return c;
+        c.square = square_normal(mesh, placement, corner / 3 - input_.triangle_base[m], c.authored);
         const dvec3 angles = corner_weights<CornerWeight::angle>(placement, face, normal.length);
         c.angle = k == 0 ? angles.x : k == 1 ? angles.y : angles.z;
         c.next = other_corner(m, index[k], index[after[k]]);

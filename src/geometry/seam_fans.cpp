@@ -29,7 +29,7 @@ bool is_authored_flat(const SeamCorner& c) {
         if (other->authored == dvec3{}) return false;
         if (!other->may_turn) corners[count++] = other->authored;
     }
-    return are_authored_flat(std::span(corners.data(), count), c.face);
+    return are_authored_flat(std::span(corners.data(), count), c.face, c.square);
 }
 
 /// [rad] Between a face and the normals of its corners that count, in the plane perpendicular to an edge.

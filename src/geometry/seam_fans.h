@@ -28,6 +28,7 @@ struct SeamCorner {
     std::uint32_t corner = 0;            ///< global index
     dvec3 authored;                      ///< its normal, unit, world space; zero: unusable
     dvec3 face;                          ///< the face normal, unit, world space; zero: none
+    dvec3 square;                        ///< square_normal() of the face
     double angle = 0;                    ///< of the face at this corner [rad]
     OtherCorner next, previous;
 };

@@ -6,6 +6,9 @@
 
 #include "engines/check_settings.h"
 #include "io/output_place.h"
+#include "prepare/displace.h"
+#include "prepare/normal_rule.h"
+#include "prepare/variants.h"
 #include "render/engines.h"
 #include "render/look.h"
 #include "render/picture_files.h"
@@ -66,6 +69,41 @@ void warn_of_unused(const PictureRequest& request, Report& report) {
         report.add(Remark::warning, request.input, "",
                    "the radius and samples of ambient occlusion have no effect without 'ambient-occlusion'",
                    {"ambient-occlusion"});
+}
+
+namespace {
+
+/// Computed normals take the weight; where authored ones are joined, only the creases count.
+enum class Needs { nothing, creases, all };
+
+Needs needs_of(const Scene& scene, const PictureRequest& request) {
+    Needs most = Needs::nothing;
+    for (const Instance& instance : drawn_instances(scene)) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        const NormalRule rule = normal_rule(scene, mesh, request.prepare.normals);
+        const bool keeps = rule.keeps_given && !mesh.normals.empty();
+        if (!keeps && rule.scope != Scope::face) return Needs::all;
+        if (keeps && rule.joins_seams) most = Needs::creases;
+    }
+    return most;
+}
+
+}  // namespace
+
+void warn_of_unused_normals(const Scene& scene, const PictureRequest& request, Report& report) {
+    std::vector<std::string> unused;
+    for (const char* key : {"weight", "crease", "crease-angle", "weld-distance"})
+        if (names(request, key)) unused.emplace_back(key);
+    if (unused.empty() || wants_displacement(scene, request.prepare.displacement)) return;
+    const Needs needs = needs_of(scene, request);
+    if (needs == Needs::all) return;
+    if (needs == Needs::creases) unused.resize(unused.front() == "weight" ? 1 : 0);
+    if (unused.empty()) return;
+    std::string text;
+    for (const std::string& key : unused) text += (text.empty() ? "'" : ", '") + key + "'";
+    unused.emplace_back("normals");
+    report.add(Remark::warning, scene.source, {},
+               text + ": no effect, because no normals are computed here; 'normals' model computes all", unused);
 }
 
 }  // namespace rakelight

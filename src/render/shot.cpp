@@ -51,6 +51,7 @@ void adjust_shot(Session& session, Shot& shot, PictureRequest& request, const Sh
 Shot decide_shown(Session& session, const Scene& shown, PictureRequest& request, const CameraOf& camera,
                   const ShotOptions& options, Context& context) {
     warn_of_unused(request, context.report());
+    warn_of_unused_normals(shown, request, context.report());
     warn_of_unknown_names(shown, request.settings, context.report());
     const Camera chosen = camera ? camera(shown)
                                  : valid::choose_camera(shown, request.view, aspect_of(request.settings),

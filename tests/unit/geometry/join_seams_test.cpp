@@ -108,9 +108,7 @@ TEST(JoinSeams, FlatFacesOfOnePlaneAreJoinedWithASmoothNeighbor) {
     hinge[1].object = 1;
     EXPECT_EQ(join(hinge).report.turned, 0u);
     EXPECT_EQ(join(hinge).report.flat_pairs, 1u);
-    double lean = 0.1;
-    for (vec3& n : hinge[1].normals)
-        n = cast<float>(normalize_or(cast<double>(n) + dvec3{lean += 0.05, 0, 0.1}, dvec3{}));
+    for (vec3& n : hinge[1].normals) n = cast<float>(normalize_or(cast<double>(n) + dvec3{0.2, 0, 0.1}, dvec3{}));
     EXPECT_GT(join(hinge).report.turned, 0u) << "one side is not flat";
     EXPECT_EQ(join(hinge, 20).report.turned, 0u) << "sharper than the crease angle";
 }
@@ -136,7 +134,6 @@ std::vector<Shape> hard_edge_meets_smooth() {
     b.positions = {{0, y, 0}, {-1, 0, 0}, {0, y, 1}, {1, 0, 0}};
     b.indices = {0, 1, 2, 0, 2, 3};
     b.normals.assign(4, cast<float>(normalize_or(dvec3{0.05, 1, 0.02}, dvec3{})));
-    b.normals[2] = cast<float>(normalize_or(dvec3{0.05, 1, 0.2}, dvec3{}));
     return {a, b};
 }
 
@@ -282,6 +279,18 @@ dvec3 mean(const std::vector<Corner>& here, const Labels& labels, std::size_t wa
     return normalize_or(sum, dvec3{});
 }
 
+/// Whether a triangle before or after has a common edge, and the corner has the normal of both.
+bool is_of_its_square(const Shape& s, const Corner& c) {
+    for (const std::size_t other : {c.triangle - 1, c.triangle + 1}) {
+        if (other >= s.indices.size() / 3) continue;
+        std::size_t common = 0;
+        for (std::size_t i = 0; i < 9; ++i) common += s.indices[3 * c.triangle + i / 3] == s.indices[3 * other + i % 3];
+        const dvec3 both = edge_product(s, c.triangle) + edge_product(s, other);
+        if (common == 2 && degrees_between(c.normal, normalize_or(both, dvec3{})) <= 5) return true;
+    }
+    return false;
+}
+
 bool is_authored_flat(const std::vector<Shape>& shapes, const Corner& c) {
     double lean = degrees_between(c.normal, c.face), apart = c.counts[1] || c.counts[2] ? 0 : 9;
     for (std::size_t i = 1; i < 3; ++i) {
@@ -290,7 +299,7 @@ bool is_authored_flat(const std::vector<Shape>& shapes, const Corner& c) {
         lean = std::max(lean, degrees_between(other, c.face));
         apart = std::max(apart, length(other - c.normal));
     }
-    return lean <= 1 || (apart <= 1e-3 && degrees_between(c.normal, c.face) <= 45);
+    return lean <= 1 || (apart <= 1e-3 && is_of_its_square(shapes[c.mesh], c));
 }
 
 dvec3 edge_of(const std::vector<Shape>& shapes, const Corner& c, std::size_t i) {
