@@ -30,7 +30,7 @@ struct CreaseReport {
     double hard_least_deg = 0, hard_most_deg = 0, soft_most_deg = 0;
 
     /// Conventions. Geometry cannot tell a prism with flat sides from a coarse column. Up to 7 equal sides are
-    /// flat (hard edges), more are round (soft edges). [n] The number of closed rings of n such sides, n = 5 to 12.
+    /// flat (hard edges), more are round (soft edges). [n] The number of closed rings of n such sides, n = 6 to 12.
     std::array<std::uint64_t, 13> rings{};
     /// Surfaces of single triangles, without any plane of two or more, that bend by over 30 degrees somewhere and are
     /// smooth: an organic shape, or a stone with facets.
@@ -44,7 +44,7 @@ struct Creases {
     CreaseReport report;
 };
 
-/// Decides for each edge whether it is hard. The decision needs no angle, and it is the same if the model is rotated,
+/// Decides for each edge whether it is hard. The decision needs no angle, and it is the same if the model is placed turned or
 /// scaled, renumbered or cut into objects.
 ///
 /// 1. *Rounding.* The positions of a file are rounded: to AttributeMesh::position_step, to decimals or to binary digits

@@ -335,7 +335,8 @@ private:
         const KnownSurface s = half_of(whole);
         const std::vector<std::uint8_t> border = is_at_border(s);
         add(
-            "border of half a " + name, s, [&](std::uint32_t v) { return border[v] != 0; }, NormalKind::border);
+            "border of half a" + std::string(name.starts_with("e") ? "n " : " ") + name, s,
+            [&](std::uint32_t v) { return border[v] != 0; }, NormalKind::border);
     }
     void borders() {
         KnownSurface sphere = icosphere(4);
