@@ -20,9 +20,10 @@ public:
     void run(std::vector<SplitAttributes>& splits) {
         const std::size_t count = input_.vertex_count();
         GeneralScratch& scratch = state_.scratch.general;
-        state_.context.memory().check((count + hard_.corners()) * (sizeof(std::uint32_t) + 2 * sizeof(vec3) + 1) +
-                                          (hard_.parts().empty() ? 0 : 12ull * input_.triangle_count()),
-                                      "fitting normals");
+        charge_ = {state_.context.memory(),
+                   (count + hard_.corners()) * (sizeof(std::uint32_t) + 2 * sizeof(vec3) + 1) +
+                       (hard_.parts().empty() ? 0 : 12ull * input_.triangle_count()),
+                   "fitting normals"};
         topology_.group = scratch.take_words();
         topology_.group.resize(count);
         by_max_ = scratch.take<vec3>(count + hard_.corners());
@@ -164,6 +165,7 @@ private:
     BlockArray<Spread> spread_;             // [output vertices, and room for more]
     std::vector<std::uint32_t> to_global_;  // [output vertices of the hard part]
     BlockArray<vec3> normals_;
+    MemoryCharge charge_;
 };
 
 }  // namespace

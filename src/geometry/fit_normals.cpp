@@ -41,8 +41,10 @@ public:
           fitted_(found_.groups),
           number_(scratch.take_words()) {
         number_.assign(topology_.group.size(), none);
-        context.memory().check(fitted_.size() * (sizeof(Fits) + sizeof(Qualities) + sizeof(vec3)) + bytes_of_largest(),
-                               "fitting normals");
+        charge_ = {context.memory(),
+                   fitted_.size() * (sizeof(Fits) + sizeof(Qualities) + sizeof(vec3)) +
+                       std::uint64_t(context.threads()) * bytes_of_largest(),
+                   "fitting normals"};
         for (std::size_t i = 0; i < fitted_.size(); ++i) number_[fitted_[i]] = std::uint32_t(i);
         fits_ = scratch.take<Fits>(fitted_.size()), qualities_ = scratch.take<Qualities>(fitted_.size());
         normals_ = scratch.take<vec3>(fitted_.size());
@@ -326,6 +328,7 @@ private:
     BlockArray<Fits> fits_;                     // [fitted_]
     BlockArray<Qualities> qualities_;           // [fitted_]
     BlockArray<vec3> normals_;                  // [fitted_]
+    MemoryCharge charge_;
 };
 
 /// [groups] whether the normal is that of authored members; empty: none is.
@@ -359,7 +362,7 @@ BlockArray<vec3> fit_groups(const FitInput& from, GeneralScratch& scratch, Conte
 void fit_normals(VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options,
                  GeneralScratch& scratch, Context& context, NormalChoices* choices) {
     const std::size_t count = topology.group.size(), step = vertices_per_chunk;
-    context.memory().check(2 * count * sizeof(vec3), "fitting normals");
+    const MemoryCharge charge(context.memory(), 2 * count * sizeof(vec3), "fitting normals");
     BlockArray<vec3> by_max = scratch.take<vec3>(count);
     context.parallel_for((count + step - 1) / step, [&](std::size_t c) {
         for (std::size_t row = c * step; row < std::min(count, (c + 1) * step); ++row)

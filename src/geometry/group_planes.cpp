@@ -97,7 +97,8 @@ FacePlanes face_planes(const GroupRings& rings, const Topology& topology, std::s
     for (const std::vector<FacePair>& some : pairs) count += some.size();
     FacePlanes out;
     if (count == 0) return out;
-    context.memory().check(faces * sizeof(std::uint32_t) + count * (sizeof(FacePair) + 24), "planes of triangles");
+    out.charge = {context.memory(), faces * sizeof(std::uint32_t) + count * (sizeof(FacePair) + 24),
+                  "planes of triangles"};
     out.plane_of = scratch.take<std::uint32_t>(faces);
     std::fill(out.plane_of.data(), out.plane_of.data() + faces, FacePlanes::alone);
     for (const std::vector<FacePair>& some : pairs)

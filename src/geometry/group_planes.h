@@ -11,6 +11,7 @@ struct FacePlanes {
     BlockArray<std::uint32_t> plane_of;  ///< [triangles] alone: no other face is in its plane; empty: all are alone
     std::vector<double> area;            ///< [planes] [m^2]
     std::vector<std::uint8_t> is_open;   ///< [planes] not 0: it may be larger than what is known of it
+    MemoryCharge charge;
 
     bool empty() const { return plane_of.empty(); }
     /// Whether an open plane is at one of the corners.

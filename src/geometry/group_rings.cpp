@@ -106,8 +106,9 @@ GroupRings group_faces(const Topology& topology, const AttributeInput& input, st
     GroupRings rings;
     const std::size_t corners = 3 * std::size_t(input.triangle_count());
     const std::size_t count = topology.group.size();
-    context.memory().check(count * (sizeof(dvec3) + 13) + input.triangle_count() * (sizeof(GroupFace) + 12 * 4ull),
-                           "neighbors of vertices");
+    rings.charge = {context.memory(),
+                    count * (sizeof(dvec3) + 13) + input.triangle_count() * (sizeof(GroupFace) + 12 * 4ull),
+                    "neighbors of vertices"};
     rings.faces = scratch.take<GroupFace>(input.triangle_count());
     rings.group_of_corner = scratch.take<std::uint32_t>(corners);
     rings.places = scratch.take<dvec3>(count);

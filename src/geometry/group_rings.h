@@ -27,6 +27,7 @@ struct GroupRings {
     std::vector<std::uint32_t> ring_begin;      ///< [groups] in the chunk's members
     std::vector<std::uint32_t> ring_size;       ///< [groups] 0 for all that are no representatives, or not wanted
     std::vector<std::vector<std::uint32_t>> ring_members;  ///< [chunks of vertices_per_chunk]
+    MemoryCharge charge;
 
     void release(GeneralScratch& scratch);
 
