@@ -93,8 +93,17 @@ private:
             ++faces;
             ahead.add(out_.rings.next(corner)), behind.add(out_.rings.previous(corner));
         }
-        if (!from_.is_automatic || faces == 1 || !(least > mild_cosine)) return true;  // one: the tip of a border
+        if (!from_.is_automatic || !(least > mild_cosine) || (faces == 1 && is_tip(corners))) return true;
         return ahead != behind && !(most_across < flat_sine * flat_sine);
+    }
+    /// Whether a surface goes on from the only face at a group.
+    bool is_tip(std::span<const std::uint32_t> corners) const {
+        std::size_t around = 0;
+        for (const std::uint32_t corner : corners)
+            if (out_.rings.is_face(corner / 3))
+                around += out_.rings.corners.size(out_.rings.next(corner)) +
+                          out_.rings.corners.size(out_.rings.previous(corner));
+        return around > 4;
     }
     /// Ascending.
     std::vector<std::uint32_t> groups_to_fit(std::span<const std::uint8_t> near_fits) const {

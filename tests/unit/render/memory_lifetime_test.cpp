@@ -157,7 +157,7 @@ TEST_F(MemoryLifetime, TwoThousandPicturesOfOneContextLeaveNoTextureOut) {
 
 TEST_F(MemoryLifetime, AFileIsLoadedAndDrawnAgainAndAgainWithinTheSameMemory) {
     // The square without normals is smoothed beside the sphere's 11,000 vertices; a texture that stayed would take 16 MiB in all.
-    Context context({.threads = 1, .max_memory = 2 << 20});
+    Context context({.threads = 1, .max_memory = 4 << 20});
     for (int i = 0; i < 500; ++i) {
         const char* name = i % 2 == 0 ? "square.scene.toml" : "square.gltf";
         render(load(path(name), {}, context), small_, context);
