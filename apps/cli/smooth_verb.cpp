@@ -180,7 +180,7 @@ void warn_of_unused(const Run& run, const SmoothFileOptions& options, const Smoo
             report.add(Remark::warning, result.file, {}, std::string("'") + key + "': no effect, because " + why,
                        {key, "normals"});
     };
-    if (result.seams && result.missing_made == 0)
+    if (result.seams && result.missing_made == 0 && options.border_distance == 0)
         warn("weight", "no normals are computed; 'normals' model computes all");
     if (result.seams || options.attributes.scope != Scope::face) return;
     for (const char* key : {"weight", "crease", "crease-angle"}) warn(key, "each face gets its own normal");

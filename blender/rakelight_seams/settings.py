@@ -43,7 +43,9 @@ class SeamOptions:
 
     def arguments(self, rounding=0.0):
         """The options of `rakelight smooth`; `rounding`: what the weld distance is where none is set, 0: the program's own."""
-        words = ["--normals", self.normals.lower(), "--weight", self.weight.lower().replace("_", "-")]
+        words = ["--normals", self.normals.lower()]
+        if self.normals != "SEAMS" or self.border_distance > 0:
+            words += ["--weight", self.weight.lower().replace("_", "-")]
         words += ["--crease-angle", repr(min(180.0, math.degrees(self.crease_angle))), "--crease", self.crease.lower()]
         if self.border_distance > 0:
             words += ["--border-distance", repr(self.border_distance)]
