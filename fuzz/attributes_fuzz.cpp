@@ -17,7 +17,7 @@
 #include <rakelight/creases.h>
 
 #include "geometry/attribute_plan.h"
-#include "geometry/fast_attributes.h"
+#include "geometry/fast/fast_attributes.h"
 
 namespace {
 

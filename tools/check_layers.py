@@ -97,7 +97,7 @@ LIBRARIES = {
 
 # Sources compiled per instruction set see only these: nothing whose inline functions the linker could merge between sets.
 ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|math/prelude\.h|lighting/(lighting|light_parameters|read_albedos|albedo_tables)\.h|image/(srgb_table|denoise_tile|mip_rows)\.h|shading/(text_numbers|material_factors|effect_factors|shadow_factors|light_box)\.h|scene/texture_role_numbers\.h|lighting/\w+/\w+\.glsl|"
-                         r"geometry/fast_kernel_types\.h|geometry/fast_weld_types\.h|geometry/skin_kernel_types\.h|geometry/(vote|height)_kernel_types\.h|geometry/kernels/\w+\.h|cpu_shading/(kernels/\w+|texture_view|material_job|mesh_view|channel_planes)\.h|engines/raster/(inspect/)?kernels/\w+\.(h|cpp)|engines/raytrace/kernels/\w+\.(h|cpp)|radiosity/kernels/\w+\.(h|cpp)|engines/raster/inspect/traced_pixel\.h|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
+                         r"geometry/\w+/\w+_kernel_types\.h|geometry/fast/fast_weld_types\.h|geometry/kernels/\w+\.h|cpu_shading/(kernels/\w+|texture_view|material_job|mesh_view|channel_planes)\.h|engines/raster/(inspect/)?kernels/\w+\.(h|cpp)|engines/raytrace/kernels/\w+\.(h|cpp)|radiosity/kernels/\w+\.(h|cpp)|engines/raster/inspect/traced_pixel\.h|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
 ISA_FILES = ["src/cpu_shading/kernels", "src/engines/raster/kernels", "src/engines/raster/inspect/kernels", "src/engines/raytrace/kernels", "src/radiosity/kernels", "src/geometry/kernels", "src/image/kernels", "src/lighting/lighting.h", "src/lighting/read_albedos.h", "src/math/prelude.h"]
 
 GLSL_RESERVED = set("active half input output filter common partition smooth flat shared fixed sample patch buffer resource "
@@ -270,8 +270,8 @@ def check_options(path, text, wrong):
 
 # Mixing by a known constant. These are random numbers, or have a key or another bound beside it.
 MIXER = re.compile(r"0x9e3779b9", re.I)
-MIXES = {"src/base/hash_key.cpp", "src/bake/sky_rays.cpp", "src/engines/raytrace/path_numbers.cpp", "src/geometry/near_cells.cpp", "src/geometry/border_proposal.cpp", "src/geometry/fast_weld.cpp",
-         "src/geometry/fast_weld_types.h", "src/geometry/position_hash.h", "src/tools/bench_model.cpp", "src/tools/bench_scene.cpp", "src/tools/bench_textures.cpp"}
+MIXES = {"src/base/hash_key.cpp", "src/bake/sky_rays.cpp", "src/engines/raytrace/path_numbers.cpp", "src/geometry/weld/near_cells.cpp", "src/geometry/borders/border_proposal.cpp", "src/geometry/fast/fast_weld.cpp",
+         "src/geometry/fast/fast_weld_types.h", "src/geometry/input/position_hash.h", "src/tools/bench_model.cpp", "src/tools/bench_scene.cpp", "src/tools/bench_textures.cpp"}
 
 
 def check_mixers(path, text, wrong):

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "base/cancel_check.h"
-#include "geometry/union_find.h"
+#include "geometry/input/union_find.h"
 #include "math/linear.h"
 
 namespace rakelight::bake {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/cancel_check.h"
-#include "geometry/union_find.h"
+#include "geometry/input/union_find.h"
 
 namespace rakelight::bake {
 namespace {

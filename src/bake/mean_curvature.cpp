@@ -2,7 +2,7 @@
 #include "bake/mean_curvature.h"
 
 #include "base/cancel_check.h"
-#include "geometry/place_classes.h"
+#include "geometry/faults/place_classes.h"
 #include "math/linear.h"
 #include "scene/placed_normal.h"
 

@@ -5,7 +5,7 @@
 
 #include <rakelight/engine.h>
 
-#include "geometry/mesh_pose.h"
+#include "geometry/pose/mesh_pose.h"
 
 namespace rakelight {
 

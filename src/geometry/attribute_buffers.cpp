@@ -3,7 +3,7 @@
 #include <string>
 
 #include "base/format_text.h"
-#include "geometry/fast_attributes.h"
+#include "geometry/fast/fast_attributes.h"
 #include "geometry/general_attributes.h"
 
 namespace rakelight {

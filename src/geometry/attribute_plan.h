@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The state shared by the steps of compute_attributes().
 #pragma once
-#include "geometry/grouping.h"
-#include "geometry/vertex_groups.h"
+#include "geometry/corners/vertex_groups.h"
+#include "geometry/groups/grouping.h"
 
 namespace rakelight {
 

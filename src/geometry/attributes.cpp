@@ -8,15 +8,15 @@
 #include <string>
 
 #include "base/format_text.h"
-#include "geometry/attribute_input.h"
 #include "geometry/attribute_plan.h"
-#include "geometry/fast_attributes.h"
-#include "geometry/finish_vertices.h"
-#include "geometry/fit_normals.h"
+#include "geometry/fast/fast_attributes.h"
+#include "geometry/fits/fit_normals.h"
 #include "geometry/general_attributes.h"
-#include "geometry/grouping.h"
-#include "geometry/tangent_modes.h"
-#include "geometry/vote_sums.h"
+#include "geometry/groups/grouping.h"
+#include "geometry/input/attribute_input.h"
+#include "geometry/sums/finish_vertices.h"
+#include "geometry/sums/vote_sums.h"
+#include "geometry/tangents/tangent_modes.h"
 
 namespace rakelight {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "base/format_text.h"
 #include "geometry/attribute_plan.h"
-#include "geometry/corner_weights.h"
-#include "geometry/vote_sums.h"
+#include "geometry/input/corner_weights.h"
+#include "geometry/sums/vote_sums.h"
 
 namespace rakelight {
 namespace {

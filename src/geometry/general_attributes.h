@@ -7,7 +7,7 @@
 #include <rakelight/attributes.h>
 
 #include "geometry/attribute_plan.h"
-#include "geometry/vote_sums.h"
+#include "geometry/sums/vote_sums.h"
 
 namespace rakelight::geometry {
 

@@ -7,7 +7,7 @@
 #include <rakelight/context.h>
 #include <rakelight/scene.h>
 
-#include "geometry/normal_sides.h"
+#include "geometry/faults/normal_sides.h"
 
 namespace rakelight {
 

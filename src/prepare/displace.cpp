@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "base/cancel_check.h"
-#include "geometry/tessellate.h"
+#include "geometry/refine/tessellate.h"
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/displace_parts.h"

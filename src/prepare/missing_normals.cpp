@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "geometry/face_vote.h"
+#include "geometry/input/face_vote.h"
 #include "math/linear.h"
 #include "prepare/variants.h"
 #include "scene/charge_arrays.h"

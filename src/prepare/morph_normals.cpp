@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "geometry/mesh_islands.h"
+#include "geometry/faults/mesh_islands.h"
 #include "math/linear.h"
 #include "scene/charge_arrays.h"
 

@@ -9,7 +9,7 @@
 #include <rakelight/prepare.h>
 #include <rakelight/scene.h>
 
-#include "geometry/mesh_pose.h"
+#include "geometry/pose/mesh_pose.h"
 
 namespace rakelight {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <rakelight/scene.h>
 
-#include "geometry/tessellate.h"
+#include "geometry/refine/tessellate.h"
 
 namespace rakelight {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "base/format_text.h"
-#include "geometry/attribute_input.h"
-#include "geometry/mesh_islands.h"
+#include "geometry/faults/mesh_islands.h"
+#include "geometry/input/attribute_input.h"
 #include "math/linear.h"
 #include "prepare/bind_pose.h"
 #include "prepare/missing_normals.h"

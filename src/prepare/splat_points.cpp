@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "geometry/perpendicular.h"
-#include "geometry/point_normals.h"
-#include "geometry/point_spacing.h"
+#include "geometry/input/perpendicular.h"
+#include "geometry/points/point_normals.h"
+#include "geometry/points/point_spacing.h"
 #include "math/linear.h"
 #include "scene/scene_tools.h"
 #include "scene/splat_mesh.h"

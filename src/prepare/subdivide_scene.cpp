@@ -8,8 +8,8 @@
 #include <string>
 
 #include "base/format_text.h"
-#include "geometry/place_classes.h"
-#include "geometry/union_find.h"
+#include "geometry/faults/place_classes.h"
+#include "geometry/input/union_find.h"
 #include "math/linear.h"
 #include "prepare/smooth_selection.h"
 #include "prepare/subdivide_surface.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/cancel_check.h"
-#include "geometry/polygon_loops.h"
+#include "geometry/refine/polygon_loops.h"
 #include "math/linear.h"
 
 namespace rakelight {

@@ -9,7 +9,7 @@
 #include <rakelight/context.h>
 #include <rakelight/scene.h>
 
-#include "geometry/subdivide.h"
+#include "geometry/refine/subdivide.h"
 
 namespace rakelight {
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "geometry/orthogonality.h"
+#include "geometry/input/orthogonality.h"
 #include "prepare/variants.h"
 #include "scene/validate_parts.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/face_vote.h"
+#include "geometry/input/face_vote.h"
 
 namespace rakelight::radiosity {
 namespace {

@@ -6,7 +6,7 @@
 #include <rakelight/context.h>
 #include <rakelight/scene.h>
 
-#include "geometry/tessellate.h"
+#include "geometry/refine/tessellate.h"
 #include "prepare/variants.h"
 
 namespace rakelight::radiosity {

@@ -6,7 +6,7 @@
 
 #include <rakelight/scene.h>
 
-#include "geometry/normal_sides.h"
+#include "geometry/faults/normal_sides.h"
 #include "scene/scene_tools.h"
 #include "shading/materials.h"
 #include "shading/texture_cache.h"

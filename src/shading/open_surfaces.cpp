@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/format_text.h"
-#include "geometry/edge_census.h"
+#include "geometry/faults/edge_census.h"
 #include "scene/validate_parts.h"
 
 namespace rakelight::shading {

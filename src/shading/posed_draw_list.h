@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A draw list of meshes in bind pose: with the boxes of where they stand.
 #pragma once
-#include "geometry/mesh_pose.h"
+#include "geometry/pose/mesh_pose.h"
 #include "shading/draw_list.h"
 
 namespace rakelight::shading {

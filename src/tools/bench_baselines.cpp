@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cstring>
 
-#include "geometry/fast_memory.h"
+#include "geometry/input/fast_memory.h"
 #include "math/linear.h"
 
 namespace rakelight {

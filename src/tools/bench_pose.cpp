@@ -10,7 +10,7 @@
 
 #include <rakelight/session.h>
 
-#include "geometry/skin.h"
+#include "geometry/pose/skin.h"
 #include "math/linear.h"
 #include "prepare/moving_placements.h"
 #include "prepare/pose_scene.h"

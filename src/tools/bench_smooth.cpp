@@ -10,7 +10,7 @@
 #include <functional>
 #include <memory>
 
-#include "geometry/fast_memory.h"
+#include "geometry/input/fast_memory.h"
 #include "math/isa.h"
 #include "tools/bench_baselines.h"
 #include "tools/bench_memory.h"

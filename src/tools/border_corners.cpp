@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "geometry/face_vote.h"
+#include "geometry/input/face_vote.h"
 
 namespace rakelight {
 namespace {

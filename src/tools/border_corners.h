@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/place_classes.h"
+#include "geometry/faults/place_classes.h"
 #include "tools/seam_normals.h"
 
 namespace rakelight {

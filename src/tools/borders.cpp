@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "geometry/face_vote.h"
+#include "geometry/input/face_vote.h"
 #include "tools/border_corners.h"
 #include "tools/place_angles.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <rakelight/inspect.h>
 
-#include "geometry/place_classes.h"
+#include "geometry/faults/place_classes.h"
 #include "tools/seam_normals.h"
 
 namespace rakelight {

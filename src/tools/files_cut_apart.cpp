@@ -9,9 +9,9 @@
 #include <rakelight/render.h>
 #include <rakelight/smooth_file.h>
 
-#include "geometry/open_edges.h"
-#include "geometry/place_classes.h"
-#include "geometry/union_find.h"
+#include "geometry/borders/open_edges.h"
+#include "geometry/faults/place_classes.h"
+#include "geometry/input/union_find.h"
 #include "tools/surfaces.h"
 
 namespace rakelight {

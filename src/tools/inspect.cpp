@@ -8,10 +8,10 @@
 #include <string>
 
 #include "base/name_table.h"
-#include "geometry/edge_census.h"
-#include "geometry/inside_out.h"
-#include "geometry/mesh_faults.h"
-#include "geometry/t_junctions.h"
+#include "geometry/faults/edge_census.h"
+#include "geometry/faults/inside_out.h"
+#include "geometry/faults/mesh_faults.h"
+#include "geometry/faults/t_junctions.h"
 #include "io/reader.h"
 #include "math/linear.h"
 #include "prepare/bind_pose.h"

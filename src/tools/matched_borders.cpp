@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
-#include "geometry/border_edges.h"
-#include "geometry/border_measure.h"
-#include "geometry/border_proposal.h"
+#include "geometry/borders/border_edges.h"
+#include "geometry/borders/border_measure.h"
+#include "geometry/borders/border_proposal.h"
 #include "tools/borders.h"
 
 namespace rakelight {

@@ -3,8 +3,8 @@
 #pragma once
 #include <rakelight/inspect.h>
 
-#include "geometry/edge_census.h"
-#include "geometry/place_classes.h"
+#include "geometry/faults/edge_census.h"
+#include "geometry/faults/place_classes.h"
 #include "tools/seam_normals.h"
 #include "tools/surfaces.h"
 

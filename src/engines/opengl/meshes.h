@@ -11,7 +11,7 @@
 
 #include "engines/opengl/driver.h"
 #include "engines/opengl/gl_objects.h"
-#include "geometry/mesh_pose.h"
+#include "geometry/pose/mesh_pose.h"
 
 namespace rakelight::opengl {
 

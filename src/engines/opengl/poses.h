@@ -13,7 +13,7 @@
 
 #include "engines/opengl/meshes.h"
 #include "engines/opengl/program_text.h"
-#include "geometry/mesh_pose.h"
+#include "geometry/pose/mesh_pose.h"
 
 namespace rakelight::opengl {
 

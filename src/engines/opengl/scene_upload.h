@@ -9,7 +9,7 @@
 #include "engines/opengl/environment.h"
 #include "engines/opengl/meshes.h"
 #include "engines/opengl/textures.h"
-#include "geometry/mesh_pose.h"
+#include "geometry/pose/mesh_pose.h"
 #include "shading/draw_list.h"
 
 namespace rakelight::opengl {

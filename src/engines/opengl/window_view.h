@@ -9,7 +9,7 @@
 #include <rakelight/engine.h>
 #include <rakelight/line.h>
 
-#include "geometry/mesh_pose.h"
+#include "geometry/pose/mesh_pose.h"
 
 namespace rakelight::opengl {
 

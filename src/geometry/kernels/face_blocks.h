@@ -3,7 +3,7 @@
 // staged as structures of arrays, computed `lanes` at a time, turned into rows and added corner by corner, in the order of
 // the faces: bit-identical in every flavor.
 #pragma once
-#include "geometry/fast_kernel_types.h"
+#include "geometry/fast/fast_kernel_types.h"
 #include "math/wide_rows.h"
 
 namespace rakelight::geometry::RL_ISA {

@@ -2,7 +2,7 @@
 // Height functions fitted to the neighbors of several places at a time, in double, per instruction set. The normal equations
 // of the terms x, y, c x^2, c x y, c y^2 and the cubic ones: many of their sums are equal, and each is computed once. The
 // quadric's equations are the first five of the cubic's, and so is its factor.
-#include "geometry/height_kernel_types.h"
+#include "geometry/fits/height_kernel_types.h"
 #include "geometry/kernels/double_lanes.h"
 
 namespace rakelight::geometry::RL_ISA {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the faces at each vertex lie around its normal (LookRow), per instruction set.
-#include "geometry/fast_weld_types.h"
+#include "geometry/fast/fast_weld_types.h"
 #include "geometry/kernels/face_blocks.h"
 
 namespace rakelight::geometry::RL_ISA {

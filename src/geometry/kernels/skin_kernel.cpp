@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Linear blend skinning, per instruction set: matrices are blended per vertex, everything else is vectorized.
-#include "geometry/skin_kernel_types.h"
+#include "geometry/pose/skin_kernel_types.h"
 #include "math/wide_rows.h"
 
 namespace rakelight::geometry::RL_ISA {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The votes of faces, several at a time in double, per instruction set: the vote of face_vote.h, operation by
 // operation, so that the bits are the same.
+#include "geometry/input/vote_kernel_types.h"
 #include "geometry/kernels/double_lanes.h"
-#include "geometry/vote_kernel_types.h"
 
 namespace rakelight::geometry::RL_ISA {
 

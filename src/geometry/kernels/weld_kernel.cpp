@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The inner loop of the fast weld, per instruction set.
-#include "geometry/fast_weld_types.h"
+#include "geometry/fast/fast_weld_types.h"
 #include "math/wide_rows.h"
 
 namespace rakelight::geometry::RL_ISA {

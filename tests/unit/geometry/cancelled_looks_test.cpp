@@ -2,11 +2,11 @@
 // Loops over all triangles that are not parallel look whether the run is cancelled, each by itself.
 #include <gtest/gtest.h>
 
-#include "geometry/edge_census.h"
-#include "geometry/inside_out.h"
-#include "geometry/mesh_faults.h"
-#include "geometry/normal_sides.h"
-#include "geometry/t_junctions.h"
+#include "geometry/faults/edge_census.h"
+#include "geometry/faults/inside_out.h"
+#include "geometry/faults/mesh_faults.h"
+#include "geometry/faults/normal_sides.h"
+#include "geometry/faults/t_junctions.h"
 #include "support/thrown_error.h"
 #include "unit/geometry/shapes.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Corners sorted by keys: every one in its bin, in order, for any number of keys and threads.
-#include "geometry/corner_bins.h"
+#include "geometry/corners/corner_bins.h"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include <bit>
 #include <unordered_map>
 
-#include "geometry/near_cells.h"
-#include "geometry/position_weld.h"
-#include "geometry/tessellate.h"
+#include "geometry/refine/tessellate.h"
+#include "geometry/weld/near_cells.h"
+#include "geometry/weld/position_weld.h"
 #include "unit/geometry/shapes.h"
 
 namespace rakelight::geometry {

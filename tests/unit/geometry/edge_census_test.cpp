@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/edge_census.h"
+#include "geometry/faults/edge_census.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "geometry/fast_attributes.h"
+#include "geometry/fast/fast_attributes.h"
 #include "geometry/general_attributes.h"
 #include "math/isa.h"
 #include "unit/geometry/shapes.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "geometry/height_fit.h"
+#include "geometry/fits/height_fit.h"
 #include "unit/geometry/shapes.h"
 
 namespace rakelight::test {

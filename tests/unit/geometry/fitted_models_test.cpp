@@ -10,7 +10,7 @@
 
 #include <rakelight/creases.h>
 
-#include "geometry/height_fit.h"
+#include "geometry/fits/height_fit.h"
 #include "math/isa.h"
 #include "support/environment_variable.h"
 #include "unit/geometry/hard_shapes.h"

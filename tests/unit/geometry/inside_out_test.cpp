@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/inside_out.h"
+#include "geometry/faults/inside_out.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "geometry/edge_census.h"
+#include "geometry/faults/edge_census.h"
 #include "unit/geometry/shapes.h"
 
 namespace rakelight::test {

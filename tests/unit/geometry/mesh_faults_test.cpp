@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/mesh_faults.h"
+#include "geometry/faults/mesh_faults.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Meshes that share places, directly or by others, are one island.
 #include <gtest/gtest.h>
 
-#include "geometry/mesh_islands.h"
+#include "geometry/faults/mesh_islands.h"
 
 namespace rakelight {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Meshes with what poses them: boxes without arrays, and arrays that nothing moves.
-#include "geometry/mesh_pose.h"
+#include "geometry/pose/mesh_pose.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tangents of mode mikktspace against those of the reference implementation (tests/support/mikktspace_vectors.mjs made
 // the files), and what the mode promises beyond it.
-#include "geometry/mikktspace.h"
+#include "geometry/tangents/mikktspace.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/normal_sides.h"
+#include "geometry/faults/normal_sides.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // find_open_edges() holds to the census of all edges.
-#include "geometry/open_edges.h"
+#include "geometry/borders/open_edges.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "geometry/edge_census.h"
+#include "geometry/faults/edge_census.h"
 #include "unit/geometry/shapes.h"
 
 namespace rakelight::test {

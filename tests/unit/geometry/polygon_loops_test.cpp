@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/polygon_loops.h"
+#include "geometry/refine/polygon_loops.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/surface_pieces.h"
+#include "geometry/refine/surface_pieces.h"
 
 namespace rakelight::geometry::test {
 

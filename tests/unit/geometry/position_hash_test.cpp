@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hashes of positions: what a crafted file can and cannot do, and that no result depends on the key.
-#include "geometry/position_hash.h"
+#include "geometry/input/position_hash.h"
 
 #include <gtest/gtest.h>
 

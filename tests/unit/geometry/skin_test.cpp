@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Linear blend skinning against the sum in double, vertex by vertex, with every instruction set.
-#include "geometry/skin.h"
+#include "geometry/pose/skin.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/morph.h"
+#include "geometry/pose/morph.h"
 #include "math/isa.h"
 #include "math/linear.h"
 

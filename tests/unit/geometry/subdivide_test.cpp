@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/subdivide.h"
+#include "geometry/refine/subdivide.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <memory>
 #include <set>
 
-#include "geometry/subdivision_masks.h"
+#include "geometry/refine/subdivision_masks.h"
 #include "math/linear.h"
 #include "unit/geometry/polygons.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/surface_pieces.h"
+#include "geometry/refine/surface_pieces.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
-#include "geometry/subdivide.h"
+#include "geometry/refine/subdivide.h"
 #include "math/linear.h"
 #include "unit/geometry/polygons.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/t_junctions.h"
+#include "geometry/faults/t_junctions.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "geometry/edge_census.h"
+#include "geometry/faults/edge_census.h"
 #include "unit/geometry/shapes.h"
 
 namespace rakelight::test {

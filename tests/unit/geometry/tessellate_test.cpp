@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/tessellate.h"
+#include "geometry/refine/tessellate.h"
 
 #include <gtest/gtest.h>
 

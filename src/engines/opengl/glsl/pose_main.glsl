@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vertices in bind pose -> vertices as they stand, caught by transform feedback. The twin of src/geometry/morph.cpp and
+// Vertices in bind pose -> vertices as they stand, caught by transform feedback. The twin of src/geometry/pose/morph.cpp and
 // skin.cpp (with kernels/skin_kernel.cpp), whose rules these are.
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
