@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The general path (attributes.cpp): every option, in double.
+// The general path: every option, in double.
 #pragma once
 #include <functional>
 #include <memory>
@@ -10,6 +10,13 @@
 #include "geometry/sums/vote_sums.h"
 
 namespace rakelight::geometry {
+
+/// @param base  what an earlier plan of the same meshes left; empty: nothing
+/// @throws Error as group()
+AttributePlan plan_from(GroupingBase base, std::span<const AttributeMesh> meshes, const AttributeOptions& options,
+                        Context& context);
+/// @param input  of meshes like those of the plan
+std::vector<MeshAttributes> accumulate(const AttributePlan::Impl& plan, const AttributeInput& input, Context& context);
 
 /// @param wanted  [vertices] 0: what comes out at its place is not needed; empty: all are
 std::vector<MeshAttributes> general_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
@@ -43,6 +50,9 @@ private:
     GeneralScratch& scratch_;
     Context& context_;
 };
+
+/// The general path's result for one mesh, in the form of the buffers.
+SplitAttributes split_from(const AttributeMesh& mesh, const MeshAttributes& result, const AttributeBuffers& out);
 
 /// @param out  [meshes] large enough: checked by the caller
 /// @throws Error as compute_attributes(); the scratch may then have lost its memory

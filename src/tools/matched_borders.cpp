@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "geometry/borders/border_edges.h"
-#include "geometry/borders/border_measure.h"
 #include "geometry/borders/border_proposal.h"
+#include "geometry/borders/measure_borders.h"
 #include "tools/borders.h"
 
 namespace rakelight {

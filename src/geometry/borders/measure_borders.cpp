@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <tuple>
 
-#include "geometry/borders/border_measure.h"
 #include "geometry/borders/border_search.h"
 #include "geometry/borders/border_surface.h"
+#include "geometry/borders/measure_borders.h"
 #include "geometry/groups/authored_normals.h"
 #include "geometry/input/union_find.h"
 

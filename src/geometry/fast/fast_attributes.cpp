@@ -174,23 +174,6 @@ bool takes_fast_path(std::span<const AttributeMesh> meshes, const AttributeOptio
                        [&](const AttributeMesh& m) { return m.to_world == meshes[0].to_world && is_plain(m); });
 }
 
-SplitAttributes split_from(const AttributeMesh& mesh, const MeshAttributes& result, const AttributeBuffers& out) {
-    const std::size_t count = mesh.positions.size();
-    SplitAttributes split;
-    std::copy_n(result.normals.begin(), count, out.normals.begin());
-    split.normals.assign(result.normals.begin() + std::ptrdiff_t(count), result.normals.end());
-    if (!result.tangents.empty()) {
-        std::copy_n(result.tangents.begin(), count, out.tangents.begin());
-        split.tangents.assign(result.tangents.begin() + std::ptrdiff_t(count), result.tangents.end());
-    }
-    split.source_vertex = result.source_vertex;
-    for (std::size_t i = 0; i < result.indices.size(); ++i)
-        if (result.indices[i] != mesh.indices[i]) split.corners.push_back({std::uint32_t(i), result.indices[i]});
-    split.degenerate_faces = result.degenerate_faces;
-    split.isolated_vertices = result.isolated_vertices;
-    return split;
-}
-
 std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
                                              std::span<const AttributeBuffers> out, FastScratch& scratch,
                                              Context& context) {

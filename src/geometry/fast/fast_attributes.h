@@ -10,9 +10,6 @@ namespace rakelight::geometry {
 /// Whether the fast path covers these options and matrices.
 bool takes_fast_path(std::span<const AttributeMesh> meshes, const AttributeOptions& options);
 
-/// The general path's result for one mesh, in the form of the buffers.
-SplitAttributes split_from(const AttributeMesh& mesh, const MeshAttributes& result, const AttributeBuffers& out);
-
 /// @param out  [meshes] large enough: checked by the caller
 /// @throws Error as compute_attributes()
 std::vector<SplitAttributes> fast_attributes(std::span<const AttributeMesh> meshes, const AttributeOptions& options,
