@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "io/gltf/draco.h"
+#include "io/gltf/packed/draco.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace rakelight;

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "io/image_io.h"
+#include "io/pictures/image_io.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     rakelight::Context context({.threads = 1, .max_memory = 64u << 20});

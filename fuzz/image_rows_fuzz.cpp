@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "io/image_rows.h"
+#include "io/pictures/image_rows.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const int file = memfd_create("picture", 0);

@@ -96,7 +96,7 @@ LIBRARIES = {
 }
 
 # Sources compiled per instruction set see only these: nothing whose inline functions the linker could merge between sets.
-ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|math/prelude\.h|lighting/(lighting|light_parameters|read_albedos|albedo_tables)\.h|image/(srgb_table|denoise_tile|mip_rows)\.h|shading/(text_numbers|material_factors|effect_factors|shadow_factors|light_box)\.h|scene/texture_role_numbers\.h|lighting/\w+/\w+\.glsl|"
+ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|math/prelude\.h|lighting/(lighting|light_parameters|read_albedos|albedo_tables)\.h|image/(srgb_table|denoise_tile|maps/mip_rows)\.h|shading/(text_numbers|material_factors|effect_factors|lights/shadow_factors|lights/light_box)\.h|scene/texture_role_numbers\.h|lighting/\w+/\w+\.glsl|"
                          r"geometry/\w+/\w+_kernel_types\.h|geometry/fast/fast_weld_types\.h|geometry/kernels/\w+\.h|cpu_shading/(kernels/\w+|texture_view|material_job|mesh_view|channel_planes)\.h|engines/raster/(inspect/)?kernels/\w+\.(h|cpp)|engines/raytrace/kernels/\w+\.(h|cpp)|radiosity/kernels/\w+\.(h|cpp)|engines/raster/inspect/traced_pixel\.h|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
 ISA_FILES = ["src/cpu_shading/kernels", "src/engines/raster/kernels", "src/engines/raster/inspect/kernels", "src/engines/raytrace/kernels", "src/radiosity/kernels", "src/geometry/kernels", "src/image/kernels", "src/lighting/lighting.h", "src/lighting/read_albedos.h", "src/math/prelude.h"]
 
@@ -248,7 +248,7 @@ def check_hash_tables(path, wrong):
 
 # An option of a command line in a text: "--engine", "-o". Arguments of other programs, and words of a format, are in these files.
 OPTION = re.compile(r"(?<![\w-])--[a-z]|(?:^|(?<=[\s'(]))-[a-z](?=[\s',);]|$)")
-OPTIONS_OF_OTHERS = {"src/io/import/helper_process.cpp", "src/engines/opengl/shader_check.cpp", "src/io/movie/write_movie_by_ffmpeg.cpp", "src/io/obj/mtl_map.cpp", "src/io/obj/obj_remarks.cpp",
+OPTIONS_OF_OTHERS = {"src/io/import/helper_process.cpp", "src/engines/opengl/programs/shader_check.cpp", "src/io/movie/write_movie_by_ffmpeg.cpp", "src/io/obj/mtl_map.cpp", "src/io/obj/obj_remarks.cpp",
                      "src/tools/stages/projection_stages.cpp", "src/tools/stages/shadow_stage.cpp"}
 
 
@@ -270,8 +270,8 @@ def check_options(path, text, wrong):
 
 # Mixing by a known constant. These are random numbers, or have a key or another bound beside it.
 MIXER = re.compile(r"0x9e3779b9", re.I)
-MIXES = {"src/base/hash_key.cpp", "src/bake/sky_rays.cpp", "src/engines/raytrace/path_numbers.cpp", "src/geometry/weld/near_cells.cpp", "src/geometry/borders/border_proposal.cpp", "src/geometry/fast/fast_weld.cpp",
-         "src/geometry/fast/fast_weld_types.h", "src/geometry/input/position_hash.h", "src/tools/bench_model.cpp", "src/tools/bench_scene.cpp", "src/tools/bench_textures.cpp"}
+MIXES = {"src/base/hash_key.cpp", "src/bake/sky_rays.cpp", "src/engines/raytrace/paths/path_numbers.cpp", "src/geometry/weld/near_cells.cpp", "src/geometry/borders/border_proposal.cpp", "src/geometry/fast/fast_weld.cpp",
+         "src/geometry/fast/fast_weld_types.h", "src/geometry/input/position_hash.h", "src/tools/bench/bench_model.cpp", "src/tools/bench/bench_scene.cpp", "src/tools/bench/bench_textures.cpp"}
 
 
 def check_mixers(path, text, wrong):

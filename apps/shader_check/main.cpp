@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program `rakelight-shader-check`: takes one OpenGL program from standard input through the driver, within limits on memory and
-// time, and says what the driver says. Started by rakelight only (src/engines/opengl/shader_check.h).
+// time, and says what the driver says. Started by rakelight only (src/engines/opengl/programs/shader_check.h).
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -16,7 +16,7 @@
 #include <string_view>
 
 #include "../common/helper_limits.h"
-#include "engines/opengl/trial.h"
+#include "engines/opengl/programs/trial.h"
 
 namespace rakelight::shader_check {
 namespace {

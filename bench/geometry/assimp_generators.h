@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Assimp's generators of normals and tangents, over the model of the measurements.
 #pragma once
-#include "tools/bench_model.h"
+#include "tools/bench/bench_model.h"
 
 namespace rakelight::bench {
 

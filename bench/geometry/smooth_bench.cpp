@@ -11,7 +11,7 @@
 #include <map>
 #include <string>
 
-#include "tools/bench_baselines.h"
+#include "tools/bench/bench_baselines.h"
 #ifdef RL_HAVE_ASSIMP
 #include "geometry/assimp_generators.h"
 #endif

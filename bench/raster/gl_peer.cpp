@@ -17,16 +17,16 @@
 
 #include <rakelight/picture.h>
 
+#include "engines/opengl/picture/target.h"
 #include "engines/opengl/renderer.h"
-#include "engines/opengl/target.h"
-#include "image/compare.h"
-#include "io/image_io.h"
+#include "image/compare/compare.h"
+#include "io/pictures/image_io.h"
 #include "raster/gl_scene.h"
 #include "raster/gl_target.h"
-#include "render/picture_sink.h"
+#include "render/output/picture_sink.h"
 #include "render/stopwatch.h"
 #include "scene/scene_tools.h"
-#include "tools/bench_scene.h"
+#include "tools/bench/bench_scene.h"
 
 namespace rakelight::bench {
 namespace {

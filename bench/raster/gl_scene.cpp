@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <string>
 
-#include "image/mip_chain.h"
+#include "image/maps/mip_chain.h"
 #include "math/linear.h"
 #include "raster/gl_shaders.h"
 #include "scene/scene_tools.h"

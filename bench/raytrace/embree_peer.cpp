@@ -14,7 +14,7 @@
 #include <rakelight/session.h>
 
 #include "cpu_shading/draw_list.h"
-#include "engines/raytrace/ray_scene.h"
+#include "engines/raytrace/scene/ray_scene.h"
 #include "math/linear.h"
 #include "shading/picture_camera.h"
 

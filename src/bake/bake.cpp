@@ -12,7 +12,7 @@
 #include "bake/bake_maps.h"
 #include "bake/bake_texels.h"
 #include "bake/check_settings.h"
-#include "bake/make_coordinates.h"
+#include "bake/low/make_coordinates.h"
 #include "bake/padding.h"
 #include "base/format_text.h"
 #include "prepare/variants.h"

@@ -7,10 +7,10 @@
 #include <mutex>
 
 #include "bake/cage_rays.h"
+#include "bake/high/surface_colors.h"
+#include "bake/low/tangent_frame.h"
+#include "bake/low/texel_owners.h"
 #include "bake/sky_rays.h"
-#include "bake/surface_colors.h"
-#include "bake/tangent_frame.h"
-#include "bake/texel_owners.h"
 #include "base/format_text.h"
 
 namespace rakelight::bake {

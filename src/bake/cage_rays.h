@@ -3,8 +3,8 @@
 #pragma once
 #include <optional>
 
-#include "bake/high_surface.h"
-#include "bake/low_surface.h"
+#include "bake/high/high_surface.h"
+#include "bake/low/low_surface.h"
 
 namespace rakelight::bake {
 

@@ -9,9 +9,9 @@
 
 #include "bake/check_settings.h"
 #include "bake/lightmap_texels.h"
-#include "bake/make_coordinates.h"
+#include "bake/low/make_coordinates.h"
 #include "math/color.h"
-#include "prepare/turn_triangles.h"
+#include "prepare/repair/turn_triangles.h"
 #include "prepare/variants.h"
 #include "radiosity/lit_scene.h"
 #include "scene/scene_tools.h"

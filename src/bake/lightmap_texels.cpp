@@ -6,9 +6,9 @@
 #include <cmath>
 #include <mutex>
 
+#include "bake/high/surface_colors.h"
+#include "bake/low/texel_owners.h"
 #include "bake/padding.h"
-#include "bake/surface_colors.h"
-#include "bake/texel_owners.h"
 
 namespace rakelight::bake {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bake/tangent_frame.h"
+#include "bake/low/tangent_frame.h"
 #include "math/functions.h"
 
 namespace rakelight::bake {

@@ -3,7 +3,7 @@
 #pragma once
 #include <cstdint>
 
-#include "bake/high_surface.h"
+#include "bake/high/high_surface.h"
 
 namespace rakelight::bake {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/format_text.h"
+#include "image/compare/picture_windows.h"
 #include "image/denoise_tile.h"
-#include "image/picture_windows.h"
 #include "math/flush_denormals.h"
 
 namespace rakelight {

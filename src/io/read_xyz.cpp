@@ -9,7 +9,7 @@
 
 #include "base/format_text.h"
 #include "io/cloud_material.h"
-#include "io/plain_text.h"
+#include "io/files/plain_text.h"
 #include "io/vertex_table.h"
 
 namespace rakelight::io {

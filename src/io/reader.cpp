@@ -15,10 +15,10 @@
 
 #include "base/left_out.h"
 #include "io/content_kind.h"
-#include "io/file.h"
+#include "io/files/file.h"
+#include "io/files/plain_text.h"
 #include "io/gltf/read_gltf.h"
 #include "io/obj/read_obj.h"
-#include "io/plain_text.h"
 #include "io/ply/read_off.h"
 #include "io/ply/read_ply.h"
 #include "io/read_xyz.h"

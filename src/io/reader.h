@@ -6,7 +6,7 @@
 
 #include <rakelight/scene.h>
 
-#include "io/file.h"
+#include "io/files/file.h"
 
 namespace rakelight::io {
 

@@ -2,7 +2,7 @@
 #include "prepare/bound_sides.h"
 
 #include "math/linear.h"
-#include "prepare/bind_pose.h"
+#include "prepare/normals/bind_pose.h"
 #include "prepare/variants.h"
 
 namespace rakelight {

@@ -9,8 +9,8 @@
 #include <rakelight/scene.h>
 
 #include "prepare/generated_attributes.h"
+#include "prepare/normals/repair_borders.h"
 #include "prepare/pose_scene.h"
-#include "prepare/repair_borders.h"
 
 namespace rakelight {
 

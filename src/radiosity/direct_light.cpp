@@ -4,7 +4,7 @@
 #include "math/linear.h"
 #include "radiosity/kernels/light_at_points.h"
 #include "scene/scene_tools.h"
-#include "shading/lights.h"
+#include "shading/lights/lights.h"
 
 namespace rakelight::radiosity {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "math/linear.h"
-#include "prepare/refined_mesh.h"
+#include "prepare/refine/refined_mesh.h"
 
 namespace rakelight::radiosity {
 namespace {

@@ -5,7 +5,7 @@
 #include <atomic>
 
 #include "math/linear.h"
-#include "shading/luminance.h"
+#include "shading/lights/luminance.h"
 
 namespace rakelight::radiosity {
 

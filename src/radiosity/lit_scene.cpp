@@ -9,9 +9,9 @@
 #include <rakelight/attributes.h>
 
 #include "math/linear.h"
-#include "prepare/refined_mesh.h"
+#include "prepare/refine/refined_mesh.h"
+#include "prepare/repair/turn_triangles.h"
 #include "prepare/split_vertices.h"
-#include "prepare/turn_triangles.h"
 #include "scene/charge_arrays.h"
 
 namespace rakelight::radiosity {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "image/decode.h"
-#include "image/mip_chain.h"
+#include "image/maps/mip_chain.h"
 #include "math/linear.h"
 #include "shading/materials.h"
 

@@ -9,7 +9,7 @@
 #include <rakelight/scene.h>
 
 #include "image/convert.h"
-#include "shading/mean_map.h"
+#include "shading/lights/mean_map.h"
 
 namespace rakelight::radiosity {
 

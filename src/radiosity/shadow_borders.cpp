@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "math/linear.h"
-#include "shading/luminance.h"
+#include "shading/lights/luminance.h"
 
 namespace rakelight::radiosity {
 namespace {

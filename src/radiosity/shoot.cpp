@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "math/linear.h"
-#include "shading/luminance.h"
+#include "shading/lights/luminance.h"
 
 namespace rakelight::radiosity {
 namespace {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/environment.h"
-#include "image/mip_chain.h"
+#include "image/maps/environment.h"
+#include "image/maps/mip_chain.h"
 #include "math/functions.h"
 #include "math/linear.h"
 #include "shading/environment.h"
-#include "shading/environment_axes.h"
+#include "shading/lights/environment_axes.h"
 
 namespace rakelight::radiosity {
 namespace {

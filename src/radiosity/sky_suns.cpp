@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <span>
 
-#include "image/environment.h"
+#include "image/maps/environment.h"
 #include "math/functions.h"
 #include "math/linear.h"
-#include "shading/luminance.h"
+#include "shading/lights/luminance.h"
 
 namespace rakelight::radiosity {
 namespace {

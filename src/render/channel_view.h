@@ -6,7 +6,7 @@
 
 #include <rakelight/picture.h>
 
-#include "world/channel_info.h"
+#include "world/keys/channel_info.h"
 
 namespace rakelight {
 

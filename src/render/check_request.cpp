@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "engines/check_settings.h"
-#include "io/output_place.h"
-#include "prepare/displace.h"
-#include "prepare/normal_rule.h"
+#include "io/files/output_place.h"
+#include "prepare/normals/normal_rule.h"
+#include "prepare/refine/displace.h"
 #include "prepare/variants.h"
 #include "render/engines.h"
 #include "render/look.h"
-#include "render/picture_files.h"
+#include "render/output/picture_files.h"
 
 #include <rakelight/picture.h>
 

@@ -5,7 +5,7 @@
 #include <rakelight/session.h>
 
 #include "render/decide.h"
-#include "render/picture_target.h"
+#include "render/output/picture_target.h"
 
 namespace rakelight {
 

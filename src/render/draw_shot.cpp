@@ -6,7 +6,7 @@
 
 #include "engines/empty_pixel.h"
 #include "render/engines.h"
-#include "render/overlay.h"
+#include "render/output/overlay.h"
 #include "render/prepared_scene.h"
 #include "render/stopwatch.h"
 #include "scene/scene_tools.h"

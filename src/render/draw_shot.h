@@ -4,7 +4,7 @@
 #include <rakelight/picture.h>
 #include <rakelight/session.h>
 
-#include "render/picture_target.h"
+#include "render/output/picture_target.h"
 
 namespace rakelight {
 

@@ -14,7 +14,7 @@
 #include "engines/raytrace/raytrace_engine.h"
 #endif
 #include "render/auto_engine.h"
-#include "world/channel_info.h"
+#include "world/keys/channel_info.h"
 
 namespace rakelight {
 

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "image/decode.h"
-#include "image/height_from_normals.h"
+#include "image/maps/height_from_normals.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {

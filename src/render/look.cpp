@@ -9,8 +9,8 @@
 #include <rakelight/world.h>
 
 #include "prepare/pose_scene.h"
-#include "render/choose_camera.h"
-#include "render/up_axis.h"
+#include "render/camera/choose_camera.h"
+#include "render/camera/up_axis.h"
 #include "scene/scene_tools.h"
 #include "world/z_up.h"
 

@@ -9,8 +9,8 @@
 #include "render/check_request.h"
 #include "render/draw_picture.h"
 #include "render/draw_shot.h"
+#include "render/remarks/too_dark_or_bright.h"
 #include "render/stopwatch.h"
-#include "render/too_dark_or_bright.h"
 
 namespace rakelight {
 namespace {

@@ -8,7 +8,7 @@
 #include "render/prepared_scene.h"
 #include "scene/light_cutoff.h"
 #include "scene/scene_tools.h"
-#include "world/fixed_function.h"
+#include "world/keys/fixed_function.h"
 
 namespace rakelight {
 namespace {

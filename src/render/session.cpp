@@ -12,7 +12,7 @@
 #include "engines/posed_arrays.h"
 #include "prepare/prepare.h"
 #include "render/asked_scenes.h"
-#include "render/choose_camera.h"
+#include "render/camera/choose_camera.h"
 #include "render/drawable.h"
 #include "render/engines.h"
 #include "render/height_maps.h"

@@ -4,7 +4,7 @@
 #include <rakelight/engine.h>
 
 #include "shading/draw_list.h"
-#include "shading/lit_side.h"
+#include "shading/lights/lit_side.h"
 #include "shading/picture_camera.h"
 
 namespace rakelight::shading {

@@ -8,8 +8,8 @@
 
 #include "math/linear.h"
 #include "shading/choices.h"
-#include "shading/normal_map_remarks.h"
 #include "shading/posed_draw_list.h"
+#include "shading/remarks/normal_map_remarks.h"
 
 namespace rakelight::shading {
 namespace {

@@ -2,8 +2,8 @@
 #include "shading/environment.h"
 
 #include "image/decode.h"
-#include "shading/environment_axes.h"
-#include "shading/studio_light.h"
+#include "shading/lights/environment_axes.h"
+#include "shading/lights/studio_light.h"
 
 namespace rakelight::shading {
 namespace {

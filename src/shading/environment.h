@@ -8,7 +8,7 @@
 
 #include <rakelight/scene.h>
 
-#include "image/environment.h"
+#include "image/maps/environment.h"
 #include "shading/effect_factors.h"
 
 namespace rakelight::shading {

@@ -9,10 +9,10 @@
 
 #include <rakelight/scene.h>
 
-#include "image/alpha_coverage.h"
-#include "image/mip_chain.h"
-#include "image/normal_map_check.h"
-#include "shading/mean_map.h"
+#include "image/maps/alpha_coverage.h"
+#include "image/maps/mip_chain.h"
+#include "image/maps/normal_map_check.h"
+#include "shading/lights/mean_map.h"
 
 namespace rakelight::shading {
 

@@ -8,9 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/glb_writer.h"
-#include "io/image_io.h"
-#include "io/output_place.h"
+#include "io/files/output_place.h"
+#include "io/gltf/write/glb_writer.h"
+#include "io/pictures/image_io.h"
 #include "scene/scene_tools.h"
 #include "tools/report_json.h"
 #include "world/z_up.h"

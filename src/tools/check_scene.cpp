@@ -11,7 +11,7 @@
 #include "engines/check_settings.h"
 #include "render/engines.h"
 #include "scene/scene_tools.h"
-#include "shading/shadow_cameras.h"
+#include "shading/lights/shadow_cameras.h"
 #include "tools/material_names.h"
 #include "tools/report_json.h"
 

@@ -5,7 +5,7 @@
 
 #include <rakelight/error.h>
 
-#include "io/image_io.h"
+#include "io/pictures/image_io.h"
 
 namespace rakelight {
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/format_text.h"
-#include "io/image_rows.h"
+#include "io/pictures/image_rows.h"
 #include "tools/report_json.h"
 #include "tools/window_bands.h"
 

@@ -6,7 +6,7 @@
 #include <rakelight/picture.h>
 
 #include "engines/raster/inspect/inspection.h"
-#include "render/shader_terms.h"
+#include "render/remarks/shader_terms.h"
 
 namespace rakelight {
 

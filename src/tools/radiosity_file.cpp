@@ -8,8 +8,8 @@
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"
-#include "io/glb_writer.h"
-#include "io/image_io.h"
+#include "io/gltf/write/glb_writer.h"
+#include "io/pictures/image_io.h"
 #include "render/check_request.h"
 #include "render/decide.h"
 #include "render/lit_scenes.h"

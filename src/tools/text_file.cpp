@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "io/file.h"
-#include "io/overwrite_file.h"
+#include "io/files/file.h"
+#include "io/files/overwrite_file.h"
 #include "render/check_request.h"
 
 namespace rakelight {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/format_text.h"
-#include "io/reduced_image.h"
+#include "io/pictures/reduced_image.h"
 #include "scene/material_table.h"
 
 namespace rakelight {

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "base/format_text.h"
-#include "io/file.h"
-#include "io/image_io.h"
+#include "io/files/file.h"
+#include "io/pictures/image_io.h"
 #include "io/reader.h"
 #include "math/functions.h"
 #include "math/linear.h"

@@ -4,7 +4,7 @@
 #include <rakelight/context.h>
 #include <rakelight/world.h>
 
-#include "prepare/primitives.h"
+#include "prepare/shapes/primitives.h"
 
 namespace rakelight {
 

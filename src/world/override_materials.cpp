@@ -8,8 +8,8 @@
 #include <rakelight/request.h>
 
 #include "base/format_text.h"
-#include "io/file.h"
-#include "io/image_io.h"
+#include "io/files/file.h"
+#include "io/pictures/image_io.h"
 #include "io/world/material_keys.h"
 #include "scene/charge_arrays.h"
 #include "scene/scene_tools.h"

@@ -6,7 +6,7 @@
 
 #include "io/position_origin.h"
 #include "math/linear.h"
-#include "prepare/bind_pose.h"
+#include "prepare/normals/bind_pose.h"
 #include "scene/charge_arrays.h"
 #include "scene/placed_normal.h"
 

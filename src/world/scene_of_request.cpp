@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "world/coloring.h"
-#include "world/fixed_function.h"
+#include "world/keys/fixed_function.h"
 
 namespace rakelight {
 

@@ -3,8 +3,8 @@
 #include <rakelight/linear.h>
 
 #include "base/format_text.h"
-#include "io/file.h"
-#include "io/image_io.h"
+#include "io/files/file.h"
+#include "io/pictures/image_io.h"
 #include "world/scene_of_request.h"
 
 namespace rakelight {

@@ -6,8 +6,8 @@
 
 #include <rakelight/tools/words.h>
 
-#include "io/file.h"
-#include "io/image_io.h"
+#include "io/files/file.h"
+#include "io/pictures/image_io.h"
 #include "io/world/material_keys.h"
 #include "scene/material_table.h"
 #include "scene/scene_tools.h"

@@ -7,7 +7,7 @@
 
 #include "io/world/motion_keys.h"
 #include "io/world/world_parts.h"
-#include "world/key_fields.h"
+#include "world/keys/key_fields.h"
 
 namespace rakelight {
 namespace {

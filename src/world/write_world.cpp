@@ -8,9 +8,9 @@
 #include <rakelight/linear.h>
 
 #include "base/enumerators.h"
-#include "io/beside.h"
+#include "io/files/beside.h"
 #include "io/world/material_keys.h"
-#include "world/key_fields.h"
+#include "world/keys/key_fields.h"
 #include "world/write_tracks.h"
 
 namespace rakelight {

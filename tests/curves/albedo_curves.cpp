@@ -13,7 +13,7 @@
 
 #include "albedo_reads.h"
 #include "furnace.h"
-#include "io/image_io.h"
+#include "io/pictures/image_io.h"
 #include "tools/stages/label.h"
 
 using namespace rakelight;

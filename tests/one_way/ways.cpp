@@ -10,8 +10,8 @@
 #include <rakelight/shot.h>
 
 #include "../../apps/viewer/load_model.h"
-#include "io/file.h"
-#include "io/image_io.h"
+#include "io/files/file.h"
+#include "io/pictures/image_io.h"
 
 namespace rakelight::test {
 namespace {

@@ -16,7 +16,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engines/opengl/headless.h"
+#include "engines/opengl/context/headless.h"
 #include "engines/opengl/renderer.h"
 #include "parity/arm.h"
 #include "render/prepared_scene.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engines/channel_arrays.h"
-#include "engines/opengl/gl_thread.h"
-#include "engines/opengl/headless.h"
+#include "engines/opengl/context/gl_thread.h"
+#include "engines/opengl/context/headless.h"
 #include "engines/opengl/renderer.h"
 
 namespace rakelight::opengl {

@@ -9,12 +9,12 @@
 #include "base/format_text.h"
 #include "engines/channel_arrays.h"
 #include "engines/empty_pixel.h"
-#include "engines/opengl/blended_check.h"
+#include "engines/opengl/picture/blended_check.h"
 #include "lighting/albedo_tables.h"
 #include "scene/material_table.h"
 #include "scene/scene_tools.h"
-#include "shading/corner_remarks.h"
-#include "shading/lights.h"
+#include "shading/lights/lights.h"
+#include "shading/remarks/corner_remarks.h"
 #include "shading/shading_choice.h"
 
 namespace rakelight::opengl {

@@ -11,16 +11,16 @@
 
 #include <rakelight/engine.h>
 
-#include "engines/opengl/behind.h"
-#include "engines/opengl/blended.h"
-#include "engines/opengl/channels.h"
-#include "engines/opengl/covered.h"
-#include "engines/opengl/marks.h"
-#include "engines/opengl/pass_meter.h"
-#include "engines/opengl/picture.h"
-#include "engines/opengl/scene_upload.h"
-#include "engines/opengl/target.h"
-#include "shading/shadow_cameras.h"
+#include "engines/opengl/context/pass_meter.h"
+#include "engines/opengl/picture/behind.h"
+#include "engines/opengl/picture/blended.h"
+#include "engines/opengl/picture/channels.h"
+#include "engines/opengl/picture/covered.h"
+#include "engines/opengl/picture/marks.h"
+#include "engines/opengl/picture/picture.h"
+#include "engines/opengl/picture/target.h"
+#include "engines/opengl/scene/scene_upload.h"
+#include "shading/lights/shadow_cameras.h"
 
 namespace rakelight::opengl {
 

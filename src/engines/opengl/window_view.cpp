@@ -11,9 +11,9 @@
 #include <rakelight/error.h>
 
 #include "base/format_text.h"
-#include "engines/opengl/line_pass.h"
+#include "engines/opengl/picture/line_pass.h"
+#include "engines/opengl/picture/screen.h"
 #include "engines/opengl/renderer.h"
-#include "engines/opengl/screen.h"
 #include "math/functions.h"
 
 namespace rakelight::opengl {

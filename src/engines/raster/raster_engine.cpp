@@ -20,8 +20,8 @@
 #include "math/flush_denormals.h"
 #include "math/isa.h"
 #include "math/linear.h"
-#include "shading/lights.h"
-#include "shading/open_surfaces.h"
+#include "shading/lights/lights.h"
+#include "shading/remarks/open_surfaces.h"
 
 namespace rakelight::raster {
 

@@ -11,7 +11,7 @@
 #include "cpu_shading/environment_maps.h"
 #include "cpu_shading/scratch_pool.h"
 #include "cpu_shading/textures.h"
-#include "engines/raytrace/path_render.h"
+#include "engines/raytrace/paths/path_render.h"
 #include "engines/raytrace/tiles.h"
 #include "math/flush_denormals.h"
 #include "math/isa.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "engines/raytrace/ray_scene.h"
+#include "engines/raytrace/scene/ray_scene.h"
 #include "math/isa.h"
 #include "math/linear.h"
 

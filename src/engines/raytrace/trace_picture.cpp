@@ -12,7 +12,7 @@
 #include "math/linear.h"
 #include "scene/splat_mesh.h"
 #include "scene/uv_matrix.h"
-#include "shading/lights.h"
+#include "shading/lights/lights.h"
 #include "shading/shading_choice.h"
 
 namespace rakelight::raytrace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One row of a smaller mip level: averages of rows first, then of columns, in the order of mip_chain.h; each lane is a
 // texel.
-#include "image/mip_rows.h"
+#include "image/maps/mip_rows.h"
 #include "image/srgb_table.h"
 #include "math/wide.h"
 

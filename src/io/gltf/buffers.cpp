@@ -2,7 +2,7 @@
 #include "io/gltf/buffers.h"
 
 #include "base/format_text.h"
-#include "io/gltf/meshopt.h"
+#include "io/gltf/packed/meshopt.h"
 
 namespace rakelight::io::gltf {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "io/file.h"
+#include "io/files/file.h"
 #include "io/gltf/value.h"
 #include "io/reader.h"
 

@@ -2,7 +2,7 @@
 // The node hierarchy of the default scene: parents first, instances as children, meshes and skins attached.
 #pragma once
 #include "io/gltf/meshes.h"
-#include "io/gltf/skins.h"
+#include "io/gltf/motion/skins.h"
 
 namespace rakelight::io::gltf {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <new>
 
-#include "io/gltf/animations.h"
 #include "io/gltf/lights_cameras.h"
+#include "io/gltf/motion/animations.h"
 #include "io/gltf/nodes.h"
 
 namespace rakelight::io {

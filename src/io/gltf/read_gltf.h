@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The door of the glTF reader for bytes that are already in memory.
 #pragma once
-#include "io/file.h"
+#include "io/files/file.h"
 #include "io/reader.h"
 
 namespace rakelight::io::gltf {

@@ -2,7 +2,7 @@
 #include "io/gltf/textures.h"
 
 #include "base/format_text.h"
-#include "io/image_io.h"
+#include "io/pictures/image_io.h"
 
 namespace rakelight::io::gltf {
 namespace {

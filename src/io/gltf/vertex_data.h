@@ -10,7 +10,7 @@
 #include <rakelight/scene.h>
 
 #include "io/gltf/accessors.h"
-#include "io/gltf/draco.h"
+#include "io/gltf/packed/draco.h"
 
 namespace rakelight::io::gltf {
 

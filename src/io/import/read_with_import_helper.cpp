@@ -5,7 +5,7 @@
 
 #include <rakelight/tools/file_ending.h>
 
-#include "io/file.h"
+#include "io/files/file.h"
 #include "io/import/collada_cameras.h"
 #include "io/import/helper_process.h"
 #include "io/import/precheck.h"

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "io/descriptor.h"
-#include "io/file.h"
+#include "io/files/descriptor.h"
+#include "io/files/file.h"
 
 namespace rakelight::io {
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "base/format_text.h"
-#include "io/file.h"
-#include "io/image_io.h"
+#include "io/files/file.h"
+#include "io/pictures/image_io.h"
 
 namespace rakelight::io {
 namespace {

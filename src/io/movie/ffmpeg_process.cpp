@@ -17,8 +17,8 @@
 #include <string>
 #include <utility>
 
-#include "io/descriptor.h"
-#include "io/file.h"
+#include "io/files/descriptor.h"
+#include "io/files/file.h"
 
 namespace rakelight::io {
 namespace {

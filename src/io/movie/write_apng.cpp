@@ -2,7 +2,7 @@
 // APNG: the compressed data of PNG files in the chunks of an animation (PNG, third edition, section 11.3.6).
 #include <cmath>
 
-#include "io/file.h"
+#include "io/files/file.h"
 #include "io/movie/movie_writers.h"
 
 namespace rakelight::io {

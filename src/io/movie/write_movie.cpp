@@ -9,11 +9,11 @@
 #include <rakelight/tools/file_ending.h>
 
 #include "base/format_text.h"
-#include "io/file.h"
+#include "io/files/file.h"
+#include "io/files/output_place.h"
 #include "io/movie/ffmpeg_process.h"
 #include "io/movie/movie_writers.h"
-#include "io/output_place.h"
-#include "io/whole_picture.h"
+#include "io/pictures/whole_picture.h"
 
 namespace rakelight {
 namespace io {

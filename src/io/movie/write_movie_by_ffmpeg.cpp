@@ -6,8 +6,8 @@
 #include <charconv>
 
 #include "base/format_text.h"
-#include "io/descriptor.h"
-#include "io/file.h"
+#include "io/files/descriptor.h"
+#include "io/files/file.h"
 #include "io/movie/ffmpeg_process.h"
 #include "io/movie/movie_writers.h"
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <memory>
 
-#include "io/file.h"
-#include "io/image_io.h"
+#include "io/files/file.h"
 #include "io/movie/movie_writers.h"
+#include "io/pictures/image_io.h"
 
 namespace rakelight::io {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <set>
 
-#include "io/file.h"
+#include "io/files/file.h"
 #include "io/obj/mtl_file.h"
 #include "io/obj/obj_lines.h"
 #include "io/obj/obj_vertices.h"

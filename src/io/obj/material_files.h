@@ -7,7 +7,7 @@
 
 #include <rakelight/context.h>
 
-#include "io/beside.h"
+#include "io/files/beside.h"
 #include "io/reader.h"
 
 namespace rakelight::io::obj {

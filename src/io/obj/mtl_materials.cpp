@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 
-#include "io/file.h"
-#include "io/image_io.h"
+#include "io/files/file.h"
+#include "io/files/plain_text.h"
 #include "io/obj/obj_lines.h"
-#include "io/plain_text.h"
+#include "io/pictures/image_io.h"
 #include "math/color.h"
 #include "scene/scene_tools.h"
 

@@ -4,14 +4,14 @@
 #include <set>
 #include <string_view>
 
-#include "io/file.h"
-#include "io/obj/kept_obj.h"
+#include "io/files/file.h"
+#include "io/files/plain_text.h"
 #include "io/obj/mtl_materials.h"
 #include "io/obj/obj_faces.h"
 #include "io/obj/obj_points.h"
 #include "io/obj/obj_vertices.h"
 #include "io/obj/read_obj.h"
-#include "io/plain_text.h"
+#include "io/obj/write/kept_obj.h"
 #include "io/reader.h"
 #include "io/vertex_colors.h"
 

@@ -7,7 +7,7 @@
 
 #include <rakelight/error.h>
 
-#include "io/file.h"
+#include "io/files/file.h"
 #include "io/obj/obj_lines.h"
 
 namespace rakelight::io::obj {

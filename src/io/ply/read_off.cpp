@@ -10,8 +10,8 @@
 
 #include "base/format_text.h"
 #include "io/cloud_material.h"
-#include "io/file.h"
-#include "io/plain_text.h"
+#include "io/files/file.h"
+#include "io/files/plain_text.h"
 #include "io/ply/ply_meshes.h"
 
 namespace rakelight::io {

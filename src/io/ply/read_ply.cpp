@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "io/cloud_material.h"
-#include "io/image_io.h"
+#include "io/files/plain_text.h"
 #include "io/obj/references.h"
-#include "io/plain_text.h"
+#include "io/pictures/image_io.h"
 #include "io/ply/ply_faces.h"
 #include "io/ply/ply_meshes.h"
 #include "io/ply/ply_vertices.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "base/format_text.h"
-#include "io/file.h"
+#include "io/files/file.h"
 #include "io/world/material_keys.h"
 #include "io/world/motion_keys.h"
 #include "io/world/read_settings.h"

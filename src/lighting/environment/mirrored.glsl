@@ -2,7 +2,7 @@
 // The environment's glossy light, of maps prefiltered for surfaces of growing roughness (Karis 2013, "Real Shading in Unreal Engine
 // 4"), octahedral ones: Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors".
 
-// u, v of a direction in an octahedral map, 0..1: octahedral() of image/environment.h.
+// u, v of a direction in an octahedral map, 0..1: octahedral() of image/maps/environment.h.
 RL_FN vec2 octahedral(vec3 d)
 {
     real scale = reciprocal(max(abs(d.x) + abs(d.y) + abs(d.z), 1e-20f));

@@ -10,7 +10,7 @@
 
 #include "math/functions.h"
 #include "math/linear.h"
-#include "tools/normal_shapes.h"
+#include "tools/bench/normal_shapes.h"
 
 namespace rakelight {
 namespace {

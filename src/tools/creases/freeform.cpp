@@ -5,8 +5,8 @@
 
 #include "math/functions.h"
 #include "math/linear.h"
+#include "tools/bench/normal_shapes.h"
 #include "tools/creases/model_lists.h"
-#include "tools/normal_shapes.h"
 
 namespace rakelight {
 namespace {

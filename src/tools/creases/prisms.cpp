@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nuts, columns of few sides, cylinders.
+#include "tools/bench/normal_shapes.h"
 #include "tools/creases/model_lists.h"
-#include "tools/normal_shapes.h"
 
 namespace rakelight {
 namespace {

@@ -11,8 +11,8 @@
 #include <rakelight/error.h>
 
 #include "base/format_text.h"
-#include "io/file.h"
-#include "io/image_io.h"
+#include "io/files/file.h"
+#include "io/pictures/image_io.h"
 #include "tools/report_json.h"
 
 namespace rakelight::stages {

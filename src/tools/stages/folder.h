@@ -8,7 +8,7 @@
 
 #include <rakelight/image.h>
 
-#include "io/file.h"
+#include "io/files/file.h"
 
 namespace rakelight::stages {
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "bake/low_surface.h"
-#include "bake/tangent_frame.h"
+#include "bake/low/low_surface.h"
+#include "bake/low/tangent_frame.h"
 #include "support/environment_variable.h"
 #include "support/thrown_error.h"
 #include "unit/bake/bake_scenes.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/charts.h"
+#include "bake/low/charts.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "bake/make_coordinates.h"
+#include "bake/low/make_coordinates.h"
+#include "bake/low/shelf_packing.h"
 #include "bake/padding.h"
-#include "bake/shelf_packing.h"
 #include "support/thrown_error.h"
 #include "unit/bake/bake_scenes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/texel_owners.h"
+#include "bake/low/texel_owners.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/alpha_coverage.h"
+#include "image/maps/alpha_coverage.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/compare.h"
+#include "image/compare/compare.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/display_picture.h"
+#include "image/compare/display_picture.h"
 
 #include <gtest/gtest.h>
 

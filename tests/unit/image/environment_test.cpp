@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/environment.h"
+#include "image/maps/environment.h"
 
 #include <gtest/gtest.h>
 

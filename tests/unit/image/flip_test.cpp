@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/flip.h"
+#include "image/compare/flip.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "image/flip_color.h"
-#include "image/flip_kernels.h"
+#include "image/compare/flip_color.h"
+#include "image/compare/flip_kernels.h"
 #include "metric_pictures.h"
 
 namespace rakelight {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/green_direction.h"
+#include "image/maps/green_direction.h"
 
 #include <gtest/gtest.h>
 

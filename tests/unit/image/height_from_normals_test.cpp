@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Height maps from normal maps: heights that are known come back.
-#include "image/height_from_normals.h"
+#include "image/maps/height_from_normals.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include <rakelight/vector.h>
 
-#include "image/fourier.h"
+#include "image/maps/fourier.h"
 
 using namespace rakelight;
 

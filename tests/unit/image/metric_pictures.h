@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include "image/display_picture.h"
+#include "image/compare/display_picture.h"
 #include "image_support.h"
 
 namespace rakelight::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/mip_chain.h"
+#include "image/maps/mip_chain.h"
 
 #include <gtest/gtest.h>
 

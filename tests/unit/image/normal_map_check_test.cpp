@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/normal_map_check.h"
+#include "image/maps/normal_map_check.h"
 
 #include <gtest/gtest.h>
 

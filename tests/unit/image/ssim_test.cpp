@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/ssim.h"
+#include "image/compare/ssim.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/file.h"
+#include "io/files/file.h"
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "io/glb_writer.h"
+#include "io/gltf/write/glb_writer.h"
 #include "io/reader.h"
 #include "math/linear.h"
 #include "support/scene_builder.h"

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "image/green_direction.h"
+#include "image/maps/green_direction.h"
 #include "io/reader.h"
 #include "math/linear.h"
 #include "scene/scene_tools.h"

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "gltf_support.h"
-#include "io/gltf/draco_header.h"
+#include "io/gltf/packed/draco_header.h"
 
 namespace rakelight {
 namespace {

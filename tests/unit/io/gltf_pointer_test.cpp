@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "gltf_support.h"
-#include "io/glb_writer.h"
+#include "io/gltf/write/glb_writer.h"
 #include "support/scene_builder.h"
 
 namespace rakelight::test {

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/beside.h"
-#include "io/held_outputs.h"
+#include "io/files/beside.h"
+#include "io/files/held_outputs.h"
 #include "support/temporary_folder.h"
 #include "support/thrown_error.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "image_io_support.h"
-#include "io/image_codecs.h"
-#include "io/image_io.h"
+#include "io/pictures/image_codecs.h"
+#include "io/pictures/image_io.h"
 
 namespace rakelight::io {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <string_view>
 
-#include "image/compare.h"
+#include "image/compare/compare.h"
 #include "image_io_support.h"
-#include "io/image_io.h"
+#include "io/pictures/image_io.h"
 #include "support/shared.h"
 
 namespace rakelight::io {

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "image_io_support.h"
-#include "io/file.h"
-#include "io/image_io.h"
+#include "io/files/file.h"
+#include "io/pictures/image_io.h"
 #include "support/shared.h"
 
 namespace rakelight::io {

@@ -6,8 +6,8 @@
 
 #include "image/decode.h"
 #include "image_io_support.h"
-#include "io/image_codecs.h"
-#include "io/reduced_image.h"
+#include "io/pictures/image_codecs.h"
+#include "io/pictures/reduced_image.h"
 #include "support/shared.h"
 
 namespace rakelight::io {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures read row by row: the numbers of the file, its place in a larger picture, and files that lie.
-#include "io/image_rows.h"
+#include "io/pictures/image_rows.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "image_io_support.h"
-#include "io/image_place.h"
+#include "io/pictures/image_place.h"
 
 namespace rakelight::io {
 namespace {

@@ -14,8 +14,8 @@
 
 #include "gltf_support.h"
 #include "image_io_support.h"
-#include "io/glb_writer.h"
-#include "io/image_io.h"
+#include "io/gltf/write/glb_writer.h"
+#include "io/pictures/image_io.h"
 #include "io/world/material_keys.h"
 #include "support/scene_builder.h"
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "gltf_support.h"
-#include "io/glb_writer.h"
-#include "io/image_io.h"
+#include "io/gltf/write/glb_writer.h"
 #include "io/import/scene_from_import.h"
+#include "io/pictures/image_io.h"
 #include "obj_fixture.h"
 
 namespace rakelight {

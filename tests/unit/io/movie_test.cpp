@@ -8,9 +8,9 @@
 #include <array>
 #include <cstring>
 
-#include "io/image_io.h"
 #include "io/movie/png_chunks.h"
-#include "io/whole_picture.h"
+#include "io/pictures/image_io.h"
+#include "io/pictures/whole_picture.h"
 #include "unit/io/image_io_support.h"
 
 namespace rakelight {

@@ -2,10 +2,10 @@
 // What is made of a file must not depend on where it is cut into chunks, nor on threads.
 #include <cstring>
 
-#include "io/file.h"
+#include "io/files/file.h"
 #include "io/obj/obj_lines.h"
 #include "io/obj/read_obj.h"
-#include "io/obj/rewrite_normals.h"
+#include "io/obj/write/rewrite_normals.h"
 #include "obj_fixture.h"
 
 namespace rakelight::io {

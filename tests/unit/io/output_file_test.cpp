@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/file.h"
+#include "io/files/file.h"
 #include "support/recorded_syncs.h"
 #include "support/thrown_error.h"
 #include "unit/io/image_io_support.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "io/gltf/save_compact.h"
+#include "io/gltf/write/save_compact.h"
 
 namespace rakelight::io::gltf {
 namespace {

@@ -2,7 +2,7 @@
 // glTF files made in a test, saved with other normals.
 #pragma once
 #include "gltf_support.h"
-#include "io/gltf/save_gltf.h"
+#include "io/gltf/write/save_gltf.h"
 
 namespace rakelight::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/unfinished_output.h"
+#include "io/files/unfinished_output.h"
 
 #include <gtest/gtest.h>
 #include <rakelight/tools/unfinished_outputs.h>
@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "io/file.h"
+#include "io/files/file.h"
 #include "support/temporary_folder.h"
 
 namespace rakelight::io {

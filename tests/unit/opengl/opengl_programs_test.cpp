@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "engines/opengl/features.h"
-#include "engines/opengl/headless.h"
-#include "engines/opengl/program_cache.h"
-#include "engines/opengl/programs.h"
+#include "engines/opengl/context/headless.h"
+#include "engines/opengl/programs/features.h"
+#include "engines/opengl/programs/program_cache.h"
+#include "engines/opengl/programs/programs.h"
 #include "scene/scene_tools.h"
 #include "support/scene_builder.h"
 #include "support/temporary_folder.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Programs with GLSL of the user's in a process of its own: one that crashes, lies or is not there is one clear error, and so is a
 // text that takes too much. Small scripts play the process where it misbehaves.
-#include "engines/opengl/shader_check.h"
+#include "engines/opengl/programs/shader_check.h"
 
 #include <sys/stat.h>
 

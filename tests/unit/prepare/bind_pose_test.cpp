@@ -6,7 +6,7 @@
 #include <string>
 
 #include "math/linear.h"
-#include "prepare/bind_pose.h"
+#include "prepare/normals/bind_pose.h"
 #include "prepare/prepare.h"
 #include "scene/scene_tools.h"
 #include "unit/prepare/meshes.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "prepare/displace.h"
+#include "prepare/refine/displace.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <tuple>
 
 #include "math/linear.h"
-#include "prepare/primitives.h"
+#include "prepare/shapes/primitives.h"
 #include "scene/scene_tools.h"
 
 namespace rakelight {

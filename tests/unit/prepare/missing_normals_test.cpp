@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts without normals beside parts with: what is made is, at borders, what the author's normals are. On a ball and a tube,
 // whose normals are known.
-#include "prepare/missing_normals.h"
+#include "prepare/normals/missing_normals.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "math/linear.h"
-#include "prepare/morph_normals.h"
+#include "prepare/normals/morph_normals.h"
 #include "prepare/prepare.h"
 #include "scene/scene_tools.h"
 #include "support/scene_builder.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "prepare/primitives.h"
+#include "prepare/shapes/primitives.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Normals made to agree along borders without shared vertices: what turns along, what stays shared, which meshes take part.
-#include "prepare/repair_borders.h"
+#include "prepare/normals/repair_borders.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <rakelight/prepare.h>
 
 #include "math/linear.h"
-#include "prepare/repair_seams.h"
+#include "prepare/normals/repair_seams.h"
 
 namespace rakelight {
 namespace {

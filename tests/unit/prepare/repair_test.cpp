@@ -7,7 +7,7 @@
 #include <rakelight/error.h>
 
 #include "prepare/prepare.h"
-#include "prepare/repair.h"
+#include "prepare/repair/repair.h"
 #include "scene/scene_tools.h"
 #include "unit/prepare/meshes.h"
 

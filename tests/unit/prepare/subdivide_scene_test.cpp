@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "prepare/subdivide_scene.h"
+#include "prepare/refine/subdivide_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 #include "math/linear.h"
 #include "prepare/prepare.h"
-#include "prepare/primitives.h"
+#include "prepare/shapes/primitives.h"
 #include "scene/scene_tools.h"
 #include "unit/prepare/meshes.h"
 

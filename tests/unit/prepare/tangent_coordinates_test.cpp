@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tangents of coordinates behind a texture's transform are those of coordinates into which it was baked.
-#include "prepare/tangent_coordinates.h"
+#include "prepare/normals/tangent_coordinates.h"
 
 #include <gtest/gtest.h>
 

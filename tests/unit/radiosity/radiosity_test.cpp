@@ -8,7 +8,7 @@
 #include <rakelight/radiosity.h>
 #include <rakelight/validate.h>
 
-#include "image/environment.h"
+#include "image/maps/environment.h"
 #include "radiosity/cut.h"
 #include "radiosity/form_factor.h"
 #include "radiosity/visibility.h"

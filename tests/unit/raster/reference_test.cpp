@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "engines/raster/raster_engine.h"
-#include "image/mip_chain.h"
+#include "image/maps/mip_chain.h"
 #include "math/color.h"
 #include "support/scene_builder.h"
 

@@ -5,7 +5,7 @@
 #include <new>
 
 #include "engines/raster/shadows/shadow_maps.h"
-#include "shading/lights.h"
+#include "shading/lights/lights.h"
 #include "unit/raster/shadow_scenes.h"
 
 using namespace rakelight;

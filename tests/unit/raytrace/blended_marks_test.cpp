@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engines/raytrace/ray_marks.h"
+#include "engines/raytrace/scene/ray_marks.h"
 #include "mark_pictures.h"
 
 namespace rakelight::raytrace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "cpu_shading/draw_list.h"
-#include "engines/raytrace/ray_marks.h"
+#include "engines/raytrace/scene/ray_marks.h"
 #include "mark_pictures.h"
 
 namespace rakelight::raytrace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What rays meet, against every triangle looked at one by one.
-#include "engines/raytrace/ray_scene.h"
+#include "engines/raytrace/scene/ray_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surfaces by their formulas: every meeting lies on them, none is missed, and silhouettes are those of the formulas.
-#include "engines/raytrace/shapes.h"
+#include "engines/raytrace/scene/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "engines/raytrace/polynomial_roots.h"
+#include "engines/raytrace/scene/polynomial_roots.h"
 #include "math/linear.h"
 
 namespace rakelight::raytrace {

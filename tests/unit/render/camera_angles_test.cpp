@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "io/glb_writer.h"
-#include "render/choose_camera.h"
+#include "io/gltf/write/glb_writer.h"
+#include "render/camera/choose_camera.h"
 #include "support/temporary_folder.h"
 
 namespace rakelight {

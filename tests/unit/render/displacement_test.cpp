@@ -8,7 +8,7 @@
 #include <rakelight/render.h>
 
 #include "math/linear.h"
-#include "prepare/primitives.h"
+#include "prepare/shapes/primitives.h"
 #include "render/height_maps.h"
 
 namespace rakelight {

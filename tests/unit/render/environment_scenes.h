@@ -7,8 +7,8 @@
 
 #include <rakelight/render.h>
 
-#include "image/environment.h"
-#include "prepare/primitives.h"
+#include "image/maps/environment.h"
+#include "prepare/shapes/primitives.h"
 
 namespace rakelight::test {
 

@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "io/file.h"
-#include "io/image_io.h"
+#include "io/files/file.h"
+#include "io/pictures/image_io.h"
 #include "math/color.h"
 #include "render/drawable.h"
 #include "support/temporary_folder.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prepare/primitives.h"
+#include "prepare/shapes/primitives.h"
 #include "scene/light_cutoff.h"
 
 namespace rakelight {

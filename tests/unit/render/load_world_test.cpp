@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "math/linear.h"
-#include "render/choose_camera.h"
+#include "render/camera/choose_camera.h"
 #include "scene/scene_tools.h"
 #include "support/shared.h"
 #include "support/temporary_folder.h"

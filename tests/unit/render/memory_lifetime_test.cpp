@@ -5,7 +5,7 @@
 #include <rakelight/render.h>
 
 #include "engines/raster/raster_engine.h"
-#include "io/image_io.h"
+#include "io/pictures/image_io.h"
 #include "scene/scene_tools.h"
 #include "support/temporary_folder.h"
 

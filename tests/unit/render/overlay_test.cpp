@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/overlay.h"
+#include "render/output/overlay.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "render/ground_grid.h"
+#include "render/output/ground_grid.h"
 #include "support/scene_builder.h"
 
 namespace rakelight {

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "io/file.h"
-#include "io/image_io.h"
+#include "io/files/file.h"
+#include "io/pictures/image_io.h"
 #include "render/draw_picture.h"
 #include "render/draw_shot.h"
 #include "render/prepared_scene.h"

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "math/color.h"
-#include "render/picture_sink.h"
+#include "render/output/picture_sink.h"
 #include "unit/render/picture_fixture.h"
 #include "unit/render/test_scene.h"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "math/color.h"
-#include "render/scalar_bar.h"
+#include "render/output/scalar_bar.h"
 
 namespace rakelight {
 namespace {

@@ -10,8 +10,8 @@
 #include <rakelight/linear.h>
 #include <rakelight/render.h>
 
-#include "render/sequence_plan.h"
-#include "render/sequence_views.h"
+#include "render/sequence/sequence_plan.h"
+#include "render/sequence/sequence_views.h"
 #include "support/scene_builder.h"
 #include "support/temporary_folder.h"
 #include "support/thrown_error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/too_dark_or_bright.h"
+#include "render/remarks/too_dark_or_bright.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 
 #include "render/engines.h"
-#include "render/why_black.h"
+#include "render/remarks/why_black.h"
 #include "unit/render/picture_fixture.h"
 
 namespace rakelight {

@@ -4,7 +4,7 @@
 #include <rakelight/shot.h>
 
 #include "math/linear.h"
-#include "render/up_axis.h"
+#include "render/camera/up_axis.h"
 
 namespace rakelight {
 namespace {

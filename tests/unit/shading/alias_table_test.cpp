@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "shading/alias_table.h"
+#include "shading/lights/alias_table.h"
 
 #include <gtest/gtest.h>
 

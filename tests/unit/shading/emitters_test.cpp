@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "shading/emitters.h"
+#include "shading/lights/emitters.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "shading/environment_table.h"
+#include "shading/lights/environment_table.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "image/environment.h"
+#include "image/maps/environment.h"
 #include "math/linear.h"
 #include "support/scene_builder.h"
 #include "unit/shading/fixed_random.h"

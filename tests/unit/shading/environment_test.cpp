@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "shading/studio_light.h"
+#include "shading/lights/studio_light.h"
 #include "support/scene_builder.h"
 #include "support/shared.h"
 

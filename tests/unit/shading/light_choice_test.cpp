@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "shading/light_choice.h"
+#include "shading/lights/light_choice.h"
 
 #include <gtest/gtest.h>
 

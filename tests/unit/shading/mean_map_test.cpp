@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "shading/mean_map.h"
+#include "shading/lights/mean_map.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 
 #include "math/linear.h"
 #include "shading/draw_frame.h"
-#include "shading/light_reach.h"
-#include "shading/lights.h"
-#include "shading/shadow_cameras.h"
+#include "shading/lights/light_reach.h"
+#include "shading/lights/lights.h"
+#include "shading/lights/shadow_cameras.h"
 #include "support/scene_builder.h"
 #include "unit/shading/fake_textures.h"
 

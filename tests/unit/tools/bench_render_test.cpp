@@ -13,9 +13,9 @@
 #include "math/linear.h"
 #include "scene/scene_tools.h"
 #include "support/temporary_folder.h"
-#include "tools/bench_scene.h"
-#include "tools/bench_shapes.h"
-#include "tools/bench_textures.h"
+#include "tools/bench/bench_scene.h"
+#include "tools/bench/bench_shapes.h"
+#include "tools/bench/bench_textures.h"
 
 namespace rakelight::test {
 namespace {

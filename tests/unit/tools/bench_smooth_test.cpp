@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-#include "tools/bench_model.h"
+#include "tools/bench/bench_model.h"
 
 namespace rakelight::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/borders.h"
+#include "tools/inspect/borders.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include <random>
 
 #include "math/linear.h"
-#include "tools/border_corners.h"
-#include "tools/place_angles.h"
-#include "tools/surfaces.h"
+#include "tools/inspect/border_corners.h"
+#include "tools/inspect/place_angles.h"
+#include "tools/inspect/surfaces.h"
 #include "unit/geometry/shapes.h"
 #include "unit/render/test_scene.h"
 

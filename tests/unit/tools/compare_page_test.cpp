@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "io/file.h"
-#include "io/image_io.h"
+#include "io/files/file.h"
+#include "io/pictures/image_io.h"
 #include "support/temporary_folder.h"
 #include "tools/html.h"
 #include "unit/image/image_support.h"

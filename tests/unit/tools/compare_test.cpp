@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "image/false_color.h"
-#include "io/image_io.h"
+#include "io/pictures/image_io.h"
 #include "support/temporary_folder.h"
 #include "support/thrown_error.h"
 #include "unit/image/image_support.h"

@@ -7,7 +7,7 @@
 
 #include <rakelight/smooth_file.h>
 
-#include "io/glb_writer.h"
+#include "io/gltf/write/glb_writer.h"
 #include "support/temporary_folder.h"
 #include "unit/prepare/meshes.h"
 

@@ -8,7 +8,7 @@
 
 #include <rakelight/rakelight.h>
 
-#include "io/image_io.h"
+#include "io/pictures/image_io.h"
 #include "support/shared.h"
 #include "support/temporary_folder.h"
 #include "support/thrown_error.h"

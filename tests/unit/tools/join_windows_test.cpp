@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rakelight/tools/join_windows.h>
 
-#include "io/image_io.h"
+#include "io/pictures/image_io.h"
 #include "support/thrown_error.h"
 #include "tools/window_bands.h"
 #include "unit/io/image_io_support.h"

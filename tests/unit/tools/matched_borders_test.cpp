@@ -12,7 +12,7 @@
 #include <fstream>
 
 #include "support/temporary_folder.h"
-#include "tools/largest_seam.h"
+#include "tools/inspect/largest_seam.h"
 #include "unit/geometry/border_shapes.h"
 #include "unit/render/test_scene.h"
 

@@ -12,7 +12,7 @@
 #include <rakelight/tools/inspection_report.h>
 
 #include "base/format_text.h"
-#include "io/glb_writer.h"
+#include "io/gltf/write/glb_writer.h"
 #include "math/linear.h"
 #include "tools/shortest_digits.h"
 #include "unit/prepare/meshes.h"

@@ -12,7 +12,7 @@
 #include "math/linear.h"
 #include "prepare/prepare.h"
 #include "scene/scene_tools.h"
-#include "tools/bench_rig.h"
+#include "tools/bench/bench_rig.h"
 
 namespace rakelight {
 namespace {

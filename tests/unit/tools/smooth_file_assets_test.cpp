@@ -10,10 +10,10 @@
 #include <set>
 
 #include "math/linear.h"
-#include "prepare/bind_pose.h"
+#include "prepare/normals/bind_pose.h"
 #include "smooth_file_support.h"
 #include "support/shared.h"
-#include "tools/smooth_file_scene.h"
+#include "tools/smooth/smooth_file_scene.h"
 
 namespace rakelight {
 namespace {

@@ -8,9 +8,9 @@
 
 #include <rakelight/tools/rows.h>
 
-#include "io/glb_writer.h"
+#include "io/gltf/write/glb_writer.h"
 #include "smooth_file_support.h"
-#include "tools/smooth_file_scene.h"
+#include "tools/smooth/smooth_file_scene.h"
 #include "world/placed_in_world.h"
 
 namespace rakelight {

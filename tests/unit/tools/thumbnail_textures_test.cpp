@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "image/decode.h"
-#include "io/image_io.h"
+#include "io/pictures/image_io.h"
 #include "support/thrown_error.h"
 
 namespace rakelight {

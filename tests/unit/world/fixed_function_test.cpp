@@ -8,7 +8,7 @@
 
 #include "scene/scene_tools.h"
 #include "support/temporary_folder.h"
-#include "world/fixed_function.h"
+#include "world/keys/fixed_function.h"
 
 namespace rakelight {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lighting models of the user's own as a value of the key `lighting`.
-#include "world/lighting_text.h"
+#include "world/keys/lighting_text.h"
 
 #include <gtest/gtest.h>
 

@@ -12,8 +12,8 @@
 #include "engines/raster/inspect/explanation.h"
 #include "lighting/light_parameters.h"
 #include "shading/draw_list.h"
+#include "shading/lights/shadow_factors.h"
 #include "shading/picture_camera.h"
-#include "shading/shadow_factors.h"
 
 namespace rakelight::raster {
 

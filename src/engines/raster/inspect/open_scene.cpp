@@ -6,7 +6,7 @@
 #include "engines/raster/visibility/visibility_methods.h"
 #include "scene/charge_arrays.h"
 #include "shading/draw_choices.h"
-#include "shading/lights.h"
+#include "shading/lights/lights.h"
 
 namespace rakelight::raster {
 

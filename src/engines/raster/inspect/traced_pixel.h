@@ -33,7 +33,7 @@ struct TracedTexture {
     float value[4];       ///< filtered, linear; of slopes: the mean of the heights that they are differences of
 };
 
-/// What a factor of a term is. src/tools/explain_factors.cpp has words for each.
+/// What a factor of a term is. src/tools/explain/explain_factors.cpp has words for each.
 enum class TracedQuantity : int32_t {
     k_ambient,
     k_diffuse,

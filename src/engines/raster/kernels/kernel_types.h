@@ -9,8 +9,8 @@
 #include "cpu_shading/mesh_view.h"
 #include "engines/raster/kernels/geometry_types.h"
 #include "image/srgb_table.h"
-#include "shading/light_box.h"
-#include "shading/shadow_factors.h"
+#include "shading/lights/light_box.h"
+#include "shading/lights/shadow_factors.h"
 
 namespace rakelight::raster {
 

@@ -12,8 +12,8 @@
 #include "engines/raster/lights/tile_lights.h"
 #include "engines/raster/material_jobs.h"
 #include "math/flush_denormals.h"
-#include "shading/corner_remarks.h"
 #include "shading/draw_choices.h"
+#include "shading/remarks/corner_remarks.h"
 #include "shading/shading_choice.h"
 
 namespace rakelight::raster {

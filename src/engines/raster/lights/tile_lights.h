@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engines/raster/kernels/kernel_types.h"
-#include "shading/light_reach.h"
+#include "shading/lights/light_reach.h"
 
 namespace rakelight::raster {
 

@@ -9,8 +9,8 @@
 
 #include "cpu_shading/draw_list.h"
 #include "engines/raster/kernels/kernel_types.h"
+#include "shading/lights/shadow_cameras.h"
 #include "shading/picture_camera.h"
-#include "shading/shadow_cameras.h"
 
 namespace rakelight::raster {
 

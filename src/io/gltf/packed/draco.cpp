@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/packed/draco.h"
+
+#include <draco/attributes/attribute_quantization_transform.h>
+#include <draco/compression/decode.h>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <new>
+#include <optional>
+#include <stdexcept>
+
+#include "base/format_text.h"
+#include "io/files/file.h"
+#include "io/gltf/packed/draco_header.h"
+
+namespace rakelight::io::gltf {
+namespace {
+
+/// What the library takes while it decodes (corner table, traversal, attributes), measured on real meshes and rounded
+/// up.
+constexpr std::uint64_t working_bytes_per_face = 64, working_bytes_per_point = 96;
+/// The most faces or points per byte of compressed data; a regular grid under the valence code reaches about 200.
+constexpr std::uint64_t densest = 1024, slack = 65536;
+
+std::optional<ComponentType> component_type(draco::DataType type) {
+    switch (type) {
+        case draco::DT_INT8:
+            return ComponentType::i8;
+        case draco::DT_UINT8:
+            return ComponentType::u8;
+        case draco::DT_INT16:
+            return ComponentType::i16;
+        case draco::DT_UINT16:
+            return ComponentType::u16;
+        case draco::DT_UINT32:
+        case draco::DT_INT32:  // how positions of integers come out, see narrow()
+            return ComponentType::u32;
+        case draco::DT_FLOAT32:
+            return ComponentType::f32;
+        default:
+            return std::nullopt;
+    }
+}
+
+template <class T>
+void narrow_to(std::vector<std::byte>& bytes, const Value& from) {
+    const std::size_t count = bytes.size() / sizeof(std::int32_t);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::int32_t wide;
+        std::memcpy(&wide, bytes.data() + i * sizeof wide, sizeof wide);
+        const T value = T(wide);
+        if (std::int32_t(value) != wide) from.fail("its Draco data has a position beyond its accessor's type");
+        std::memcpy(bytes.data() + i * sizeof value, &value, sizeof value);  // never past what was read
+    }
+    bytes.resize(count * sizeof(T));
+}
+
+/// Integers of 32 bits, as the library holds them before it gives them their own type again, to the accessor's type.
+void narrow(std::vector<std::byte>& bytes, ComponentType type, const Value& from) {
+    switch (type) {
+        case ComponentType::i8:
+            return narrow_to<std::int8_t>(bytes, from);
+        case ComponentType::u8:
+            return narrow_to<std::uint8_t>(bytes, from);
+        case ComponentType::i16:
+            return narrow_to<std::int16_t>(bytes, from);
+        case ComponentType::u16:
+            return narrow_to<std::uint16_t>(bytes, from);
+        default:
+            from.fail("its Draco data has positions of another type than their accessor");
+    }
+}
+
+void check_header(std::span<const std::byte> data, const Value& from, Context& context) {
+    const auto header = read_draco_header(data);
+    if (!header || !header->is_mesh) from.fail("its Draco data is not a Draco mesh");
+    if (header->major != 2 || header->minor != 2)
+        from.fail(format_text("its Draco data has version {}.{}; glTF allows 2.2 only", header->major, header->minor));
+    const std::uint64_t most = densest * data.size() + slack;
+    if (header->faces > most || header->points > most)
+        from.fail(format_text("its Draco data announces {} triangles and {} vertices, more than {} bytes can hold",
+                              header->faces, header->points, data.size()));
+    context.memory().check(header->faces * working_bytes_per_face + header->points * working_bytes_per_point,
+                           "decoding a Draco mesh");
+}
+
+}  // namespace
+
+struct DracoMesh::Impl {
+    std::unique_ptr<draco::Mesh> mesh;
+    std::map<std::uint32_t, double> steps;  ///< by unique id, of quantized positions
+
+    /// The library would do this itself, but then it forgets the step.
+    void dequantize(int id, const Value& from) {
+        const draco::PointAttribute* codes = mesh->attribute(id);
+        const draco::AttributeTransformData* data = codes->GetAttributeTransformData();
+        if (!data || data->transform_type() != draco::ATTRIBUTE_QUANTIZATION_TRANSFORM) return;
+        draco::AttributeQuantizationTransform transform;
+        const int width = codes->num_components();
+        if (codes->data_type() != draco::DT_INT32 || !transform.InitFromAttribute(*codes) ||
+            transform.min_values().size() < std::size_t(width) || transform.quantization_bits() < 1 ||
+            transform.quantization_bits() > 30)
+            from.fail("its Draco data has positions without their quantization");
+        draco::GeometryAttribute shape;
+        shape.Init(codes->attribute_type(), nullptr, std::uint8_t(width), draco::DT_FLOAT32, false,
+                   width * std::int64_t(sizeof(float)), 0);
+        auto values = std::make_unique<draco::PointAttribute>(shape);
+        if (!values->Reset(codes->size())) from.fail("its Draco data asks for more memory than there is");
+        if (codes->is_mapping_identity()) {
+            values->SetIdentityMapping();
+        } else {
+            values->SetExplicitMapping(mesh->num_points());
+            for (draco::PointIndex p(0); p < mesh->num_points(); ++p)
+                values->SetPointMapEntry(p, codes->mapped_index(p));
+        }
+        if (!transform.InverseTransformAttribute(*codes, values.get()))
+            from.fail("its Draco data has positions that cannot be scaled back");
+        const std::uint32_t unique_id = codes->unique_id();
+        const double step = double(transform.range()) / double((1u << transform.quantization_bits()) - 1);
+        if (std::isfinite(step) && step > 0) steps[unique_id] = step;
+        mesh->SetAttribute(id, std::move(values));
+        mesh->attribute(id)->set_unique_id(unique_id);
+    }
+};
+
+DracoMesh::DracoMesh(std::span<const std::byte> data, const Value& from, Context& context)
+    : impl_(std::make_unique<Impl>()) {
+    check_header(data, from, context);
+    try {
+        draco::DecoderBuffer buffer;
+        buffer.Init(reinterpret_cast<const char*>(data.data()), data.size());
+        draco::Decoder decoder;
+        decoder.SetSkipAttributeTransform(draco::GeometryAttribute::POSITION);
+        auto result = decoder.DecodeMeshFromBuffer(&buffer);
+        if (!result.ok()) from.fail("its Draco data is broken: " + result.status().error_msg_string());
+        impl_->mesh = std::move(result).value();
+        for (int a = 0; impl_->mesh && a < impl_->mesh->num_attributes(); ++a)
+            if (impl_->mesh->attribute(a)->attribute_type() == draco::GeometryAttribute::POSITION)
+                impl_->dequantize(a, from);
+    } catch (const std::bad_alloc&) {
+        from.fail("its Draco data asks for more memory than there is");
+    } catch (const std::length_error&) {
+        from.fail("its Draco data asks for more memory than there is");
+    }
+    if (!impl_->mesh) from.fail("its Draco data holds no mesh");
+    for (draco::FaceIndex f(0); f < impl_->mesh->num_faces(); ++f)
+        for (const draco::PointIndex& corner : impl_->mesh->face(f))
+            if (corner.value() >= impl_->mesh->num_points())
+                from.fail(format_text("its Draco data has a corner {} of {} vertices", corner.value(),
+                                      impl_->mesh->num_points()));
+}
+
+DracoMesh::~DracoMesh() = default;
+
+std::uint64_t DracoMesh::vertex_count() const { return impl_->mesh->num_points(); }
+
+std::vector<std::uint32_t> DracoMesh::indices() const {
+    std::vector<std::uint32_t> result;
+    result.reserve(std::size_t(impl_->mesh->num_faces()) * 3);
+    for (draco::FaceIndex f(0); f < impl_->mesh->num_faces(); ++f)
+        for (const draco::PointIndex& corner : impl_->mesh->face(f)) result.push_back(corner.value());
+    return result;
+}
+
+double DracoMesh::step(std::uint32_t id) const {
+    const auto known = impl_->steps.find(id);
+    return known == impl_->steps.end() ? 0 : known->second;
+}
+
+Elements DracoMesh::attribute(std::uint32_t id, const Elements& description, const Value& from,
+                              Context& context) const {
+    const draco::PointAttribute* attribute = impl_->mesh->GetAttributeByUniqueId(id);
+    if (!attribute) from.fail("its Draco data has no attribute " + std::to_string(id));
+    const auto type = component_type(attribute->data_type());
+    const std::uint32_t width = std::uint32_t(attribute->num_components());
+    if (!type || width != description.components)
+        from.fail(format_text("Draco attribute {} has another type than its accessor", id));
+    Elements elements = description;
+    elements.type = *type;
+    elements.count = vertex_count();
+    elements.stride = elements.element_bytes();
+    const std::uint64_t bytes = elements.element_bytes(), step = std::uint64_t(attribute->byte_stride());
+    MemoryCharge charge(context.memory(), elements.count * bytes, "a Draco attribute");
+    std::vector<std::byte> packed(std::size_t(elements.count * bytes));
+    const draco::DataBuffer* values = attribute->buffer();
+    const std::uint64_t start = std::uint64_t(attribute->byte_offset());
+    for (draco::PointIndex p(0); p < impl_->mesh->num_points(); ++p) {
+        const std::uint64_t value = attribute->mapped_index(p).value();
+        if (!values || step < bytes || value >= attribute->size() || start + value * step + bytes > values->data_size())
+            from.fail(format_text("Draco attribute {} has no value for vertex {}", id, p.value()));
+        std::memcpy(packed.data() + p.value() * bytes, values->data() + start + value * step, std::size_t(bytes));
+    }
+    if (attribute->data_type() == draco::DT_INT32) {
+        narrow(packed, description.type, from);
+        elements.type = description.type;
+        elements.stride = elements.element_bytes();
+    }
+    const Bytes values_of_all = charged_bytes(std::move(packed), std::move(charge));
+    elements.data = values_of_all->data();
+    elements.owner = values_of_all;
+    return elements;
+}
+
+}  // namespace rakelight::io::gltf
