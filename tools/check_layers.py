@@ -90,7 +90,7 @@ LIBRARIES = {
     r"opensubdiv/": ["geometry"],
     r"GLFW/|imgui": ["apps/viewer"],
     r"embree": ["engines/raytrace"],
-    r"epoxy/|EGL/|GL/": ["engines/opengl", "apps/viewer/gl_pictures.cpp"],
+    r"epoxy/|EGL/|GL/": ["engines/opengl", "apps/viewer/view/gl_pictures.cpp"],
     r"toml": ["io"],
     r"pybind11/": ["python/src"],
 }

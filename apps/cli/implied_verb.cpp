@@ -9,7 +9,7 @@
 #include <rakelight/world.h>
 
 #include "file_uri.h"
-#include "view_verb.h"
+#include "verbs/view_verb.h"
 
 namespace rakelight::cli {
 namespace {

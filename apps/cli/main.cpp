@@ -9,12 +9,12 @@
 #include "../common/manual.h"
 #include "../common/stack.h"
 #include "../common/view_command.h"
-#include "help_texts.h"
 #include "implied_verb.h"
 #include "run_file.h"
-#include "verbs.h"
+#include "verbs/help_texts.h"
+#include "verbs/verbs.h"
+#include "verbs/view_verb.h"
 #include "version_text.h"
-#include "view_verb.h"
 
 namespace rakelight::cli {
 namespace {

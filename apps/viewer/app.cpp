@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "../common/interrupt.h"
-#include "display_path.h"
+#include "document/display_path.h"
 
 namespace rakelight::viewer {
 namespace {

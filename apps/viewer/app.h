@@ -12,17 +12,17 @@
 #include <rakelight/inspect.h>
 
 #include "../common/watched_files.h"
-#include "background.h"
-#include "gizmo.h"
-#include "input.h"
-#include "load_model.h"
-#include "materials.h"
-#include "motion_times.h"
-#include "painter.h"
-#include "panels.h"
-#include "settings_file.h"
-#include "shader_files.h"
-#include "window.h"
+#include "document/materials.h"
+#include "document/settings_file.h"
+#include "motion/motion_times.h"
+#include "panels/panels.h"
+#include "view/background.h"
+#include "view/gizmo.h"
+#include "view/load_model.h"
+#include "view/painter.h"
+#include "view/shader_files.h"
+#include "window/input.h"
+#include "window/window.h"
 
 namespace rakelight::viewer {
 

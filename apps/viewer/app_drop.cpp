@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "app.h"
-#include "drop.h"
+#include "view/drop.h"
 
 namespace rakelight::viewer {
 

@@ -6,7 +6,7 @@
 #include <rakelight/linear.h>
 
 #include "app.h"
-#include "feedback.h"
+#include "document/feedback.h"
 
 namespace rakelight::viewer {
 namespace {

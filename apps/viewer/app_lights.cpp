@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app.h"
-#include "overlay.h"
+#include "view/overlay.h"
 
 namespace rakelight::viewer {
 

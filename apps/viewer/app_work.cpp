@@ -8,11 +8,11 @@
 #include <rakelight/smooth_file.h>
 
 #include "app.h"
-#include "display_path.h"
-#include "gather.h"
-#include "materials.h"
-#include "record.h"
-#include "save.h"
+#include "document/display_path.h"
+#include "document/gather.h"
+#include "document/materials.h"
+#include "document/save.h"
+#include "motion/record.h"
 
 namespace rakelight::viewer {
 namespace {

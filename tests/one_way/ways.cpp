@@ -9,7 +9,7 @@
 #include <rakelight/sequence.h>
 #include <rakelight/shot.h>
 
-#include "../../apps/viewer/load_model.h"
+#include "../../apps/viewer/view/load_model.h"
 #include "io/files/file.h"
 #include "io/pictures/image_io.h"
 

@@ -11,8 +11,8 @@
 #include <rakelight/request.h>
 #include <rakelight/session.h>
 
-#include "../../apps/viewer/document.h"
-#include "../../apps/viewer/painter.h"
+#include "../../apps/viewer/document/document.h"
+#include "../../apps/viewer/view/painter.h"
 
 namespace rakelight::test {
 

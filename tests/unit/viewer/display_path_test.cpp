@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../../../apps/viewer/display_path.h"
+#include "../../../apps/viewer/document/display_path.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <rakelight/linear.h>
 #include <rakelight/render.h>
 
-#include "../../../apps/viewer/document.h"
+#include "../../../apps/viewer/document/document.h"
 #include "looks.h"
 
 namespace rakelight::viewer {

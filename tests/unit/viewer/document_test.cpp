@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../../../apps/viewer/document.h"
+#include "../../../apps/viewer/document/document.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 #include <rakelight/linear.h>
 #include <rakelight/render.h>
 
-#include "../../../apps/viewer/drop.h"
-#include "../../../apps/viewer/feedback.h"
-#include "../../../apps/viewer/gather.h"
-#include "../../../apps/viewer/overlay.h"
-#include "../../../apps/viewer/painter.h"
+#include "../../../apps/viewer/document/feedback.h"
+#include "../../../apps/viewer/document/gather.h"
+#include "../../../apps/viewer/view/drop.h"
+#include "../../../apps/viewer/view/overlay.h"
+#include "../../../apps/viewer/view/painter.h"
 #include "looks.h"
 #include "support/shared.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../../../apps/viewer/eye.h"
+#include "../../../apps/viewer/document/eye.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../../../apps/viewer/gizmo.h"
+#include "../../../apps/viewer/view/gizmo.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include <rakelight/linear.h>
 
-#include "../../../apps/viewer/overlay.h"
+#include "../../../apps/viewer/view/overlay.h"
 
 namespace rakelight::viewer {
 namespace {

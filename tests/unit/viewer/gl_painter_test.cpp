@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures on the GPU without a window: a context of EGL stands for the hidden window's. Skipped where there is no OpenGL.
-#include "../../../apps/viewer/gl_painter.h"
+#include "../../../apps/viewer/view/gl_painter.h"
 
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 
 #include <rakelight/render.h>
 
-#include "../../../apps/viewer/load_model.h"
-#include "../../../apps/viewer/painter.h"
+#include "../../../apps/viewer/view/load_model.h"
+#include "../../../apps/viewer/view/painter.h"
 #include "support/gl_context.h"
 
 namespace rakelight::viewer {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../../../apps/viewer/keys.h"
+#include "../../../apps/viewer/document/keys.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <map>
 #include <set>
 
-#include "../../../apps/viewer/input.h"
-#include "../../../apps/viewer/pace.h"
-#include "../../../apps/viewer/settings_file.h"
+#include "../../../apps/viewer/document/settings_file.h"
+#include "../../../apps/viewer/view/pace.h"
+#include "../../../apps/viewer/window/input.h"
 #include "support/environment_variable.h"
 #include "support/shared.h"
 #include "support/temporary_folder.h"

@@ -7,10 +7,10 @@
 
 #include <rakelight/linear.h>
 
-#include "../../../apps/viewer/load_model.h"
-#include "../../../apps/viewer/materials.h"
-#include "../../../apps/viewer/save.h"
-#include "../../../apps/viewer/studio.h"
+#include "../../../apps/viewer/document/materials.h"
+#include "../../../apps/viewer/document/save.h"
+#include "../../../apps/viewer/view/load_model.h"
+#include "../../../apps/viewer/view/studio.h"
 #include "support/temporary_folder.h"
 
 namespace rakelight::viewer {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../../../apps/viewer/marks.h"
+#include "../../../apps/viewer/view/marks.h"
 
 #include <gtest/gtest.h>
 
-#include "../../../apps/viewer/load_model.h"
+#include "../../../apps/viewer/view/load_model.h"
 
 namespace rakelight::viewer {
 namespace {

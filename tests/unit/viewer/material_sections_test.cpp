@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Changed materials among the sections of a world: against what the sections say, section by section.
-#include "../../../apps/viewer/material_sections.h"
+#include "../../../apps/viewer/document/material_sections.h"
 
 #include <gtest/gtest.h>
 

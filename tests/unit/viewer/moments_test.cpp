@@ -5,8 +5,8 @@
 
 #include <rakelight/render.h>
 
-#include "../../../apps/viewer/painter.h"
-#include "../../../apps/viewer/player.h"
+#include "../../../apps/viewer/motion/player.h"
+#include "../../../apps/viewer/view/painter.h"
 #include "looks.h"
 #include "support/shared.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../../../apps/viewer/motion_times.h"
+#include "../../../apps/viewer/motion/motion_times.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../../../apps/viewer/record.h"
+#include "../../../apps/viewer/motion/record.h"
 
 #include <rakelight/image_sources.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../../../apps/viewer/recorded_keys.h"
+#include "../../../apps/viewer/motion/recorded_keys.h"
 
-#include "../../../apps/viewer/player.h"
+#include "../../../apps/viewer/motion/player.h"
 #include "looks.h"
 
 namespace rakelight::viewer {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../../../apps/viewer/setting_text.h"
+#include "../../../apps/viewer/document/setting_text.h"
 
-#include "../../../apps/viewer/shell_words.h"
+#include "../../../apps/viewer/document/shell_words.h"
 #include "looks.h"
 
 namespace rakelight::viewer {

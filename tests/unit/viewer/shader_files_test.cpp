@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../../../apps/viewer/shader_files.h"
+#include "../../../apps/viewer/view/shader_files.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../../../apps/viewer/view_box.h"
+#include "../../../apps/viewer/view/view_box.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panels beside the picture: they read and change a look, and ask for commands. Drawn by Dear ImGui.
+#pragma once
+#include <string>
+#include <vector>
+
+#include <rakelight/inspect.h>
+
+#include "../document/own_keys.h"
+#include "../document/ui_state.h"
+#include "../view/painter.h"
+
+namespace rakelight::viewer {
+
+/// What the panels see of the viewer, and what they want of it.
+struct PanelView {
+    const Model* model = nullptr;  ///< null: nothing is loaded; then `look` is not read
+    Look& look;
+    UiState& ui;
+    const Painting* painting = nullptr;       ///< what is shown; null: nothing yet
+    int width = 1, height = 1;                ///< [px] of the picture
+    int window_width = 1, window_height = 1;  ///< points, as ImGui counts
+    float scale = 1;
+    double longest_block_ms = 0;
+    std::span<const OwnKey> own_keys{};
+    std::size_t file_number = 0, file_count = 1;  ///< of the list, from 0
+    const Seams* seams = nullptr;                 ///< null: not looked for
+    std::vector<std::string> works;               ///< what runs: "load 40 %"
+    std::vector<Command> commands;                ///< out: as if their keys had been pressed
+};
+
+/// The column at the left; sets UiState::panel_width.
+void draw_panels(PanelView& view);
+/// Over the picture: the file's name, times, what runs, messages.
+void draw_status(const PanelView& view);
+void draw_help(PanelView& view);
+
+// One panel each.
+void draw_view_panel(PanelView& view);
+void draw_motion_panel(PanelView& view);
+void draw_shading_panel(PanelView& view);
+void draw_normals_panel(PanelView& view);
+void draw_lights_panel(PanelView& view);
+void draw_materials_panel(PanelView& view);
+void draw_pixel_panel(PanelView& view);
+/// [px] of the column in which the text of an explained pixel is seen whole; 0: there is none.
+float explained_width(const PanelView& view);
+void draw_statistics_panel(PanelView& view);
+/// Every setting of pictures by its key, with a field each.
+void draw_all_settings(PanelView& view);
+
+}  // namespace rakelight::viewer
