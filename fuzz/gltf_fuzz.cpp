@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fuzz target: glTF and GLB files of any bytes load as valid scenes or throw Error. Seeds: any .gltf and .glb files,
 // best with the data inside (GLB, data URIs), since references find nothing here.
+#include <rakelight/validate.h>
+
 #include <cstdint>
 #include <cstring>
 
 #include "io/gltf/read_gltf.h"
-#include "scene/scene_tools.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace rakelight;

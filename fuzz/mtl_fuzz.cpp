@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // MTL text, any bytes: all materials load into a valid scene.
+#include <rakelight/validate.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "io/obj/read_obj.h"
-#include "scene/scene_tools.h"
 #include "support/temporary_folder.h"
 
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // OBJ text, any bytes: loads or throws Error, and what loads is a valid scene, the same wherever the text is cut into chunks. Lines
 // tile the file, and chunks hold whole ones.
+#include <rakelight/validate.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +13,6 @@
 
 #include "io/obj/obj_lines.h"
 #include "io/obj/read_obj.h"
-#include "scene/scene_tools.h"
 
 namespace {
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // PLY and lists of points, any bytes: they load or throw Error, and what loads is a valid scene whose points can be made surface.
+#include <rakelight/validate.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -8,7 +10,6 @@
 #include "io/ply/read_ply.h"
 #include "io/read_xyz.h"
 #include "prepare/splat_points.h"
-#include "scene/scene_tools.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace rakelight;

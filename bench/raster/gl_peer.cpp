@@ -25,7 +25,7 @@
 #include "raster/gl_target.h"
 #include "render/output/picture_sink.h"
 #include "render/stopwatch.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "tools/bench/bench_scene.h"
 
 namespace rakelight::bench {

@@ -11,7 +11,7 @@
 #include "image/maps/mip_chain.h"
 #include "math/linear.h"
 #include "raster/gl_shaders.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight::bench {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stages of baking: checks, LOW with texture coordinates and frames, HIGH with shading normals, texels, padding.
 #include <rakelight/bake.h>
+#include <rakelight/report.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@
 #include "bake/padding.h"
 #include "base/format_text.h"
 #include "prepare/variants.h"
-#include "scene/scene_tools.h"
+#include "scene/texture_uses.h"
 
 namespace rakelight {
 namespace bake {

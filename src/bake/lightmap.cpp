@@ -14,7 +14,7 @@
 #include "prepare/repair/turn_triangles.h"
 #include "prepare/variants.h"
 #include "radiosity/lit_scene.h"
-#include "scene/scene_tools.h"
+#include "scene/texture_uses.h"
 #include "shading/choices.h"
 
 namespace rakelight {

@@ -8,6 +8,7 @@
 #include "base/format_text.h"
 #include "engines/shader_text.h"
 #include "math/linear.h"
+#include "scene/faults.h"
 
 namespace rakelight {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 #include <rakelight/engine.h>
 
-#include "scene/scene_tools.h"
+#include "scene/faults.h"
 
 namespace rakelight {
 

@@ -11,7 +11,9 @@
 #include <string_view>
 #include <utility>
 
+#include <rakelight/report.h>
 #include <rakelight/tools/file_ending.h>
+#include <rakelight/validate.h>
 
 #include "base/left_out.h"
 #include "io/content_kind.h"
@@ -22,7 +24,6 @@
 #include "io/ply/read_off.h"
 #include "io/ply/read_ply.h"
 #include "io/read_xyz.h"
-#include "scene/scene_tools.h"
 
 namespace rakelight::io {
 namespace {

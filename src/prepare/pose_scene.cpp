@@ -3,6 +3,8 @@
 // (geometry/mesh_pose.h), here or in the engine.
 #include "prepare/pose_scene.h"
 
+#include <rakelight/validate.h>
+
 #include <algorithm>
 #include <cmath>
 #include <compare>
@@ -17,7 +19,7 @@
 #include "math/linear.h"
 #include "prepare/moving_placements.h"
 #include "scene/charge_arrays.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include <rakelight/error.h>
+#include <rakelight/report.h>
+#include <rakelight/validate.h>
 
 #include "base/enumerators.h"
 #include "math/linear.h"
@@ -15,15 +17,17 @@
 #include "prepare/normals/smooth_request.h"
 #include "prepare/normals/tangent_report.h"
 #include "prepare/pose_scene.h"
-#include "prepare/prepare.h"
+#include "prepare/prepare_scene.h"
 #include "prepare/refine/displace.h"
 #include "prepare/refine/subdivide_scene.h"
 #include "prepare/repair/repair.h"
 #include "prepare/repair/turn_triangles.h"
 #include "prepare/variants.h"
 #include "scene/charge_arrays.h"
+#include "scene/faults.h"
+#include "scene/material_conversion.h"
 #include "scene/material_table.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "scene/validate_parts.h"
 
 namespace rakelight {

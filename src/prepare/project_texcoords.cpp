@@ -15,16 +15,19 @@
 #include <string>
 
 #include <rakelight/error.h>
+#include <rakelight/report.h>
+#include <rakelight/scene_queries.h>
 
 #include "base/cancel_check.h"
 #include "base/format_text.h"
 #include "math/functions.h"
 #include "math/linear.h"
-#include "prepare/prepare.h"
+#include "prepare/prepare_scene.h"
 #include "prepare/split_vertices.h"
 #include "prepare/variants.h"
 #include "scene/charge_arrays.h"
-#include "scene/scene_tools.h"
+#include "scene/drawn_vertices.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

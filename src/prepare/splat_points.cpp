@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prepare/splat_points.h"
 
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,8 +11,10 @@
 #include "geometry/points/point_normals.h"
 #include "geometry/points/point_spacing.h"
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/material_conversion.h"
+#include "scene/placement.h"
 #include "scene/splat_mesh.h"
+#include "scene/texture_uses.h"
 
 namespace rakelight {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "math/linear.h"
 #include "radiosity/kernels/light_at_points.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "shading/lights/lights.h"
 
 namespace rakelight::radiosity {

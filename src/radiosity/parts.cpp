@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "shading/choices.h"
 
 namespace rakelight::radiosity {

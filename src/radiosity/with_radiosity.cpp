@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stages: parts of the scene -> patches -> shots -> elements, refined at shadow boundaries -> lit scene.
 #include <rakelight/radiosity.h>
+#include <rakelight/report.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,7 +14,7 @@
 #include "radiosity/lit_scene.h"
 #include "radiosity/shadow_borders.h"
 #include "radiosity/shoot.h"
-#include "scene/scene_tools.h"
+#include "scene/texture_uses.h"
 
 namespace rakelight::radiosity {
 namespace {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <rakelight/report.h>
 #include <rakelight/tools/draw_alike.h>
 
 #include <cmath>
@@ -15,7 +16,7 @@
 #include "render/draw_picture.h"
 #include "render/look.h"
 #include "scene/merge_scenes.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "shading/lights/lights.h"
 #include "world/coloring.h"
 #include "world/z_up.h"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/draw_shot.h"
 
+#include <rakelight/report.h>
+#include <rakelight/scene_queries.h>
+
 #include <algorithm>
 #include <cstdio>
 
@@ -9,7 +12,8 @@
 #include "render/output/overlay.h"
 #include "render/prepared_scene.h"
 #include "render/stopwatch.h"
-#include "scene/scene_tools.h"
+#include "scene/drawn_vertices.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

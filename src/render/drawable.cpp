@@ -7,7 +7,7 @@
 
 #include "math/linear.h"
 #include "prepare/moving_placements.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

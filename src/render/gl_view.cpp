@@ -6,7 +6,8 @@
 #include "engines/opengl/window_view.h"
 #include "render/engines.h"
 #include "render/prepared_scene.h"
-#include "scene/scene_tools.h"
+#include "scene/faults.h"
+#include "scene/validate.h"
 
 namespace rakelight {
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/height_maps.h"
 
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <map>
 
 #include "image/decode.h"
 #include "image/maps/height_from_normals.h"
-#include "scene/scene_tools.h"
+#include "scene/material_conversion.h"
 
 namespace rakelight {
 namespace {

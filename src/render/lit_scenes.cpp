@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/lit_scenes.h"
 
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <cstdio>
 
 #include "scene/drawn_vertices.h"
-#include "scene/scene_tools.h"
+#include "scene/fitted_camera.h"
 
 namespace rakelight {
 

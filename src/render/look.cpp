@@ -6,12 +6,14 @@
 #include <cstdio>
 #include <optional>
 
+#include <rakelight/report.h>
+#include <rakelight/scene_queries.h>
 #include <rakelight/world.h>
 
 #include "prepare/pose_scene.h"
 #include "render/camera/choose_camera.h"
 #include "render/camera/up_axis.h"
-#include "scene/scene_tools.h"
+#include "scene/faults.h"
 #include "world/z_up.h"
 
 namespace rakelight {

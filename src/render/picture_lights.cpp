@@ -2,12 +2,14 @@
 #include "render/picture_lights.h"
 
 #include <rakelight/linear.h>
+#include <rakelight/report.h>
+#include <rakelight/scene_queries.h>
 #include <rakelight/shot.h>
 
 #include "base/format_text.h"
 #include "render/prepared_scene.h"
 #include "scene/light_cutoff.h"
-#include "scene/scene_tools.h"
+#include "scene/validate.h"
 #include "world/keys/fixed_function.h"
 
 namespace rakelight {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/point_look.h"
 
+#include <rakelight/scene_queries.h>
+
 #include <algorithm>
 
 #include "math/functions.h"
@@ -8,7 +10,8 @@
 #include "prepare/splat_points.h"
 #include "render/look.h"
 #include "render/prepared_scene.h"
-#include "scene/scene_tools.h"
+#include "scene/drawn_vertices.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <rakelight/session.h>
 
-#include "prepare/prepare.h"
+#include "prepare/prepare_scene.h"
 
 namespace rakelight {
 
@@ -59,6 +59,8 @@ bool are_prepared_alike(const Scene& a, const Scene& b);
 /// Whether what engines draw of both differs in lights and cameras at most.
 bool are_drawn_alike(const PreparedScene& a, const PreparedScene& b);
 
+/// Whether lights, cameras, fog and environment are equal.
+bool have_same_surroundings(const Scene& a, const Scene& b);
 /// Copies what prepare does not read: lights, cameras, fog, environment. Nobody else may use the scene meanwhile.
 void take_surroundings(PreparedScene& prepared, const Scene& scene);
 
@@ -78,7 +80,9 @@ Camera camera_in_world(const Scene& scene, Camera camera, double aspect);
 /// The lights of the scene: its own, or the default rig, which is placed relative to the camera. For paths, emissive
 /// surfaces are lights too.
 std::vector<Light> lights_of(const Scene& scene, const Camera& camera, RayMethod method);
-/// Those that an engine gets for a shot. @param scene  as drawn
+/// Those that an engine gets for a shot. @param own  the lights of the scene, whatever those are that stand in it
+std::vector<Light> lights_of(const Scene& scene, const std::vector<Light>& own, const Shot& shot);
+/// @param scene  as drawn
 std::vector<Light> lights_of(const Scene& scene, const Shot& shot);
 /// What an engine gets that does not pose vertices itself: all of them, and the lights of the shot.
 Scene drawn_scene(const PreparedScene& prepared, const Shot& shot, Context& context);

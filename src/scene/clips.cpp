@@ -16,7 +16,6 @@
 #include "scene/animated_properties.h"
 #include "scene/clips.h"
 #include "scene/sample_channel.h"
-#include "scene/scene_tools.h"
 #include "scene/validate_parts.h"
 
 namespace rakelight {

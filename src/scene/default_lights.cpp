@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The default lights.
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+
+#include <rakelight/scene_queries.h>
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/drawn_vertices.h"
 
+#include <rakelight/scene_queries.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 #include "base/assert.h"
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

@@ -43,4 +43,8 @@ private:
     Bounds bounds_;
 };
 
+/// Axis-aligned box in world space of all drawn vertices of all objects, without non-finite ones. Empty if nothing is
+/// drawn.
+Bounds world_bounds(const Scene& scene);
+
 }  // namespace rakelight

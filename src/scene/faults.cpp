@@ -4,7 +4,7 @@
 
 #include "base/enumerators.h"
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/faults.h"
 
 namespace rakelight {
 namespace {

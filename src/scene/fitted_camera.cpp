@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include <rakelight/error.h>
+#include <rakelight/scene_queries.h>
 
 #include "math/default_up.h"
 #include "math/functions.h"
 #include "math/linear.h"
 #include "scene/drawn_vertices.h"
-#include "scene/scene_tools.h"
+#include "scene/fitted_camera.h"
 
 namespace rakelight {
 namespace {

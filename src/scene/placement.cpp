@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // World matrices of nodes, boxes, camera frames.
+#include <rakelight/scene_queries.h>
+#include <rakelight/validate.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/assert.h"
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/drawn_vertices.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 

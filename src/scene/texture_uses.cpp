@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/scene_tools.h"
+#include "scene/texture_uses.h"
+
+#include <rakelight/report.h>
 
 #include <algorithm>
 

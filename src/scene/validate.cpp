@@ -6,12 +6,15 @@
 #include <unordered_set>
 
 #include <rakelight/error.h>
+#include <rakelight/validate.h>
 
 #include "base/enumerators.h"
 #include "base/format_text.h"
 #include "math/linear.h"
+#include "scene/faults.h"
 #include "scene/material_table.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
+#include "scene/validate.h"
 #include "scene/validate_parts.h"
 
 namespace rakelight {

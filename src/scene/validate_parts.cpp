@@ -8,11 +8,13 @@
 
 #include <rakelight/error.h>
 #include <rakelight/motion.h>
+#include <rakelight/validate.h>
 
 #include "base/format_text.h"
 #include "math/linear.h"
+#include "scene/faults.h"
+#include "scene/placement.h"
 #include "scene/sample_channel.h"
-#include "scene/scene_tools.h"
 
 namespace rakelight {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/material_conversion.h"
 #include "scene/uv_matrix.h"
 #include "shading/choices.h"
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include <rakelight/scene.h>
+#include <rakelight/scene_queries.h>
 
 #include "geometry/faults/normal_sides.h"
-#include "scene/scene_tools.h"
 #include "shading/materials.h"
 #include "shading/texture_cache.h"
 

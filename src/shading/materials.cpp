@@ -6,7 +6,7 @@
 
 #include "math/functions.h"
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/material_conversion.h"
 #include "scene/uv_matrix.h"
 #include "shading/refraction.h"
 

@@ -6,6 +6,7 @@
 
 #include "engines/check_settings.h"
 #include "math/functions.h"
+#include "scene/placement.h"
 #include "shading/draw_list.h"
 
 namespace rakelight::shading {

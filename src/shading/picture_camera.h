@@ -3,9 +3,10 @@
 // the origin looks like one at it.
 #pragma once
 #include <rakelight/engine.h>
+#include <rakelight/scene_queries.h>
 
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight::shading {
 

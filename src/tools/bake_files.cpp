@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <rakelight/report.h>
 #include <rakelight/tools/bake_files.h>
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 #include "io/files/output_place.h"
 #include "io/gltf/write/glb_writer.h"
 #include "io/pictures/image_io.h"
-#include "scene/scene_tools.h"
+#include "scene/texture_uses.h"
 #include "tools/report_json.h"
 #include "world/z_up.h"
 

@@ -4,13 +4,14 @@
 #include <rakelight/tools/check_scene.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/words.h>
+#include <rakelight/validate.h>
 #include <rakelight/world.h>
 
 #include <rakelight/shot.h>
 #include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "render/engines.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "shading/lights/shadow_cameras.h"
 #include "tools/material_names.h"
 #include "tools/report_json.h"

@@ -9,7 +9,6 @@
 #include <rakelight/tools/words.h>
 
 #include "base/format_text.h"
-#include "scene/scene_tools.h"
 
 namespace rakelight {
 namespace {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/join_scenes.h"
 
+#include <rakelight/validate.h>
+
 #include <algorithm>
 
 #include "scene/merge_scenes.h"
-#include "scene/scene_tools.h"
 #include "world/z_up.h"
 
 namespace rakelight {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/load_world.h"
 
+#include <rakelight/report.h>
+#include <rakelight/validate.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -12,7 +15,7 @@
 #include "math/functions.h"
 #include "math/linear.h"
 #include "scene/merge_scenes.h"
-#include "scene/scene_tools.h"
+#include "scene/texture_uses.h"
 #include "world/make_shape.h"
 #include "world/scene_of_request.h"
 #include "world/world_clip.h"

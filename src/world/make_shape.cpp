@@ -2,7 +2,7 @@
 #include "world/make_shape.h"
 
 #include "base/assert.h"
-#include "prepare/prepare.h"
+#include "prepare/prepare_scene.h"
 #include "scene/charge_arrays.h"
 
 namespace rakelight {

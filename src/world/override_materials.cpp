@@ -6,13 +6,15 @@
 
 #include <rakelight/material_changes.h>
 #include <rakelight/request.h>
+#include <rakelight/validate.h>
 
 #include "base/format_text.h"
 #include "io/files/file.h"
 #include "io/pictures/image_io.h"
 #include "io/world/material_keys.h"
 #include "scene/charge_arrays.h"
-#include "scene/scene_tools.h"
+#include "scene/texture_uses.h"
+#include "scene/validate.h"
 #include "world/change_material.h"
 #include "world/own_materials.h"
 #include "world/scene_of_request.h"

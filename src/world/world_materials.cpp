@@ -4,13 +4,14 @@
 #include <charconv>
 #include <map>
 
+#include <rakelight/report.h>
 #include <rakelight/tools/words.h>
 
 #include "io/files/file.h"
 #include "io/pictures/image_io.h"
 #include "io/world/material_keys.h"
+#include "scene/material_conversion.h"
 #include "scene/material_table.h"
-#include "scene/scene_tools.h"
 #include "world/change_material.h"
 #include "world/load_world.h"
 #include "world/own_materials.h"

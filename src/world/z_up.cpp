@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
+#include <rakelight/report.h>
 #include <rakelight/tools/file_ending.h>
 
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 

@@ -20,7 +20,6 @@
 #include "engines/opengl/renderer.h"
 #include "parity/arm.h"
 #include "render/prepared_scene.h"
-#include "scene/scene_tools.h"
 #include "support/environment_variable.h"
 #include "support/shared.h"
 

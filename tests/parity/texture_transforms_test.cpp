@@ -12,7 +12,6 @@
 #include <rakelight/render.h>
 #include <rakelight/session.h>
 
-#include "scene/scene_tools.h"
 #include "support/scene_builder.h"
 #include "support/shared.h"
 

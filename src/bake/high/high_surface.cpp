@@ -4,7 +4,7 @@
 #include "bake/high/mean_curvature.h"
 #include "math/linear.h"
 #include "scene/placed_normal.h"
-#include "scene/scene_tools.h"
+#include "scene/texture_uses.h"
 
 namespace rakelight::bake {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "prepare/variants.h"
 #include "scene/placed_normal.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight::bake {
 namespace {

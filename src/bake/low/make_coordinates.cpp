@@ -17,7 +17,7 @@
 #include "prepare/split_vertices.h"
 #include "prepare/variants.h"
 #include "scene/charge_arrays.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight::bake {
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/opengl/renderer.h"
 
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <bit>
 #include <map>
@@ -12,7 +14,8 @@
 #include "engines/opengl/picture/blended_check.h"
 #include "lighting/albedo_tables.h"
 #include "scene/material_table.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
+#include "scene/validate.h"
 #include "shading/lights/lights.h"
 #include "shading/remarks/corner_remarks.h"
 #include "shading/shading_choice.h"

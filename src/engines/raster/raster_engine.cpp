@@ -20,6 +20,7 @@
 #include "math/flush_denormals.h"
 #include "math/isa.h"
 #include "math/linear.h"
+#include "scene/validate.h"
 #include "shading/lights/lights.h"
 #include "shading/remarks/open_surfaces.h"
 

@@ -15,6 +15,7 @@
 #include "engines/raytrace/tiles.h"
 #include "math/flush_denormals.h"
 #include "math/isa.h"
+#include "scene/validate.h"
 
 namespace rakelight::raytrace {
 namespace {

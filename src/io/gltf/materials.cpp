@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/materials.h"
 
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <limits>
 
 #include "math/linear.h"
 #include "scene/material_table.h"
-#include "scene/scene_tools.h"
+#include "scene/texture_uses.h"
 
 namespace rakelight::io::gltf {
 namespace {

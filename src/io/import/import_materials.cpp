@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +9,7 @@
 #include "io/import/texture_placement.h"
 #include "math/color.h"
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/texture_uses.h"
 
 namespace rakelight::io {
 namespace {

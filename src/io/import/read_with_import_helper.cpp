@@ -4,6 +4,7 @@
 #include <span>
 
 #include <rakelight/tools/file_ending.h>
+#include <rakelight/validate.h>
 
 #include "io/files/file.h"
 #include "io/import/collada_cameras.h"
@@ -12,7 +13,6 @@
 #include "io/import/scene_from_import.h"
 #include "io/import/temporary_file.h"
 #include "io/reader.h"
-#include "scene/scene_tools.h"
 
 namespace rakelight::io {
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/obj/mtl_materials.h"
 
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +12,8 @@
 #include "io/obj/obj_lines.h"
 #include "io/pictures/image_io.h"
 #include "math/color.h"
-#include "scene/scene_tools.h"
+#include "scene/material_conversion.h"
+#include "scene/texture_uses.h"
 
 namespace rakelight::io::obj {
 namespace {

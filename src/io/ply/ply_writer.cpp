@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/ply/ply_writer.h"
 
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -9,7 +11,7 @@
 #include "math/color.h"
 #include "math/linear.h"
 #include "scene/placed_normal.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight::io {
 namespace {

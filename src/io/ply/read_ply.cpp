@@ -2,6 +2,8 @@
 // PLY -> scene: header, then element by element. Without faces and edges its vertices are points.
 #include "io/ply/read_ply.h"
 
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -12,7 +14,6 @@
 #include "io/ply/ply_faces.h"
 #include "io/ply/ply_meshes.h"
 #include "io/ply/ply_vertices.h"
-#include "scene/scene_tools.h"
 
 namespace rakelight::io::ply {
 namespace {

@@ -2,7 +2,7 @@
 #include "io/world/material_keys.h"
 
 #include "scene/material_table.h"
-#include "scene/scene_tools.h"
+#include "scene/texture_uses.h"
 
 namespace rakelight::io::world {
 namespace {

@@ -10,11 +10,12 @@
 #include <tuple>
 
 #include <rakelight/error.h>
+#include <rakelight/report.h>
 
 #include "base/cancel_check.h"
 #include "base/format_text.h"
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

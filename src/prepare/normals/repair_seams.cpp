@@ -9,7 +9,7 @@
 #include "prepare/normals/bind_pose.h"
 #include "prepare/normals/normal_rule.h"
 #include "prepare/normals/turned_normals.h"
-#include "prepare/prepare.h"
+#include "prepare/prepare_scene.h"
 #include "scene/charge_arrays.h"
 
 namespace rakelight {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Computes normals and tangents of a scene by compute_attributes(): inputs, and placement of the results.
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -18,10 +20,10 @@
 #include "prepare/normals/smooth_request.h"
 #include "prepare/normals/smooth_selection.h"
 #include "prepare/normals/tangent_report.h"
-#include "prepare/prepare.h"
+#include "prepare/prepare_scene.h"
 #include "prepare/split_vertices.h"
 #include "scene/charge_arrays.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prepare/refine/displace.h"
 
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,7 +16,7 @@
 #include "prepare/refine/displace_parts.h"
 #include "prepare/refine/refined_mesh.h"
 #include "scene/charge_arrays.h"
-#include "scene/scene_tools.h"
+#include "scene/drawn_vertices.h"
 
 namespace rakelight {
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prepare/refine/displace_parts.h"
 
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -8,7 +10,7 @@
 
 #include "math/functions.h"
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prepare/refine/subdivide_scene.h"
 
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -15,7 +17,8 @@
 #include "prepare/refine/subdivide_surface.h"
 #include "prepare/variants.h"
 #include "scene/charge_arrays.h"
-#include "scene/scene_tools.h"
+#include "scene/faults.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

@@ -3,13 +3,14 @@
 #include <cmath>
 
 #include <rakelight/error.h>
+#include <rakelight/report.h>
 
 #include "math/linear.h"
 #include "prepare/normals/normal_rule.h"
 #include "prepare/repair/repair.h"
 #include "prepare/variants.h"
 #include "scene/material_table.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "scene/validate_parts.h"
 
 namespace rakelight {

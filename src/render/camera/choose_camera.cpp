@@ -14,6 +14,9 @@
 #include "math/linear.h"
 #include "prepare/pose_scene.h"
 #include "scene/drawn_vertices.h"
+#include "scene/faults.h"
+#include "scene/fitted_camera.h"
+#include "scene/placement.h"
 #include "world/scene_of_request.h"
 
 namespace rakelight {

@@ -4,9 +4,11 @@
 #include <functional>
 
 #include <rakelight/picture.h>
+#include <rakelight/report.h>
+#include <rakelight/scene_queries.h>
+#include <rakelight/validate.h>
 
 #include "scene/near_surfaces.h"
-#include "scene/scene_tools.h"
 
 namespace rakelight {
 

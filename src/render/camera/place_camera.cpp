@@ -7,6 +7,7 @@
 #include "math/functions.h"
 #include "math/linear.h"
 #include "render/camera/choose_camera.h"
+#include "scene/fitted_camera.h"
 
 namespace rakelight {
 

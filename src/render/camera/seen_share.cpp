@@ -4,7 +4,7 @@
 #include "math/functions.h"
 #include "math/linear.h"
 #include "render/look.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

@@ -5,10 +5,11 @@
 #include <cmath>
 
 #include <rakelight/linear.h>
+#include <rakelight/scene_queries.h>
 
 #include "math/functions.h"
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include <rakelight/scene_queries.h>
 #include <rakelight/tools/file_ending.h>
 
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/drawn_vertices.h"
+#include "scene/placement.h"
 #include "world/z_up.h"
 
 namespace rakelight {

@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <string>
 
+#include <rakelight/scene_queries.h>
 #include <rakelight/tools/file_ending.h>
 
 #include "render/output/overlay.h"
-#include "scene/scene_tools.h"
+#include "scene/drawn_vertices.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

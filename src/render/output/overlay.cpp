@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/output/overlay.h"
 
+#include <rakelight/scene_queries.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -12,7 +14,7 @@
 #include "math/color.h"
 #include "math/linear.h"
 #include "render/output/scalar_bar.h"
-#include "scene/scene_tools.h"
+#include "scene/drawn_vertices.h"
 
 namespace rakelight {
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/remarks/why_black.h"
 
+#include <rakelight/scene_queries.h>
+
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -10,8 +12,9 @@
 #include "image/tone_curves.h"
 #include "math/functions.h"
 #include "math/linear.h"
+#include "scene/drawn_vertices.h"
 #include "scene/light_cutoff.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "shading/choices.h"
 #include "shading/lights/lights.h"
 #include "world/scene_of_request.h"

@@ -4,12 +4,14 @@
 #include <algorithm>
 
 #include <rakelight/linear.h>
+#include <rakelight/scene_queries.h>
 
 #include "prepare/pose_scene.h"
 #include "render/camera/choose_camera.h"
 #include "render/camera/swept_outline.h"
+#include "scene/drawn_vertices.h"
+#include "scene/fitted_camera.h"
 #include "scene/merge_scenes.h"
-#include "scene/scene_tools.h"
 #include "world/scene_of_request.h"
 
 namespace rakelight {

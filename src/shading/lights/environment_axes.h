@@ -5,7 +5,7 @@
 
 #include "math/functions.h"
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/fitted_camera.h"
 
 namespace rakelight::shading {
 

@@ -17,7 +17,7 @@
 #include "render/camera/choose_camera.h"
 #include "render/output/picture_sink.h"
 #include "render/prepared_scene.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "tools/bench/bench_rig.h"
 
 namespace rakelight {

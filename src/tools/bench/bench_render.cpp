@@ -16,7 +16,7 @@
 #include "render/engines.h"
 #include "render/prepared_scene.h"
 #include "render/stopwatch.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "tools/bench/bench_export.h"
 #include "tools/bench/bench_scene.h"
 

@@ -9,8 +9,8 @@
 #include "io/files/file.h"
 #include "io/pictures/image_io.h"
 #include "render/check_request.h"
+#include "tools/compare/compare.h"
 #include "tools/compare/compare_numbers.h"
-#include "tools/compare/compared_pictures.h"
 #include "tools/html.h"
 
 namespace rakelight {

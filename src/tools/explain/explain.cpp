@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <rakelight/explain.h>
+#include <rakelight/validate.h>
 
 #include <new>
 
@@ -9,7 +10,7 @@
 #include "engines/raster/visibility/depth_formats.h"
 #include "render/rows.h"
 #include "scene/material_table.h"
-#include "tools/explain/explained_pixel.h"
+#include "tools/explain/explain.h"
 #include "tools/object_title.h"
 #include "tools/open_engine.h"
 

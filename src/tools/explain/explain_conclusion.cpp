@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "shading/lights/luminance.h"
+#include "tools/explain/explain.h"
 #include "tools/explain/explain_values.h"
-#include "tools/explain/explained_pixel.h"
 #include "tools/material_names.h"
 
 namespace rakelight {

@@ -6,8 +6,8 @@
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/words.h>
 
+#include "tools/explain/explain.h"
 #include "tools/explain/explain_factors.h"
-#include "tools/explain/explained_pixel.h"
 #include "tools/material_names.h"
 #include "tools/report_json.h"
 

@@ -8,8 +8,8 @@
 #include "image/tone_curves.h"
 #include "math/color.h"
 #include "render/rows.h"
+#include "tools/explain/explain.h"
 #include "tools/explain/explain_values.h"
-#include "tools/explain/explained_pixel.h"
 
 namespace rakelight {
 namespace {

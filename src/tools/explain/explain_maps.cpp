@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "tools/explain/explained_pixel.h"
+#include "tools/explain/explain.h"
 #include "tools/material_names.h"
 #include "tools/shortest_digits.h"
 #include "tools/text_table.h"

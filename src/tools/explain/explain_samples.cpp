@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explained pixels of several samples: which triangle each sample shows, and their mean.
-#include "tools/explain/explained_pixel.h"
+#include "tools/explain/explain.h"
 
 #include <nlohmann/json.hpp>
 #include "tools/shortest_digits.h"

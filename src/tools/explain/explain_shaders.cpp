@@ -5,8 +5,8 @@
 #include <rakelight/error.h>
 #include <rakelight/linear.h>
 
+#include "tools/explain/explain.h"
 #include "tools/explain/explain_values.h"
-#include "tools/explain/explained_pixel.h"
 
 namespace rakelight {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/explain/explain.h"
 #include "tools/explain/explain_factors.h"
-#include "tools/explain/explained_pixel.h"
 #include "tools/material_names.h"
 
 namespace rakelight {

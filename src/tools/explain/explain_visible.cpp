@@ -4,7 +4,7 @@
 
 #include <rakelight/error.h>
 
-#include "tools/explain/explained_pixel.h"
+#include "tools/explain/explain.h"
 #include "tools/object_title.h"
 #include "tools/shortest_digits.h"
 

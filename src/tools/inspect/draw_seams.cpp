@@ -2,6 +2,7 @@
 // The heat map: the model in gray, and its seams as lines of even width over it. The lines are drawn into the finished
 // picture by its depths, so that they are as wide on a model of twelve triangles as on one of a million.
 #include <rakelight/inspect.h>
+#include <rakelight/validate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +10,9 @@
 #include "engines/check_settings.h"
 #include "math/functions.h"
 #include "math/linear.h"
-#include "prepare/prepare.h"
+#include "prepare/prepare_scene.h"
 #include "render/camera/choose_camera.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "tools/inspect/largest_seam.h"
 #include "tools/inspect/seam_legend.h"
 #include "tools/inspect/seam_normals.h"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <rakelight/inspect.h>
+#include <rakelight/scene_queries.h>
+#include <rakelight/validate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +19,9 @@
 #include "prepare/normals/bind_pose.h"
 #include "prepare/normals/missing_normals.h"
 #include "prepare/pose_scene.h"
-#include "prepare/prepare.h"
-#include "scene/scene_tools.h"
+#include "prepare/prepare_scene.h"
+#include "scene/drawn_vertices.h"
+#include "scene/placement.h"
 #include "tools/inspect/borders.h"
 #include "tools/inspect/matched_borders.h"
 #include "tools/inspect/surfaces.h"

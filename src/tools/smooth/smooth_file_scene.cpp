@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/smooth/smooth_file_scene.h"
 
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +13,7 @@
 #include "prepare/variants.h"
 #include "scene/change_targets.h"
 #include "scene/charge_arrays.h"
-#include "scene/scene_tools.h"
+#include "scene/material_conversion.h"
 
 namespace rakelight {
 namespace {

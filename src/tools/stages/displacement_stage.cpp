@@ -14,7 +14,7 @@
 #include "render/asked_scenes.h"
 #include "render/decide.h"
 #include "render/prepared_scene.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "tools/object_title.h"
 #include "tools/stages/paint.h"
 #include "tools/stages/plot.h"

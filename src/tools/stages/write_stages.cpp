@@ -6,12 +6,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include <rakelight/report.h>
 #include <rakelight/stages.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/text_file.h>
 
 #include "scene/charge_arrays.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "tools/open_engine.h"
 #include "tools/report_json.h"
 #include "tools/stages/displacement_stage.h"

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "scene/faults.h"
 #include "support/thrown_error.h"
 
 namespace rakelight {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The real models of ../shared/assets: all load, with the number of triangles that INDEX.md gives.
+#include <rakelight/validate.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +13,8 @@
 #include "image/maps/green_direction.h"
 #include "io/reader.h"
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/drawn_vertices.h"
+#include "scene/placement.h"
 #include "support/shared.h"
 
 namespace rakelight {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Clips and skins that are broken on purpose: one clear line each, and no crash where they are evaluated all the same.
 #include <rakelight/motion.h>
+#include <rakelight/report.h>
+#include <rakelight/validate.h>
 
 #include <cmath>
 #include <limits>
 
 #include "gltf_support.h"
-#include "scene/scene_tools.h"
 
 namespace rakelight::test {
 namespace {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The broken files of ../shared/hostile: each keeps its verdict as far as the reader alone decides it.
+#include <rakelight/report.h>
+#include <rakelight/validate.h>
+
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -7,7 +10,6 @@
 #include <fstream>
 
 #include "io/reader.h"
-#include "scene/scene_tools.h"
 #include "support/shared.h"
 
 namespace rakelight {

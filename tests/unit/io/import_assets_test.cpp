@@ -4,6 +4,8 @@
 
 #include "import_support.h"
 #include "math/linear.h"
+#include "scene/drawn_vertices.h"
+#include "scene/placement.h"
 
 namespace rakelight::io::import_test {
 

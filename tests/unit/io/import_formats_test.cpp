@@ -9,6 +9,7 @@
 #include "io/import/texture_finder.h"
 #include "io/import/texture_placement.h"
 #include "math/linear.h"
+#include "scene/drawn_vertices.h"
 #include "support/thrown_error.h"
 
 namespace rakelight::io::import_test {

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "io/reader.h"
-#include "scene/scene_tools.h"
 #include "support/environment_variable.h"
 #include "support/shared.h"
 #include "support/temporary_folder.h"

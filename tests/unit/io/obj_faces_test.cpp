@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <rakelight/report.h>
+#include <rakelight/validate.h>
+
 #include <cmath>
 #include <limits>
 #include <set>
@@ -6,7 +9,7 @@
 #include "io/obj/obj_meshes.h"
 #include "math/color.h"
 #include "obj_fixture.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight::io {
 namespace {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The real and the hostile OBJ files beside the repository.
+#include <rakelight/report.h>
+#include <rakelight/validate.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +14,7 @@
 #include <vector>
 
 #include "io/reader.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "support/shared.h"
 #include "support/temporary_folder.h"
 

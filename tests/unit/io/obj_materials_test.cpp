@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/obj/mtl_materials.h"
 
+#include <rakelight/report.h>
+#include <rakelight/validate.h>
+
 #include <cmath>
 
 #include "io/obj/mtl_file.h"
 #include "math/color.h"
 #include "obj_fixture.h"
-#include "scene/scene_tools.h"
 
 namespace rakelight::io {
 namespace {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // OFF: colors of faces and vertices, kinds of the header, and files that promise what they do not hold.
+#include <rakelight/validate.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "io/ply/read_off.h"
 #include "math/color.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight::io {
 namespace {

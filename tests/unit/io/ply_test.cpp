@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // PLY: names of the common writers, the three forms of the data, faces, and files that promise what they do not hold.
+#include <rakelight/report.h>
+#include <rakelight/validate.h>
+
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -11,7 +14,6 @@
 
 #include "io/ply/read_ply.h"
 #include "math/color.h"
-#include "scene/scene_tools.h"
 #include "support/shared.h"
 #include "support/temporary_folder.h"
 

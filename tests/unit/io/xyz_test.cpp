@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points as lines of numbers: what the columns mean, and lines that are none.
+#include <rakelight/validate.h>
+
 #include <gtest/gtest.h>
 
 #include "io/read_xyz.h"
 #include "math/color.h"
 #include "math/linear.h"
-#include "scene/scene_tools.h"
 
 namespace rakelight::io {
 namespace {

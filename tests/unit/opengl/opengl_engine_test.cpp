@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The engine gl beside the soft one, and its messages when it cannot draw.
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <cmath>
 #include <thread>
 
-#include "scene/scene_tools.h"
 #include "support/scene_builder.h"
 #include "support/thrown_error.h"
 #include "unit/opengl/opengl_scenes.h"

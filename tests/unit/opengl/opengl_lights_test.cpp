@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Many lights and shadow maps in the engine gl.
 
-#include "scene/scene_tools.h"
 #include "support/scene_builder.h"
 #include "support/thrown_error.h"
 #include "unit/opengl/opengl_scenes.h"

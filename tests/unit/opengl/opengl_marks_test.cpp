@@ -2,7 +2,6 @@
 // Lines and points in the engine gl.
 
 #include "engines/raster/raster_engine.h"
-#include "scene/scene_tools.h"
 #include "support/scene_builder.h"
 #include "unit/opengl/opengl_scenes.h"
 #include "unit/opengl/opengl_test.h"

@@ -9,7 +9,6 @@
 #include "engines/opengl/programs/features.h"
 #include "engines/opengl/programs/program_cache.h"
 #include "engines/opengl/programs/programs.h"
-#include "scene/scene_tools.h"
 #include "support/scene_builder.h"
 #include "support/temporary_folder.h"
 #include "support/thrown_error.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "engines/raster/raster_engine.h"
-#include "scene/scene_tools.h"
 #include "support/scene_builder.h"
 #include "unit/opengl/opengl_test.h"
 

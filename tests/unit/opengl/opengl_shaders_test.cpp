@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "scene/faults.h"
 #include "support/shared.h"
 #include "support/thrown_error.h"
 #include "unit/opengl/opengl_scenes.h"

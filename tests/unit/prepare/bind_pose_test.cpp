@@ -2,13 +2,15 @@
 // Case "skinning": skinned models are smoothed where their parts meet, in the bind pose.
 #include <gtest/gtest.h>
 #include <rakelight/error.h>
+#include <rakelight/report.h>
+#include <rakelight/validate.h>
 
 #include <string>
 
 #include "math/linear.h"
 #include "prepare/normals/bind_pose.h"
-#include "prepare/prepare.h"
-#include "scene/scene_tools.h"
+#include "prepare/prepare_scene.h"
+#include "scene/placement.h"
 #include "unit/prepare/meshes.h"
 
 namespace rakelight {

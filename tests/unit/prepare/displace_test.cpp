@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prepare/refine/displace.h"
 
+#include <rakelight/validate.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +14,7 @@
 
 #include "math/linear.h"
 #include "prepare/shapes/primitives.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

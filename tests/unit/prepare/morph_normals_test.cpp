@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Normals of morph targets: base plus offset is the normal of the morphed surface.
+#include <rakelight/report.h>
+#include <rakelight/validate.h>
+
 #include <gtest/gtest.h>
 
 #include "math/linear.h"
 #include "prepare/normals/morph_normals.h"
-#include "prepare/prepare.h"
-#include "scene/scene_tools.h"
+#include "prepare/prepare_scene.h"
+#include "scene/placement.h"
 #include "support/scene_builder.h"
 #include "unit/prepare/meshes.h"
 

@@ -8,7 +8,7 @@
 #include <rakelight/prepare.h>
 
 #include "near_borders.h"
-#include "prepare/prepare.h"
+#include "prepare/prepare_scene.h"
 
 namespace rakelight {
 namespace {

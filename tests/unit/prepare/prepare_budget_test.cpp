@@ -7,8 +7,7 @@
 
 #include <rakelight/error.h>
 
-#include "prepare/prepare.h"
-#include "scene/scene_tools.h"
+#include "prepare/prepare_scene.h"
 #include "unit/prepare/meshes.h"
 #include "unit/prepare/prepared.h"
 

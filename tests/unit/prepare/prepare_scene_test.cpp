@@ -7,9 +7,9 @@
 #include <string>
 
 #include <rakelight/error.h>
+#include <rakelight/report.h>
 
-#include "prepare/prepare.h"
-#include "scene/scene_tools.h"
+#include "prepare/prepare_scene.h"
 #include "unit/prepare/meshes.h"
 #include "unit/prepare/prepared.h"
 

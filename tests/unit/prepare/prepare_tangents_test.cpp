@@ -6,9 +6,9 @@
 #include <string>
 
 #include <rakelight/error.h>
+#include <rakelight/report.h>
 
-#include "prepare/prepare.h"
-#include "scene/scene_tools.h"
+#include "prepare/prepare_scene.h"
 #include "support/thrown_error.h"
 #include "unit/prepare/meshes.h"
 #include "unit/prepare/prepared.h"

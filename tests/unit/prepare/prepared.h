@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes as prepare_scene() returns them, checked.
 #pragma once
-#include "prepare/prepare.h"
-#include "scene/scene_tools.h"
+#include <rakelight/validate.h>
+
+#include "prepare/prepare_scene.h"
 #include "unit/prepare/meshes.h"
 
 namespace rakelight::test {

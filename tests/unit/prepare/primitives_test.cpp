@@ -12,9 +12,10 @@
 
 #include <rakelight/context.h>
 #include <rakelight/error.h>
+#include <rakelight/validate.h>
 
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

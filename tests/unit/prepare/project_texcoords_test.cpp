@@ -6,9 +6,11 @@
 #include <limits>
 
 #include <rakelight/error.h>
+#include <rakelight/report.h>
+#include <rakelight/validate.h>
 
-#include "prepare/prepare.h"
-#include "scene/scene_tools.h"
+#include "prepare/prepare_scene.h"
+#include "scene/placement.h"
 #include "unit/prepare/meshes.h"
 
 namespace rakelight {

@@ -5,10 +5,12 @@
 #include <limits>
 
 #include <rakelight/error.h>
+#include <rakelight/report.h>
+#include <rakelight/validate.h>
 
-#include "prepare/prepare.h"
+#include "prepare/prepare_scene.h"
 #include "prepare/repair/repair.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "unit/prepare/meshes.h"
 
 namespace rakelight {

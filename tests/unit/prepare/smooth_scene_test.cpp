@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Instances, scopes and what a smoothed scene shares with the one it came from.
+#include <rakelight/report.h>
+#include <rakelight/validate.h>
+
 #include <gtest/gtest.h>
 
 #include "math/linear.h"
-#include "prepare/prepare.h"
-#include "scene/scene_tools.h"
+#include "prepare/prepare_scene.h"
+#include "scene/placement.h"
 #include "unit/prepare/meshes.h"
 
 namespace rakelight {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points with normals as pieces of surface, and the size of the others.
+#include <rakelight/validate.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "math/linear.h"
 #include "prepare/splat_points.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "scene/splat_mesh.h"
 
 namespace rakelight {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prepare/refine/subdivide_scene.h"
 
+#include <rakelight/validate.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,9 +13,9 @@
 #include <tuple>
 
 #include "math/linear.h"
-#include "prepare/prepare.h"
+#include "prepare/prepare_scene.h"
 #include "prepare/shapes/primitives.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "unit/prepare/meshes.h"
 
 namespace rakelight {

@@ -10,10 +10,13 @@
 #include <vector>
 
 #include <rakelight/error.h>
+#include <rakelight/scene_queries.h>
+#include <rakelight/validate.h>
 
 #include "math/linear.h"
-#include "prepare/prepare.h"
-#include "scene/scene_tools.h"
+#include "prepare/prepare_scene.h"
+#include "scene/drawn_vertices.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

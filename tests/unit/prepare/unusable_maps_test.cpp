@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "prepare/prepare.h"
+#include "prepare/prepare_scene.h"
 #include "unit/prepare/meshes.h"
 
 namespace rakelight {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 #include <rakelight/picture.h>
+#include <rakelight/report.h>
+#include <rakelight/scene_queries.h>
+#include <rakelight/validate.h>
 #include <rakelight/world.h>
 
 #include <cmath>
@@ -11,7 +14,8 @@
 
 #include "math/linear.h"
 #include "render/camera/choose_camera.h"
-#include "scene/scene_tools.h"
+#include "scene/drawn_vertices.h"
+#include "scene/placement.h"
 #include "support/shared.h"
 #include "support/temporary_folder.h"
 #include "support/thrown_error.h"

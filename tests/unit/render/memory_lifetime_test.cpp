@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <rakelight/picture.h>
 #include <rakelight/render.h>
+#include <rakelight/report.h>
 
 #include "engines/raster/raster_engine.h"
 #include "io/pictures/image_io.h"
-#include "scene/scene_tools.h"
 #include "support/temporary_folder.h"
 
 using namespace rakelight;

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "support/shared.h"
 
 namespace rakelight::test {

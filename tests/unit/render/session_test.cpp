@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A session gives the pictures that render() gives, takes up only what changed, and says what its engine cannot do.
+#include <rakelight/scene_queries.h>
 #include <rakelight/session.h>
 
 #include <gtest/gtest.h>
@@ -15,7 +16,6 @@
 #include "render/engines.h"
 #include "render/prepared_scene.h"
 
-#include "scene/scene_tools.h"
 #include "support/scene_builder.h"
 #include "support/thrown_error.h"
 #include "unit/raster/drawn.h"

@@ -2,11 +2,11 @@
 // Numbers that channels set and that are right only beside one another.
 #include <gtest/gtest.h>
 #include <rakelight/motion.h>
+#include <rakelight/validate.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "scene/scene_tools.h"
 #include "scenes.h"
 
 namespace rakelight::test {

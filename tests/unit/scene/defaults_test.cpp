@@ -5,10 +5,11 @@
 #include <limits>
 
 #include <rakelight/error.h>
+#include <rakelight/scene_queries.h>
 
 #include "math/linear.h"
 #include "scene/drawn_vertices.h"
-#include "scene/scene_tools.h"
+#include "scene/fitted_camera.h"
 
 namespace rakelight {
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/drawn_vertices.h"
 
+#include <rakelight/scene_queries.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -9,7 +11,7 @@
 #include <random>
 
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight {
 namespace {

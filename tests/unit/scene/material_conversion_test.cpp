@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/scene_tools.h"
+#include "scene/material_conversion.h"
 
 namespace rakelight {
 namespace {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 #include <rakelight/error.h>
+#include <rakelight/validate.h>
 
 #include "math/linear.h"
 #include "scene/charge_arrays.h"
 #include "scene/merge_scenes.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
+#include "scene/texture_uses.h"
 
 using namespace rakelight;
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <rakelight/scene_queries.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/drawn_vertices.h"
+#include "scene/placement.h"
 #include "unit/scene/scenes.h"
 
 namespace rakelight {

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include <rakelight/error.h>
+#include <rakelight/validate.h>
 
-#include "scene/scene_tools.h"
 #include "unit/scene/scenes.h"
 
 namespace rakelight {

@@ -3,6 +3,7 @@
 // is judged.
 #include <gtest/gtest.h>
 #include <rakelight/tools/bench.h>
+#include <rakelight/validate.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -11,7 +12,7 @@
 #include <rakelight/picture.h>
 
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "support/temporary_folder.h"
 #include "tools/bench/bench_scene.h"
 #include "tools/bench/bench_shapes.h"

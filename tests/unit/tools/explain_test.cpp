@@ -6,10 +6,10 @@
 #include <cstring>
 
 #include <rakelight/explain.h>
+#include <rakelight/scene_queries.h>
 
 #include "engines/raster/inspect/inspection.h"
 #include "engines/raster/raster_engine.h"
-#include "scene/scene_tools.h"
 #include "support/scene_builder.h"
 #include "support/shared.h"
 

@@ -10,8 +10,7 @@
 #include <map>
 
 #include "math/linear.h"
-#include "prepare/prepare.h"
-#include "scene/scene_tools.h"
+#include "prepare/prepare_scene.h"
 #include "tools/bench/bench_rig.h"
 
 namespace rakelight {

@@ -7,6 +7,8 @@
 
 #include <rakelight/compare.h>
 #include <rakelight/convert_file.h>
+#include <rakelight/report.h>
+#include <rakelight/scene_queries.h>
 #include <rakelight/tools/bake_files.h>
 #include <rakelight/tools/draw_alike.h>
 #include <rakelight/tools/radiosity_file.h>
@@ -14,7 +16,7 @@
 #include "base/format_text.h"
 #include "math/linear.h"
 #include "render/look.h"
-#include "scene/scene_tools.h"
+#include "scene/drawn_vertices.h"
 #include "unit/tools/smooth_file_support.h"
 
 namespace rakelight {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <rakelight/validate.h>
+
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "scene/scene_tools.h"
 #include "support/thrown_error.h"
 #include "world/coloring.h"
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "scene/scene_tools.h"
 #include "support/temporary_folder.h"
 #include "world/keys/fixed_function.h"
 

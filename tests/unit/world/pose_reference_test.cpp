@@ -12,7 +12,7 @@
 #include <tuple>
 
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "support/shared.h"
 
 namespace rakelight {

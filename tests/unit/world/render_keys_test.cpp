@@ -11,6 +11,7 @@
 
 #include <rakelight/request.h>
 
+#include "scene/faults.h"
 #include "support/shared.h"
 #include "support/thrown_error.h"
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The axis that is up in files, and scenes with Z up that are turned.
+#include <rakelight/report.h>
+
 #include <gtest/gtest.h>
 
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 #include "world/z_up.h"
 
 namespace rakelight {

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 
+#include "scene/material_conversion.h"
 #include "scene/material_table.h"
 #include "shading/behind.h"
 #include "shading/choices.h"

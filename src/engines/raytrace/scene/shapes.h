@@ -4,8 +4,7 @@
 #include <array>
 
 #include <rakelight/scene.h>
-
-#include "scene/scene_tools.h"
+#include <rakelight/scene_queries.h>
 
 namespace rakelight::raytrace {
 

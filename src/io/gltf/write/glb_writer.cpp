@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <rakelight/report.h>
 #include <rakelight/tools/file_ending.h>
 
 #include "io/files/file.h"
@@ -16,7 +17,6 @@
 #include "io/gltf/write/save_data.h"
 #include "io/gltf/write/save_files.h"
 #include "math/linear.h"
-#include "scene/scene_tools.h"
 
 namespace rakelight::io {
 namespace gltf {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/write/glb_writer_materials.h"
 
+#include <rakelight/report.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -13,8 +15,9 @@
 #include "io/pictures/image_io.h"
 #include "math/functions.h"
 #include "math/linear.h"
+#include "scene/material_conversion.h"
 #include "scene/material_table.h"
-#include "scene/scene_tools.h"
+#include "scene/texture_uses.h"
 
 namespace rakelight::io::gltf {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/format_text.h"
 #include "math/linear.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight::io::gltf {
 namespace {

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include <rakelight/error.h>
+#include <rakelight/report.h>
 
 #include "base/format_text.h"
 #include "io/content_kind.h"
@@ -24,7 +25,7 @@
 #include "math/linear.h"
 #include "scene/material_table.h"
 #include "scene/placed_normal.h"
-#include "scene/scene_tools.h"
+#include "scene/placement.h"
 
 namespace rakelight::io {
 namespace {

@@ -5,13 +5,14 @@
 #include <rakelight/picture.h>
 #include <rakelight/session.h>
 #include <rakelight/tools/file_ending.h>
+#include <rakelight/validate.h>
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "io/gltf/write/glb_writer.h"
 #include "io/obj/write/write_obj.h"
 #include "io/ply/ply_writer.h"
-#include "prepare/prepare.h"
+#include "prepare/prepare_scene.h"
 #include "render/output/picture_files.h"
 #include "render/rows.h"
 #include "world/placed_in_world.h"

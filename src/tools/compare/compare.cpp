@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/compare/compared_pictures.h"
+#include "tools/compare/compare.h"
 
 #include <algorithm>
 #include <cmath>
