@@ -96,7 +96,7 @@ LIBRARIES = {
 }
 
 # Sources compiled per instruction set see only these: nothing whose inline functions the linker could merge between sets.
-ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|math/prelude\.h|lighting/(lighting|light_parameters|read_albedos|albedo_tables)\.h|image/(srgb_table|denoise_tile|maps/mip_rows)\.h|shading/(text_numbers|material_factors|effect_factors|lights/shadow_factors|lights/light_box)\.h|scene/texture_role_numbers\.h|lighting/\w+/\w+\.glsl|"
+ISA_ALLOWED = re.compile(r"(math/wide\w*\.h|math/prelude\.h|lighting/(lighting|light_parameters|read_albedos|albedo_tables)\.h|image/(srgb_table|denoise_tile|maps/mip_rows)\.h|shading/(text_numbers|material_factors|effect_factors|lights/shadow_factors|lights/light_box)\.h|scene/materials/texture_role_numbers\.h|lighting/\w+/\w+\.glsl|"
                          r"geometry/\w+/\w+_kernel_types\.h|geometry/fast/fast_weld_types\.h|geometry/kernels/\w+\.h|cpu_shading/(kernels/\w+|texture_view|material_job|mesh_view|channel_planes)\.h|engines/raster/(inspect/)?kernels/\w+\.(h|cpp)|engines/raytrace/kernels/\w+\.(h|cpp)|radiosity/kernels/\w+\.(h|cpp)|engines/raster/inspect/traced_pixel\.h|stdint\.h|stddef\.h|xsimd/xsimd\.hpp)")
 ISA_FILES = ["src/cpu_shading/kernels", "src/engines/raster/kernels", "src/engines/raster/inspect/kernels", "src/engines/raytrace/kernels", "src/radiosity/kernels", "src/geometry/kernels", "src/image/kernels", "src/lighting/lighting.h", "src/lighting/read_albedos.h", "src/math/prelude.h"]
 

@@ -17,7 +17,7 @@
 #include "bake/padding.h"
 #include "base/format_text.h"
 #include "prepare/variants.h"
-#include "scene/texture_uses.h"
+#include "scene/materials/texture_uses.h"
 
 namespace rakelight {
 namespace bake {

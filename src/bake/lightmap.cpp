@@ -14,7 +14,7 @@
 #include "prepare/repair/turn_triangles.h"
 #include "prepare/variants.h"
 #include "radiosity/lit_scene.h"
-#include "scene/texture_uses.h"
+#include "scene/materials/texture_uses.h"
 #include "shading/choices.h"
 
 namespace rakelight {

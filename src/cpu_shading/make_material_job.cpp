@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cpu_shading/make_material_job.h"
 
-#include "scene/material_conversion.h"
+#include "scene/materials/material_conversion.h"
 #include "shading/behind.h"
 #include "shading/choices.h"
 #include "shading/draw_choices.h"

@@ -7,7 +7,7 @@
 #include "cpu_shading/texture_view.h"
 #include "lighting/albedo_tables.h"
 #include "lighting/light_parameters.h"
-#include "scene/texture_role_numbers.h"
+#include "scene/materials/texture_role_numbers.h"
 #include "shading/effect_factors.h"
 #include "shading/text_numbers.h"
 

@@ -2,7 +2,7 @@
 #include "cpu_shading/material_views.h"
 
 #include "cpu_shading/textures.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 
 namespace rakelight::cpu_shading {
 namespace {

@@ -25,8 +25,8 @@
 #include "prepare/variants.h"
 #include "scene/charge_arrays.h"
 #include "scene/faults.h"
-#include "scene/material_conversion.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_conversion.h"
+#include "scene/materials/material_table.h"
 #include "scene/placement.h"
 #include "scene/validate_parts.h"
 

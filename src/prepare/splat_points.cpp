@@ -11,10 +11,10 @@
 #include "geometry/points/point_normals.h"
 #include "geometry/points/point_spacing.h"
 #include "math/linear.h"
-#include "scene/material_conversion.h"
+#include "scene/materials/material_conversion.h"
+#include "scene/materials/texture_uses.h"
 #include "scene/placement.h"
 #include "scene/splat_mesh.h"
-#include "scene/texture_uses.h"
 
 namespace rakelight {
 namespace {

@@ -2,7 +2,7 @@
 #include "prepare/split_vertices.h"
 
 #include "base/assert.h"
-#include "scene/change_targets.h"
+#include "scene/motion/change_targets.h"
 
 namespace rakelight {
 namespace {

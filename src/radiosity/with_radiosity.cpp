@@ -14,7 +14,7 @@
 #include "radiosity/lit_scene.h"
 #include "radiosity/shadow_borders.h"
 #include "radiosity/shoot.h"
-#include "scene/texture_uses.h"
+#include "scene/materials/texture_uses.h"
 
 namespace rakelight::radiosity {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "image/decode.h"
 #include "image/maps/height_from_normals.h"
-#include "scene/material_conversion.h"
+#include "scene/materials/material_conversion.h"
 
 namespace rakelight {
 namespace {

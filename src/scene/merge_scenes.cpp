@@ -8,7 +8,7 @@
 
 #include "math/linear.h"
 #include "scene/charge_arrays.h"
-#include "scene/texture_uses.h"
+#include "scene/materials/texture_uses.h"
 
 namespace rakelight {
 namespace {

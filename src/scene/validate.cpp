@@ -12,7 +12,7 @@
 #include "base/format_text.h"
 #include "math/linear.h"
 #include "scene/faults.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 #include "scene/placement.h"
 #include "scene/validate.h"
 #include "scene/validate_parts.h"

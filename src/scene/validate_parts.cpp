@@ -13,8 +13,8 @@
 #include "base/format_text.h"
 #include "math/linear.h"
 #include "scene/faults.h"
+#include "scene/motion/sample_channel.h"
 #include "scene/placement.h"
-#include "scene/sample_channel.h"
 
 namespace rakelight {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/material_conversion.h"
-#include "scene/uv_matrix.h"
+#include "scene/materials/material_conversion.h"
+#include "scene/materials/uv_matrix.h"
 #include "shading/choices.h"
 
 namespace rakelight::shading {

@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "math/linear.h"
+#include "scene/materials/texture_uses.h"
 #include "scene/placement.h"
-#include "scene/texture_uses.h"
 #include "shading/choices.h"
 #include "shading/posed_draw_list.h"
 #include "shading/remarks/normal_map_remarks.h"

@@ -6,8 +6,8 @@
 
 #include "math/functions.h"
 #include "math/linear.h"
-#include "scene/material_conversion.h"
-#include "scene/uv_matrix.h"
+#include "scene/materials/material_conversion.h"
+#include "scene/materials/uv_matrix.h"
 #include "shading/refraction.h"
 
 namespace rakelight::shading {

@@ -5,7 +5,7 @@
 
 #include <rakelight/scene.h>
 
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 #include "shading/material_factors.h"
 
 namespace rakelight::shading {

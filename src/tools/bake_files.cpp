@@ -12,7 +12,7 @@
 #include "io/files/output_place.h"
 #include "io/gltf/write/glb_writer.h"
 #include "io/pictures/image_io.h"
-#include "scene/texture_uses.h"
+#include "scene/materials/texture_uses.h"
 #include "tools/report_json.h"
 #include "world/z_up.h"
 

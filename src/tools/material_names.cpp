@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/material_names.h"
 
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 
 namespace rakelight {
 

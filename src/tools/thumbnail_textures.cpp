@@ -10,7 +10,7 @@
 
 #include "base/format_text.h"
 #include "io/pictures/reduced_image.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 
 namespace rakelight {
 namespace {

@@ -13,7 +13,7 @@
 #include "io/pictures/image_io.h"
 #include "io/world/material_keys.h"
 #include "scene/charge_arrays.h"
-#include "scene/texture_uses.h"
+#include "scene/materials/texture_uses.h"
 #include "scene/validate.h"
 #include "world/change_material.h"
 #include "world/own_materials.h"

@@ -3,8 +3,8 @@
 
 #include "bake/high/mean_curvature.h"
 #include "math/linear.h"
+#include "scene/materials/texture_uses.h"
 #include "scene/placed_normal.h"
-#include "scene/texture_uses.h"
 
 namespace rakelight::bake {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "image/decode.h"
-#include "scene/wrapped_texel.h"
+#include "scene/materials/wrapped_texel.h"
 #include "shading/materials.h"
 
 namespace rakelight::bake {

@@ -2,7 +2,7 @@
 #include "bake/high/mapped_normals.h"
 
 #include "bake/low/tangent_frame.h"
-#include "scene/material_conversion.h"
+#include "scene/materials/material_conversion.h"
 
 namespace rakelight::bake {
 

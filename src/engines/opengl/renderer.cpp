@@ -13,7 +13,7 @@
 #include "engines/empty_pixel.h"
 #include "engines/opengl/picture/blended_check.h"
 #include "lighting/albedo_tables.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 #include "scene/placement.h"
 #include "scene/validate.h"
 #include "shading/lights/lights.h"

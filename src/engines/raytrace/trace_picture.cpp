@@ -10,8 +10,8 @@
 #include "cpu_shading/make_mesh_view.h"
 #include "engines/raytrace/media.h"
 #include "math/linear.h"
+#include "scene/materials/uv_matrix.h"
 #include "scene/splat_mesh.h"
-#include "scene/uv_matrix.h"
 #include "shading/lights/lights.h"
 #include "shading/shading_choice.h"
 

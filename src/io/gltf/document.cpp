@@ -9,7 +9,7 @@
 
 #include "base/format_text.h"
 #include "io/gltf/container.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 
 namespace rakelight::io::gltf {
 namespace {

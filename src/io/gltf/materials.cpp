@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "math/linear.h"
-#include "scene/material_table.h"
-#include "scene/texture_uses.h"
+#include "scene/materials/material_table.h"
+#include "scene/materials/texture_uses.h"
 
 namespace rakelight::io::gltf {
 namespace {

@@ -2,7 +2,7 @@
 // glTF materials to scene materials, made when a primitive first asks.
 #pragma once
 #include "io/gltf/textures.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 
 namespace rakelight::io::gltf {
 

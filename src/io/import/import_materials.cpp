@@ -9,7 +9,7 @@
 #include "io/import/texture_placement.h"
 #include "math/color.h"
 #include "math/linear.h"
-#include "scene/texture_uses.h"
+#include "scene/materials/texture_uses.h"
 
 namespace rakelight::io {
 namespace {

@@ -12,8 +12,8 @@
 #include "io/obj/obj_lines.h"
 #include "io/pictures/image_io.h"
 #include "math/color.h"
-#include "scene/material_conversion.h"
-#include "scene/texture_uses.h"
+#include "scene/materials/material_conversion.h"
+#include "scene/materials/texture_uses.h"
 
 namespace rakelight::io::obj {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/world/material_keys.h"
 
-#include "scene/material_table.h"
-#include "scene/texture_uses.h"
+#include "scene/materials/material_table.h"
+#include "scene/materials/texture_uses.h"
 
 namespace rakelight::io::world {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "base/format_text.h"
 #include "prepare/split_vertices.h"
-#include "scene/change_targets.h"
 #include "scene/is_normal.h"
+#include "scene/motion/change_targets.h"
 
 namespace rakelight {
 namespace {

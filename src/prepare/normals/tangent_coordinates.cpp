@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prepare/normals/tangent_coordinates.h"
 
-#include "scene/material_conversion.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_conversion.h"
+#include "scene/materials/material_table.h"
 
 namespace rakelight {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <rakelight/scene.h>
 
-#include "scene/uv_matrix.h"
+#include "scene/materials/uv_matrix.h"
 
 namespace rakelight {
 

@@ -9,7 +9,7 @@
 #include "base/cancel_check.h"
 #include "base/format_text.h"
 #include "math/linear.h"
-#include "scene/change_targets.h"
+#include "scene/motion/change_targets.h"
 
 namespace rakelight {
 namespace {

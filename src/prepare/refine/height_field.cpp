@@ -6,7 +6,7 @@
 
 #include "image/decode.h"
 #include "math/functions.h"
-#include "scene/wrapped_texel.h"
+#include "scene/materials/wrapped_texel.h"
 
 namespace rakelight {
 namespace {

@@ -9,7 +9,7 @@
 #include "prepare/normals/normal_rule.h"
 #include "prepare/repair/repair.h"
 #include "prepare/variants.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 #include "scene/placement.h"
 #include "scene/validate_parts.h"
 

@@ -9,7 +9,7 @@
 #include "engines/raster/inspect/nearest_visible.h"
 #include "engines/raster/visibility/depth_formats.h"
 #include "render/rows.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 #include "tools/explain/explain.h"
 #include "tools/object_title.h"
 #include "tools/open_engine.h"

@@ -11,9 +11,9 @@
 #include "prepare/normals/repair_seams.h"
 #include "prepare/normals/smooth_request.h"
 #include "prepare/variants.h"
-#include "scene/change_targets.h"
 #include "scene/charge_arrays.h"
-#include "scene/material_conversion.h"
+#include "scene/materials/material_conversion.h"
+#include "scene/motion/change_targets.h"
 
 namespace rakelight {
 namespace {

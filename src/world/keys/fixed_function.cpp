@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "math/linear.h"
-#include "scene/material_conversion.h"
+#include "scene/materials/material_conversion.h"
 
 namespace rakelight {
 namespace {

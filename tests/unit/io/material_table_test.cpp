@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every row of the material tables: written as GLB and read again, and set by its key of a world file. Where glTF keeps
 // a row is stated here a second time, from the specifications: a new row needs a line here, a writer and a reader.
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 
 #include <rakelight/world.h>
 

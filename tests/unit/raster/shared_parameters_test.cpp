@@ -12,7 +12,7 @@
 
 #include "engines/raster/inspect/inspection.h"
 #include "math/color.h"
-#include "scene/material_conversion.h"
+#include "scene/materials/material_conversion.h"
 #include "unit/raster/facing_square.h"
 
 using namespace rakelight;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/material_conversion.h"
+#include "scene/materials/material_conversion.h"
 
 namespace rakelight {
 namespace {

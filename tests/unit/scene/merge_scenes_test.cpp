@@ -5,9 +5,9 @@
 
 #include "math/linear.h"
 #include "scene/charge_arrays.h"
+#include "scene/materials/texture_uses.h"
 #include "scene/merge_scenes.h"
 #include "scene/placement.h"
-#include "scene/texture_uses.h"
 
 using namespace rakelight;
 

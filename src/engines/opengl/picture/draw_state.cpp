@@ -6,8 +6,8 @@
 #include <bit>
 #include <cmath>
 
-#include "scene/material_conversion.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_conversion.h"
+#include "scene/materials/material_table.h"
 #include "shading/behind.h"
 #include "shading/choices.h"
 #include "shading/guard_band.h"

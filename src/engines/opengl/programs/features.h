@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "scene/texture_role_numbers.h"
+#include "scene/materials/texture_role_numbers.h"
 
 namespace rakelight::opengl {
 

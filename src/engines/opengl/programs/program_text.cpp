@@ -8,7 +8,7 @@
 
 #include "engines/opengl/programs/embedded_texts.h"
 #include "engines/opengl/scene/material_numbers.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 #include "shading/text_numbers.h"
 
 namespace rakelight::opengl {

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "scene/texture_role_numbers.h"
+#include "scene/materials/texture_role_numbers.h"
 #include "shading/effect_factors.h"
 #include "shading/material_factors.h"
 

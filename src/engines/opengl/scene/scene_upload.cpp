@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engines/posed_arrays.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 #include "shading/posed_draw_list.h"
 
 namespace rakelight::opengl {

@@ -3,7 +3,7 @@
 #pragma once
 #include <stdint.h>
 
-#include "scene/texture_role_numbers.h"
+#include "scene/materials/texture_role_numbers.h"
 
 namespace rakelight::raster {
 

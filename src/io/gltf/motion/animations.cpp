@@ -7,7 +7,7 @@
 #include <map>
 
 #include "base/format_text.h"
-#include "scene/sample_channel.h"
+#include "scene/motion/sample_channel.h"
 
 namespace rakelight::io::gltf {
 namespace {

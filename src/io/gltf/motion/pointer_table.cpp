@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 
 namespace rakelight::io::gltf {
 namespace {

@@ -15,9 +15,9 @@
 #include "io/pictures/image_io.h"
 #include "math/functions.h"
 #include "math/linear.h"
-#include "scene/material_conversion.h"
-#include "scene/material_table.h"
-#include "scene/texture_uses.h"
+#include "scene/materials/material_conversion.h"
+#include "scene/materials/material_table.h"
+#include "scene/materials/texture_uses.h"
 
 namespace rakelight::io::gltf {
 namespace {

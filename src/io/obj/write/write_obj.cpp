@@ -23,7 +23,7 @@
 #include "io/position_origin.h"
 #include "math/color.h"
 #include "math/linear.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 #include "scene/placed_normal.h"
 #include "scene/placement.h"
 

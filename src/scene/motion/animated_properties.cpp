@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/animated_properties.h"
+#include "scene/motion/animated_properties.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include "math/default_up.h"
 #include "math/linear.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 
 namespace rakelight {
 namespace {

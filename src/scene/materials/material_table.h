@@ -8,7 +8,7 @@
 #include <rakelight/scene.h>
 
 #include "image/convert.h"
-#include "scene/texture_role_numbers.h"
+#include "scene/materials/texture_role_numbers.h"
 
 namespace rakelight {
 

@@ -13,9 +13,9 @@
 
 #include "base/format_text.h"
 #include "math/linear.h"
-#include "scene/animated_properties.h"
-#include "scene/clips.h"
-#include "scene/sample_channel.h"
+#include "scene/motion/animated_properties.h"
+#include "scene/motion/clips.h"
+#include "scene/motion/sample_channel.h"
 #include "scene/validate_parts.h"
 
 namespace rakelight {

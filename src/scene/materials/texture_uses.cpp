@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/texture_uses.h"
+#include "scene/materials/texture_uses.h"
 
 #include <rakelight/report.h>
 
 #include <algorithm>
 
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 
 namespace rakelight {
 

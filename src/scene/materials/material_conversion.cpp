@@ -25,7 +25,7 @@
 #include <cmath>
 
 #include "math/linear.h"
-#include "scene/material_conversion.h"
+#include "scene/materials/material_conversion.h"
 
 namespace rakelight {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/sample_channel.h"
+#include "scene/motion/sample_channel.h"
 
 #include <algorithm>
 #include <cmath>

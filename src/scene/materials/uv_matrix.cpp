@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/uv_matrix.h"
+#include "scene/materials/uv_matrix.h"
 
 #include <cmath>
 

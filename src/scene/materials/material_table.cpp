@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 
 #include <iterator>
 
