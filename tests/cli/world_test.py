@@ -185,6 +185,19 @@ class Worlds(program.Case):
         self.assertNotIn("warning", vertices("crease_angle_deg = 100\n")[1])
         self.assertIn("warning: w.scene.toml: what parts say of their normals has no effect: all are smoothed alike", vertices("normals = 'flat'\n")[1])
 
+    def test_settings_for_normals_without_effect_are_named(self):
+        places = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+        self.write("given.obj", places + "vn 0 0 1\nf 1//1 2//1 3//1\n")
+        self.write("made.obj", places + "f 1 2 3\n")
+        for command in (("render", "-o", "a.png", "--resolution", "8,8"), ("smooth", "-o", "b.obj")):
+            def said(model, *options):
+                result = self.run_program(command[0], model, *command[1:], *options)
+                self.assertEqual(result.code, 0, result.err)
+                return result.err
+            self.assertIn("warning: given.obj: --weight: no effect, because no normals are computed", said("given.obj", "--weight", "max"))
+            for quiet in (("made.obj", "--weight", "max"), ("given.obj",), ("given.obj", "--weight", "max", "--normals", "model")):
+                self.assertNotIn("no effect", said(*quiet), quiet)
+
     def test_broken_worlds_get_one_line_with_line_and_column(self):
         self.assertGreater(len(BROKEN), 20)
         for text, line, column, words in BROKEN:
