@@ -14,19 +14,22 @@
 namespace rakelight::geometry {
 namespace {
 
+enum class Choice : std::uint8_t { plane, fit, edge_fit, noise, planar, angle };
+constexpr std::uint64_t NormalChoices::*count_of[] = {&NormalChoices::plane,    &NormalChoices::fit,
+                                                      &NormalChoices::edge_fit, &NormalChoices::noise,
+                                                      &NormalChoices::planar,   &NormalChoices::angle};
+
 /// What the fits of a place say, for itself.
 struct Fits {
-    vec3 cubic, quadric;  ///< unit normals
-    float cubic_certainty = 0, quadric_certainty = 0;
+    vec3 cubic, quadric;                       ///< unit normals
+    float cubic_trust = 0, quadric_trust = 0;  ///< trust_of_certainty()
     std::uint32_t neighbors = 0;
-    bool border = false;
-    std::uint64_t NormalChoices::*choice = &NormalChoices::fit;
+    Choice choice = Choice::fit;
 };
 /// And for its neighbors.
 struct Qualities {
     FitQuality cubic, quadric;
-    vec3 by_area;  ///< as PlaceFaces
-    float least_cosine = 1;
+    float cubic_share = 0, quadric_share = 0;  ///< as far as the fits are determined, and count here
 };
 
 class NormalFits {
@@ -38,32 +41,33 @@ public:
           scratch_(scratch),
           found_(find_fitted_places(from, scratch, context)),
           rings_(found_.rings),
-          fitted_(found_.groups),
+          fitted_(found_.places),
           number_(scratch.take_words()) {
         number_.assign(topology_.group.size(), none);
         charge_ = {context.memory(),
-                   fitted_.size() * (sizeof(Fits) + sizeof(Qualities) + sizeof(vec3)) +
-                       std::uint64_t(context.threads()) * bytes_of_largest(),
+                   fitted_.size() * (sizeof(FittedPlace) + sizeof(Fits) + sizeof(Qualities)) +
+                       topology_.group.size() * sizeof(vec3) + std::uint64_t(context.threads()) * bytes_of_largest(),
                    "fitting normals"};
-        for (std::size_t i = 0; i < fitted_.size(); ++i) number_[fitted_[i]] = std::uint32_t(i);
+        for (std::size_t i = 0; i < fitted_.size(); ++i) number_[fitted_[i].group] = std::uint32_t(i);
         fits_ = scratch.take<Fits>(fitted_.size()), qualities_ = scratch.take<Qualities>(fitted_.size());
-        normals_ = scratch.take<vec3>(fitted_.size());
+        normals_ = scratch.take<vec3>(topology_.group.size());
     }
     ~NormalFits() {
         found_.release(scratch_);
         scratch_.give(number_);
-        scratch_.give(fits_), scratch_.give(qualities_), scratch_.give(normals_);
+        scratch_.give(fits_), scratch_.give(qualities_);
     }
     NormalFits(const NormalFits&) = delete;
     NormalFits& operator=(const NormalFits&) = delete;
 
     void run() {
+        std::fill_n(normals_.data(), topology_.group.size(), vec3{});
         each_chunk([&](std::size_t first, std::size_t last) { fit(first, last); });
         each_chunk([&](std::size_t first, std::size_t last) {
             if (from_.is_automatic)
                 decide(first, last);
             else
-                for (std::size_t i = first; i < last; ++i) normals_[i] = cast<float>(fitted(i));
+                for (std::size_t i = first; i < last; ++i) normals_[fitted_[i].group] = cast<float>(fitted(i));
         });
     }
 
@@ -72,12 +76,12 @@ public:
         NormalChoices sum;
         for (std::uint32_t g = 0; g < topology_.group.size(); ++g)
             if (topology_.group[g] == g && number_[g] == none && from_.by_max[g] != vec3{}) ++sum.smooth;
-        for (std::size_t i = 0; i < fitted_.size(); ++i) ++(sum.*fits_[i].choice);
+        for (std::size_t i = 0; i < fitted_.size(); ++i) ++(sum.*count_of[std::size_t(fits_[i].choice)]);
         return sum;
     }
 
-    /// Zero: nothing was fitted.
-    vec3 normal(std::uint32_t group) const { return number_[group] == none ? vec3{} : normals_[number_[group]]; }
+    /// [groups] After run(). Zero: nothing was fitted.
+    BlockArray<vec3> take_normals() { return std::move(normals_); }
 
 private:
     static constexpr std::uint32_t none = 0xffffffffu;
@@ -90,7 +94,7 @@ private:
     /// Of the two rings of the most crowded place, at most: where many faces meet, most of the memory.
     std::uint64_t bytes_of_largest() const {
         std::uint64_t most = 0;
-        for (const std::uint32_t g : fitted_) most = std::max<std::uint64_t>(most, rings_.corners.size(g));
+        for (const FittedPlace& place : fitted_) most = std::max<std::uint64_t>(most, rings_.corners.size(place.group));
         const std::uint64_t places = std::min<std::uint64_t>(2 * most * most_to_widen, topology_.group.size());
         return places * (3 * height_lanes * sizeof(double) + sizeof(dvec3) + 4 * sizeof(std::uint32_t));
     }
@@ -109,32 +113,29 @@ private:
         two_rings(rings_, g, memory.groups);
         const std::span<const std::uint32_t> groups = memory.groups.groups();
         const std::size_t ring = rings_.ring_size[g];
-        const dvec3 at = rings_.places[g], n = by_max(g);
-        memory.batch.add_place(groups.size(), guess);
+        const dvec3* const places = rings_.places.data();
+        const dvec3 at = places[g];
         double squares = 0;
         for (std::size_t i = 1; i <= ring; ++i) {
-            const dvec3 d = rings_.places[groups[i]] - at;
+            const dvec3 d = places[groups[i]] - at;
             squares += dot(d, d);
         }
         const double scale = std::sqrt(double(ring) / squares);  // one over the root of the mean square of the edges
-        if (!(scale > 0 && std::isfinite(scale))) return;
-        for (std::size_t i = 1; i < groups.size(); ++i) {
-            if (dot(by_max(groups[i]), n) > least_cosine_around)
-                memory.batch.add_neighbor((rings_.places[groups[i]] - at) * scale);
-        }
+        const vec3* const normals = from_.by_max.data();
+        const vec3 n = normals[g];
+        memory.batch.add_place(groups.size(), scale, guess, [&](const auto& put) {
+            if (!(scale > 0 && std::isfinite(scale))) return;
+            for (const std::uint32_t u : groups.subspan(1))
+                put(places[u] - at, dot(normals[u], n) > float(least_cosine_around));
+        });
     }
 
     void fit(std::size_t first, std::size_t last) {
         Memory memory;
         for (std::size_t i = first; i < last; ++i) {
-            const std::uint32_t g = fitted_[i];
-            const PlaceFaces faces = place_faces(rings_, g);
+            const std::uint32_t g = fitted_[i].group;
             gather(g, by_max(g), memory);
             fits_[i].neighbors = memory.batch.neighbors();
-            fits_[i].border = is_border(rings_, g, faces.faces);
-            fits_[i].choice = &NormalChoices::fit;
-            qualities_[i].by_area = cast<float>(faces.by_area);
-            qualities_[i].least_cosine = float(faces.least_cosine);
             if (memory.batch.is_full() || i + 1 == last) take_fits(memory.batch, i + 1 - memory.batch.size());
         }
     }
@@ -142,17 +143,15 @@ private:
         batch.fit();
         for (std::uint32_t place = 0; place < batch.size(); ++place) {
             const HeightFit cubic = batch.cubic(place), quadric = batch.quadric(place);
-            Fits& fits = fits_[first + place];
-            fits = {cast<float>(cubic.normal),
-                    cast<float>(quadric.normal),
-                    float(cubic.certainty),
-                    float(quadric.certainty),
-                    fits.neighbors,
-                    fits.border,
-                    fits.choice};
-            Qualities& own = qualities_[first + place];
-            own.cubic = FitQuality::of(cubic, fits.neighbors, HeightForm::cubic);
-            own.quadric = FitQuality::of(quadric, fits.neighbors, HeightForm::quadric);
+            const std::uint32_t neighbors = fits_[first + place].neighbors;
+            const double cubic_trust = trust_of_certainty(cubic.certainty),
+                         quadric_trust = trust_of_certainty(quadric.certainty),
+                         share = share_of_fit(fitted_[first + place].faces);
+            fits_[first + place] = {cast<float>(cubic.normal), cast<float>(quadric.normal), float(cubic_trust),
+                                    float(quadric_trust), neighbors};
+            qualities_[first + place] = {FitQuality::of(cubic, neighbors, HeightForm::cubic),
+                                         FitQuality::of(quadric, neighbors, HeightForm::quadric),
+                                         float(share * cubic_trust), float(share * quadric_trust)};
         }
         batch.clear();
     }
@@ -160,10 +159,9 @@ private:
     /// Without looking at planes and noise.
     dvec3 fitted(std::size_t i) const {
         const Fits& f = fits_[i];
-        const std::uint32_t g = fitted_[i];
-        const bool is_cubic = !f.border && f.neighbors >= 11 && double(f.cubic_certainty) > least_certainty;
-        const bool is_quadric = f.neighbors >= 7 && double(f.quadric_certainty) > least_certainty;
-        return is_cubic ? cast<double>(f.cubic) : is_quadric ? cast<double>(f.quadric) : by_max(g);
+        const bool is_cubic = !fitted_[i].is_border && f.neighbors >= 11 && f.cubic_trust > 0;
+        const bool is_quadric = f.neighbors >= 7 && f.quadric_trust > 0;
+        return is_cubic ? cast<double>(f.cubic) : is_quadric ? cast<double>(f.quadric) : by_max(fitted_[i].group);
     }
 
     /// How a place is decided, but for what noise asks for.
@@ -192,41 +190,44 @@ private:
             Decision& d = decisions[i - first];
             d = decision(i, planes);
             if (!(d.wide > 0)) continue;
-            gather(fitted_[i], wide_guess(fitted_[i]), memory);
+            gather(fitted_[i].group, wide_guess(fitted_[i].group), memory);
             wide.push_back(i - first);
             if (memory.batch.is_full()) fit_wide();
         }
         if (memory.batch.size() > 0) fit_wide();
         for (std::size_t i = first; i < last; ++i) {
-            normals_[i] = cast<float>(decided(i, decisions[i - first]));
+            normals_[fitted_[i].group] = cast<float>(decided(i, decisions[i - first]));
             fits_[i].choice = choice_of(decisions[i - first]);
         }
     }
 
     Decision decision(std::size_t i, std::vector<std::uint32_t>& memory) const {
-        const std::uint32_t g = fitted_[i];
+        const auto [g, is_border, faces] = fitted_[i];
         Decision d{.planes = planes_at(rings_, found_.planes, g, memory)};
         d.planarity = step_between(d.planes.planar_share, 0.4, 0.6);
         const double strict = strictness(d.planarity);
-        Qualities around;
-        for (const std::uint32_t u : rings_.ring(g))
-            if (number_[u] != none) add(around, number_[u]);
+        FitQuality around_cubic, around_quadric;
+        for (const std::uint32_t u : rings_.ring(g)) {
+            if (number_[u] == none) continue;
+            const Qualities& q = qualities_[number_[u]];
+            around_cubic += q.cubic.times(q.cubic_share), around_quadric += q.quadric.times(q.quadric_share);
+        }
         const Qualities& own = qualities_[i];
         const Fits& fits = fits_[i];
         const std::size_t ring = rings_.ring_size[g];
-        d.quadric = trust(own.quadric.unexplained(around.quadric), strict, double(fits.quadric_certainty),
-                          fits.neighbors, HeightForm::quadric);
+        d.quadric = trust(own.quadric.unexplained(around_quadric), strict, double(fits.quadric_trust), fits.neighbors,
+                          HeightForm::quadric);
         if (d.planarity > 0 && d.quadric > 0 && is_strip(i)) d.quadric *= 1 - d.planarity;
-        d.noise = own.quadric.noise_with(around.quadric, ring);
+        d.noise = own.quadric.noise_with(around_quadric, ring);
         double shape = 0;
-        if (!fits.border) {
+        if (!is_border) {
             const double of_quadric = d.noise;
-            d.noise = own.cubic.noise_with(around.cubic, ring);
+            d.noise = own.cubic.noise_with(around_cubic, ring);
             shape = share_of_shape(d.planarity, d.noise, of_quadric);
-            d.cubic = trust(own.cubic.unexplained(around.cubic), strict * (1 + 2 * shape), double(fits.cubic_certainty),
+            d.cubic = trust(own.cubic.unexplained(around_cubic), strict * (1 + 2 * shape), double(fits.cubic_trust),
                             fits.neighbors, HeightForm::cubic);
         }
-        if (d.planarity > 0 && !fits.border) {
+        if (d.planarity > 0 && !is_border) {
             const double fitted = 1 - d.planarity * agreement(i);
             d.cubic *= fitted, d.quadric *= fitted;
         }
@@ -238,36 +239,27 @@ private:
     /// Whether the surface around a border is one row of faces: it ends at all neighbors, too. Where both ends of a row are
     /// circles, they lie on a cone and on a sphere: a fit cannot tell which, planar faces can.
     bool is_strip(std::size_t i) const {
-        return fits_[i].border && std::ranges::all_of(rings_.ring(fitted_[i]), [&](std::uint32_t u) {
-                   return is_border(rings_, u, place_faces(rings_, u).faces);
-               });
+        return fitted_[i].is_border && std::ranges::all_of(rings_.ring(fitted_[i].group),
+                                                           [&](std::uint32_t u) { return is_border(rings_, u); });
     }
 
     /// 0 to 1: of the weights `max` and `angle`, in parts of the faces' spread. Where planar faces meet alike on both sides,
     /// as around a cone, both are exact, and a fit is not.
     double agreement(std::size_t i) const {
-        const std::uint32_t g = fitted_[i];
-        const double c = double(qualities_[i].least_cosine),
+        const std::uint32_t g = fitted_[i].group;
+        const double c = double(fitted_[i].faces.least_cosine),
                      spread = corner_angle(std::sqrt(std::max(1 - c * c, 0.0)), c);
         const double off = angle_rad(normal_by_angle(rings_, g, by_area(i)), by_max(g));
         return 1 - step_between(off / std::max(spread, 1e-6), 0.001, 0.004);
     }
 
     /// 0 to 1: of a place whose faces spread so much. It begins where places are fitted.
-    static double share_of_fit(const Qualities& q) {
+    static double share_of_fit(const PlaceFaces& faces) {
         constexpr double mild = 1 - mild_cosine;
-        return step_between(1 - double(q.least_cosine), mild, 2 * mild);
-    }
-    /// Of a neighbor, as far as its fits are determined.
-    void add(Qualities& around, std::uint32_t neighbor) const {
-        const Qualities& q = qualities_[neighbor];
-        const Fits& fits = fits_[neighbor];
-        const double share = share_of_fit(q);
-        around.cubic += q.cubic.times(float(share * trust_of_certainty(double(fits.cubic_certainty))));
-        around.quadric += q.quadric.times(float(share * trust_of_certainty(double(fits.quadric_certainty))));
+        return step_between(1 - double(faces.least_cosine), mild, 2 * mild);
     }
 
-    dvec3 by_area(std::size_t i) const { return cast<double>(qualities_[i].by_area); }
+    dvec3 by_area(std::size_t i) const { return cast<double>(fitted_[i].faces.by_area); }
     dvec3 wide_guess(std::uint32_t g) const {
         const dvec3 own = by_area(number_[g]);
         dvec3 guess = own;
@@ -283,7 +275,7 @@ private:
             n = blend(n, cast<double>(fits_[i].cubic), d.cubic);
         }
         n = bounded(n, i);
-        if (!fits_[i].border) n = blend(by_max(fitted_[i]), n, share_of_fit(qualities_[i]));
+        if (!fitted_[i].is_border) n = blend(by_max(fitted_[i].group), n, share_of_fit(fitted_[i].faces));
         const double plane = share_of_plane(d);
         return plane > 0 ? blend(n, d.planes.normal, plane) : n;
     }
@@ -291,17 +283,17 @@ private:
     static double share_of_plane(const Decision& d) {
         return d.planes.rules ? step_between(d.planes.share, 0.78, 0.86) : 0;
     }
-    static std::uint64_t NormalChoices::*choice_of(const Decision& d) {
-        if (share_of_plane(d) > 0.5) return &NormalChoices::plane;
-        if (d.cubic > 0.5) return &NormalChoices::fit;
-        if (d.quadric > 0.5) return &NormalChoices::edge_fit;
-        if (d.wide > 0.5) return &NormalChoices::noise;
-        return d.planarity > 0.5 ? &NormalChoices::planar : &NormalChoices::angle;
+    static Choice choice_of(const Decision& d) {
+        if (share_of_plane(d) > 0.5) return Choice::plane;
+        if (d.cubic > 0.5) return Choice::fit;
+        if (d.quadric > 0.5) return Choice::edge_fit;
+        if (d.wide > 0.5) return Choice::noise;
+        return d.planarity > 0.5 ? Choice::planar : Choice::angle;
     }
 
     /// Where no fit is trusted.
     dvec3 base(std::size_t i, const Decision& d) const {
-        const std::uint32_t g = fitted_[i];
+        const std::uint32_t g = fitted_[i].group;
         const dvec3 n = blend(normal_by_angle(rings_, g, by_area(i)), by_max(g), d.planarity);
         if (!(d.wide > 0)) return n;
         const double off = angle_rad(d.wide_normal, by_area(i)) / std::max(d.noise, 1e-8);
@@ -311,10 +303,10 @@ private:
     /// Not farther from the faces' mean than they spread; at an open border the surface goes on outside of them.
     dvec3 bounded(dvec3 n, std::size_t i) const {
         const dvec3 mean = by_area(i);
-        const double c = double(qualities_[i].least_cosine);
+        const double c = double(fitted_[i].faces.least_cosine);
         if (dot(n, mean) >= c || mean == dvec3{}) return n;
         const double spread = corner_angle(std::sqrt(std::max(1 - c * c, 0.0)), c);
-        return geometry::bounded(n, mean, (fits_[i].border ? 3 : 1) * spread + radians(1));
+        return geometry::bounded(n, mean, (fitted_[i].is_border ? 3 : 1) * spread + radians(1));
     }
 
     const FitInput from_;
@@ -323,11 +315,11 @@ private:
     GeneralScratch& scratch_;
     FittedPlaces found_;
     const GroupRings& rings_;
-    const std::vector<std::uint32_t>& fitted_;  // groups
-    std::vector<std::uint32_t> number_;         // [groups] in fitted_, or none
-    BlockArray<Fits> fits_;                     // [fitted_]
-    BlockArray<Qualities> qualities_;           // [fitted_]
-    BlockArray<vec3> normals_;                  // [fitted_]
+    const std::vector<FittedPlace>& fitted_;
+    std::vector<std::uint32_t> number_;  // [groups] in fitted_, or none
+    BlockArray<Fits> fits_;              // [fitted_]
+    BlockArray<Qualities> qualities_;    // [fitted_]
+    BlockArray<vec3> normals_;           // [groups] zero: nothing was fitted
     MemoryCharge charge_;
 };
 
@@ -350,13 +342,7 @@ BlockArray<vec3> fit_groups(const FitInput& from, GeneralScratch& scratch, Conte
     NormalFits fits(from, scratch, context);
     fits.run();
     if (choices) *choices = fits.choices();
-    const std::size_t count = from.topology.group.size(), step = vertices_per_chunk;
-    BlockArray<vec3> normals = scratch.take<vec3>(count);
-    context.parallel_for((count + step - 1) / step, [&](std::size_t c) {
-        for (std::size_t g = c * step; g < std::min(count, (c + 1) * step); ++g)
-            normals[g] = fits.normal(std::uint32_t(g));
-    });
-    return normals;
+    return fits.take_normals();
 }
 
 void fit_normals(VoteSums& sums, const Topology& topology, const AttributeInput& input, const AttributeOptions& options,

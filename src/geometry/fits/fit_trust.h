@@ -70,15 +70,16 @@ inline double trust_of_certainty(double certainty) {
 }
 
 /// 0 to 1.
-/// @param allowed  factor on the share of the heights that the fit may leave unexplained
+/// @param allowed    factor on the share of the heights that the fit may leave unexplained
+/// @param certainty  trust_of_certainty()
 inline double trust(double unexplained, double allowed, double certainty, std::size_t neighbors, HeightForm form) {
     if (neighbors < std::size_t(terms_of(form)) + 2) return 0;
-    return (1 - step_between(unexplained / allowed, 0.01, 0.05)) * trust_of_certainty(certainty);
+    return (1 - step_between(unexplained / allowed, 0.01, 0.05)) * certainty;
 }
 inline double trust_in(const HeightFit& fit, std::size_t neighbors, HeightForm form, const FitQuality& around,
                        double allowed) {
     const double unexplained = FitQuality::of(fit, neighbors, form).unexplained(around);
-    return trust(unexplained, allowed, fit.certainty, neighbors, form);
+    return trust(unexplained, allowed, trust_of_certainty(fit.certainty), neighbors, form);
 }
 
 /// Not farther from a mean of faces than `most_rad`.

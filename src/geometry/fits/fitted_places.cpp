@@ -61,79 +61,74 @@ private:
     /// @return false: a plane of a fitted place reaches farther
     bool find_neighbors(std::span<const std::uint8_t> near_fits) {
         out_.rings = group_faces(topology_, from_.input, near_fits, scratch_, context_);
-        out_.groups = groups_to_fit(near_fits);
-        out_.rings.ring_begin = scratch_.take_words(), out_.rings.ring_size = scratch_.take_words();
-        add_rings(out_.rings, topology_, with_neighbors(), context_);
-        if (!from_.is_automatic || out_.groups.empty()) return true;
-        out_.planes = face_planes(out_.rings, topology_, from_.input.triangle_count(), near_fits, scratch_, context_);
-        return near_fits.empty() || std::none_of(out_.groups.begin(), out_.groups.end(), [&](std::uint32_t g) {
-                   return out_.planes.has_open(out_.rings.corners[g]);
+        const std::vector<std::vector<Spokes::FacePair>> pairs = read_spokes(near_fits);
+        if (!from_.is_automatic || out_.places.empty()) return true;
+        out_.planes = face_planes(out_.rings, pairs, from_.input.triangle_count(), near_fits, scratch_, context_);
+        return near_fits.empty() || !out_.planes.has_open() ||
+               std::none_of(out_.places.begin(), out_.places.end(), [&](const FittedPlace& place) {
+                   return out_.planes.has_open(out_.rings.corners[place.group]);
                });
     }
 
-    /// Of groups, in any order.
-    struct Tally {
-        std::uint64_t sum = 0, squares = 0;
-        void add(std::uint64_t group) { sum += group, squares += group * group; }
-        bool operator==(const Tally&) const = default;
-    };
+    using FacePairs = std::vector<Spokes::FacePair>;
+
+    /// Rings and fitted places. @return [chunks] flat faces that share an edge
+    std::vector<FacePairs> read_spokes(std::span<const std::uint8_t> near_fits) {
+        const std::size_t count = topology_.group.size(),
+                          chunks = (count + vertices_per_chunk - 1) / vertices_per_chunk;
+        out_.rings.ring_begin = scratch_.take_words(), out_.rings.ring_size = scratch_.take_words();
+        out_.rings.ring_begin.assign(count, 0), out_.rings.ring_size.assign(count, 0);
+        out_.rings.ring_members.resize(chunks);
+        std::vector<FacePairs> pairs(chunks);
+        std::vector<std::vector<FittedPlace>> parts(chunks);
+        context_.parallel_for(chunks, [&](std::size_t c) { read_spokes(c, near_fits, pairs[c], parts[c]); });
+        std::size_t sum = 0;
+        for (const auto& part : parts) sum += part.size();
+        out_.places.reserve(sum);
+        for (const auto& part : parts) out_.places.insert(out_.places.end(), part.begin(), part.end());
+        return pairs;
+    }
+    void read_spokes(std::size_t chunk, std::span<const std::uint8_t> near_fits, FacePairs& pairs,
+                     std::vector<FittedPlace>& places) {
+        GroupRings& rings = out_.rings;
+        const std::size_t first = chunk * vertices_per_chunk,
+                          last = std::min(topology_.group.size(), first + vertices_per_chunk);
+        Spokes spokes;
+        std::vector<std::uint32_t>& members = rings.ring_members[chunk];
+        members.reserve(rings.corners.begin[last] - rings.corners.begin[first] + (last - first));
+        for_each_group(topology_, first, last, [&](std::uint32_t g) {
+            if (!near_fits.empty() && near_fits[g] == 0) return;
+            spokes.read(rings, g);
+            rings.ring_begin[g] = std::uint32_t(members.size());
+            spokes.put_ring(members);
+            rings.ring_size[g] = std::uint32_t(members.size()) - rings.ring_begin[g];
+            if (from_.is_automatic) spokes.put_flat_pairs(rings, pairs);
+            const Spread spread = from_.spread.empty() ? Spread::unknown : from_.spread[g];
+            if (spread == Spread::wide || (spread == Spread::unknown && needs_fit(g, spokes)))
+                places.push_back({g, rings.ring_size[g] > spokes.count(), place_faces(rings, spokes)});
+        });
+    }
 
     /// By the weight of Max the normal would be off by more than a little.
-    bool needs_fit(std::uint32_t g) const {
-        const std::span<const std::uint32_t> corners = out_.rings.corners[g];
-        if (corners.empty()) return false;
+    bool needs_fit(std::uint32_t g, const Spokes& spokes) const {
+        if (spokes.count() == 0) return false;
         const dvec3 n = by_max(g);
         double least = 1, most_across = 0;
-        std::uint32_t faces = 0;
-        Tally ahead, behind;  // equal where faces go around
-        for (const std::uint32_t corner : corners) {
-            if (!out_.rings.is_face(corner / 3)) continue;
-            const dvec3 face = out_.rings.normal(corner / 3), across = cross(face, n);
+        for (std::uint32_t i = 0; i < spokes.count(); ++i) {
+            const dvec3 face = out_.rings.normal(spokes.face(i)), across = cross(face, n);
             least = std::min(least, dot(face, n)), most_across = std::max(most_across, dot(across, across));
-            ++faces;
-            ahead.add(out_.rings.next(corner)), behind.add(out_.rings.previous(corner));
         }
-        if (!from_.is_automatic || !(least > mild_cosine) || (faces == 1 && is_tip(corners))) return true;
-        return ahead != behind && !(most_across < flat_sine * flat_sine);
+        if (!from_.is_automatic || !(least > mild_cosine) || (spokes.count() == 1 && is_tip(g))) return true;
+        return !spokes.goes_around() && !(most_across < flat_sine * flat_sine);
     }
     /// Whether a surface goes on from the only face at a group.
-    bool is_tip(std::span<const std::uint32_t> corners) const {
+    bool is_tip(std::uint32_t g) const {
         std::size_t around = 0;
-        for (const std::uint32_t corner : corners)
+        for (const std::uint32_t corner : out_.rings.corners[g])
             if (out_.rings.is_face(corner / 3))
                 around += out_.rings.corners.size(out_.rings.next(corner)) +
                           out_.rings.corners.size(out_.rings.previous(corner));
         return around > 4;
-    }
-    /// Ascending.
-    std::vector<std::uint32_t> groups_to_fit(std::span<const std::uint8_t> near_fits) const {
-        const std::size_t count = topology_.group.size(), step = vertices_per_chunk;
-        std::vector<std::vector<std::uint32_t>> parts((count + step - 1) / step);
-        context_.parallel_for(parts.size(), [&](std::size_t c) {
-            for_each_group(topology_, c * step, std::min(count, (c + 1) * step), [&](std::uint32_t g) {
-                const Spread spread = from_.spread.empty() ? Spread::unknown : from_.spread[g];
-                if (spread == Spread::mild || (!near_fits.empty() && near_fits[g] == 0)) return;
-                if (spread == Spread::wide || needs_fit(g)) parts[c].push_back(g);
-            });
-        });
-        std::vector<std::uint32_t> all;
-        for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-        return all;
-    }
-
-    /// [groups] marks of the fitted ones and of their neighbors.
-    std::vector<std::uint8_t> with_neighbors() {
-        std::vector<std::uint8_t> marks(topology_.group.size(), 0);
-        const auto mark = [&](std::uint32_t g) { std::atomic_ref(marks[g]).store(1, std::memory_order_relaxed); };
-        const std::size_t count = out_.groups.size(), step = 1u << 12;
-        context_.parallel_for((count + step - 1) / step, [&](std::size_t c) {
-            for (std::size_t i = c * step; i < std::min(count, (c + 1) * step); ++i) {
-                mark(out_.groups[i]);
-                for (const std::uint32_t corner : out_.rings.corners[out_.groups[i]])
-                    mark(out_.rings.next(corner)), mark(out_.rings.previous(corner));
-            }
-        });
-        return marks;
     }
 
     const FitInput& from_;
@@ -148,7 +143,7 @@ private:
 void FittedPlaces::release(GeneralScratch& scratch) {
     rings.release(scratch);
     scratch.give(planes.plane_of);
-    planes = {}, groups.clear();
+    planes = {}, places.clear();
 }
 
 FittedPlaces find_fitted_places(const FitInput& from, GeneralScratch& scratch, Context& context) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/fits/group_planes.h"
-#include "geometry/fits/group_rings.h"
+#include "geometry/fits/place_faces.h"
 
 namespace rakelight::geometry {
 
@@ -29,10 +29,15 @@ struct FitInput {
 /// spread in the mean.
 constexpr double mild_cosine = 0.99984769515639123;
 
+struct FittedPlace {
+    std::uint32_t group = 0;
+    bool is_border = false;
+    PlaceFaces faces;
+};
 struct FittedPlaces {
-    std::vector<std::uint32_t> groups;  ///< ascending
-    GroupRings rings;                   ///< at them and their neighbors; elsewhere nothing is known
-    FacePlanes planes;                  ///< at them; for CornerWeight::automatic
+    std::vector<FittedPlace> places;  ///< groups ascend
+    GroupRings rings;                 ///< at them and their neighbors; elsewhere nothing is known
+    FacePlanes planes;                ///< at them; for CornerWeight::automatic
 
     void release(GeneralScratch& scratch);
 };

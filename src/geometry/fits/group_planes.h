@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Planes of two or more triangles, and which of them rules a place.
 #pragma once
-#include "geometry/fits/group_rings.h"
+#include "geometry/fits/spokes.h"
 
 namespace rakelight::geometry {
 
@@ -14,11 +14,13 @@ struct FacePlanes {
     MemoryCharge charge;
 
     bool empty() const { return plane_of.empty(); }
+    bool has_open() const;
     /// Whether an open plane is at one of the corners.
     bool has_open(std::span<const std::uint32_t> corners) const;
 };
+/// @param pairs  [any parts] flat faces that share an edge
 /// @param known  [groups] not 0: the rings have its corners; empty: those of all
-FacePlanes face_planes(const GroupRings& rings, const Topology& topology, std::size_t faces,
+FacePlanes face_planes(const GroupRings& rings, std::span<const std::vector<Spokes::FacePair>> pairs, std::size_t faces,
                        std::span<const std::uint8_t> known, GeneralScratch& scratch, Context& context);
 
 /// The planes at a place. A plane counts by its whole area, so that it does not matter how it is cut into triangles.

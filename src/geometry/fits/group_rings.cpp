@@ -62,38 +62,6 @@ void read_places(GroupRings& rings, const Topology& topology, const AttributeInp
     });
 }
 
-void add_once(std::vector<std::uint32_t>& to, std::size_t first, std::uint32_t group) {
-    if (std::find(to.begin() + std::ptrdiff_t(first), to.end(), group) == to.end()) to.push_back(group);
-}
-
-/// Appends the ring of a group of many corners.
-void put_large_ring(const GroupRings& rings, std::uint32_t group, std::vector<std::uint32_t>& to) {
-    const std::size_t first = to.size();
-    for (const std::uint32_t corner : rings.corners[group]) {
-        if (!rings.is_face(corner / 3)) continue;
-        for (const std::uint32_t other : {rings.next(corner), rings.previous(corner)})
-            if (other != group) to.push_back(other);
-    }
-    std::sort(to.begin() + std::ptrdiff_t(first), to.end());
-    to.erase(std::unique(to.begin() + std::ptrdiff_t(first), to.end()), to.end());
-}
-
-/// Appends the ring of a group.
-void put_ring(const GroupRings& rings, std::uint32_t group, std::vector<std::uint32_t>& to) {
-    constexpr std::size_t few = 64;
-    const std::span<const std::uint32_t> corners = rings.corners[group];
-    if (corners.size() > few) return put_large_ring(rings, group, to);
-    const std::size_t first = to.size();
-    for (const std::uint32_t corner : corners) {
-        if (!rings.is_face(corner / 3)) continue;
-        if (const std::uint32_t other = rings.next(corner); other != group) add_once(to, first, other);
-    }
-    for (const std::uint32_t corner : corners) {
-        if (!rings.is_face(corner / 3)) continue;
-        if (const std::uint32_t other = rings.previous(corner); other != group) add_once(to, first, other);
-    }
-}
-
 }  // namespace
 
 void GroupRings::release(GeneralScratch& scratch) {
@@ -121,28 +89,6 @@ GroupRings group_faces(const Topology& topology, const AttributeInput& input, st
     rings.corners = bin_corners(topology, input, known, context, std::move(memory), &keys);
     scratch.keys = keys.take();
     return rings;
-}
-
-void add_rings(GroupRings& rings, const Topology& topology, std::span<const std::uint8_t> wanted, Context& context) {
-    const std::size_t count = topology.group.size(), step = vertices_per_chunk, chunks = (count + step - 1) / step;
-    rings.ring_size.assign(count, 0);
-    rings.ring_begin.assign(count, 0);
-    rings.ring_members.resize(chunks);
-    context.parallel_for(chunks, [&](std::size_t c) {
-        const std::size_t first = c * step, last = std::min(count, first + step);
-        std::size_t most = 0;
-        for (std::size_t g = first; g < last; ++g)
-            if (wanted[g] != 0) most += rings.corners.size(std::uint32_t(g)) + 1;
-        std::vector<std::uint32_t> members;
-        members.reserve(most);
-        for_each_group(topology, first, last, [&](std::uint32_t g) {
-            if (wanted[g] == 0) return;
-            rings.ring_begin[g] = std::uint32_t(members.size());
-            put_ring(rings, g, members);
-            rings.ring_size[g] = std::uint32_t(members.size()) - rings.ring_begin[g];
-        });
-        rings.ring_members[c] = std::move(members);
-    });
 }
 
 }  // namespace rakelight::geometry

@@ -50,8 +50,6 @@ struct GroupRings {
 /// @param known  [groups] not 0: its corners and their faces are asked for; empty: all. Nothing is known of other faces
 GroupRings group_faces(const Topology& topology, const AttributeInput& input, std::span<const std::uint8_t> known,
                        GeneralScratch& scratch, Context& context);
-/// @param wanted  [groups] not 0: gets its ring
-void add_rings(GroupRings& rings, const Topology& topology, std::span<const std::uint8_t> wanted, Context& context);
 
 /// Calls body(group) for the representatives of a range of groups.
 template <class Body>

@@ -10,21 +10,23 @@ namespace rakelight::geometry {
 HeightBatch::HeightBatch() : kernels_(*RL_BY_ISA(isa_from_environment(), height_kernels())) {}
 
 void HeightBatch::add(std::span<const dvec3> neighbors, double scale, dvec3 normal) {
-    add_place(neighbors.size(), normal);
-    for (const dvec3& neighbor : neighbors) add_neighbor(neighbor * scale);
+    add_place(neighbors.size(), scale, normal, [&](const auto& put) {
+        for (const dvec3& neighbor : neighbors) put(neighbor, true);
+    });
 }
 
-void HeightBatch::add_place(std::size_t most_neighbors, dvec3 normal) {
-    if (neighbors_.size() < most_neighbors * row) neighbors_.resize(most_neighbors * row);
-    counts_[size_] = 0;
+/// A place more. @return where its first neighbor is put; there is room for one beyond the last
+double* HeightBatch::room_for(std::size_t neighbors, double scale, dvec3 normal) {
+    if (neighbors_.size() < (neighbors + 1) * row) neighbors_.resize((neighbors + 1) * row);
+    counts_[size_] = 0, scales_[size_] = scale;
     for (int axis = 0; axis < 3; ++axis) normals_[axis][size_] = normal[std::size_t(axis)];
-    ++size_;
+    return neighbors_.data() + size_++;
 }
 
 HeightJob HeightBatch::job() {
     HeightJob job{.neighbors = neighbors_.data()};
     for (std::uint32_t place = 0; place < size_; ++place) {
-        job.count[place] = counts_[place];
+        job.count[place] = counts_[place], job.scale[place] = scales_[place];
         job.rows = std::max(job.rows, counts_[place]);
     }
     for (int axis = 0; axis < 3; ++axis) {

@@ -39,16 +39,21 @@ public:
     bool is_full() const { return size_ == height_lanes; }
     std::uint32_t size() const { return size_; }
     void clear() { size_ = 0; }
-    /// @param neighbors  from the place; farther than 1e10 ones after scaling are left out
+    /// @param neighbors  from the place; farther than 1e10 after scaling they count nothing
     /// @param scale      from their unit to about an edge
     /// @param normal     unit, a first guess, to which the heights are measured
     void add(std::span<const dvec3> neighbors, double scale, dvec3 normal);
-    /// The same one by one: first the place with room for its neighbors, then each.
-    void add_place(std::size_t most_neighbors, dvec3 normal);
-    void add_neighbor(dvec3 scaled) {
-        if (!(dot(scaled, scaled) < 1e20)) return;
-        double* const to = neighbors_.data() + counts_[size_ - 1]++ * row + (size_ - 1);
-        to[0] = scaled.x, to[height_lanes] = scaled.y, to[2 * height_lanes] = scaled.z;
+    /// The same one by one.
+    /// @param each  called with put(neighbor, is_taken), at most `most` times
+    template <class Each>
+    void add_place(std::size_t most, double scale, dvec3 normal, const Each& each) {
+        double* const first = room_for(most, scale, normal);
+        double* to = first;
+        each([&to](dvec3 neighbor, bool is_taken) {  // without a branch: it could not be foretold
+            to[0] = neighbor.x, to[height_lanes] = neighbor.y, to[2 * height_lanes] = neighbor.z;
+            to += is_taken ? row : 0;
+        });
+        counts_[size_ - 1] = std::uint32_t(std::size_t(to - first) / row);
     }
     /// Of the last place.
     std::uint32_t neighbors() const { return counts_[size_ - 1]; }
@@ -65,13 +70,14 @@ public:
 private:
     static constexpr std::size_t row = 3 * height_lanes;
 
+    double* room_for(std::size_t neighbors, double scale, dvec3 normal);
     HeightJob job();
     HeightFit fit_at(const HeightNumbers& numbers, std::uint32_t place) const;
 
     const HeightKernels& kernels_;
     std::vector<double> neighbors_;  ///< [rows][3][height_lanes]
     std::uint32_t counts_[height_lanes] = {}, size_ = 0;
-    double normals_[3][height_lanes] = {};
+    double normals_[3][height_lanes] = {}, scales_[height_lanes] = {};
     HeightNumbers wide_{};
     HeightResult result_{};
 };

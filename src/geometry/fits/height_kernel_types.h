@@ -9,10 +9,11 @@ constexpr uint32_t height_lanes = 8;  ///< places at a time
 
 /// Several places and their neighbors, in structure-of-arrays layout.
 struct HeightJob {
-    const double* neighbors = nullptr;    ///< [rows][3][height_lanes] from the place; finite also beyond `count`
+    const double* neighbors = nullptr;    ///< [rows][3][height_lanes] from the place; beyond `count` anything
     uint32_t rows = 0;                    ///< the largest count
     uint32_t count[height_lanes] = {};    ///< 0: no place
     double normal[3][height_lanes] = {};  ///< unit, to which the heights are measured
+    double scale[height_lanes] = {};      ///< of the neighbors, to about an edge
 };
 
 /// A lane of each array is one place. See HeightFit.

@@ -7,19 +7,22 @@
 
 namespace rakelight::geometry {
 
-PlaceFaces place_faces(const GroupRings& rings, std::uint32_t group) {
-    PlaceFaces out;
-    dvec3 sum;
-    for (const std::uint32_t corner : rings.corners[group]) {
-        if (!rings.is_face(corner / 3)) continue;
-        sum += rings.normal(corner / 3) * double(rings.faces[corner / 3].area);
-        ++out.faces;
+PlaceFaces place_faces(const GroupRings& rings, const Spokes& spokes) {
+    vec3 sum;
+    for (std::uint32_t i = 0; i < spokes.count(); ++i) {
+        const GroupFace& face = rings.faces[spokes.face(i)];
+        sum += face.normal * face.area;
     }
-    out.by_area = direction_of(sum).unit;
-    for (const std::uint32_t corner : rings.corners[group])
-        if (rings.is_face(corner / 3))
-            out.least_cosine = std::min(out.least_cosine, dot(rings.normal(corner / 3), out.by_area));
+    PlaceFaces out{.by_area = cast<float>(direction_of(cast<double>(sum)).unit)};
+    for (std::uint32_t i = 0; i < spokes.count(); ++i)
+        out.least_cosine = std::min(out.least_cosine, dot(rings.faces[spokes.face(i)].normal, out.by_area));
     return out;
+}
+
+bool is_border(const GroupRings& rings, std::uint32_t group) {
+    std::uint32_t faces = 0;
+    for (const std::uint32_t corner : rings.corners[group]) faces += rings.is_face(corner / 3) ? 1 : 0;
+    return rings.ring_size[group] > faces;
 }
 
 dvec3 normal_by_angle(const GroupRings& rings, std::uint32_t group, dvec3 otherwise) {

@@ -15,31 +15,37 @@ class GroupSet {
 public:
     void clear(std::size_t most) {
         if (slots_.size() < 2 * most || ++round_ == 0) {
-            bits_ = std::max(8u, unsigned(std::bit_width(2 * most)));
-            slots_.assign(std::size_t(1) << bits_, Slot{});
+            bits_ = std::max(11u, unsigned(std::bit_width(2 * most)));
+            slots_.assign(std::size_t(1) << bits_, 0);
             round_ = 1;
         }
-        if (groups_.size() < most) groups_.resize(most);
+        if (groups_.size() <= most) groups_.resize(most + 1);
         count_ = 0;
     }
-    /// At most clear()'s `most` times.
-    void add(std::uint32_t group) {
+    /// In all at most clear()'s `most`.
+    void add(std::span<const std::uint32_t> groups) {
         // Multiplication by a random odd number: Dietzfelbinger et al. 1997, "A reliable randomized algorithm for the
         // closest-pair problem" (lemma 1).
-        std::size_t at = (group * factor_) >> (64 - bits_);
-        for (; slots_[at].round == round_; at = (at + 1) & (slots_.size() - 1))
-            if (slots_[at].group == group) return;
-        slots_[at] = {group, round_};
-        groups_[count_++] = group;
+        std::uint64_t* const slots = slots_.data();
+        std::uint32_t* const out = groups_.data();
+        const std::uint64_t factor = factor_, mask = slots_.size() - 1, round = round_;
+        const unsigned shift = 64 - bits_;
+        std::size_t count = count_;
+        for (const std::uint32_t group : groups) {
+            const std::uint64_t taken = round << 32 | group;
+            std::size_t at = (group * factor) >> shift;
+            while (slots[at] >> 32 == round && slots[at] != taken) at = (at + 1) & mask;
+            out[count] = group;  // without a branch: whether it is new could not be foretold
+            count += slots[at] != taken ? 1 : 0;
+            slots[at] = taken;
+        }
+        count_ = count;
     }
     std::span<const std::uint32_t> groups() const { return {groups_.data(), count_}; }
 
 private:
-    struct Slot {
-        std::uint32_t group = 0, round = 0;  ///< taken in the round of this number
-    };
     std::uint64_t factor_ = hash_key_of_this_run().a | 1;  // the order of groups does not depend on it
-    std::vector<Slot> slots_;
+    std::vector<std::uint64_t> slots_;                     // the round in which it was taken, and the group
     std::vector<std::uint32_t> groups_;
     std::uint32_t round_ = 0;
     unsigned bits_ = 0;
@@ -56,11 +62,10 @@ inline void two_rings(const GroupRings& rings, std::uint32_t group, GroupSet& ou
     for (const std::uint32_t u : ring)
         if (rings.ring_size[u] <= most_to_widen) most += rings.ring_size[u];
     out.clear(most);
-    out.add(group);
-    for (const std::uint32_t u : ring) out.add(u);
+    out.add({&group, 1});
+    out.add(ring);
     for (const std::uint32_t u : ring)
-        if (rings.ring_size[u] <= most_to_widen)
-            for (const std::uint32_t v : rings.ring(u)) out.add(v);
+        if (rings.ring_size[u] <= most_to_widen) out.add(rings.ring(u));
 }
 
 }  // namespace rakelight::geometry

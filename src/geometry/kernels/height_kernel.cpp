@@ -37,19 +37,31 @@ RL_INLINE Axes axes_of(const Three& n) {
 struct Neighbor {
     numbers x, y, z, w, c;
 };
-RL_INLINE Neighbor neighbor_of(const double* row, const Axes& axes, numbers is_one) {
-    const Three d{load(row), load(row + height_lanes), load(row + 2 * height_lanes)};
-    const numbers x = dot(d, axes.t), y = dot(d, axes.b), z = dot(d, axes.n), rr = x * x + y * y, zz = z * z;
-    const numbers c = smaller((rr + zz) / larger(rr, all(1e-12)), all(4));
-    return {x, y, z, is_one, c};
+/// The neighbors of several places in their axes.
+struct Neighbors {
+    const double* first;
+    Axes axes;
+    numbers counts, scale;
+
+    Neighbors(const HeightJob& job, uint32_t lane, const Axes& of)
+        : first(job.neighbors + lane), axes(of), scale(load(job.scale + lane)) {
+        for (uint32_t i = 0; i < lanes; ++i) counts[i] = double(job.count[lane + i]);
+    }
+};
+/// Lanes that have no such neighbor, or a very far one, have weight 0.
+/// @param is_near  others weigh by the inverse fourth power of their distance
+RL_INLINE Neighbor neighbor_of(const Neighbors& n, uint32_t row, bool is_near) {
+    const double* const from = n.first + uint64_t(row) * 3 * height_lanes;
+    Three d{load(from) * n.scale, load(from + height_lanes) * n.scale, load(from + 2 * height_lanes) * n.scale};
+    const bits is_here = (all(double(row)) < n.counts) & (dot(d, d) < all(1e20));
+    const numbers zero = all(0), weight = is_here ? all(1) : zero;
+    d = {is_here ? d.x : zero, is_here ? d.y : zero, is_here ? d.z : zero};
+    const numbers x = dot(d, n.axes.t), y = dot(d, n.axes.b), z = dot(d, n.axes.n);
+    const numbers rr = x * x + y * y, square = rr + z * z, across = larger(rr, all(1e-12));
+    if (!is_near) return {x, y, z, weight, smaller(square / across, all(4))};
+    const numbers more = square + all(1e-12), fourth = more * more, both = all(1) / (across * fourth);
+    return {x, y, z, weight * (across * both), smaller(square * (fourth * both), all(4))};
 }
-RL_INLINE numbers counts_of(const HeightJob& job, uint32_t lane) {
-    numbers v;
-    for (uint32_t i = 0; i < lanes; ++i) v[i] = double(job.count[lane + i]);
-    return v;
-}
-/// 1 for lanes that have the neighbor, else 0.
-RL_INLINE numbers ones(numbers counts, uint32_t row) { return all(double(row)) < counts ? all(1) : all(0); }
 
 /// What a quadric through the place needs: sums over neighbors of weight times the product.
 struct QuadricSums {
@@ -89,17 +101,11 @@ RL_INLINE void add(CubicSums& s, const Neighbor& p) {
 static void add_up(const HeightJob& job, uint32_t first_lane, const Axes& axes, QuadricSums& quadric,
                    CubicSums& cubic) {
     constexpr uint32_t most = 32;
-    const numbers counts = counts_of(job, first_lane);
+    const Neighbors neighbors(job, first_lane, axes);
     Neighbor some[most];
     for (uint32_t row = 0; row < job.rows; row += most) {
         const uint32_t end = job.rows - row < most ? job.rows - row : most;
-        for (uint32_t i = 0; i < end; ++i) {
-            Neighbor& p = some[i];
-            p = neighbor_of(job.neighbors + uint64_t(row + i) * 3 * height_lanes + first_lane, axes,
-                            ones(counts, row + i));
-            const numbers square = p.x * p.x + p.y * p.y + p.z * p.z + all(1e-12);
-            p.w = p.w / (square * square);
-        }
+        for (uint32_t i = 0; i < end; ++i) some[i] = neighbor_of(neighbors, row + i, true);
         QuadricSums q = quadric;
         for (uint32_t i = 0; i < end; ++i) add(q, some[i]);
         quadric = q;
@@ -131,41 +137,48 @@ RL_INLINE void fill(Equations<9>& e, const QuadricSums& s, const CubicSums& c) {
     }
 }
 
-constexpr double little_slope = 1e-7, little = 1e-9;  ///< added to the diagonal, which is scaled to 1
+constexpr double little_slope = 1e-7, little = 1e-9;  ///< ridges, in parts of the diagonal
 
-/// Equations with their diagonal scaled to 1, a little added, and factored after Cholesky.
+/// Equations whose diagonal has a ridge added, factored into L D L^T without square roots.
 template <uint32_t K>
 struct Factored {
-    numbers l[K][K];         ///< lower half; on the diagonal the reciprocal
-    numbers scale[K], y[K];  ///< y: the factor's solution for the vector
-    numbers more[K];         ///< what was added to the diagonal
+    numbers l[K][K];   ///< below the diagonal; on it the reciprocal of D
+    numbers y[K];      ///< L's solution for the vector
+    numbers ridge[K];  ///< what was added to the diagonal
+    bits is_weak[K];   ///< whether it was added to this or an earlier row by more than a little
 };
 template <uint32_t K>
 RL_INLINE void factor(const Equations<K>& e, numbers weight, Factored<K>& f) {
+    const numbers least = all(1e-12) * weight + all(1e-280);
+#pragma GCC unroll 9
     for (uint32_t i = 0; i < K; ++i) {
-        f.scale[i] = all(1) / square_root(e.a[i][i] + all(1e-300));
-        f.more[i] = all(i < 2 ? little_slope : little) + smaller(all(1e-12) * weight * f.scale[i] * f.scale[i], all(1));
-    }
-    for (uint32_t i = 0; i < K; ++i) {
-        numbers y = e.r[i] * f.scale[i];
-        for (uint32_t j = 0; j <= i; ++j) {
-            numbers s = e.a[i][j] * f.scale[i] * f.scale[j];
-            if (i == j) s += f.more[i];
-            for (uint32_t k = 0; k < j; ++k) s -= f.l[i][k] * f.l[j][k];
-            f.l[i][j] = i == j ? all(1) / square_root(larger(s, all(1e-14))) : s * f.l[j][j];
-            if (j < i) y -= f.l[i][j] * f.y[j];
+        f.ridge[i] = all(i < 2 ? little_slope : little) * e.a[i][i] + least;
+        f.is_weak[i] = f.ridge[i] > all(0.01) * e.a[i][i];
+        if (i > 0) f.is_weak[i] |= f.is_weak[i - 1];
+        numbers m[K], y = e.r[i], d = e.a[i][i] + f.ridge[i];
+#pragma GCC unroll 9
+        for (uint32_t j = 0; j < i; ++j) {
+            m[j] = e.a[i][j];
+#pragma GCC unroll 9
+            for (uint32_t k = 0; k < j; ++k) m[j] -= m[k] * f.l[j][k];
+            f.l[i][j] = m[j] * f.l[j][j];
+            y -= f.l[i][j] * f.y[j];
+            d -= m[j] * f.l[i][j];
         }
-        f.y[i] = y * f.l[i][i];
+        f.l[i][i] = all(1) / larger(d, all(1e-14) * e.a[i][i] + least);
+        f.y[i] = y;
     }
 }
 
-/// The first `used` equations' solution, still scaled.
+/// The first `used` equations' solution.
 template <uint32_t K>
 RL_INLINE void solve(const Factored<K>& f, uint32_t used, numbers (&x)[K]) {
-    for (uint32_t i = used; i-- > 0;) {
-        numbers s = f.y[i];
-        for (uint32_t k = i + 1; k < used; ++k) s -= f.l[k][i] * x[k];
-        x[i] = s * f.l[i][i];
+#pragma GCC unroll 9
+    for (uint32_t n = 0; n < used; ++n) {
+        const uint32_t i = used - 1 - n;
+        x[i] = f.y[i] * f.l[i][i];
+#pragma GCC unroll 9
+        for (uint32_t k = i + 1; k < used; ++k) x[i] -= f.l[k][i] * x[k];
     }
 }
 
@@ -173,16 +186,18 @@ RL_INLINE void solve(const Factored<K>& f, uint32_t used, numbers (&x)[K]) {
 template <uint32_t K>
 RL_INLINE void variances(const Factored<K>& f, numbers& of_five, numbers& of_all) {
     of_five = of_all = all(0);
-    for (uint32_t c = 0; c < 2; ++c) {  // a column of the factor's inverse
-        numbers x[K], squares = all(0);
+#pragma GCC unroll 9
+    for (uint32_t c = 0; c < 2; ++c) {  // a column of L's inverse
+        numbers x[K];
+#pragma GCC unroll 9
         for (uint32_t i = c; i < K; ++i) {
-            numbers s = all(i == c ? 1.0 : 0.0);
-            for (uint32_t k = c; k < i; ++k) s -= f.l[i][k] * x[k];
-            x[i] = s * f.l[i][i];
-            squares += x[i] * x[i];
-            if (i == 4) of_five += squares * f.scale[c] * f.scale[c];
+            x[i] = all(i == c ? 1.0 : 0.0);
+#pragma GCC unroll 9
+            for (uint32_t k = c; k < i; ++k) x[i] -= f.l[i][k] * x[k];
+            const numbers part = x[i] * x[i] * f.l[i][i];
+            if (i < 5) of_five += part;
+            of_all += part;
         }
-        of_all += squares * f.scale[c] * f.scale[c];
     }
 }
 /// The same if a plane were fitted.
@@ -205,18 +220,16 @@ RL_INLINE void store(double (&to)[3][height_lanes], uint32_t lane, const Three& 
 template <uint32_t K>
 RL_INLINE void conclude(const Factored<K>& f, uint32_t used, numbers variance, const Axes& axes, const QuadricSums& s,
                         uint32_t lane, HeightNumbers& out) {
-    numbers x[K], left = s.heights, most = all(0);
+    numbers x[K], left = s.heights;
     solve(f, used, x);
-    for (uint32_t i = 0; i < used; ++i) {
-        left -= f.y[i] * f.y[i] + f.more[i] * x[i] * x[i];
-        most = larger(most, f.more[i]);
-    }
-    const numbers a = x[0] * f.scale[0], b = x[1] * f.scale[1];
+#pragma GCC unroll 9
+    for (uint32_t i = 0; i < used; ++i) left -= f.y[i] * f.y[i] * f.l[i][i] + f.ridge[i] * x[i] * x[i];
+    const numbers a = x[0], b = x[1];
     const numbers bent =
         s.heights - all(2) * (a * s.xz + b * s.yz) + a * a * s.xx + all(2) * a * b * s.xy + b * b * s.yy;
     store(out.residual + lane, larger(left, all(0)));
     store(out.bent + lane, larger(bent, all(0)));
-    store(out.certainty + lane, most > all(0.01) ? all(0) : variance_of_plane(s) / variance);
+    store(out.certainty + lane, f.is_weak[used - 1] ? all(0) : variance_of_plane(s) / variance);
     store(out.normal, lane, turned(axes, a, b));
 }
 
@@ -244,11 +257,10 @@ static void fit(const HeightJob& job, HeightResult& out) {
 
 /// The sums of a quadric that need not meet the place; the place itself is one more neighbor.
 RL_INLINE Equations<6> wide_equations(const HeightJob& job, uint32_t lane, const Axes& axes, QuadricSums& s) {
-    const numbers counts = counts_of(job, lane);
+    const Neighbors neighbors(job, lane, axes);
     numbers x = all(0), y = all(0), z = all(0), cxx = all(0), cxy = all(0), cyy = all(0);
     for (uint32_t row = 0; row < job.rows; ++row) {
-        const Neighbor p =
-            neighbor_of(job.neighbors + uint64_t(row) * 3 * height_lanes + lane, axes, ones(counts, row));
+        const Neighbor p = neighbor_of(neighbors, row, false);
         add(s, p);
         x += p.w * p.x, y += p.w * p.y, z += p.w * p.z;
         const numbers wc = p.w * p.c;
@@ -279,7 +291,7 @@ static void wide(const HeightJob& job, HeightNumbers& out, double (&weight)[heig
             if (round + 1 < rounds) {
                 numbers x[6];
                 solve(f, 6, x);
-                n = turned(axes, x[0] * f.scale[0], x[1] * f.scale[1]);
+                n = turned(axes, x[0], x[1]);
                 continue;
             }
             numbers five, six;
