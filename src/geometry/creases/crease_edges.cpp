@@ -128,7 +128,7 @@ CreaseEdges decide_creases(const AttributeInput& input, const std::vector<std::u
     const BentEdges bent = find_bent_edges(placed, normals, context);
     context.throw_if_cancelled();
     const std::vector<PlaneSide> widths = plane_widths(bent, input, context);
-    std::vector<CreaseDecision> decisions = apply_crease_rule(bent, widths, context);
+    std::vector<CreaseDecision> decisions = apply_crease_rule(bent, input, widths, context);
     soften_round_corners(bent, widths, decisions, context);
     CreaseEdges out;
     set_bits(bent, decisions, out);

@@ -6,6 +6,7 @@
 
 #include <rakelight/creases.h>
 
+#include "geometry/creases/across_faces.h"
 #include "geometry/creases/meant_planes.h"
 
 namespace rakelight::geometry {
@@ -56,8 +57,9 @@ Thresholds settle_thresholds(const BentEdges& bent) {
 
 class Rule {
 public:
-    Rule(const BentEdges& bent, const std::vector<PlaneSide>& widths)
+    Rule(const BentEdges& bent, const AttributeInput& input, const std::vector<PlaneSide>& widths)
         : bent_(bent),
+          input_(input),
           widths_(widths),
           limits_(settle_thresholds(bent)),
           planes_(find_meant_planes(bent, limits_.hard)) {}
@@ -71,7 +73,9 @@ public:
         if (bent_.plane(edge, 0) == bent_.plane(edge, 1) && planes_.has_planes[bent_.surface_of[edge.face(0)]] != 0)
             return {CreaseReason::planes, bend > 2 * double(edge.rounding_deg)};  // the end of a crease, or by rounding
         if (!is_flat(edge, 0) && !is_flat(edge, 1)) return decide_triangles(e);
-        return decide_planes(e);
+        const CreaseDecision decision = decide_planes(e);
+        if (decision.is_hard && bend <= limits_.round && has_three_across(e)) return {CreaseReason::chain, false};
+        return decision;
     }
 
 private:
@@ -145,12 +149,11 @@ private:
     /// Whether a plane runs into single triangles that are the bent squares of a fillet: the edge across the square bends
     /// on, as in `is_tangent`. The diagonal of the square is one of the two other edges of the triangle, and bends less.
     bool is_tangent_to_squares(std::uint32_t e) const {
+        const BentEdge& edge = bent_.edges[e];
         for (const int side : {0, 1}) {
-            const BentEdge& edge = bent_.edges[e];
             if (is_flat(edge, side) || !is_flat(edge, 1 - side)) continue;
-            const std::uint32_t corner = edge.corner[side];
             for (const bool is_after : {false, true}) {
-                const std::uint32_t far = across_square(corner, is_after);
+                const std::uint32_t far = across_square(bent_, e, side, limits_.low, is_after).edge;
                 if (far == no_edge || size(far) > limits_.round) continue;
                 const BentEdge& f = bent_.edges[far];
                 if (is_flat(f, 0) || is_flat(f, 1)) continue;
@@ -160,14 +163,36 @@ private:
         }
         return false;
     }
-    /// The edge across a square from the edge at a corner. The diagonal is the edge after or before it in its triangle.
-    std::uint32_t across_square(std::uint32_t corner, bool is_after) const {
-        const std::uint32_t through = is_after ? corner_after(corner) : corner_before(corner),
-                            diagonal = bent_.edge_of_corner[through];
-        if (diagonal == no_edge || size(diagonal) >= limits_.low) return no_edge;
-        const BentEdge& d = bent_.edges[diagonal];
-        const std::uint32_t beyond = d.corner[d.corner[0] == through ? 1 : 0];
-        return bent_.edge_of_corner[is_after != bent_.is_turned(d) ? corner_before(beyond) : corner_after(beyond)];
+
+    /// Straight across one side of an edge, over a plane or over a bent square to an edge that bends as edge `like`.
+    Across across(std::uint32_t e, int side, std::uint32_t like) const {
+        if (is_flat(bent_.edges[e], side)) return across_plane(bent_, input_, e, side);
+        for (const bool is_after : {false, true}) {
+            Across way = across_square(bent_, e, side, limits_.low, is_after);
+            if (way.edge == no_edge || !bends_as(way.edge, like, equal_bends)) continue;
+            way.width = side_of(e, side).width;
+            return way;
+        }
+        return {side_of(e, side).width, no_edge, 0};
+    }
+
+    /// `has_three` by what lies straight across: a ring of strips of which one is a flat annulus, a tube of which some sides
+    /// are planes and others bent squares.
+    bool has_three_across(std::uint32_t e) const {
+        const Across sides[2] = {across(e, 0, e), across(e, 1, e)};
+        if (!are_similar(sides[0].width, sides[1].width)) return false;
+        bool is_equal[2];
+        for (const int s : {0, 1}) is_equal[s] = sides[s].edge != no_edge && bends_as(sides[s].edge, e, equal_bends);
+        if (is_equal[0] && is_equal[1])
+            return std::max(sides[0].width, sides[1].width) <=
+                   float(same_width) * std::min(sides[0].width, sides[1].width);
+        for (const int s : {0, 1}) {
+            if (!is_equal[s]) continue;
+            const Across next = across(sides[s].edge, sides[s].beyond, e);
+            if (next.edge != no_edge && are_similar(next.width, sides[s].width) && bends_as(next.edge, e, equal_bends))
+                return true;
+        }
+        return false;
     }
 
     CreaseDecision decide_planes(std::uint32_t e) const {
@@ -201,6 +226,7 @@ private:
     }
 
     const BentEdges& bent_;
+    const AttributeInput& input_;
     const std::vector<PlaneSide>& widths_;
     Thresholds limits_;
     MeantPlanes planes_;
@@ -208,11 +234,11 @@ private:
 
 }  // namespace
 
-std::vector<CreaseDecision> apply_crease_rule(const BentEdges& bent, const std::vector<PlaneSide>& widths,
-                                              Context& context) {
+std::vector<CreaseDecision> apply_crease_rule(const BentEdges& bent, const AttributeInput& input,
+                                              const std::vector<PlaneSide>& widths, Context& context) {
     constexpr std::size_t step = 1u << 15;
     std::vector<CreaseDecision> out(bent.edges.size());
-    const Rule rule(bent, widths);
+    const Rule rule(bent, input, widths);
     context.parallel_for((out.size() + step - 1) / step, [&](std::size_t c) {
         for (std::size_t e = c * step; e < std::min(out.size(), (c + 1) * step); ++e)
             out[e] = rule.decide(std::uint32_t(e));

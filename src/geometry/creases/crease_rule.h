@@ -31,7 +31,7 @@ struct CreaseDecision {
 };
 
 /// [edges]
-std::vector<CreaseDecision> apply_crease_rule(const BentEdges& bent, const std::vector<PlaneSide>& widths,
-                                              Context& context);
+std::vector<CreaseDecision> apply_crease_rule(const BentEdges& bent, const AttributeInput& input,
+                                              const std::vector<PlaneSide>& widths, Context& context);
 
 }  // namespace rakelight::geometry

@@ -13,7 +13,6 @@
 namespace rakelight::geometry {
 namespace {
 
-constexpr double parallel = 0.8;         // cosine: 37 degrees
 constexpr double far_share = 0.3;        // of the width: an edge nearer than this is at the same side
 constexpr double same_distance = 1e-3;   // of the width: edges at one distance from the first
 constexpr std::size_t most_pairs = 128;  // edges of a plane that are compared with all others
@@ -36,7 +35,7 @@ struct Farthest {
     bool is_equal = false;
 
     void see(const Border& from, const Border& b) {
-        if (b.edge == no_edge || b.edge == from.edge || std::fabs(dot(b.along, from.along)) < parallel) return;
+        if (b.edge == no_edge || b.edge == from.edge || std::fabs(dot(b.along, from.along)) < parallel_edges) return;
         const dvec3 q = b.middle - from.middle;
         const double d = distance_from_line(q, from.along), s = std::fabs(dot(q, from.along));
         if (d < far_share * width) return;

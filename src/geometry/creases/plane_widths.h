@@ -7,7 +7,8 @@
 
 namespace rakelight::geometry {
 
-constexpr double equal_bends = 0.15;  ///< of a bend: bends that differ by less count as equal
+constexpr double equal_bends = 0.15;    ///< of a bend: bends that differ by less count as equal
+constexpr double parallel_edges = 0.8;  ///< cosine of 37 degrees: edges that are nearly parallel
 
 /// One plane seen from one of its edges.
 struct PlaneSide {

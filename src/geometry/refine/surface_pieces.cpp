@@ -122,11 +122,15 @@ private:
     }
 
     void find_creases() {
-        if (options_.crease_angle_rad > pi) return;
-        const double least = math::cos(options_.crease_angle_rad);
-        for (std::uint32_t c = 0; c < faces_.corners.size(); ++c)
-            if (twin_[c] != nothing && c < twin_[c] && cosine(c, twin_[c]) < least)
+        const std::vector<std::uint8_t>& hard = options_.is_hard;
+        if (options_.crease_angle_rad > pi && hard.empty()) return;
+        const double least = options_.crease_angle_rad > pi ? -2 : math::cos(options_.crease_angle_rad);
+        for (std::uint32_t c = 0; c < faces_.corners.size(); ++c) {
+            const std::uint32_t twin = twin_[c];
+            if (twin == nothing || twin < c) continue;
+            if (cosine(c, twin) < least || (!hard.empty() && (hard[c] != 0 || hard[twin] != 0)))
                 out_.creases.push_back({out_.vertices[c], out_.vertices[next(c)]});
+        }
     }
 
     /// The data that determines the motion of a boundary vertex.

@@ -27,7 +27,9 @@ struct Polygons {
 };
 
 struct PieceOptions {
-    double crease_angle_rad = 4;   ///< edges whose faces are bent more become creases; > pi: none
+    double crease_angle_rad = 4;  ///< edges whose faces are bent more become creases; > pi: none
+    /// [corners] Not 0: the edge that begins there becomes a crease; empty: none. One of the two faces suffices.
+    std::vector<std::uint8_t> is_hard{};
     bool sharpens_corners = true;  ///< the boundary rule that will hold (see ControlSurface)
 };
 
