@@ -184,7 +184,8 @@ constexpr Entry entries[] = {
     {subdivision, "subdivide-scheme", "NAME",
      "Subdivision scheme: auto (default: by the polygons of the file), catmull-clark, loop (triangles)"},
     {subdivision, "subdivide-crease", "DEG",
-     "Edges with a larger angle between their faces are creases, 0 to 180 (default: none)"},
+     "Edges with a larger angle between their faces are creases, 0 to 180 (default: none); or auto: the hard edges "
+     "that --crease auto finds"},
     {subdivision, "subdivide-sharpness", "S", "Creases stay sharp for S levels, 0 to 10 (default 10: always)"},
     {subdivision, "subdivide-boundary", "RULE",
      "Boundary rule: edge-and-corner (default) or edge (boundary vertices of one face are rounded too)"},

@@ -238,8 +238,9 @@ struct Subdivision {
     SubdivisionUv uv = SubdivisionUv::boundaries;
     bool round_corners = false;  ///< boundary vertices of a single face are smoothed too
     std::optional<double>
-        crease_angle_rad{};  ///< 0..pi: edges with a larger dihedral angle are creases; absent: no creases
-    double sharpness = 10;   ///< number of levels for which creases stay sharp; 10: infinitely sharp
+        crease_angle_rad{};      ///< 0..pi: edges with a larger dihedral angle are creases; absent: no creases
+    bool finds_creases = false;  ///< instead: creases are the edges that find_creases() calls hard
+    double sharpness = 10;       ///< number of levels for which creases stay sharp; 10: infinitely sharp
     bool operator==(const Subdivision&) const = default;
 };
 

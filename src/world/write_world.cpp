@@ -92,6 +92,7 @@ void write_subdivision(Writer& to, const Subdivision& s) {
     to.put("subdivide", std::to_string(s.level));
     to.put_number("subdivide_edge", s.edge, usual.edge);
     to.put_word("subdivide_scheme", subdivision_scheme_words, s.scheme, usual.scheme);
+    to.put_word("subdivide_crease", subdivision_crease_words, s.finds_creases, usual.finds_creases);
     if (s.crease_angle_rad) to.put("subdivide_crease_deg", degrees_of(*s.crease_angle_rad));
     to.put_number("subdivide_sharpness", s.sharpness, usual.sharpness);
     to.put_word("subdivide_boundary", subdivision_boundary_words, s.round_corners, usual.round_corners);

@@ -52,6 +52,8 @@ inline constexpr Word<SubdivisionUv> subdivision_uv_words[] = {
     {"boundaries", SubdivisionUv::boundaries}, {"smooth", SubdivisionUv::smooth}, {"linear", SubdivisionUv::linear}};
 inline constexpr Word<bool> subdivision_boundary_words[] = {{"edge-and-corner", false},
                                                             {"edge", true}};  ///< Subdivision::round_corners
+inline constexpr Word<bool> subdivision_crease_words[] = {{"angle", false},
+                                                          {"auto", true}};  ///< Subdivision::finds_creases
 inline constexpr Word<Mirror> mirror_words[] = {
     {"none", Mirror::none}, {"constant", Mirror::constant}, {"fresnel", Mirror::fresnel}};
 inline constexpr Word<bool> polarity_words[] = {{"height", false}, {"depth", true}};  ///< Relief::holds_depth

@@ -34,6 +34,8 @@ std::vector<WorldKey> placed(std::vector<WorldKey> keys) {
     keys.push_back({"subdivide_edge", Kind::number, "As subdivide-edge of [render], in m", {1e-6, 1e6}});
     keys.push_back({"subdivide_scheme", Kind::word, "As subdivide-scheme of [render]", any_number,
                     names_of<SubdivisionScheme>(subdivision_scheme_words)});
+    keys.push_back({"subdivide_crease", Kind::word, "auto: creases where the rule of hard edges finds them", any_number,
+                    names_of<bool>(subdivision_crease_words)});
     keys.push_back({"subdivide_crease_deg", Kind::number, "As subdivide-crease of [render]", {0, 180}});
     keys.push_back({"subdivide_sharpness", Kind::number, "As subdivide-sharpness of [render]", {0, 10}});
     keys.push_back({"subdivide_boundary", Kind::word, "As subdivide-boundary of [render]", any_number,

@@ -27,13 +27,17 @@ std::optional<Subdivision> read_subdivision(const SectionValues& v) {
     if (v.has("subdivide_edge")) s.edge = v.number("subdivide_edge", 0), s.level = 8;
     s.level = int(v.number("subdivide", s.level));
     s.scheme = value_of(subdivision_scheme_words, v.text("subdivide_scheme", "auto"));
+    s.finds_creases = value_of(subdivision_crease_words, v.text("subdivide_crease", "angle"));
     if (v.has("subdivide_crease_deg")) s.crease_angle_rad = radians(v.number("subdivide_crease_deg", 0));
+    if (s.finds_creases && s.crease_angle_rad)
+        fail(v.place_of("subdivide_crease"), "'subdivide_crease = auto' leaves nothing to 'subdivide_crease_deg'",
+             "remove one of them");
     s.sharpness = v.number("subdivide_sharpness", s.sharpness);
     s.round_corners = value_of(subdivision_boundary_words, v.text("subdivide_boundary", "edge-and-corner"));
     s.uv = value_of(subdivision_uv_words, v.text("subdivide_uv", "boundaries"));
     if (v.has("subdivide") || v.has("subdivide_edge")) return s;
-    for (const char* key :
-         {"subdivide_scheme", "subdivide_crease_deg", "subdivide_sharpness", "subdivide_boundary", "subdivide_uv"})
+    for (const char* key : {"subdivide_scheme", "subdivide_crease", "subdivide_crease_deg", "subdivide_sharpness",
+                            "subdivide_boundary", "subdivide_uv"})
         if (v.has(key))
             fail(v.place_of(key), "'" + std::string(key) + "' says how to subdivide, but there is no 'subdivide'",
                  "add 'subdivide = 3'");

@@ -23,6 +23,8 @@
 namespace rakelight {
 namespace {
 
+bool has_creases(const Subdivision& s) { return s.finds_creases || s.crease_angle_rad; }
+
 Subdivision subdivision_of(const Mesh& mesh, const Subdivision& otherwise) {
     return mesh.subdivision.value_or(otherwise);
 }
@@ -121,7 +123,7 @@ private:
         const bool is_one =
             std::all_of(group.members.begin(), group.members.end(), [&](std::size_t i) { return matrix(i) == first; });
         const bool keeps_angles =
-            !subdivision_of(mesh_of(group.members[0]), otherwise_).crease_angle_rad || is_similarity(first);
+            !has_creases(subdivision_of(mesh_of(group.members[0]), otherwise_)) || is_similarity(first);
         group.is_in_object = is_one && (keeps_angles || !inverse_affine(first, inverse));
         if (group.is_in_object) group.to_world = first;
     }
@@ -156,7 +158,7 @@ private:
                                  group.is_in_object ? translation(origin) : matrix(i) * translation(mesh.origin),
                                  {places, places + std::ptrdiff_t(mesh.positions.size())}});
             }
-            surfaces_.emplace_back(std::move(parts), subdivision, scale);
+            surfaces_.emplace_back(std::move(parts), subdivision, scale, context_);
         }
     }
 

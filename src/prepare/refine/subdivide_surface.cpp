@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <rakelight/creases.h>
+
 #include "base/cancel_check.h"
 #include "geometry/refine/polygon_loops.h"
 #include "math/linear.h"
@@ -135,9 +137,32 @@ bool is_finite_value(dvec4 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
 }
 
+/// [corners] Whether the edge that begins there is hard by the rule of creases. Polygons are fans of triangles for it.
+std::vector<std::uint8_t> hard_edges(const geometry::ControlSurface& control, Context& context) {
+    const geometry::Polygons& faces = control.faces;
+    std::vector<vec3> positions;
+    for (const dvec3& p : control.positions) positions.push_back(cast<float>(p));
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t f = 0; f < faces.count(); ++f)
+        for (std::uint32_t c = faces.first[f] + 1; c + 1 < faces.first[f + 1]; ++c)
+            indices.insert(indices.end(), {faces.corners[faces.first[f]], faces.corners[c], faces.corners[c + 1]});
+    AttributeMesh mesh;
+    mesh.positions = positions, mesh.indices = indices;
+    const std::vector<std::uint8_t> hard = find_creases({&mesh, 1}, {}, context).hard[0];
+    std::vector<std::uint8_t> is_hard(faces.corners.size(), 0);
+    std::size_t triangle = 0;
+    for (std::uint32_t f = 0; f < faces.count(); ++f) {
+        const std::uint32_t first = faces.first[f], last = faces.first[f + 1] - 1;
+        is_hard[first] = hard[triangle] & 1, is_hard[last] = hard[triangle + (last - first) - 2] >> 2 & 1;
+        for (std::uint32_t c = first + 1; c < last; ++c) is_hard[c] = hard[triangle++] >> 1 & 1;
+    }
+    return is_hard;
+}
+
 }  // namespace
 
-SurfaceSubdivider::SurfaceSubdivider(std::vector<SurfacePart> parts, const Subdivision& how, double scale)
+SurfaceSubdivider::SurfaceSubdivider(std::vector<SurfacePart> parts, const Subdivision& how, double scale,
+                                     Context& context)
     : parts_(std::move(parts)), how_(how) {
     control_.level = how.level;
     control_.sharpness = how.sharpness;
@@ -146,7 +171,7 @@ SurfaceSubdivider::SurfaceSubdivider(std::vector<SurfacePart> parts, const Subdi
     collect_faces();
     choose_level(scale);
     geometry::PieceOptions options{.sharpens_corners = control_.sharpens_corners};
-    if (how.crease_angle_rad && how.sharpness > 0) options.crease_angle_rad = *how.crease_angle_rad;
+    if (how.sharpness > 0) set_creases(options, context);
     geometry::SurfacePieces pieces = geometry::part_surface(control_.faces, control_.positions, options);
     const std::vector<dvec3> places = std::move(control_.positions);
     control_.positions.clear();
@@ -159,6 +184,13 @@ SurfaceSubdivider::SurfaceSubdivider(std::vector<SurfacePart> parts, const Subdi
         texcoord_sets_ = std::max(texcoord_sets_, part.mesh->texcoords.size());
         has_colors_ = has_colors_ || !part.mesh->colors.empty();
     }
+}
+
+void SurfaceSubdivider::set_creases(geometry::PieceOptions& options, Context& context) const {
+    if (how_.finds_creases)
+        options.is_hard = hard_edges(control_, context);
+    else if (how_.crease_angle_rad)
+        options.crease_angle_rad = *how_.crease_angle_rad;
 }
 
 void SurfaceSubdivider::choose_scheme() {

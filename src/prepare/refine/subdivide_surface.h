@@ -10,6 +10,7 @@
 #include <rakelight/scene.h>
 
 #include "geometry/refine/subdivide.h"
+#include "geometry/refine/surface_pieces.h"
 
 namespace rakelight {
 
@@ -30,7 +31,8 @@ struct SurfaceFaults {
 class SurfaceSubdivider {
 public:
     /// @param scale [m] length of one unit of the surface's space in world space, for Subdivision::edge
-    SurfaceSubdivider(std::vector<SurfacePart> parts, const Subdivision& how, double scale);
+    /// @throws Error as find_creases()
+    SurfaceSubdivider(std::vector<SurfacePart> parts, const Subdivision& how, double scale, Context& context);
 
     std::uint64_t control_faces() const { return control_.faces.count(); }
     std::uint64_t triangles() const;  ///< of the result
@@ -48,6 +50,7 @@ private:
     void add_face(std::size_t part, std::span<const std::uint32_t> vertices);
     void choose_scheme();
     void choose_level(double scale);
+    void set_creases(geometry::PieceOptions& options, Context& context) const;
     geometry::ControlValues control_values(std::size_t set) const;
 
     std::vector<SurfacePart> parts_;

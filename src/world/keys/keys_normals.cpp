@@ -68,6 +68,19 @@ void read_subdivide_edge(PictureRequest& r, Words w) {
     r.prepare.subdivision.level = 8;  // `subdivide`, which is read later, may override it
 }
 
+void read_subdivide_crease(PictureRequest& r, Words w) {
+    Subdivision& s = r.prepare.subdivision;
+    s.finds_creases = w[0] == "auto", s.crease_angle_rad = {};
+    if (!s.finds_creases) s.crease_angle_rad = radians(values::number("subdivide-crease", w[0], 0, 180));
+}
+
+Written write_subdivide_crease(const PictureRequest& r) {
+    const Subdivision& s = r.prepare.subdivision;
+    if (s.finds_creases) return {"auto"};
+    if (s.crease_angle_rad) return {degrees_of(*s.crease_angle_rad)};
+    return {};
+}
+
 Written write_subdivide(const PictureRequest& r) {
     const Subdivision& s = r.prepare.subdivision;
     if (s.level == (s.edge > 0 ? 8 : 0)) return {};
@@ -102,9 +115,7 @@ constexpr RenderKey table_of_normal[] = {
      [](PictureRequest& r, Words w) { r.prepare.subdivision.level = values::integer("subdivide", w[0], 0, 8); },
      write_subdivide},
     RL_WORD_KEY("subdivide-scheme", r.prepare.subdivision.scheme, subdivision_scheme_words),
-    RL_KEY("subdivide-crease", value, r.prepare.subdivision.crease_angle_rad,
-           radians(values::number("subdivide-crease", w[0], 0, 180)),
-           {degrees_of(*r.prepare.subdivision.crease_angle_rad)}),
+    {"subdivide-crease", Kind::value, read_subdivide_crease, write_subdivide_crease},
     RL_NUMBER_KEY("subdivide-sharpness", r.prepare.subdivision.sharpness, 0, 10),
     RL_WORD_KEY("subdivide-boundary", r.prepare.subdivision.round_corners, subdivision_boundary_words),
     RL_WORD_KEY("subdivide-uv", r.prepare.subdivision.uv, subdivision_uv_words),

@@ -95,6 +95,10 @@ TEST_F(LoadWorld, AModelsSubdivisionIsItsMeshesAlone) {
     const std::string error =
         error_of([&] { load_text("[[model]]\nfile = 'a.obj'\nsubdivide_sharpness = 2\n"); }).what();
     EXPECT_NE(error.find("line 3, column 23: 'subdivide_sharpness'"), std::string::npos) << error;
+    const std::string model = "[[model]]\nfile = 'a.obj'\nsubdivide = 1\nsubdivide_crease = 'auto'\n";
+    EXPECT_TRUE(load_text(model).meshes[0].subdivision->finds_creases);
+    const std::string both = error_of([&] { load_text(model + "subdivide_crease_deg = 20\n"); }).what();
+    EXPECT_NE(both.find("leaves nothing to 'subdivide_crease_deg'"), std::string::npos) << both;
 }
 
 TEST_F(LoadWorld, AFileThatStandsTwiceSharesItsArrays) {

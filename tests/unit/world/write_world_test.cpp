@@ -133,6 +133,7 @@ objects = 7
 tolerance = 0.003
 scale = 2
 subdivide_edge = 0.01
+subdivide_crease = "auto"
 [[primitive]]
 type = "plane"
 size = [3, 4.5]
