@@ -54,6 +54,20 @@ class Panels(Case):
             self.click(window, x, y)
             support.wait_for(lambda: seen(window.picture()) == seen(plain), f"{what} stay where they were unticked")
 
+    def test_the_slider_of_the_crease_angle_regroups_while_it_is_held(self):
+        window = self.open("builtin:teapot", "--crease-angle", "60")
+        window.key("F4")
+        window.tool("mousemove", LEFT + 100, 240)
+        pictures = [seen(window.settled_picture())]
+        with window.stopped():  # pressed where the pointer has not been, as by a finger: it is for the panel, not the camera
+            window.tool("mousemove", 80, row(3), "mousedown", 1)
+        for x in (60, 40, 24):
+            window.tool("mousemove", x, row(3))
+            support.wait_for(lambda: seen(window.settled_picture()) != pictures[-1], f"no new picture at {x}")
+            pictures.append(seen(window.settled_picture()))
+        window.tool("mouseup", 1)
+        self.assertNotIn("camera-position", window.save()[1].get("render", {}))
+
     def test_panels_that_are_opened_change_nothing(self):
         (self.folder / "wide.scene.toml").write_text(CAMERA)
         window = self.open("wide.scene.toml")

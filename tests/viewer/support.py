@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the tests of rakelight-view share: the running window, driven by real key and mouse events, and a display for it."""
+import contextlib
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -49,6 +51,15 @@ class Window:
         wait_for(self.shows_a_picture, "no picture appeared")
         if waits:
             self.settled_picture()
+
+    @contextlib.contextmanager
+    def stopped(self):
+        """What happens meanwhile reaches the viewer at once."""
+        self.process.send_signal(signal.SIGSTOP)
+        try:
+            yield
+        finally:
+            self.process.send_signal(signal.SIGCONT)
 
     def tool(self, *arguments):
         done = subprocess.run(["xdotool", *map(str, arguments)], capture_output=True, text=True)
