@@ -66,6 +66,8 @@ struct Creases {
 ///      round shape, which is soft up to `round_most_deg`. Others are a chamfer, which is hard over 32 degrees.
 ///    - Far bends within a factor of 2.2, planes of similar width: soft up to `round_most_deg` if both sides have such
 ///      far bends, a round shape of changing radius. With one such side hard over 32 degrees.
+///    - Edges that would be hard, up to `round_most_deg`, are soft where what lies straight across their faces is a round
+///      shape by equal bends: flat annuli of tori and rims, tubes of planes and warped squares.
 ///    - All others are hard, except for two kinds among soft edges: a strip of a fillet may end softly at a round corner,
 ///      and a turned shape may bend once (both up to 25 degrees) or be a coarse wave (up to `round_most_deg`).
 ///

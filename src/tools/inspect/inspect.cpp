@@ -232,7 +232,7 @@ void look_at_borders(Inspection& result, const Scene& scene, const Surfaces& sur
     result.seams.normals_after = name_of_smoothing(surfaces, options);
     const geometry::CreaseRange creases =
         geometry::crease_range(surfaces.meshes, {.crease_angle_rad = options.prepare.crease_angle_rad});
-    const auto rounded_deg = [](double rad) { return std::round(degrees(rad) * 1e9) * 1e-9; };  // 60 and not 59.999...
+    const auto rounded_deg = [](double rad) { return std::round(degrees(rad) * 1e9) / 1e9; };  // 60 and not 59.999...
     result.seams.crease_angle_deg = rounded_deg(creases.least);
     result.seams.crease_angle_max_deg = rounded_deg(creases.most);
     result.seams.creases_are_automatic = options.prepare.creases == Creasing::automatic;
