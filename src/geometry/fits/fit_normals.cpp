@@ -61,7 +61,10 @@ public:
     NormalFits& operator=(const NormalFits&) = delete;
 
     void run() {
-        std::fill_n(normals_.data(), topology_.group.size(), vec3{});
+        const std::size_t count = topology_.group.size(), step = vertices_per_chunk;
+        context_.parallel_for((count + step - 1) / step, [&](std::size_t c) {
+            std::fill(normals_.data() + c * step, normals_.data() + std::min(count, (c + 1) * step), vec3{});
+        });
         each_chunk([&](std::size_t first, std::size_t last) { fit(first, last); });
         each_chunk([&](std::size_t first, std::size_t last) {
             if (from_.is_automatic)

@@ -71,10 +71,10 @@ inline double trust_of_certainty(double certainty) {
 
 /// 0 to 1.
 /// @param allowed    factor on the share of the heights that the fit may leave unexplained
-/// @param certainty  trust_of_certainty()
-inline double trust(double unexplained, double allowed, double certainty, std::size_t neighbors, HeightForm form) {
+/// @param determined  trust_of_certainty()
+inline double trust(double unexplained, double allowed, double determined, std::size_t neighbors, HeightForm form) {
     if (neighbors < std::size_t(terms_of(form)) + 2) return 0;
-    return (1 - step_between(unexplained / allowed, 0.01, 0.05)) * certainty;
+    return (1 - step_between(unexplained / allowed, 0.01, 0.05)) * determined;
 }
 inline double trust_in(const HeightFit& fit, std::size_t neighbors, HeightForm form, const FitQuality& around,
                        double allowed) {

@@ -84,6 +84,7 @@ private:
         context_.parallel_for(chunks, [&](std::size_t c) { read_spokes(c, near_fits, pairs[c], parts[c]); });
         std::size_t sum = 0;
         for (const auto& part : parts) sum += part.size();
+        context_.memory().check(sum * sizeof(FittedPlace), "fitting normals");
         out_.places.reserve(sum);
         for (const auto& part : parts) out_.places.insert(out_.places.end(), part.begin(), part.end());
         return pairs;

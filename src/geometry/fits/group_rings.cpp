@@ -75,7 +75,7 @@ GroupRings group_faces(const Topology& topology, const AttributeInput& input, st
     const std::size_t corners = 3 * std::size_t(input.triangle_count());
     const std::size_t count = topology.group.size();
     rings.charge = {context.memory(),
-                    count * (sizeof(dvec3) + 13) + input.triangle_count() * (sizeof(GroupFace) + 12 * 4ull),
+                    count * (sizeof(dvec3) + 13 + 24) + input.triangle_count() * (sizeof(GroupFace) + 12 * 4ull),
                     "neighbors of vertices"};
     rings.faces = scratch.take<GroupFace>(input.triangle_count());
     rings.group_of_corner = scratch.take<std::uint32_t>(corners);

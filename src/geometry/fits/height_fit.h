@@ -39,7 +39,7 @@ public:
     bool is_full() const { return size_ == height_lanes; }
     std::uint32_t size() const { return size_; }
     void clear() { size_ = 0; }
-    /// @param neighbors  from the place; farther than 1e10 after scaling they count nothing
+    /// @param neighbors  from the place; farther than 1e10 after scaling they weigh nothing
     /// @param scale      from their unit to about an edge
     /// @param normal     unit, a first guess, to which the heights are measured
     void add(std::span<const dvec3> neighbors, double scale, dvec3 normal);

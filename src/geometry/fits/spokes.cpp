@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
 namespace rakelight::geometry {
 namespace {
@@ -41,27 +40,24 @@ void Spokes::read(const GroupRings& rings, std::uint32_t group) {
 
 // Without branches, because in no mesh they could be foretold.
 void Spokes::match() {
-    typedef std::uint32_t Four __attribute__((vector_size(16)));
-    Four first, second;
-    std::memcpy(&first, previous_.data(), sizeof first), std::memcpy(&second, previous_.data() + 4, sizeof second);
     const std::uint32_t all = (1u << count_) - 1;
     std::uint32_t met = 0, unlike = 0;
     for (std::uint32_t i = 0; i < count_; ++i) {
-        const Four next = Four{} + next_[i];
-        const Four at = (Four(first == next) & Four{1, 2, 4, 8}) | (Four(second == next) & Four{16, 32, 64, 128});
-        const std::uint32_t bits = (at[0] | at[1] | at[2] | at[3]) & all;
+        std::uint32_t bits = 0;
+        for (std::uint32_t j = 0; j < few; ++j) bits |= std::uint32_t(previous_[j] == next_[i]) << j;
+        bits &= all;
         matches_[i] = bits;
         met |= bits;
         unlike |= (bits & (bits - 1)) | std::uint32_t(next_[i] == group_);
     }
-    is_one_fan_ = unlike == 0 && met == all;
+    closes_ = unlike == 0 && met == all;
 }
 
 void Spokes::put_ring(std::vector<std::uint32_t>& to) const {
     constexpr std::uint32_t most_searched = 64;
     const std::size_t first = to.size();
     const std::span<const std::uint32_t> next(next_.data(), count_), previous(previous_.data(), count_);
-    if (count_ <= few && is_one_fan_) {
+    if (count_ <= few && closes_) {
         to.insert(to.end(), next.begin(), next.end());
         return;
     }
@@ -85,7 +81,6 @@ void Spokes::put_flat_pairs(const GroupRings& rings, std::vector<FacePair>& to) 
         }
 }
 
-/// One for each face, of those at its edge.
 void Spokes::put_any_pairs(const GroupRings& rings, std::vector<FacePair>& to) {
     constexpr std::ptrdiff_t most_at_edge = 64;
     ahead_.clear(), behind_.clear();
@@ -98,9 +93,8 @@ void Spokes::put_any_pairs(const GroupRings& rings, std::vector<FacePair>& to) {
         const auto first = std::lower_bound(behind_.begin(), behind_.end(), FacePair{a.first, 0});
         const auto last = std::upper_bound(first, behind_.end(), FacePair{a.first, 0xffffffffu});
         if (last - first > most_at_edge) continue;
-        const auto flat = std::find_if(
-            first, last, [&](const FacePair& b) { return are_flat(rings.faces[a.second], rings.faces[b.second]); });
-        if (flat != last) to.emplace_back(a.second, flat->second);
+        for (auto b = first; b != last; ++b)
+            if (are_flat(rings.faces[a.second], rings.faces[b->second])) to.emplace_back(a.second, b->second);
     }
 }
 

@@ -38,7 +38,7 @@ private:
         previous_;                          // [at least few] next_, previous_: counter-clockwise from outside
     std::uint64_t sum_ = 0, squares_ = 0;   // of next_ less that of previous_
     std::uint32_t matches_[few] = {};       // [few faces] bits of those that begin where it ends
-    bool is_one_fan_ = false;               // of few faces: they close around the group, once
+    bool closes_ = false;                   // of few faces: each ends where just one other begins
     std::vector<FacePair> ahead_, behind_;  // of many faces: the group at the other end of an edge, and the face
 };
 

@@ -114,6 +114,21 @@ TEST(FittedModels, CutsAndOrdersChangeNothing) {
         }
 }
 
+TEST(FittedModels, OrdersOfDoubledFacesChangeNothing) {
+    Shape folds = make_grid(12, 12, [](double u, double v) {  // planes that meet, of regular triangles
+        return vec3{float(u + 0.2 * v), float(v),
+                    float(0.5 * std::fabs(u - 0.5) + (v > 0.5 ? 0.2 * std::sin(9 * u) : 0.0))};
+    });
+    const std::vector<std::uint32_t> once = folds.indices;
+    for (const int times : {2, 3}) {  // 12 and 18 faces at a place
+        folds.indices = once;
+        for (int n = 1; n < times; ++n) folds.indices.insert(folds.indices.end(), once.begin(), once.end());
+        for (const AttributeOptions& options : all_options())
+            for (const std::uint32_t seed : {1u, 2u, 3u})
+                EXPECT_LT(difference({folds}, {reordered(folds, seed)}, options), 1e-5) << times;
+    }
+}
+
 /// [rad] of all corners; nothing where the groups differ.
 std::optional<double> pose_difference(const std::vector<Shape>& parts, const std::vector<MeshAttributes>& posed,
                                       const std::vector<MeshAttributes>& fresh) {
