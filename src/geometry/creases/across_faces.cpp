@@ -15,12 +15,11 @@ int other_side(const BentEdge& edge, std::uint32_t corner) { return edge.corner[
 }  // namespace
 
 Across across_plane(const BentEdges& bent, const AttributeInput& input, std::uint32_t edge, int side) {
-    constexpr int most_faces = 64;
     std::uint32_t corner = bent.edges[edge].corner[side];
     const FacePoints start = face_points(input, corner / 3);
     const dvec3 a = start.p[corner % 3], along = direction_of(start.p[(corner + 1) % 3] - a).unit,
                 middle = (a + start.p[(corner + 1) % 3]) * 0.5;
-    for (int n = 0; n < most_faces; ++n) {
+    for (int n = 0; n < most_across; ++n) {
         const FacePoints face = face_points(input, corner / 3);
         const std::uint32_t first = corner % 3, apex = (first + 2) % 3;
         // The edge after this one, or the edge before it: whose ends lie on both sides of the way.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/creases/across_faces.h"
 #include "geometry/creases/crease_rule.h"
 #include "geometry/creases/round_corners.h"
 
@@ -25,8 +26,8 @@ void check_memory(const AttributeInput& input, Context& context) {
 /// Counts closed rings of planes with equal bends.
 class Rings {
 public:
-    Rings(const BentEdges& bent, const std::vector<PlaneSide>& widths, const std::vector<CreaseDecision>& decisions)
-        : bent_(bent), widths_(widths), decisions_(decisions), seen_(bent.edges.size(), 0) {}
+    Rings(const BentEdges& bent, const AttributeInput& input, const std::vector<CreaseDecision>& decisions)
+        : bent_(bent), input_(input), decisions_(decisions), seen_(bent.edges.size(), 0) {}
 
     void count(CreaseReport& report) {
         for (std::uint32_t e = 0; e < bent_.edges.size(); ++e)
@@ -37,22 +38,21 @@ public:
 private:
     /// The number of sides of the ring at an edge, or 0. The edges of a ring are marked.
     std::uint32_t ring_from(std::uint32_t first) {
-        std::uint32_t ring[most_ring], n = 0, e = first, plane = bent_.plane(bent_.edges[first], 1);
+        std::uint32_t ring[most_ring], n = 0, e = first;
         int side = 1;
         do {
             if (n == most_ring || decisions_[e].reason != CreaseReason::chain || seen_[e]) return 0;
             ring[n++] = e;
-            e = widths_[2 * std::size_t(e) + std::size_t(side)].far;
+            const Across way = across_plane(bent_, input_, e, side);
+            e = way.edge, side = way.beyond;
             if (e == no_edge) return 0;
-            side = bent_.plane(bent_.edges[e], 0) == plane ? 1 : 0;
-            plane = bent_.plane(bent_.edges[e], side);
         } while (e != first);
         for (std::uint32_t i = 0; i < n; ++i) seen_[ring[i]] = 1;
         return n >= least_ring ? n : 0;
     }
 
     const BentEdges& bent_;
-    const std::vector<PlaneSide>& widths_;
+    const AttributeInput& input_;
     const std::vector<CreaseDecision>& decisions_;
     std::vector<std::uint8_t> seen_;
 };
@@ -70,7 +70,7 @@ std::uint64_t count_smooth_surfaces(const BentEdges& bent, const std::vector<Cre
     return std::uint64_t(std::count(marks.begin(), marks.end(), 1));
 }
 
-CreaseReport report_of(const BentEdges& bent, const std::vector<PlaneSide>& widths,
+CreaseReport report_of(const BentEdges& bent, const AttributeInput& input,
                        const std::vector<CreaseDecision>& decisions) {
     CreaseReport report;
     for (std::size_t i = 0; i < decisions.size(); ++i) {
@@ -85,7 +85,7 @@ CreaseReport report_of(const BentEdges& bent, const std::vector<PlaneSide>& widt
         report.hard_most_deg = std::max(report.hard_most_deg, bend);
         ++report.hard;
     }
-    Rings(bent, widths, decisions).count(report);
+    Rings(bent, input, decisions).count(report);
     report.smooth_surfaces = count_smooth_surfaces(bent, decisions);
     return report;
 }
@@ -132,7 +132,7 @@ CreaseEdges decide_creases(const AttributeInput& input, const std::vector<std::u
     soften_round_corners(bent, widths, decisions, context);
     CreaseEdges out;
     set_bits(bent, decisions, out);
-    out.report = report_of(bent, widths, decisions);
+    out.report = report_of(bent, input, decisions);
     return out;
 }
 

@@ -110,40 +110,53 @@ private:
     const PlaneSide& side_of(std::uint32_t e, int side) const {
         return widths_[2 * std::size_t(e) + std::size_t(side)];
     }
-    /// The plane beyond the far edge of a plane.
-    const PlaneSide* beyond(std::uint32_t plane, std::uint32_t far) const {
-        const BentEdge& e = bent_.edges[far];
-        for (const int side : {0, 1})
-            if (bent_.plane(e, side) != plane) return &side_of(far, side);
-        return nullptr;
-    }
-
     static bool are_similar(float a, float b) { return std::max(a, b) <= float(similar_width) * std::min(a, b); }
+
+    /// Over a whole plane: to its far side.
+    Across over(std::uint32_t e, int side) const {
+        const PlaneSide& whole = side_of(e, side);
+        if (whole.far == no_edge) return {whole.width, no_edge, 0};
+        const bool is_first = bent_.plane(bent_.edges[whole.far], 0) != bent_.plane(bent_.edges[e], side);
+        return {whole.width, whole.far, is_first ? 0 : 1};
+    }
 
     /// Whether a third bend follows: a round shape. Two equal bends are a chamfer, and so are more between planes of
     /// unequal widths.
-    bool has_three(std::uint32_t e, const bool (&is_equal)[2]) const {
-        const float a = side_of(e, 0).width, b = side_of(e, 1).width;
-        if (is_equal[0] && is_equal[1]) return std::max(a, b) <= float(same_width) * std::min(a, b);
-        for (const int side : {0, 1}) {
-            if (!is_equal[side]) continue;
-            const PlaneSide* const next = beyond(bent_.plane(bent_.edges[e], side), side_of(e, side).far);
-            if (!next || next->far == no_edge || !are_similar(next->width, side_of(e, side).width)) continue;
-            if (bends_as(next->far, e, equal_bends)) return true;
+    /// @param way  (edge, side) -> Across
+    template <class Way>
+    bool has_three(std::uint32_t e, const Way& way) const {
+        const Across sides[2] = {way(e, 0), way(e, 1)};
+        const float thin = std::min(sides[0].width, sides[1].width), wide = std::max(sides[0].width, sides[1].width);
+        const auto continues = [&](const Across& side) {
+            return side.edge != no_edge && bends_as(side.edge, e, equal_bends);
+        };
+        if (continues(sides[0]) && continues(sides[1])) return wide <= float(same_width) * thin;
+        for (const Across& side : sides) {
+            if (!continues(side)) continue;
+            const Across next = way(side.edge, side.beyond);
+            if (are_similar(next.width, side.width) && continues(next)) return true;
         }
         return false;
+    }
+    bool has_three_over(std::uint32_t e) const {
+        return has_three(e, [this](std::uint32_t edge, int side) { return over(edge, side); });
+    }
+    /// By what lies straight across: a ring of strips of which one is a flat annulus, a tube of which some sides are planes
+    /// and others warped squares.
+    bool has_three_across(std::uint32_t e) const {
+        return are_similar(across(e, 0, e).width, across(e, 1, e).width) &&
+               has_three(e, [this, e](std::uint32_t edge, int side) { return across(edge, side, e); });
     }
 
     /// Whether a plane runs into a strip that bends twice as much at its far side, or up to four times if it begins to
     /// curve with a small bend.
     bool is_tangent(std::uint32_t e, int narrow) const {
-        const std::uint32_t far = side_of(e, narrow).far;
-        if (far == no_edge) return false;
-        if (size(far) > limits_.round) return false;  // no fillet bends so much within itself
-        const double ratio = double(bent_.edges[far].bend_deg) / double(bent_.edges[e].bend_deg);
+        const Across way = over(e, narrow);
+        if (way.edge == no_edge) return false;
+        if (size(way.edge) > limits_.round) return false;  // no fillet bends so much within itself
+        const double ratio = double(bent_.edges[way.edge].bend_deg) / double(bent_.edges[e].bend_deg);
         if (ratio < twice_least || ratio > (size(e) < limits_.onset ? onset_most : twice_most)) return false;
-        const PlaneSide* const next = beyond(bent_.plane(bent_.edges[e], narrow), far);
-        return next && next->width <= strip_width * side_of(e, narrow).width;
+        return side_of(way.edge, way.beyond).width <= strip_width * way.width;
     }
 
     /// Whether a plane runs into single triangles that are the bent squares of a fillet: the edge across the square bends
@@ -176,25 +189,6 @@ private:
         return {side_of(e, side).width, no_edge, 0};
     }
 
-    /// `has_three` by what lies straight across: a ring of strips of which one is a flat annulus, a tube of which some sides
-    /// are planes and others bent squares.
-    bool has_three_across(std::uint32_t e) const {
-        const Across sides[2] = {across(e, 0, e), across(e, 1, e)};
-        if (!are_similar(sides[0].width, sides[1].width)) return false;
-        bool is_equal[2];
-        for (const int s : {0, 1}) is_equal[s] = sides[s].edge != no_edge && bends_as(sides[s].edge, e, equal_bends);
-        if (is_equal[0] && is_equal[1])
-            return std::max(sides[0].width, sides[1].width) <=
-                   float(same_width) * std::min(sides[0].width, sides[1].width);
-        for (const int s : {0, 1}) {
-            if (!is_equal[s]) continue;
-            const Across next = across(sides[s].edge, sides[s].beyond, e);
-            if (next.edge != no_edge && are_similar(next.width, sides[s].width) && bends_as(next.edge, e, equal_bends))
-                return true;
-        }
-        return false;
-    }
-
     CreaseDecision decide_planes(std::uint32_t e) const {
         const PlaneSide sides[2] = {side_of(e, 0), side_of(e, 1)};
         const int narrow = sides[0].width > sides[1].width ? 1 : 0;
@@ -216,7 +210,7 @@ private:
             return {CreaseReason::tangent, false};
         if (is_half[0] && is_half[1] && is_same && bend <= limits_.fillet) return {CreaseReason::tangent, false};
         if ((is_equal[0] || is_equal[1]) && is_similar) {
-            if (bend > limits_.chamfer && !has_three(e, is_equal)) return {CreaseReason::chamfer, true};
+            if (bend > limits_.chamfer && !has_three_over(e)) return {CreaseReason::chamfer, true};
             return {CreaseReason::chain, bend > limits_.round};
         }
         if (loose > 0 && wide <= (loose == 2 ? uneven_width : similar_width) * thin)
