@@ -75,12 +75,16 @@ ImVec2 corner(int x, int y) {
     return {float(x) / pixels_a_point.x, float(y) / pixels_a_point.y};
 }
 
-/// Whether a pixel belongs to a panel. ImGui knows only where the pointer was at the last frame; a finger or a pen may press where
-/// it has not been.
-bool is_over_panel(double x, double y) {
+/// Whether a press is for the panels. ImGui knows only where the pointer was at the last frame; a finger or a pen may
+/// press where it has not been.
+bool is_press_for_panels(double x, double y) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool is_held = std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown), [](bool down) { return down; });
+    if (is_held || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) return io.WantCaptureMouse;
     const ImVec2 at = corner(int(x), int(y));
     const auto takes_it = [&](const ImGuiWindow* w) {
-        return w->Active && !w->Hidden && (w->Flags & ImGuiWindowFlags_NoMouseInputs) == 0 && w->Rect().Contains(at);
+        return w->Active && !w->Hidden && (w->Flags & ImGuiWindowFlags_NoMouseInputs) == 0 &&
+               w->OuterRectClipped.Contains(at);
     };
     const ImVector<ImGuiWindow*>& windows = ImGui::GetCurrentContext()->Windows;
     return std::any_of(windows.begin(), windows.end(), takes_it);
@@ -120,7 +124,7 @@ struct Callbacks {
         Event event = at_pointer(window, action == GLFW_PRESS ? Event::Kind::button_down : Event::Kind::button_up);
         if (button > 2) return;
         event.button = Button(button);
-        event.is_for_panels |= !of(window).is_caught_ && is_over_panel(event.x, event.y);
+        if (action == GLFW_PRESS) event.is_for_panels = !of(window).is_caught_ && is_press_for_panels(event.x, event.y);
         event.modifiers = modifiers & (mod_shift | mod_control | mod_alt);
         of(window).events_.push_back(event);
     }
