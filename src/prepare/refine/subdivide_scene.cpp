@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prepare/refine/subdivide_scene.h"
 
+#include <rakelight/creases.h>
 #include <rakelight/report.h>
 
 #include <algorithm>
@@ -82,6 +83,15 @@ private:
         charge_.grow(placed.place.size() * sizeof(std::uint32_t) * 2, what);  // with find_groups()'s list
         place_ = std::move(placed.place);
         vertex_base_ = std::move(placed.input.vertex_base);
+        find_hard_edges(meshes);
+    }
+
+    /// Of the whole model, as `--crease auto` finds them.
+    void find_hard_edges(std::span<const AttributeMesh> meshes) {
+        bool is_asked = false;
+        for (std::size_t i = 0; i < instances_.size(); ++i)
+            is_asked = is_asked || subdivision_of(mesh_of(i), otherwise_).finds_creases;
+        if (is_asked) hard_ = find_creases(meshes, {}, context_).hard;
     }
 
     void find_groups() {
@@ -156,9 +166,10 @@ private:
                 const auto places = place_.begin() + std::ptrdiff_t(vertex_base_[i]);
                 parts.push_back({&mesh,
                                  group.is_in_object ? translation(origin) : matrix(i) * translation(mesh.origin),
-                                 {places, places + std::ptrdiff_t(mesh.positions.size())}});
+                                 {places, places + std::ptrdiff_t(mesh.positions.size())},
+                                 hard_.empty() ? std::span<const std::uint8_t>{} : hard_[i]});
             }
-            surfaces_.emplace_back(std::move(parts), subdivision, scale, context_);
+            surfaces_.emplace_back(std::move(parts), subdivision, scale);
         }
     }
 
@@ -258,6 +269,7 @@ private:
     Context& context_;
     const std::vector<dmat4> world_;
     std::vector<Instance> instances_;
+    std::vector<std::vector<std::uint8_t>> hard_;  // [instances_][T] as Creases::hard; empty: not asked for
     std::vector<std::uint32_t> place_, vertex_base_;
     std::vector<Group> groups_;
     std::vector<SurfaceSubdivider> surfaces_;

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/creases.h>
-
 #include "base/cancel_check.h"
 #include "geometry/refine/polygon_loops.h"
 #include "math/linear.h"
@@ -137,32 +135,9 @@ bool is_finite_value(dvec4 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
 }
 
-/// [corners] Whether the edge that begins there is hard by the rule of creases. Polygons are fans of triangles for it.
-std::vector<std::uint8_t> hard_edges(const geometry::ControlSurface& control, Context& context) {
-    const geometry::Polygons& faces = control.faces;
-    std::vector<vec3> positions;
-    for (const dvec3& p : control.positions) positions.push_back(cast<float>(p));
-    std::vector<std::uint32_t> indices;
-    for (std::uint32_t f = 0; f < faces.count(); ++f)
-        for (std::uint32_t c = faces.first[f] + 1; c + 1 < faces.first[f + 1]; ++c)
-            indices.insert(indices.end(), {faces.corners[faces.first[f]], faces.corners[c], faces.corners[c + 1]});
-    AttributeMesh mesh;
-    mesh.positions = positions, mesh.indices = indices;
-    const std::vector<std::uint8_t> hard = find_creases({&mesh, 1}, {}, context).hard[0];
-    std::vector<std::uint8_t> is_hard(faces.corners.size(), 0);
-    std::size_t triangle = 0;
-    for (std::uint32_t f = 0; f < faces.count(); ++f) {
-        const std::uint32_t first = faces.first[f], last = faces.first[f + 1] - 1;
-        is_hard[first] = hard[triangle] & 1, is_hard[last] = hard[triangle + (last - first) - 2] >> 2 & 1;
-        for (std::uint32_t c = first + 1; c < last; ++c) is_hard[c] = hard[triangle++] >> 1 & 1;
-    }
-    return is_hard;
-}
-
 }  // namespace
 
-SurfaceSubdivider::SurfaceSubdivider(std::vector<SurfacePart> parts, const Subdivision& how, double scale,
-                                     Context& context)
+SurfaceSubdivider::SurfaceSubdivider(std::vector<SurfacePart> parts, const Subdivision& how, double scale)
     : parts_(std::move(parts)), how_(how) {
     control_.level = how.level;
     control_.sharpness = how.sharpness;
@@ -171,7 +146,8 @@ SurfaceSubdivider::SurfaceSubdivider(std::vector<SurfacePart> parts, const Subdi
     collect_faces();
     choose_level(scale);
     geometry::PieceOptions options{.sharpens_corners = control_.sharpens_corners};
-    if (how.sharpness > 0) set_creases(options, context);
+    if (how.crease_angle_rad && how.sharpness > 0) options.crease_angle_rad = *how.crease_angle_rad;
+    options.is_hard = std::move(is_hard_);
     geometry::SurfacePieces pieces = geometry::part_surface(control_.faces, control_.positions, options);
     const std::vector<dvec3> places = std::move(control_.positions);
     control_.positions.clear();
@@ -184,13 +160,6 @@ SurfaceSubdivider::SurfaceSubdivider(std::vector<SurfacePart> parts, const Subdi
         texcoord_sets_ = std::max(texcoord_sets_, part.mesh->texcoords.size());
         has_colors_ = has_colors_ || !part.mesh->colors.empty();
     }
-}
-
-void SurfaceSubdivider::set_creases(geometry::PieceOptions& options, Context& context) const {
-    if (how_.finds_creases)
-        options.is_hard = hard_edges(control_, context);
-    else if (how_.crease_angle_rad)
-        options.crease_angle_rad = *how_.crease_angle_rad;
 }
 
 void SurfaceSubdivider::choose_scheme() {
@@ -222,11 +191,11 @@ void SurfaceSubdivider::collect_faces() {
             const bool is_simple =
                 corners.size() <= max_corners && std::adjacent_find(seen.begin(), seen.end()) == seen.end();
             if (is_simple || corners.size() == 3) {
-                add_face(i, corners);
+                add_face(i, corners, loops.first_triangle[f], loops.first_triangle[f + 1]);
                 continue;
             }
             for (std::uint32_t t = loops.first_triangle[f]; t < loops.first_triangle[f + 1]; ++t)
-                add_face(i, {mesh.indices.data() + 3 * std::size_t(t), 3});
+                add_face(i, {mesh.indices.data() + 3 * std::size_t(t), 3}, t, t + 1);
         }
     }
     first_face_.push_back(control_.faces.count());
@@ -249,7 +218,8 @@ void SurfaceSubdivider::collect_faces() {
         }
 }
 
-void SurfaceSubdivider::add_face(std::size_t part, std::span<const std::uint32_t> vertices) {
+void SurfaceSubdivider::add_face(std::size_t part, std::span<const std::uint32_t> vertices,
+                                 std::uint32_t first_triangle, std::uint32_t end_triangle) {
     const std::vector<std::uint32_t>& places = parts_[part].places;
     if (vertices.size() == 3) {
         const std::uint32_t a = places[vertices[0]], b = places[vertices[1]], c = places[vertices[2]];
@@ -262,6 +232,24 @@ void SurfaceSubdivider::add_face(std::size_t part, std::span<const std::uint32_t
         mesh_vertices_.push_back(v);
     }
     control_.faces.end_face();
+    if (how_.finds_creases && how_.sharpness > 0) mark_hard_edges(part, vertices.size(), first_triangle, end_triangle);
+}
+
+/// Of the last face: where its triangles have a hard edge.
+void SurfaceSubdivider::mark_hard_edges(std::size_t part, std::size_t corners, std::uint32_t first_triangle,
+                                        std::uint32_t end_triangle) {
+    const std::span<const std::uint32_t> indices = parts_[part].mesh->indices;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> hard;
+    for (std::uint32_t t = first_triangle; t < end_triangle; ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            if ((parts_[part].hard[t] >> k & 1) != 0)
+                hard.push_back(std::minmax(indices[3 * std::size_t(t) + k], indices[3 * std::size_t(t) + (k + 1) % 3]));
+    std::sort(hard.begin(), hard.end());
+    const std::uint32_t* const vertex = mesh_vertices_.data() + mesh_vertices_.size() - corners;
+    for (std::size_t k = 0; k < corners; ++k) {
+        const std::pair<std::uint32_t, std::uint32_t> edge = std::minmax(vertex[k], vertex[(k + 1) % corners]);
+        is_hard_.push_back(std::binary_search(hard.begin(), hard.end(), edge) ? 1 : 0);
+    }
 }
 
 void SurfaceSubdivider::choose_level(double scale) {

@@ -10,7 +10,6 @@
 #include <rakelight/scene.h>
 
 #include "geometry/refine/subdivide.h"
-#include "geometry/refine/surface_pieces.h"
 
 namespace rakelight {
 
@@ -18,7 +17,8 @@ namespace rakelight {
 struct SurfacePart {
     const Mesh* mesh = nullptr;
     dmat4 to_surface;  ///< object space (with the mesh's origin) -> that of the surface; has an inverse
-    std::vector<std::uint32_t> places;  ///< [V] equal values, over all parts: vertices at one place
+    std::vector<std::uint32_t> places;     ///< [V] equal values, over all parts: vertices at one place
+    std::span<const std::uint8_t> hard{};  ///< [T] Creases::hard of the mesh; for Subdivision::finds_creases
 };
 
 /// Changes that the control surface required.
@@ -31,8 +31,7 @@ struct SurfaceFaults {
 class SurfaceSubdivider {
 public:
     /// @param scale [m] length of one unit of the surface's space in world space, for Subdivision::edge
-    /// @throws Error as find_creases()
-    SurfaceSubdivider(std::vector<SurfacePart> parts, const Subdivision& how, double scale, Context& context);
+    SurfaceSubdivider(std::vector<SurfacePart> parts, const Subdivision& how, double scale);
 
     std::uint64_t control_faces() const { return control_.faces.count(); }
     std::uint64_t triangles() const;  ///< of the result
@@ -47,10 +46,12 @@ public:
 
 private:
     void collect_faces();
-    void add_face(std::size_t part, std::span<const std::uint32_t> vertices);
+    void add_face(std::size_t part, std::span<const std::uint32_t> vertices, std::uint32_t first_triangle,
+                  std::uint32_t end_triangle);
+    void mark_hard_edges(std::size_t part, std::size_t corners, std::uint32_t first_triangle,
+                         std::uint32_t end_triangle);
     void choose_scheme();
     void choose_level(double scale);
-    void set_creases(geometry::PieceOptions& options, Context& context) const;
     geometry::ControlValues control_values(std::size_t set) const;
 
     std::vector<SurfacePart> parts_;
@@ -58,6 +59,7 @@ private:
     geometry::ControlSurface control_;
     std::vector<std::uint32_t> first_face_;     ///< [parts + 1]
     std::vector<std::uint32_t> mesh_vertices_;  ///< [corners] of the corner's part
+    std::vector<std::uint8_t> is_hard_;         ///< PieceOptions::is_hard
     std::size_t texcoord_sets_ = 0;
     bool has_colors_ = false;
     SurfaceFaults faults_;

@@ -231,54 +231,6 @@ TEST(SubdivideScene, CreasesKeepACubeACubeAndSofterOnesRoundIt) {
     EXPECT_EQ(normals_at(sharp)[key({1, 1, 0})].size(), 2u);
 }
 
-/// A column of 12 equal sides and two lids, each a polygon of 12 corners.
-Scene column() {
-    Mesh mesh;
-    std::vector<vec3> positions;
-    std::vector<std::uint32_t> indices, polygons;
-    for (const float y : {-1.0f, 1.0f})
-        for (std::uint32_t i = 0; i < 12; ++i) {
-            const double angle = 2 * pi * i / 12;
-            positions.push_back({float(std::cos(angle)), y, float(-std::sin(angle))});
-        }
-    for (std::uint32_t i = 0; i < 12; ++i) {
-        const std::uint32_t next = (i + 1) % 12;
-        polygons.insert(polygons.end(), 2, std::uint32_t(indices.size() / 3));
-        indices.insert(indices.end(), {i, next, next + 12, i, next + 12, i + 12});
-    }
-    for (const bool is_top : {false, true}) {
-        polygons.insert(polygons.end(), 10, std::uint32_t(indices.size() / 3));
-        for (std::uint32_t i = 1; i < 11; ++i) {
-            const std::uint32_t a = is_top ? 12 : 0;
-            indices.insert(indices.end(), {a, a + (is_top ? i : i + 1), a + (is_top ? i + 1 : i)});
-        }
-    }
-    mesh.positions = std::move(positions), mesh.indices = std::move(indices), mesh.polygons = std::move(polygons);
-    return scene_of({std::move(mesh)});
-}
-
-TEST(SubdivideScene, TheRuleOfCreasesKeepsRimsAndRoundsSides) {
-    Context context;
-    const Scene by_rule = subdivide_scene(cube(), {.level = 3, .finds_creases = true}, context);
-    const Scene by_angle = subdivide_scene(cube(), {.level = 3, .crease_angle_rad = radians(60)}, context);
-    EXPECT_TRUE(std::ranges::equal(by_rule.meshes[0].positions, by_angle.meshes[0].positions));
-    const Scene out = subdivide_scene(column(), {.level = 3, .finds_creases = true}, context);
-    double lowest = 2, highest = 0;
-    bool has_lid = false;
-    for (std::size_t v = 0; v < out.meshes[0].positions.size(); ++v) {
-        const vec3 p = out.meshes[0].positions[v], n = out.meshes[0].normals[v];
-        const double radius = std::hypot(double(p.x), double(p.z));
-        if (std::fabs(n.y) < 0.5f)
-            lowest = std::min(lowest, radius), highest = std::max(highest, radius);
-        else
-            has_lid = has_lid || (std::fabs(p.y) == 1 && radius > 0.9);
-        EXPECT_TRUE(std::fabs(n.y) < 1e-4f || std::fabs(n.y) > 0.9999f);
-    }
-    EXPECT_TRUE(has_lid);
-    EXPECT_GT(lowest, 0.9);  // between the circles in and around the control polygon's
-    EXPECT_LT(highest - lowest, 0.01);
-}
-
 TEST(SubdivideScene, TextureCoordinatesRunOverTheBordersOfObjects) {
     Context context;
     const auto strip = [](float x) {  // unit quads along x, u = x / 2
