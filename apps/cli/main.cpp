@@ -19,22 +19,16 @@
 namespace rakelight::cli {
 namespace {
 
-/// A command, and what it does.
-struct Verb {
-    Command command;
-    int (*run)(const Run&);  ///< null: another program does it
-};
-
 int run(int argc, const char* const* argv) {
-    const Verb verbs[] = {{render_command(), run_render},       {inspect_command(), run_inspect},
-                          {smooth_command(), run_smooth},       {convert_command(), run_convert},
-                          {bench_command(), run_bench},         {explain_command(), run_explain},
-                          {stages_command(), run_stages},       {compare_command(), run_compare},
-                          {check_command(), run_check},         {join_windows_command(), run_join_windows},
-                          {bake_command(), run_bake},           {radiosity_command(), run_radiosity},
-                          {thumbnail_command(), run_thumbnail}, {apps::view_command(), nullptr}};
+    const Verb verbs[] = {render_verb,    inspect_verb,
+                          smooth_verb,    convert_verb,
+                          bench_verb,     explain_verb,
+                          stages_verb,    compare_verb,
+                          check_verb,     join_windows_verb,
+                          bake_verb,      radiosity_verb,
+                          thumbnail_verb, {apps::view_command, nullptr}};
     std::vector<Command> commands;
-    for (const Verb& verb : verbs) commands.push_back(verb.command);
+    for (const Verb& verb : verbs) commands.push_back(verb.command());
     const apps::Program program{"rakelight", "Renders 3D models made of many parts: bumps show, seams do not.",
                                 main_footer, commands, "rakelight MODEL... [-o FILE] [OPTIONS]"};
     const std::vector<std::string> words = with_implied_verb(program, {argv + std::min(argc, 1), argv + argc});

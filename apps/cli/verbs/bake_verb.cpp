@@ -186,8 +186,6 @@ BakeOptions bake_options(const Given& given) {
     return options;
 }
 
-}  // namespace
-
 Command bake_command() {
     return {"bake",
             "Bake the surface of a detailed model into maps for a simple one",
@@ -209,5 +207,9 @@ int run_bake(const Run& run) {
     if (run.is_json) print_data(to_json(std::span(&row, 1)));
     return code;
 }
+
+}  // namespace
+
+const Verb bake_verb = {bake_command, run_bake};
 
 }  // namespace rakelight::cli

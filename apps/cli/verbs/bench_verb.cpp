@@ -96,8 +96,6 @@ std::vector<Option> options_of_measurement() {
     };
 }
 
-}  // namespace
-
 Command bench_command() {
     return {"bench",
             "Measure the speed of the program next to baselines",
@@ -113,8 +111,6 @@ Command bench_command() {
             apps::joined(
                 {options_of_pictures(), options_of_measurement(), {apps::shader_option()}, apps::common_options()})};
 }
-
-namespace {
 
 // A whole number; k and M stand for thousands and millions.
 int count(const char* option, std::string word, int low, int high) {
@@ -296,11 +292,13 @@ void measure_normals(const Run& run) { measure(run, normal_options(run), bench_n
 void measure_creases(const Run& run) { measure(run, crease_options(run), bench_creases, Loudness::quiet); }
 void measure_pose(const Run& run) { measure(run, pose_options(run), bench_pose, run.loudness); }
 
-}  // namespace
-
 int run_bench(const Run& run) {
     values::word("WHAT", run.inputs.at(0), measurements)(run);
     return 0;
 }
+
+}  // namespace
+
+const Verb bench_verb = {bench_command, run_bench};
 
 }  // namespace rakelight::cli

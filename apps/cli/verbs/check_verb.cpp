@@ -11,6 +11,7 @@
 #include "verbs.h"
 
 namespace rakelight::cli {
+namespace {
 
 Command check_command() {
     const Option schema = {"schema", "Output", "", "Print the JSON schema of world files, for editors, and exit",
@@ -21,8 +22,6 @@ Command check_command() {
             {{"SCENE", "Model files and world files", false}},
             apps::joined({{schema}, apps::input_options(), apps::common_options()})};
 }
-
-namespace {
 
 /// Reads [render] of a world, and holds it against the loaded scene; nothing for other files. @throws Error bad_file
 void check_render(const Run& run, const std::string& input, const Scene& scene, Context& context) {
@@ -37,8 +36,6 @@ void check_render(const Run& run, const std::string& input, const Scene& scene, 
         throw at_world_value(error, world);
     }
 }
-
-}  // namespace
 
 int run_check(const Run& run) {
     if (run.given.has("schema")) {
@@ -66,5 +63,9 @@ int run_check(const Run& run) {
     if (run.is_json) print_data(to_json(rows));
     return worst;
 }
+
+}  // namespace
+
+const Verb check_verb = {check_command, run_check};
 
 }  // namespace rakelight::cli

@@ -205,8 +205,6 @@ int print_failures(const ComparisonRow& row) {
     return row.failures.empty() ? 0 : exit_code(ErrorCode::check_failed);
 }
 
-}  // namespace
-
 Command compare_command() {
     return {"compare",
             "Measure how much two pictures differ, or the pictures of two engines",
@@ -251,5 +249,9 @@ int run_compare(const Run& run) {
         print_text(to_text(rows));
     return worst;
 }
+
+}  // namespace
+
+const Verb compare_verb = {compare_command, run_compare};
 
 }  // namespace rakelight::cli

@@ -11,6 +11,7 @@
 #include "verbs.h"
 
 namespace rakelight::cli {
+namespace {
 
 Command convert_command() {
     const Option file = {
@@ -46,5 +47,9 @@ int run_convert(const Run& run) {
     if (run.is_json) print_data(to_json(rows));
     return worst;
 }
+
+}  // namespace
+
+const Verb convert_verb = {convert_command, run_convert};
 
 }  // namespace rakelight::cli

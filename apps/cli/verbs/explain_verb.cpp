@@ -14,6 +14,7 @@
 #include "verbs.h"
 
 namespace rakelight::cli {
+namespace {
 
 Command explain_command() {
     const Option pixel = {.name = "pixel",
@@ -39,8 +40,6 @@ Command explain_command() {
             apps::joined(
                 {{pixel, output}, apps::input_options(), options, {apps::shader_option()}, apps::common_options()})};
 }
-
-namespace {
 
 std::vector<PixelPlace> pixels_of(const Run& run) {
     const RenderSettings& s = run.picture.settings;
@@ -82,8 +81,6 @@ std::string text_of(const std::vector<ExplainRow>& rows) {
     return text;
 }
 
-}  // namespace
-
 int run_explain(const Run& run) {
     const std::vector<PixelPlace> pixels = pixels_of(run);
     const std::string& output = run.picture.output;
@@ -106,5 +103,9 @@ int run_explain(const Run& run) {
         print_data(to_json(rows));
     return worst;
 }
+
+}  // namespace
+
+const Verb explain_verb = {explain_command, run_explain};
 
 }  // namespace rakelight::cli

@@ -95,8 +95,6 @@ std::vector<Option> heat_map_options() {
     return options;
 }
 
-}  // namespace
-
 Command inspect_command() {
     return {"inspect",
             "List what is in models: objects, materials, textures, seams",
@@ -105,8 +103,6 @@ Command inspect_command() {
             apps::joined({apps::input_options(), normal_options(), motion_options(), own_options(), heat_map_options(),
                           apps::common_options()})};
 }
-
-namespace {
 
 /// @param is_checked  by a report, whether --check was given or not
 std::optional<CheckLimits> limits_of(const Given& given, bool is_checked) {
@@ -294,8 +290,6 @@ void note_groups(const Run& run, const Task& task) {
                 run.loudness);
 }
 
-}  // namespace
-
 int run_inspect(const Run& run) {
     const Reports reports(run.given);
     const Task task{
@@ -337,5 +331,9 @@ int run_inspect(const Run& run) {
     if (run.is_json) print_data(to_json(rows));
     return worst;
 }
+
+}  // namespace
+
+const Verb inspect_verb = {inspect_command, run_inspect};
 
 }  // namespace rakelight::cli

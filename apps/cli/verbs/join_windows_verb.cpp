@@ -11,6 +11,7 @@
 #include "verbs.h"
 
 namespace rakelight::cli {
+namespace {
 
 Command join_windows_command() {
     const Option picture = {.name = "output",
@@ -29,8 +30,6 @@ Command join_windows_command() {
               "does not record it"}},
             apps::joined({{picture, size}, apps::without(apps::common_options(), {"config", "allow-outside"})})};
 }
-
-namespace {
 
 /// "FILE", or "FILE@X,Y"; files whose names end so are taken as they are.
 WindowPart part_of(const std::string& word) {
@@ -56,8 +55,6 @@ JoinRequest join_request(const Run& run) {
     return request;
 }
 
-}  // namespace
-
 int run_join_windows(const Run& run) {
     const JoinRequest request = join_request(run);
     JoinRow row{.result = {.output = request.output}};
@@ -70,5 +67,9 @@ int run_join_windows(const Run& run) {
     if (run.is_json) print_data(to_json(std::span(&row, 1)));
     return code;
 }
+
+}  // namespace
+
+const Verb join_windows_verb = {join_windows_command, run_join_windows};
 
 }  // namespace rakelight::cli

@@ -25,8 +25,6 @@ std::vector<Option> light_options() {
     return apps::without(std::move(out), {"light-cutoff", "animation-autoplay", "look", "fog"});
 }
 
-}  // namespace
-
 Command radiosity_command() {
     const Option file = {
         .name = "output",
@@ -45,8 +43,6 @@ Command radiosity_command() {
             apps::joined({{file, map}, apps::input_options(), light_options(), apps::common_options()})};
 }
 
-namespace {
-
 std::optional<LightmapOptions> lightmap_options(const Given& given) {
     if (!given.has("lightmap")) return std::nullopt;
     LightmapOptions options;
@@ -54,8 +50,6 @@ std::optional<LightmapOptions> lightmap_options(const Given& given) {
     options.width = size.front(), options.height = size.back();
     return options;
 }
-
-}  // namespace
 
 int run_radiosity(const Run& run) {
     const std::optional<LightmapOptions> lightmap = lightmap_options(run.given);
@@ -76,5 +70,9 @@ int run_radiosity(const Run& run) {
     if (run.is_json) print_data(to_json(rows));
     return worst;
 }
+
+}  // namespace
+
+const Verb radiosity_verb = {radiosity_command, run_radiosity};
 
 }  // namespace rakelight::cli

@@ -18,6 +18,7 @@
 #include "verbs.h"
 
 namespace rakelight::cli {
+namespace {
 
 Command render_command() {
     const Option picture = {
@@ -52,8 +53,6 @@ Command render_command() {
                           reference_options(),
                           apps::common_options()})};
 }
-
-namespace {
 
 /// A picture in a pipe: one, whole, and nothing else beside it.
 void check_standard_output(const Run& run, std::size_t pictures) {
@@ -134,8 +133,6 @@ int draw_all(const Run& run, int frame, apps::WatchedFiles* watched) {
     return worst;
 }
 
-}  // namespace
-
 int run_render(const Run& run) {
     if (asks_sequence(run)) return run_sequence(run);
     if (run.given.has("keep-partial")) CancelOnInterrupt::let_finish();
@@ -154,5 +151,9 @@ int run_render(const Run& run) {
         print_message(one_line(changed, 160) + " has changed: drawing again", run.loudness);
     }
 }
+
+}  // namespace
+
+const Verb render_verb = {render_command, run_render};
 
 }  // namespace rakelight::cli

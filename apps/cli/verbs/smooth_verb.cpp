@@ -31,8 +31,6 @@ constexpr Word<Way> ways[] = {{"seams", {AuthoredNormals::seams, Scope::model}},
 constexpr Word<TangentChoice> choices[] = {
     {"auto", TangentChoice::automatic}, {"always", TangentChoice::always}, {"never", TangentChoice::never}};
 
-}  // namespace
-
 Command smooth_command() {
     using enum apps::Form;
     std::vector<Option> shared = apps::picture_options();
@@ -98,8 +96,6 @@ Command smooth_command() {
                "Smooth each file by itself, even where open borders of several files fit together", flag}},
              apps::common_options()})};
 }
-
-namespace {
 
 /// --normals, or its old name.
 void read_normals(const Given& given, SmoothFileOptions& options) {
@@ -286,8 +282,6 @@ Work work_of(const Run& run) {
     return work;
 }
 
-}  // namespace
-
 int run_smooth(const Run& given) {
     if (std::ranges::any_of(given.inputs, [](const std::string& file) { return file.starts_with("standard input"); }))
         throw Error(ErrorCode::usage, "smooth takes files, not standard input", {}, "write the model to a file first");
@@ -310,5 +304,9 @@ int run_smooth(const Run& given) {
     if (run.is_json) print_data(to_json(in_order));
     return worst;
 }
+
+}  // namespace
+
+const Verb smooth_verb = {smooth_command, run_smooth};
 
 }  // namespace rakelight::cli

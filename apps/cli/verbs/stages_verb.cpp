@@ -12,6 +12,7 @@
 #include "verbs.h"
 
 namespace rakelight::cli {
+namespace {
 
 Command stages_command() {
     const Option folder = {.name = "output",
@@ -70,5 +71,9 @@ int run_stages(const Run& run) {
     if (run.is_json) print_data(to_json(rows));
     return worst;
 }
+
+}  // namespace
+
+const Verb stages_verb = {stages_command, run_stages};
 
 }  // namespace rakelight::cli

@@ -55,8 +55,6 @@ PictureRequest request_of(const Run& run, const std::string& model, int size) {
     return request;
 }
 
-}  // namespace
-
 Command thumbnail_command() {
     const Option seconds = {
         "cpu-seconds", "Output", "S",
@@ -103,5 +101,9 @@ int run_thumbnail(const Run& run) {
     }
     return 0;
 }
+
+}  // namespace
+
+const Verb thumbnail_verb = {thumbnail_command, run_thumbnail};
 
 }  // namespace rakelight::cli

@@ -1,60 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands of the program, a file each (render_verb.cpp, ...): what it takes, and its run, which returns the exit code.
+// The commands of the program, a file each (render_verb.cpp, ...).
 #pragma once
 #include "../run.h"
 
 namespace rakelight::cli {
 
-/// Pictures of models.
-Command render_command();
-int run_render(const Run& run);
+struct Verb {
+    Command (*command)();    ///< what it takes
+    int (*run)(const Run&);  ///< returns the exit code; null: another program does it
+};
 
-/// What is in models.
-Command inspect_command();
-int run_inspect(const Run& run);
-
-/// Models rewritten with seam-free normals and tangents.
-Command smooth_command();
-int run_smooth(const Run& run);
-
-/// Models written in another format.
-Command convert_command();
-int run_convert(const Run& run);
-
-/// The speed of the program itself.
-Command bench_command();
-int run_bench(const Run& run);
-
-/// Why a pixel has its color.
-Command explain_command();
-int run_explain(const Run& run);
-
-/// The stages of the pipeline for a model, as a page.
-Command stages_command();
-int run_stages(const Run& run);
-
-/// How much pictures differ, of files or as engines draw them.
-Command compare_command();
-int run_compare(const Run& run);
-
-/// Whether scene files load, and what they contain.
-Command check_command();
-int run_check(const Run& run);
-
-/// Windows of one picture joined to the whole.
-Command join_windows_command();
-int run_join_windows(const Run& run);
-
-/// A detailed model as maps for a simple one.
-Command bake_command();
-int run_bake(const Run& run);
-
-/// Models with their diffuse global illumination.
-Command radiosity_command();
-int run_radiosity(const Run& run);
-
-/// The small picture of a model for file managers.
-Command thumbnail_command();
-int run_thumbnail(const Run& run);
+extern const Verb render_verb;        ///< pictures of models
+extern const Verb inspect_verb;       ///< what is in models
+extern const Verb smooth_verb;        ///< models rewritten with seam-free normals and tangents
+extern const Verb convert_verb;       ///< models written in another format
+extern const Verb bench_verb;         ///< the speed of the program itself
+extern const Verb explain_verb;       ///< why a pixel has its color
+extern const Verb stages_verb;        ///< the stages of the pipeline for a model, as a page
+extern const Verb compare_verb;       ///< how much pictures differ, of files or as engines draw them
+extern const Verb check_verb;         ///< whether scene files load, and what they contain
+extern const Verb join_windows_verb;  ///< windows of one picture joined to the whole
+extern const Verb bake_verb;          ///< a detailed model as maps for a simple one
+extern const Verb radiosity_verb;     ///< models with their diffuse global illumination
+extern const Verb thumbnail_verb;     ///< the small picture of a model for file managers
 
 }  // namespace rakelight::cli
