@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Builds the wheel of the Python package: CMake builds the extension and the import helper, tools/repair_wheel.py puts the libraries that
+"""Builds the wheel of the Python package: CMake builds the extension and the import helper, tools/package/repair_wheel.py puts the libraries that
 they need beside them. Metadata: pyproject.toml. CMAKE_ARGS in the environment adds arguments to the configuration."""
 import os
 import pathlib
@@ -16,7 +16,7 @@ from wheel.bdist_wheel import bdist_wheel
 ROOT = pathlib.Path(__file__).resolve().parent
 BUILD = ROOT / "build" / "wheel"
 
-sys.path.insert(0, str(ROOT / "tools"))
+sys.path.insert(0, str(ROOT / "tools/package"))
 from repair_wheel import platform_tag, repair  # noqa: E402
 
 

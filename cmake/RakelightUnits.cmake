@@ -1,4 +1,4 @@
-# rl_units(TARGET): compiles the target's sources some at a time, which takes a third of the time of each by itself. tools/units.py says which
+# rl_units(TARGET): compiles the target's sources some at a time, which takes a third of the time of each by itself. cmake/units.py says which
 # may go together. RAKELIGHT_UNITS is the most sources of a unit: a changed source compiles its unit again. 0: each by itself, as clang-tidy
 # wants it; also without Python. Sources with the property SKIP_UNITY_BUILD_INCLUSION stay by themselves, too.
 # rl_test_units(TARGET): the same for a test program, half as many: tests are longer. They share the compiled headers of rl_test_headers.
@@ -7,7 +7,7 @@ if(NOT RAKELIGHT_UNITS)
   set(RAKELIGHT_UNITS 0)  # OFF and the like
 endif()
 find_package(Python3 QUIET COMPONENTS Interpreter)
-set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS tools/units.py)
+set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS cmake/units.py)
 
 function(rl_units target)
   rl_units_later(${target} "${RAKELIGHT_UNITS}")
@@ -47,7 +47,7 @@ function(rl_units_of target most)
       list(APPEND sources ${source})
     endif()
   endforeach()
-  execute_process(COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/units.py ${most} ${sources}
+  execute_process(COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/cmake/units.py ${most} ${sources}
     OUTPUT_VARIABLE units OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
   string(REPLACE "\n" ";" units "${units}")
   foreach(line IN LISTS units)

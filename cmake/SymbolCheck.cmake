@@ -1,4 +1,4 @@
-# Every build checks the symbols of the modules and of the objects per instruction set (tools/check_symbols.py): a call of
+# Every build checks the symbols of the modules and of the objects per instruction set (tools/check/check_symbols.py): a call of
 # libm's sin or a weak symbol without its flavour would make pictures depend on the processor. io is exempt: it makes no bits.
 find_package(Python3 COMPONENTS Interpreter)
 if(NOT Python3_Interpreter_FOUND)
@@ -24,17 +24,17 @@ endforeach()
 set(symbol_list ${PROJECT_BINARY_DIR}/symbol_check.txt)
 file(GENERATE OUTPUT ${symbol_list} CONTENT "${lines}")
 
-set(symbol_check Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_symbols.py --nm ${CMAKE_NM} ${symbol_list})
+set(symbol_check Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check/check_symbols.py --nm ${CMAKE_NM} ${symbol_list})
 add_custom_command(OUTPUT symbol_check.stamp
   COMMAND ${symbol_check}
   COMMAND ${CMAKE_COMMAND} -E touch symbol_check.stamp
-  DEPENDS ${modules} ${isa_objects} ${files} ${symbol_list} ${PROJECT_SOURCE_DIR}/tools/check_symbols.py
+  DEPENDS ${modules} ${isa_objects} ${files} ${symbol_list} ${PROJECT_SOURCE_DIR}/tools/check/check_symbols.py
   COMMENT "Checking symbols" VERBATIM)
 add_custom_target(rakelight_check_symbols ALL DEPENDS symbol_check.stamp)
 
 if(RAKELIGHT_TESTS)
   add_test(NAME symbols COMMAND ${symbol_check})
   add_test(NAME symbol_check_finds_faults
-    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/unit/math/check_symbols_test.py ${PROJECT_SOURCE_DIR}/tools)
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/unit/math/check_symbols_test.py ${PROJECT_SOURCE_DIR}/tools/check)
   set_tests_properties(symbols symbol_check_finds_faults PROPERTIES LABELS unit)
 endif()

@@ -2,7 +2,7 @@
 # SOURCE_DATE_EPOCH of the environment is the time of every file, so that a second build gives the same bytes.
 set(epoch $ENV{SOURCE_DATE_EPOCH})
 if(NOT epoch)
-  message(FATAL_ERROR "SOURCE_DATE_EPOCH is not set; tools/make_packages.sh sets it")
+  message(FATAL_ERROR "SOURCE_DATE_EPOCH is not set; tools/package/make_packages.sh sets it")
 endif()
 
 macro(run)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Directional albedos of the lobes of ggx.glsl and sheen.glsl: the share of a beam from one direction that leaves in
-// all. Numbers of tools/make_albedo_tables.py; read by kernels of every instruction set. Source: Kulla & Conty 2017,
+// all. Numbers of tools/make/make_albedo_tables.py; read by kernels of every instruction set. Source: Kulla & Conty 2017,
 // "Revisiting Physically Based Shading at Imageworks"; Karis 2013, "Real Shading in Unreal Engine 4" (the split by
 // Schlick's weight).
 #pragma once

@@ -32,7 +32,7 @@ import threading
 import zlib
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent.parent / "tools")]
+sys.path[:0] = [str(HERE), str(HERE.parent.parent / "tools/pictures")]
 import name_floods  # noqa: E402
 import posing_files  # noqa: E402
 from png8 import read_rgb  # noqa: E402

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Models for borders that run along each other and share no vertices: tools/make_border_models.py, tools/border_pictures.py and
+"""Models for borders that run along each other and share no vertices: tools/make/make_border_models.py, tools/pictures/border_pictures.py and
 tests/support/border_scenes.py make what their words say."""
 import json
 import math
@@ -11,7 +11,7 @@ import sys
 import program
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/support")]
+sys.path[:0] = [str(ROOT / "tools/make"), str(ROOT / "tools/pictures"), str(ROOT / "tests/support")]
 import border_pictures  # noqa: E402
 import border_scenes  # noqa: E402
 from border_mesh import add, cross_of, dot, length, mixed, open_edges, read_obj, sub, unit, vertex_normals  # noqa: E402
@@ -49,7 +49,7 @@ def file_normals(path):
 
 class BorderModels(program.Case):
     def make(self, model, folder, *options):
-        return subprocess.run([sys.executable, ROOT / "tools/make_border_models.py", model, folder, "--program", program.PROGRAM, *options],
+        return subprocess.run([sys.executable, ROOT / "tools/make/make_border_models.py", model, folder, "--program", program.PROGRAM, *options],
                               cwd=self.folder, capture_output=True, text=True, timeout=300)
 
     def made(self, folder, *options):

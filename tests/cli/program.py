@@ -9,7 +9,7 @@ import tempfile
 import time
 import unittest
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools/pictures"))
 import png8  # noqa: E402
 
 PROGRAM = ""  # main() sets it

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Each public name has a comment that Doxygen understands, and what tools/api_filter.py tells it. Exit code 77 (skipped) without doxygen."""
+"""Each public name has a comment that Doxygen understands, and what tools/package/api_filter.py tells it. Exit code 77 (skipped) without doxygen."""
 import pathlib
 import shutil
 import subprocess
@@ -19,10 +19,10 @@ class Reference(unittest.TestCase):
 
     def filtered(self, text):
         (self.folder / "a.h").write_text(text)
-        return subprocess.run([sys.executable, "-B", ROOT / "tools/api_filter.py", self.folder / "a.h"], capture_output=True, text=True, check=True).stdout
+        return subprocess.run([sys.executable, "-B", ROOT / "tools/package/api_filter.py", self.folder / "a.h"], capture_output=True, text=True, check=True).stdout
 
     def test_no_public_name_is_without_a_comment(self):
-        done = subprocess.run([sys.executable, ROOT / "tools/api.py", self.folder], capture_output=True, text=True)
+        done = subprocess.run([sys.executable, ROOT / "tools/package/api.py", self.folder], capture_output=True, text=True)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         page = (self.folder / "html/structrakelight_1_1RenderSettings.html").read_text()
         self.assertIn("of the whole picture, 1..65536", page)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tools/check_docs.py must notice what it is there for."""
+"""tools/check/check_docs.py must notice what it is there for."""
 import pathlib
 import subprocess
 import sys
@@ -34,7 +34,7 @@ class CheckDocs(unittest.TestCase):
     def check(self, text, program=False, example="here.obj"):
         """(exit code, standard error) for a README with this text."""
         (self.root / "README.md").write_text(text)
-        done = subprocess.run([sys.executable, ROOT / "tools/check_docs.py", "--root", self.root] + (["--program", self.program] if program else []),
+        done = subprocess.run([sys.executable, ROOT / "tools/check/check_docs.py", "--root", self.root] + (["--program", self.program] if program else []),
                               capture_output=True, text=True, env={"EXAMPLE": example, "PATH": "/usr/bin:/bin"})
         return done.returncode, done.stderr
 

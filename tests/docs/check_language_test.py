@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tools/check_language.py must notice what it is there for, and pass what is no prose."""
+"""tools/check/check_language.py must notice what it is there for, and pass what is no prose."""
 import pathlib
 import subprocess
 import sys
@@ -23,7 +23,7 @@ class CheckLanguage(unittest.TestCase):
     def check(self, text, name="README.md"):
         """Standard error for a file with this text; empty when the check passes."""
         (self.root / name).write_text(text)
-        done = subprocess.run([sys.executable, ROOT / "tools/check_language.py", "--root", self.root], capture_output=True, text=True)
+        done = subprocess.run([sys.executable, ROOT / "tools/check/check_language.py", "--root", self.root], capture_output=True, text=True)
         self.assertEqual(done.returncode, 1 if done.stderr else 0)
         return done.stderr
 

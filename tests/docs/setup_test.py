@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Which lists of tools/packages.txt the commands of ./dev install, and when: seen with programs that stand in for dpkg-query, apt-get, cmake and what
+"""Which lists of tools/package/packages.txt the commands of ./dev install, and when: seen with programs that stand in for dpkg-query, apt-get, cmake and what
 comes after them. tests/packages/readme.sh does it in a bare Debian."""
 import pathlib
 import re
@@ -18,7 +18,7 @@ NAMES = ("apt-get", "cmake", "ctest", "python3", "mkdocs", "git", "clang-format"
 def lists():
     """Name of each list -> its packages."""
     found, name = {}, None
-    for line in (ROOT / "tools/packages.txt").read_text().splitlines():
+    for line in (ROOT / "tools/package/packages.txt").read_text().splitlines():
         if line.startswith("["):
             name = line.strip("[]")
             found[name] = []
@@ -32,11 +32,11 @@ class Setup(unittest.TestCase):
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
         self.folder = pathlib.Path(temporary.name)
-        for name in ("bin", "installed", "root/tools"):
+        for name in ("bin", "installed", "root/tools/package", "root/tools/pictures"):
             (self.folder / name).mkdir(parents=True)
-        for name in ("dev", "tools/packages.txt"):
+        for name in ("dev", "tools/package/packages.txt"):
             shutil.copy2(ROOT / name, self.folder / "root" / name)
-        (self.folder / "root/tools/demo.sh").write_text("")
+        (self.folder / "root/tools/pictures/demo.sh").write_text("")
         for name in (*NAMES, *STAND_INS):
             self.stand_in(name)
 

@@ -9,7 +9,7 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-CHECK = [sys.executable, ROOT / "tools/check_site.py"]
+CHECK = [sys.executable, ROOT / "tools/check/check_site.py"]
 
 
 def has_theme():
@@ -32,7 +32,7 @@ class Site(unittest.TestCase):
         shutil.copytree(ROOT / "docs", copy / "docs")
         shutil.copytree(ROOT / "tools", copy / "tools", ignore=shutil.ignore_patterns("__pycache__"))
         shutil.copy(ROOT / "mkdocs.yml", copy)
-        (copy / "build/api/html").mkdir(parents=True)  # Doxygen's part has a check of its own: tools/api.py
+        (copy / "build/api/html").mkdir(parents=True)  # Doxygen's part has a check of its own: tools/package/api.py
         (copy / "build/api/html/index.html").write_text("<html></html>")
         done = subprocess.run(["unshare", "-rn", "mkdocs", "build", "--strict"] if self.can_unshare() else ["mkdocs", "build", "--strict"],
                               cwd=copy, capture_output=True, text=True)

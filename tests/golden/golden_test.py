@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tools/golden.py must notice what it is there for.  golden_test.py PROGRAM [unittest arguments]"""
+"""tools/check/golden.py must notice what it is there for.  golden_test.py PROGRAM [unittest arguments]"""
 import json
 import pathlib
 import subprocess
@@ -9,7 +9,7 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "tools"))
+sys.path[:0] = [str(ROOT / "tools/check"), str(ROOT / "tools/pictures")]
 from png8 import read_rgb, write_rgb  # noqa: E402
 
 PROGRAM = ""
@@ -27,7 +27,7 @@ class Golden(unittest.TestCase):
         """(exit code, standard error) over one scene with these changes."""
         (self.folder / "golden").mkdir(exist_ok=True)
         (self.folder / "golden/scenes.json").write_text(json.dumps({"schema": "rakelight.golden/1", "rows": [{**TEAPOT, **changes}]}))
-        done = subprocess.run([sys.executable, ROOT / "tools/golden.py", "--program", PROGRAM, "--golden", self.folder / "golden",
+        done = subprocess.run([sys.executable, ROOT / "tools/check/golden.py", "--program", PROGRAM, "--golden", self.folder / "golden",
                                "--out", self.folder / "out", *arguments], capture_output=True, text=True, stdin=subprocess.DEVNULL)
         return done.returncode, done.stderr
 

@@ -10,7 +10,7 @@ import pathlib
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(ROOT.parent.parent / "tools"))
+sys.path.insert(0, str(ROOT.parent.parent / "tools/pictures"))
 from png8 import write_rgb  # noqa: E402
 
 HEAD = "# Made by tests/golden/make_models.py. Apache-2.0, as the project.\n"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The container file: its form, and in a bare Debian, which stands for the image, the steps of its last stage; then the program draws as the
-# user that the file names. The stage before is ./dev setup and tools/make_packages.sh, which other tests run.
+# user that the file names. The stage before is ./dev setup and tools/package/make_packages.sh, which other tests run.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/../.."
 
@@ -14,7 +14,7 @@ for broken in 's/^USER .*/USER root/' 's/--from=build/--from=other/' 's/^CMD .*/
 done
 python3 tests/packages/container_steps.py "$file" >"$work/steps"
 
-compgen -G 'build/packages/*.deb' >/dev/null || { echo 'there are no packages: tools/make_packages.sh makes them' >&2; exit 1; }
+compgen -G 'build/packages/*.deb' >/dev/null || { echo 'there are no packages: tools/package/make_packages.sh makes them' >&2; exit 1; }
 cat >"$work/inside" <<'INSIDE'
 cp -r "$GIVEN/packages" /packages
 while read -r step; do bash -c "$step" >/root/log 2>&1 </dev/null || { echo "$step"; tail -n 30 /root/log; exit 1; }; done <"$GIVEN/steps"

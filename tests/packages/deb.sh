@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/../.."
 
-compgen -G 'build/packages/*.deb' >/dev/null || { echo 'there are no packages: tools/make_packages.sh makes them' >&2; exit 1; }
+compgen -G 'build/packages/*.deb' >/dev/null || { echo 'there are no packages: tools/package/make_packages.sh makes them' >&2; exit 1; }
 if command -v lintian >/dev/null; then
     lintian --allow-root --display-info --fail-on error,warning,info build/packages/*.deb
 else

@@ -22,7 +22,7 @@ build() {
         mkdir -p "$1/build/packages"
         cp "$1"/build/deb/lib/librakelight-attributes.{a,so.*.*} "$1/build/packages/"
     else
-        (cd "$1" && umask 027 && TZ=$2 tools/make_packages.sh)
+        (cd "$1" && umask 027 && TZ=$2 tools/package/make_packages.sh)
     fi
 }
 
@@ -31,7 +31,7 @@ for i in 0 1; do
 done
 if [ "${RAKELIGHT_WHOLE:-}" != 1 ]; then
     for i in 0 1; do
-        TZ=${zones[i]} tools/make_packages.sh "$place/packages$i" >"$place/log" 2>&1 || { tail -n 30 "$place/log"; exit 1; }
+        TZ=${zones[i]} tools/package/make_packages.sh "$place/packages$i" >"$place/log" 2>&1 || { tail -n 30 "$place/log"; exit 1; }
         mv "$place/packages$i"/* "${folders[i]}/build/packages/"
     done
 fi

@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/../.."
 
-compgen -G 'build/packages/*.tar.xz' >/dev/null || { echo 'there is no archive: tools/make_tarball.sh makes it' >&2; exit 1; }
+compgen -G 'build/packages/*.tar.xz' >/dev/null || { echo 'there is no archive: tools/package/make_tarball.sh makes it' >&2; exit 1; }
 tar -tf build/packages/rakelight-*.tar.xz >build/tarball.list
 grep -q /licenses/libtbb12 build/tarball.list
 inside=$(mktemp)

@@ -13,7 +13,7 @@ if [ "${1:-}" != inside ]; then
     rm -rf dist
     /usr/bin/python3 -m build --no-isolation --wheel >build/wheel.log 2>&1 || { tail -n 30 build/wheel.log >&2; exit 1; }
     wheels=(dist/rakelight-*-manylinux_*.whl)
-    /usr/bin/python3 tools/repair_wheel.py --check "${wheels[0]}"
+    /usr/bin/python3 tools/package/repair_wheel.py --check "${wheels[0]}"
     ls -l "${wheels[0]}"
     exec "$here/bare_debian.sh" --give "${wheels[0]}" --give python/examples --give data/spot/spot_slab5.glb "$0" inside
 fi

@@ -30,7 +30,7 @@ def head(kit, is_colored=True):
             shutil.copy(ROOT / "data/head" / name, folder)
         lines = (ROOT / "data/head/head.mtl").read_text().splitlines()
         (folder / "head.mtl").write_text("\n".join(line for line in lines if is_colored or not line.startswith("map_Kd")) + "\n")
-        subprocess.run([sys.executable, ROOT / "tools/cut_obj.py", ROOT / "data/head/head.obj", path, "--grid", "2,3,1"], check=True, capture_output=True)
+        subprocess.run([sys.executable, ROOT / "tools/make/cut_obj.py", ROOT / "data/head/head.obj", path, "--grid", "2,3,1"], check=True, capture_output=True)
     return path
 
 

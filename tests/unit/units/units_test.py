@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tools/units.py: which sources may be compiled as one.   units_test.py TOOLS"""
+"""cmake/units.py: which sources may be compiled as one.   units_test.py FOLDER"""
 import pathlib
 import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, sys.argv.pop(1) if len(sys.argv) > 1 else str(pathlib.Path(__file__).resolve().parents[3] / "tools"))
+sys.path.insert(0, sys.argv.pop(1) if len(sys.argv) > 1 else str(pathlib.Path(__file__).resolve().parents[3] / "cmake"))
 import units  # noqa: E402
 
 HEAD = "#include <string>\nnamespace rakelight {\nnamespace {\n"
