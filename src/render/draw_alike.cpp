@@ -12,6 +12,7 @@
 #include "math/linear.h"
 #include "prepare/pose_scene.h"
 #include "render/asked_scenes.h"
+#include "render/camera/camera_depths.h"
 #include "render/camera/choose_camera.h"
 #include "render/draw_picture.h"
 #include "render/look.h"

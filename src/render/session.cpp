@@ -14,7 +14,6 @@
 #include "engines/posed_arrays.h"
 #include "prepare/prepare_scene.h"
 #include "render/asked_scenes.h"
-#include "render/camera/choose_camera.h"
 #include "render/drawable.h"
 #include "render/engines.h"
 #include "render/height_maps.h"

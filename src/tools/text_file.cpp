@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/files/overwrite_file.h"
 #include "render/check_request.h"
 

@@ -6,6 +6,7 @@
 #include <rakelight/error.h>
 
 #include "io/files/file.h"
+#include "io/files/output_file.h"
 
 namespace rakelight::io {
 

@@ -9,8 +9,10 @@
 #include <optional>
 #include <utility>
 
+#include <rakelight/error.h>
+
 #include "io/files/descriptor.h"
-#include "io/files/file.h"
+#include "io/files/made_folders.h"
 
 namespace rakelight {
 namespace {

@@ -5,7 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "io/files/file.h"
+#include "io/files/made_folders.h"
+#include "io/files/output_file.h"
 
 namespace rakelight::io {
 

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "io/files/file.h"
+#include "io/files/made_folders.h"
 #include "io/files/output_place.h"
 
 namespace rakelight::io {

@@ -16,8 +16,8 @@
 
 #include "base/format_text.h"
 #include "io/files/descriptor.h"
-#include "io/files/file.h"
 #include "io/files/held_outputs.h"
+#include "io/files/output_file.h"
 #include "io/files/overwrite_file.h"
 
 namespace rakelight::io {

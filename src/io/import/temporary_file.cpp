@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "io/files/descriptor.h"
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 
 namespace rakelight::io {
 

@@ -9,7 +9,6 @@
 #include <rakelight/tools/file_ending.h>
 
 #include "base/format_text.h"
-#include "io/files/file.h"
 #include "io/files/output_place.h"
 #include "io/movie/ffmpeg_process.h"
 #include "io/movie/movie_writers.h"

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/movie/movie_writers.h"
 
 namespace rakelight::io {

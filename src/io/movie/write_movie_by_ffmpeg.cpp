@@ -7,7 +7,7 @@
 
 #include "base/format_text.h"
 #include "io/files/descriptor.h"
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/movie/ffmpeg_process.h"
 #include "io/movie/movie_writers.h"
 

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/movie/movie_writers.h"
 #include "io/pictures/image_io.h"
 

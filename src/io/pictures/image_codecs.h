@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/pictures/image_io.h"
 
 namespace rakelight::io::codec {

@@ -26,7 +26,7 @@
 
 #include <rakelight/tools/current_error.h>
 
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/pictures/image_codecs.h"
 
 namespace rakelight::io::codec {

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "base/format_text.h"
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/pictures/image_codecs.h"
 #include "io/pictures/image_hdr_lines.h"
 #include "io/pictures/image_place.h"

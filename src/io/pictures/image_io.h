@@ -7,7 +7,7 @@
 
 #include <rakelight/image.h>
 
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/files/sync.h"
 
 namespace rakelight::io {

@@ -6,7 +6,7 @@
 
 #include <jpeglib.h>
 
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/pictures/image_codecs.h"
 
 namespace rakelight::io::codec {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 
 namespace rakelight::io {
 

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/pictures/image_codecs.h"
 #include "io/pictures/image_place.h"
 

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "base/format_text.h"
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/pictures/image_codecs.h"
 
 namespace rakelight::io::codec {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/files/file.h"
 #include "io/pictures/image_io.h"
 
 namespace rakelight::io {

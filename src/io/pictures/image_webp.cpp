@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/pictures/image_codecs.h"
 
 namespace rakelight::io::codec {

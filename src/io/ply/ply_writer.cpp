@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "base/format_text.h"
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "math/color.h"
 #include "math/linear.h"
 #include "scene/placed_normal.h"

@@ -9,7 +9,7 @@
 
 #include "math/functions.h"
 #include "math/linear.h"
-#include "render/camera/choose_camera.h"
+#include "render/camera/camera_depths.h"
 
 namespace rakelight {
 namespace {

@@ -13,6 +13,8 @@
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/pose_scene.h"
+#include "render/camera/camera_depths.h"
+#include "render/camera/place_camera.h"
 #include "scene/drawn_vertices.h"
 #include "scene/faults.h"
 #include "scene/fitted_camera.h"

@@ -6,7 +6,7 @@
 #include "math/default_up.h"
 #include "math/functions.h"
 #include "math/linear.h"
-#include "render/camera/choose_camera.h"
+#include "render/camera/place_camera.h"
 #include "scene/fitted_camera.h"
 
 namespace rakelight {

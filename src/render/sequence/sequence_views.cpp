@@ -7,7 +7,9 @@
 #include <rakelight/scene_queries.h>
 
 #include "prepare/pose_scene.h"
+#include "render/camera/camera_depths.h"
 #include "render/camera/choose_camera.h"
+#include "render/camera/place_camera.h"
 #include "render/camera/swept_outline.h"
 #include "scene/drawn_vertices.h"
 #include "scene/fitted_camera.h"

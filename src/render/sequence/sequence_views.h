@@ -3,6 +3,7 @@
 #pragma once
 #include <functional>
 
+#include "render/camera/camera_depths.h"
 #include "render/camera/choose_camera.h"
 #include "render/sequence/sequence_plan.h"
 

@@ -6,7 +6,7 @@
 #include <rakelight/tools/file_ending.h>
 
 #include "base/format_text.h"
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/pictures/image_io.h"
 #include "render/check_request.h"
 #include "tools/compare/compare.h"

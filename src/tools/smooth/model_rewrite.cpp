@@ -11,6 +11,7 @@
 
 #include "io/files/beside.h"
 #include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/gltf/write/glb_writer.h"
 #include "io/gltf/write/save_gltf.h"
 #include "io/obj/write/rewrite_normals.h"

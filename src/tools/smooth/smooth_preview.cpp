@@ -7,7 +7,7 @@
 #include <map>
 
 #include "base/format_text.h"
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "math/color.h"
 #include "prepare/normals/repair_borders.h"
 #include "prepare/normals/repair_seams.h"

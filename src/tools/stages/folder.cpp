@@ -12,6 +12,7 @@
 
 #include "base/format_text.h"
 #include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/pictures/image_io.h"
 #include "tools/report_json.h"
 

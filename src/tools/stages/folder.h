@@ -8,7 +8,7 @@
 
 #include <rakelight/image.h>
 
-#include "io/files/file.h"
+#include "io/files/made_folders.h"
 
 namespace rakelight::stages {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/files/file.h"
+#include "io/files/output_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "image_io_support.h"
-#include "io/files/file.h"
 #include "io/pictures/image_io.h"
 #include "support/shared.h"
 

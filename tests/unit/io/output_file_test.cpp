@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "support/recorded_syncs.h"
 #include "support/thrown_error.h"
 #include "unit/io/image_io_support.h"

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "support/temporary_folder.h"
 
 namespace rakelight::io {

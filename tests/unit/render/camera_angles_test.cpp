@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "io/gltf/write/glb_writer.h"
-#include "render/camera/choose_camera.h"
+#include "render/camera/camera_depths.h"
 #include "support/temporary_folder.h"
 
 namespace rakelight {

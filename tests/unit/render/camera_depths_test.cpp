@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "math/linear.h"
-#include "render/camera/choose_camera.h"
 #include "render/decide.h"
 #include "render/engines.h"
 #include "support/scene_builder.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/camera/choose_camera.h"
+#include "render/camera/camera_depths.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,6 @@
 #include <tuple>
 
 #include "math/linear.h"
-#include "render/camera/choose_camera.h"
 #include "scene/drawn_vertices.h"
 #include "scene/placement.h"
 #include "support/shared.h"

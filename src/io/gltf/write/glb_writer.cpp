@@ -11,7 +11,7 @@
 #include <rakelight/report.h>
 #include <rakelight/tools/file_ending.h>
 
-#include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/gltf/write/glb_writer_materials.h"
 #include "io/gltf/write/glb_writer_motion.h"
 #include "io/gltf/write/save_data.h"

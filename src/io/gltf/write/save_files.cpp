@@ -13,6 +13,7 @@
 
 #include "io/files/beside.h"
 #include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/gltf/container.h"
 #include "io/gltf/write/save_compact.h"
 

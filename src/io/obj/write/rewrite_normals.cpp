@@ -10,6 +10,7 @@
 
 #include "io/files/beside.h"
 #include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/obj/material_files.h"
 #include "io/obj/mtl_materials.h"
 #include "io/obj/obj_numbers.h"

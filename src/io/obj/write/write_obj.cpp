@@ -20,6 +20,7 @@
 #include "io/content_kind.h"
 #include "io/files/beside.h"
 #include "io/files/file.h"
+#include "io/files/output_file.h"
 #include "io/position_origin.h"
 #include "math/color.h"
 #include "math/linear.h"
