@@ -26,7 +26,7 @@ add_library(rl_flags INTERFACE)
 target_compile_features(rl_flags INTERFACE cxx_std_20)
 target_compile_options(rl_flags INTERFACE -Wall -Wextra $<IF:$<CXX_COMPILER_ID:GNU>,-Wshadow=local,-Wshadow> -Wno-missing-field-initializers
   -ffp-contract=off -fno-math-errno -fno-strict-aliasing
-  # Only what has RL_API (include/rakelight/export.h) is seen outside of a shared library, and nobody puts another in its place.
+  # Only what has RL_API (include/rakelight/base/export.h) is seen outside of a shared library, and nobody puts another in its place.
   -fvisibility=hidden -fvisibility-inlines-hidden -fno-semantic-interposition)
 if(RAKELIGHT_WERROR)
   target_compile_options(rl_flags INTERFACE -Werror)

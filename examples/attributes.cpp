@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <vector>
 
-#include <rakelight/attributes.h>
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
+#include <rakelight/geometry/attributes.h>
 
 int main() {
     using namespace rakelight;

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include <rakelight/attributes.h>
-#include <rakelight/error.h>
-#include <rakelight/interleaved.h>
+#include <rakelight/base/error.h>
+#include <rakelight/base/interleaved.h>
+#include <rakelight/geometry/attributes.h>
 
 namespace {
 

@@ -13,8 +13,8 @@
 #include <map>
 #include <vector>
 
-#include <rakelight/attributes.h>
-#include <rakelight/creases.h>
+#include <rakelight/geometry/attributes.h>
+#include <rakelight/geometry/creases.h>
 
 #include "geometry/attribute_plan.h"
 #include "geometry/fast/fast_attributes.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fuzz target: glTF and GLB files of any bytes load as valid scenes or throw Error. Seeds: any .gltf and .glb files,
 // best with the data inside (GLB, data URIs), since references find nothing here.
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
 
 #include <cstdint>
 #include <cstring>

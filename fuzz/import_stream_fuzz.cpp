@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fuzz target: the stream that the import helper sends. A helper that was taken over by a hostile file can send anything; the
 // program must answer with a valid scene or an Error. The head is always right, so that the fuzzer starts behind it.
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
 
 #include <cstdint>
 #include <cstring>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // MTL text, any bytes: all materials load into a valid scene.
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // OBJ text, any bytes: loads or throws Error, and what loads is a valid scene, the same wherever the text is cut into chunks. Lines
 // tile the file, and chunks hold whole ones.
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
 
 #include <algorithm>
 #include <cstddef>

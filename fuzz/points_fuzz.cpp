@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // PLY and lists of points, any bytes: they load or throw Error, and what loads is a valid scene whose points can be made surface.
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // World files, any bytes: what is read is in range, all else is an error with its place.
-#include <rakelight/error.h>
-#include <rakelight/world.h>
+#include <rakelight/base/error.h>
+#include <rakelight/io/world.h>
 
 #include <cmath>
 #include <cstddef>

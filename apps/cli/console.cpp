@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include <rakelight/tools/file_ending.h>
-#include <rakelight/world.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/io/world.h>
 
 namespace rakelight::cli {
 namespace {

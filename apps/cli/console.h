@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include <rakelight/error.h>
-#include <rakelight/picture.h>
-#include <rakelight/report.h>
+#include <rakelight/base/error.h>
+#include <rakelight/base/report.h>
+#include <rakelight/render/picture.h>
 
 namespace rakelight::cli {
 

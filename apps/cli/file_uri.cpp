@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 namespace rakelight::cli {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <rakelight/compare.h>
-#include <rakelight/error.h>
-#include <rakelight/world.h>
+#include <rakelight/base/error.h>
+#include <rakelight/io/world.h>
+#include <rakelight/tools/compare.h>
 
 #include "file_uri.h"
 #include "verbs/view_verb.h"

@@ -8,9 +8,9 @@
 #include <cstring>
 #include <filesystem>
 
-#include <rakelight/compare.h>
-#include <rakelight/error.h>
-#include <rakelight/movie.h>
+#include <rakelight/base/error.h>
+#include <rakelight/io/movie.h>
+#include <rakelight/tools/compare.h>
 
 namespace rakelight::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/load.h>
+#include <rakelight/world/load.h>
 
 namespace rakelight::cli {
 

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <string_view>
 
-#include <rakelight/compare.h>
-#include <rakelight/movie.h>
-#include <rakelight/tools/file_ending.h>
-#include <rakelight/tools/values.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/io/movie.h>
+#include <rakelight/tools/compare.h>
+#include <rakelight/world/values.h>
 
 #include "inputs.h"
 #include "run.h"

@@ -10,7 +10,7 @@
 #include <new>
 #include <vector>
 
-#include <rakelight/tools/unfinished_outputs.h>
+#include <programs/io/unfinished_outputs.h>
 
 #include "console.h"
 

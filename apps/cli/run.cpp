@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include <rakelight/tools/settings_file.h>
-#include <rakelight/tools/values.h>
+#include <programs/world/settings_file.h>
+#include <rakelight/world/values.h>
 
 #include "../common/view_command.h"
 #include "file_uri.h"

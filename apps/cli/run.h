@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 #include "../common/command_line.h"
 #include "../common/interrupt.h"

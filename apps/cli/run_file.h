@@ -3,8 +3,8 @@
 #pragma once
 #include <functional>
 
-#include <rakelight/tools/current_error.h>
-#include <rakelight/tools/exit_code.h>
+#include <programs/base/exit_code.h>
+#include <rakelight/base/current_error.h>
 #include <string>
 
 #include "../common/interrupt.h"

@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 namespace rakelight::cli {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/words.h>
 
 #include "other_names.h"
 

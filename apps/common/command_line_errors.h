@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "command_line.h"
 

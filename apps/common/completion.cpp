@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "completion.h"
 
-#include <rakelight/tools/values.h>
+#include <rakelight/world/values.h>
 
 namespace rakelight::apps {
 namespace {

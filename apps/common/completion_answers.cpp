@@ -5,9 +5,9 @@
 #include <span>
 #include <string_view>
 
-#include <rakelight/error.h>
-#include <rakelight/request.h>
-#include <rakelight/tools/values.h>
+#include <rakelight/base/error.h>
+#include <rakelight/world/request.h>
+#include <rakelight/world/values.h>
 
 namespace rakelight::apps {
 namespace {

@@ -7,7 +7,7 @@
 #pragma once
 #include <string>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 namespace rakelight::apps {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
 
 namespace rakelight::apps {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "other_names.h"
 
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/words.h>
 
 namespace rakelight::apps {
 namespace {

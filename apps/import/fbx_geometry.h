@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::import_helper {
 

@@ -20,8 +20,8 @@
 #include <iterator>
 #include <stdexcept>
 
-#include <rakelight/tools/current_error.h>
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/base/current_error.h>
 
 #include "../common/helper_limits.h"
 #include "convert.h"

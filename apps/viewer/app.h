@@ -8,8 +8,8 @@
 #include <memory>
 #include <optional>
 
-#include <rakelight/gl_view.h>
-#include <rakelight/inspect.h>
+#include <rakelight/render/gl_view.h>
+#include <rakelight/tools/inspect.h>
 
 #include "../common/watched_files.h"
 #include "document/materials.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include <rakelight/explain.h>
-#include <rakelight/render.h>
-#include <rakelight/smooth_file.h>
+#include <rakelight/render/render.h>
+#include <rakelight/tools/explain.h>
+#include <rakelight/tools/smooth_file.h>
 
 #include "app.h"
 #include "document/display_path.h"

@@ -2,9 +2,9 @@
 // The program `rakelight-view`: a window in which to live with a model. `rakelight view` starts it.
 #include <cstdio>
 
-#include <rakelight/tools/current_error.h>
-#include <rakelight/tools/exit_code.h>
-#include <rakelight/tools/values.h>
+#include <programs/base/exit_code.h>
+#include <rakelight/base/current_error.h>
+#include <rakelight/world/values.h>
 
 #include "../common/command_line.h"
 #include "../common/interrupt.h"

@@ -5,7 +5,7 @@
 // The case plain has one color an object: edges alone differ.
 // --least-psnr DB fails where the pictures of both sides agree less.
 // One call is one OpenGL version: what a package brings is chosen by the loader (LD_LIBRARY_PATH, LIBGL_DRIVERS_PATH).
-#include <rakelight/tools/bench.h>
+#include <programs/tools/bench.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -15,7 +15,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 #include "engines/opengl/picture/target.h"
 #include "engines/opengl/renderer.h"

@@ -4,9 +4,9 @@
 #pragma once
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/engine.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/engines/engine.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight::bench {
 

@@ -9,7 +9,7 @@
 
 #include <cstdlib>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 namespace rakelight::bench {
 namespace {

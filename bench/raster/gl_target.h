@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include <rakelight/image.h>
+#include <rakelight/image/image.h>
 
 namespace rakelight::bench {
 

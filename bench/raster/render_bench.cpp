@@ -4,9 +4,9 @@
 // picture, per_triangle those of the model. The tiles are consumed by a sink that keeps nothing.
 //   render_bench --benchmark_repetitions=10 --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true
 #include <benchmark/benchmark.h>
-#include <rakelight/engine.h>
-#include <rakelight/prepare.h>
-#include <rakelight/render.h>
+#include <rakelight/engines/engine.h>
+#include <rakelight/prepare/prepare.h>
+#include <rakelight/render/render.h>
 
 #include <cmath>
 #include <cstdlib>

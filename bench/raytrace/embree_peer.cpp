@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <vector>
 
-#include <rakelight/load.h>
-#include <rakelight/picture.h>
-#include <rakelight/session.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/render/session.h>
+#include <rakelight/world/load.h>
 
 #include "cpu_shading/draw_list.h"
 #include "engines/raytrace/scene/ray_scene.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 namespace rakelight::python {
 namespace {

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include <rakelight/block.h>
-#include <rakelight/vector.h>
+#include <rakelight/image/block.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::python {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Normals and tangents of the caller's arrays, which are read where they lie.
-#include <rakelight/attributes.h>
+#include <rakelight/geometry/attributes.h>
 
 #include <pybind11/stl.h>
 
-#include <rakelight/linear.h>
+#include <rakelight/math/linear.h>
 
 #include "errors.h"
 #include "meshes.h"

@@ -2,10 +2,10 @@
 // What this build can do, and the keys of its settings.
 #include <pybind11/stl.h>
 
-#include <rakelight/picture.h>
-#include <rakelight/tools/words.h>
+#include <rakelight/io/world.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/scene/words.h>
 #include <rakelight/version.h>
-#include <rakelight/world.h>
 
 #include "scene.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "errors.h"
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 namespace rakelight::python {
 namespace {

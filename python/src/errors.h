@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include <rakelight/report.h>
+#include <rakelight/base/report.h>
 
 namespace rakelight::python {
 

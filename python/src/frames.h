@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 namespace rakelight::python {
 

@@ -9,9 +9,9 @@
 #include <cstring>
 #include <string_view>
 
-#include <rakelight/error.h>
-#include <rakelight/image_sources.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/error.h>
+#include <rakelight/io/image_sources.h>
+#include <rakelight/scene/validate.h>
 
 #include "errors.h"
 #include "scene.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include <rakelight/prepare.h>
-#include <rakelight/tools/values.h>
+#include <rakelight/prepare/prepare.h>
+#include <rakelight/world/values.h>
 
 namespace rakelight::python {
 namespace {

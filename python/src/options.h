@@ -3,7 +3,7 @@
 #pragma once
 #include <pybind11/pybind11.h>
 
-#include <rakelight/attributes.h>
+#include <rakelight/geometry/attributes.h>
 
 namespace rakelight::python {
 

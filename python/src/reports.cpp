@@ -2,14 +2,14 @@
 // Explanations, inspections, files written: what the program's JSON says, as text that the package reads.
 #include <pybind11/stl.h>
 
-#include <rakelight/convert_file.h>
-#include <rakelight/explain.h>
-#include <rakelight/inspect.h>
-#include <rakelight/motion.h>
-#include <rakelight/picture.h>
-#include <rakelight/smooth_file.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/scene/motion.h>
+#include <rakelight/tools/convert_file.h>
+#include <rakelight/tools/explain.h>
+#include <rakelight/tools/inspect.h>
 #include <rakelight/tools/rows.h>
-#include <rakelight/tools/values.h>
+#include <rakelight/tools/smooth_file.h>
+#include <rakelight/world/values.h>
 
 #include "errors.h"
 #include "options.h"

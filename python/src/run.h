@@ -11,7 +11,7 @@
 #include <string>
 #include <type_traits>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 namespace rakelight::python {
 

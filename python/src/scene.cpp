@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <map>
 
-#include <rakelight/linear.h>
-#include <rakelight/load.h>
-#include <rakelight/prepare.h>
-#include <rakelight/render.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/math/linear.h>
+#include <rakelight/prepare/prepare.h>
+#include <rakelight/render/render.h>
+#include <rakelight/scene/scene_queries.h>
+#include <rakelight/world/load.h>
 
 #include "arrays.h"
 #include "errors.h"

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include <rakelight/request.h>
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
+#include <rakelight/world/request.h>
 
 namespace rakelight::python {
 

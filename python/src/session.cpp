@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures as arrays: a scene taken up once, and any number of views of it.
-#include <rakelight/session.h>
+#include <rakelight/render/session.h>
 
 #include <pybind11/stl.h>
 
@@ -8,9 +8,9 @@
 #include <atomic>
 #include <optional>
 
-#include <rakelight/camera_chooser.h>
-#include <rakelight/picture.h>
-#include <rakelight/shot.h>
+#include <rakelight/render/camera_chooser.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/render/shot.h>
 
 #include "errors.h"
 #include "frames.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stages of baking: checks, LOW with texture coordinates and frames, HIGH with shading normals, texels, padding.
-#include <rakelight/bake.h>
-#include <rakelight/report.h>
+#include <rakelight/bake/bake.h>
+#include <rakelight/base/report.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include <rakelight/prepare.h>
-#include <rakelight/validate.h>
+#include <rakelight/prepare/prepare.h>
+#include <rakelight/scene/validate.h>
 
 #include "bake/bake_maps.h"
 #include "bake/bake_texels.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of maps.
 #pragma once
-#include <rakelight/bake.h>
+#include <rakelight/bake/bake.h>
 
 namespace rakelight::bake {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Computes the texels that LOW's charts cover or touch.
 #pragma once
-#include <rakelight/bake.h>
+#include <rakelight/bake/bake.h>
 
 namespace rakelight::bake {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 namespace rakelight::bake {
 

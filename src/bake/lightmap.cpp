@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stages of a lightmap: split sides, texture coordinates, light (with_radiosity), texels, materials.
-#include <rakelight/lightmap.h>
+#include <rakelight/bake/lightmap.h>
 
 #include <algorithm>
 #include <cmath>

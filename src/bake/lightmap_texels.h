@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The texels of a lightmap: the color of an unlit surface in its texture space.
 #pragma once
-#include <rakelight/lightmap.h>
+#include <rakelight/bake/lightmap.h>
 
 namespace rakelight::bake {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Replaces ray casting in builds without the engine trace: bake_maps() throws before.
-#include <rakelight/lightmap.h>
+#include <rakelight/bake/lightmap.h>
 
 #include "bake/bake_texels.h"
 

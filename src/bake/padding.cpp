@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight::bake {
 

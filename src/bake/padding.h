@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 namespace rakelight::bake {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/bake.h>
+#include <rakelight/bake/bake.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 #include <cstdint>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 namespace rakelight {
 

@@ -17,7 +17,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 #include "base/format_text.h"
 

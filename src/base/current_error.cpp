@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/tools/current_error.h>
+#include <rakelight/base/current_error.h>
 
 #include <new>
 #include <stdexcept>

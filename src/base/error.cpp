@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include <cstdint>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
 
 namespace rakelight {
 

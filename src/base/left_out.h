@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The error for a part that was left out of this build.
 #pragma once
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include <string>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/memory_budget.h>
+#include <rakelight/base/memory_budget.h>
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "base/assert.h"
 #include "base/format_text.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/report.h>
+#include <rakelight/base/report.h>
 
 namespace rakelight {
 namespace {

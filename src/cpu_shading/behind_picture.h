@@ -3,7 +3,7 @@
 #pragma once
 #include <memory>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "cpu_shading/material_job.h"
 #include "cpu_shading/textures.h"

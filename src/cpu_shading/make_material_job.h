@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The job that points of a draw are shaded by (material_job.h): what material, settings and view say.
 #pragma once
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "cpu_shading/material_views.h"
 #include "shading/draw_list.h"

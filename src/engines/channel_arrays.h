@@ -4,7 +4,7 @@
 #pragma once
 #include <limits>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 namespace rakelight {
 

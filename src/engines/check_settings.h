@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks of settings that every engine and every request for a picture share.
 #pragma once
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "scene/faults.h"
 

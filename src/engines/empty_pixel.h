@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The initial color of pixels, and the background that is laid behind the finished picture.
 #pragma once
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 namespace rakelight {
 

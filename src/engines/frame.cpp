@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frame: the sink that keeps everything of a window.
-#include <rakelight/engine.h>
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
+#include <rakelight/engines/engine.h>
 #include <unistd.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #pragma once
 #include <memory>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "geometry/pose/mesh_pose.h"
 

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "base/format_text.h"
 #include "engines/shader_arrays.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 namespace rakelight {
 namespace {

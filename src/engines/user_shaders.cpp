@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/error.h>
-#include <rakelight/tools/words.h>
+#include <rakelight/base/error.h>
+#include <rakelight/scene/words.h>
 
 #include "base/format_text.h"
 #include "engines/shader_text.h"

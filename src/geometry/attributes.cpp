@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where one crease angle (or none) decides, most places are joined whole, and vertices are welded, never corners: the fast
 // path. All else takes the general path.
-#include <rakelight/attributes.h>
+#include <rakelight/geometry/attributes.h>
 
 #include <string>
 

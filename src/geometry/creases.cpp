@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/creases.h>
+#include <rakelight/geometry/creases.h>
 
 #include "geometry/groups/grouping.h"
 

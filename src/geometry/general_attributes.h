@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include <rakelight/attributes.h>
+#include <rakelight/geometry/attributes.h>
 
 #include "geometry/attribute_plan.h"
 #include "geometry/sums/vote_sums.h"

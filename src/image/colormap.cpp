@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/colormap.h>
+#include <rakelight/image/colormap.h>
 
 #include <algorithm>
 #include <span>

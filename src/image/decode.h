@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decodes pictures of a scene. Scenes created in memory may have a custom decoder, or none.
 #pragma once
-#include <rakelight/image.h>
+#include <rakelight/image/image.h>
 
 namespace rakelight {
 

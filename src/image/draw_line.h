@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Antialiased lines on pictures.
 #pragma once
-#include <rakelight/image.h>
-#include <rakelight/vector.h>
+#include <rakelight/image/image.h>
+#include <rakelight/math/vector.h>
 
 #include "image/false_color.h"
 

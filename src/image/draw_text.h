@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include <rakelight/image.h>
+#include <rakelight/image/image.h>
 
 #include "image/false_color.h"
 

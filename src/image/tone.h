@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight {
 

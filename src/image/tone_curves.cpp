@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "base/assert.h"
 #include "image/tone_kernel.h"

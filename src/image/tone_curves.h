@@ -3,8 +3,8 @@
 #pragma once
 #include <span>
 
-#include <rakelight/image.h>
-#include <rakelight/vector.h>
+#include <rakelight/image/image.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight {
 

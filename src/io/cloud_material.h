@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The material of formats that have none.
 #pragma once
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight::io {
 

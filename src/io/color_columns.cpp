@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/color_columns.h"
 
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/words.h>
 
 #include "base/format_text.h"
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include <rakelight/report.h>
-#include <rakelight/vector.h>
+#include <rakelight/base/report.h>
+#include <rakelight/math/vector.h>
 
 #include "math/color.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The origin of positions for models far from zero, so that floats can represent them.
 #pragma once
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::io {
 

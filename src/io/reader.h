@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/files/file.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight::io {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::io {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include <rakelight/report.h>
+#include <rakelight/base/report.h>
 
 #include "io/position_origin.h"
 #include "io/stray_vertices.h"

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/color_columns.h"
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include <rakelight/export.h>
+#include <rakelight/base/export.h>
 
 #include "math/functions.h"
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 namespace rakelight {
 

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forwards to the public arithmetic.
 #pragma once
-#include <rakelight/linear.h>
+#include <rakelight/math/linear.h>

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 #include "geometry/faults/normal_sides.h"
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <rakelight/attributes.h>
-#include <rakelight/scene.h>
+#include <rakelight/geometry/attributes.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

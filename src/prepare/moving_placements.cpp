@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prepare/moving_placements.h"
 
-#include <rakelight/prepare.h>
+#include <rakelight/prepare/prepare.h>
 
 namespace rakelight {
 

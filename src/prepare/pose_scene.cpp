@@ -3,7 +3,7 @@
 // (geometry/mesh_pose.h), here or in the engine.
 #include "prepare/pose_scene.h"
 
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
 
 #include <algorithm>
 #include <cmath>

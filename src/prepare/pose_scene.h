@@ -5,9 +5,9 @@
 #include <map>
 #include <optional>
 
-#include <rakelight/context.h>
-#include <rakelight/prepare.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/prepare/prepare.h>
+#include <rakelight/scene/scene.h>
 
 #include "geometry/pose/mesh_pose.h"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/error.h>
-#include <rakelight/report.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/error.h>
+#include <rakelight/base/report.h>
+#include <rakelight/scene/validate.h>
 
 #include "base/enumerators.h"
 #include "math/linear.h"

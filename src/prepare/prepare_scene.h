@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include <rakelight/attributes.h>
-#include <rakelight/prepare.h>
-#include <rakelight/scene.h>
+#include <rakelight/geometry/attributes.h>
+#include <rakelight/prepare/prepare.h>
+#include <rakelight/scene/scene.h>
 
 #include "prepare/generated_attributes.h"
 #include "prepare/normals/repair_borders.h"
@@ -44,7 +44,7 @@ void check_options(const PrepareOptions& options);
 /// reported.
 Scene project_texcoords(Scene scene, UvProjection projection, Context& context);
 
-/// Normals and tangents of a valid scene by <rakelight/attributes.h> over the whole scene.
+/// Normals and tangents of a valid scene by <rakelight/geometry/attributes.h> over the whole scene.
 struct SmoothSceneOptions {
     AttributeOptions attributes;
     bool only_missing = false;  ///< keep existing normals; compute the others

@@ -14,9 +14,9 @@
 #include <map>
 #include <string>
 
-#include <rakelight/error.h>
-#include <rakelight/report.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/base/error.h>
+#include <rakelight/base/report.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include "base/cancel_check.h"
 #include "base/format_text.h"

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <optional>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/attributes.h>
-#include <rakelight/scene.h>
+#include <rakelight/geometry/attributes.h>
+#include <rakelight/scene/scene.h>
 
 #include "scene/charge_arrays.h"
 

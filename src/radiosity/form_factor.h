@@ -3,7 +3,7 @@
 #pragma once
 #include <array>
 
-#include <rakelight/linear.h>
+#include <rakelight/math/linear.h>
 
 namespace rakelight::radiosity {
 

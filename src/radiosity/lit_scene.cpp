@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include <rakelight/attributes.h>
+#include <rakelight/geometry/attributes.h>
 
 #include "math/linear.h"
 #include "prepare/refine/refined_mesh.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene with the light of its elements as vertex colors.
 #pragma once
-#include <rakelight/radiosity.h>
+#include <rakelight/radiosity/radiosity.h>
 
 #include "radiosity/elements.h"
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 #include "image/convert.h"
 #include "shading/lights/mean_map.h"

@@ -2,7 +2,7 @@
 // Progressive refinement (Cohen, Chen, Wallace & Greenberg 1988): the patch with the largest unshot power shoots to all
 // others until little is left.
 #pragma once
-#include <rakelight/radiosity.h>
+#include <rakelight/radiosity/radiosity.h>
 
 #include "radiosity/direct_light.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::radiosity {
 

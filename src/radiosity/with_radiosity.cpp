@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stages: parts of the scene -> patches -> shots -> elements, refined at shadow boundaries -> lit scene.
-#include <rakelight/radiosity.h>
-#include <rakelight/report.h>
+#include <rakelight/base/report.h>
+#include <rakelight/radiosity/radiosity.h>
 
 #include <algorithm>
 #include <chrono>

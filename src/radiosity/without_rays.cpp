@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Replacement in builds without the engine trace.
-#include <rakelight/radiosity.h>
+#include <rakelight/radiosity/radiosity.h>
 
 namespace rakelight {
 

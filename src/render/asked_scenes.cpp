@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include <rakelight/shot.h>
-#include <rakelight/validate.h>
+#include <rakelight/render/shot.h>
+#include <rakelight/scene/validate.h>
 
 #include "render/look.h"
 #include "render/point_look.h"

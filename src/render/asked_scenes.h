@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/motion.h>
-#include <rakelight/request.h>
+#include <rakelight/scene/motion.h>
+#include <rakelight/world/request.h>
 
 namespace rakelight {
 

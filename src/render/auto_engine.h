@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 namespace rakelight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 #include <rakelight/version.h>
 
 #include <algorithm>

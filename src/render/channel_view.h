@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 #include "world/keys/channel_info.h"
 

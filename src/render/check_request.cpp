@@ -13,7 +13,7 @@
 #include "render/look.h"
 #include "render/output/picture_files.h"
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 namespace rakelight {
 namespace {

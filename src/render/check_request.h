@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include <rakelight/request.h>
+#include <rakelight/world/request.h>
 
 namespace rakelight {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <functional>
 
-#include <rakelight/shot.h>
+#include <rakelight/render/shot.h>
 
 namespace rakelight {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/report.h>
-#include <rakelight/tools/draw_alike.h>
+#include <programs/render/draw_alike.h>
+#include <rakelight/base/report.h>
 
 #include <cmath>
 
-#include <rakelight/picture.h>
-#include <rakelight/shot.h>
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/render/shot.h>
 
 #include "math/functions.h"
 #include "math/linear.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/draw_shot.h"
 
-#include <rakelight/report.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/base/report.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include <algorithm>
 #include <cstdio>

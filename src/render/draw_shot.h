@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // From a shot to a finished picture.
 #pragma once
-#include <rakelight/picture.h>
-#include <rakelight/session.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/render/session.h>
 
 #include "render/output/picture_target.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/drawable.h"
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include <algorithm>
 

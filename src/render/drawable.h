@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whether anything of a scene is visible from any side.
 #pragma once
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/engines.h"
 
-#include <rakelight/render.h>
+#include <rakelight/render/render.h>
 
 #include <algorithm>
 

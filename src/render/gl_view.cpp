@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/gl_view.h>
-#include <rakelight/render.h>
+#include <rakelight/render/gl_view.h>
+#include <rakelight/render/render.h>
 
 #include "engines/check_settings.h"
 #include "engines/opengl/window_view.h"

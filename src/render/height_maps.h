@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Height maps for materials that need a relief but have none.
 #pragma once
-#include <rakelight/engine.h>
-#include <rakelight/scene.h>
+#include <rakelight/engines/engine.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

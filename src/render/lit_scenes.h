@@ -2,7 +2,7 @@
 // Scenes lit by radiosity, for the method of that name: computed once for a scene and its lights, independent of the
 // viewpoint.
 #pragma once
-#include <rakelight/radiosity.h>
+#include <rakelight/radiosity/radiosity.h>
 
 #include "render/prepared_scene.h"
 

@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <optional>
 
-#include <rakelight/report.h>
-#include <rakelight/scene_queries.h>
-#include <rakelight/world.h>
+#include <rakelight/base/report.h>
+#include <rakelight/io/world.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include "prepare/pose_scene.h"
 #include "render/camera/choose_camera.h"

@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <string_view>
 
-#include <rakelight/session.h>
+#include <rakelight/render/session.h>
 
 namespace rakelight {
 

@@ -4,7 +4,7 @@
 #include <new>
 #include <utility>
 
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
 
 #include "render/check_request.h"
 #include "render/draw_picture.h"

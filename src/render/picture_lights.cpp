@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/picture_lights.h"
 
-#include <rakelight/linear.h>
-#include <rakelight/report.h>
-#include <rakelight/scene_queries.h>
-#include <rakelight/shot.h>
+#include <rakelight/base/report.h>
+#include <rakelight/math/linear.h>
+#include <rakelight/render/shot.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include "base/format_text.h"
 #include "render/prepared_scene.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/point_look.h"
 
-#include <rakelight/scene_queries.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The default look of points: sized by their spacing, and lit if they have normals.
 #pragma once
-#include <rakelight/session.h>
+#include <rakelight/render/session.h>
 
-#include <rakelight/request.h>
+#include <rakelight/world/request.h>
 
 namespace rakelight {
 

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <utility>
 
-#include <rakelight/scene_queries.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include "engines/posed_arrays.h"
 #include "prepare/prepare_scene.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include <rakelight/session.h>
+#include <rakelight/render/session.h>
 
 #include "prepare/prepare_scene.h"
 

@@ -2,10 +2,10 @@
 // Facade: smooth, render, save.
 #include <algorithm>
 
-#include <rakelight/picture.h>
-#include <rakelight/session.h>
-#include <rakelight/tools/file_ending.h>
-#include <rakelight/validate.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/render/session.h>
+#include <rakelight/scene/validate.h>
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"

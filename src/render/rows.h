@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <rakelight/image.h>
-#include <rakelight/vector.h>
+#include <rakelight/image/image.h>
+#include <rakelight/math/vector.h>
 
 #include "image/tone_curves.h"
 

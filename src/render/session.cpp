@@ -3,11 +3,11 @@
 #include <atomic>
 #include <utility>
 
-#include <rakelight/render.h>
-#include <rakelight/report.h>
-#include <rakelight/scene_queries.h>
-#include <rakelight/session.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/report.h>
+#include <rakelight/render/render.h>
+#include <rakelight/render/session.h>
+#include <rakelight/scene/scene_queries.h>
+#include <rakelight/scene/validate.h>
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/shot.h>
+#include <rakelight/render/shot.h>
 
-#include <rakelight/picture.h>
-#include <rakelight/session.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/render/session.h>
 
 #include "engines/empty_pixel.h"
 #include "image/tone_curves.h"

@@ -6,8 +6,8 @@
 #include <set>
 #include <span>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

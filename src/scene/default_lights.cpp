@@ -2,7 +2,7 @@
 // The default lights.
 #include "math/linear.h"
 
-#include <rakelight/scene_queries.h>
+#include <rakelight/scene/scene_queries.h>
 #include "scene/placement.h"
 
 namespace rakelight {

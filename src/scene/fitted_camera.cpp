@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include <rakelight/error.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/base/error.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include "math/default_up.h"
 #include "math/functions.h"

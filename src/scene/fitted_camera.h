@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <limits>
 
-#include <rakelight/light_limits.h>
+#include <rakelight/scene/light_limits.h>
 
 #include "base/format_text.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "math/linear.h"
 #include "scene/charge_arrays.h"

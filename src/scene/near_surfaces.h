@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/scene.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/scene/scene.h>
+#include <rakelight/scene/scene_queries.h>
 
 namespace rakelight {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // World matrices of nodes, boxes, camera frames.
-#include <rakelight/scene_queries.h>
-#include <rakelight/validate.h>
+#include <rakelight/scene/scene_queries.h>
+#include <rakelight/scene/validate.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <rakelight/scene.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/scene/scene.h>
+#include <rakelight/scene/scene_queries.h>
 
 namespace rakelight {
 

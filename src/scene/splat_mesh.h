@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <unordered_set>
 
-#include <rakelight/error.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/error.h>
+#include <rakelight/scene/validate.h>
 
 #include "base/enumerators.h"
 #include "base/format_text.h"

@@ -3,8 +3,8 @@
 #pragma once
 #include <vector>
 
-#include <rakelight/scene.h>
-#include <rakelight/validate.h>
+#include <rakelight/scene/scene.h>
+#include <rakelight/scene/validate.h>
 
 namespace rakelight {
 

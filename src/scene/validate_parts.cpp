@@ -6,9 +6,9 @@
 #include <cmath>
 #include <unordered_set>
 
-#include <rakelight/error.h>
-#include <rakelight/motion.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/error.h>
+#include <rakelight/scene/motion.h>
+#include <rakelight/scene/validate.h>
 
 #include "base/format_text.h"
 #include "math/linear.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "base/enumerators.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/words.h>
 
 #include <algorithm>
 #include <set>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture of what is behind transmissive surfaces (lighting/material/transmission.glsl): who needs one, what is on it, from where.
 #pragma once
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "shading/draw_list.h"
 #include "shading/effect_factors.h"

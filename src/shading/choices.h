@@ -2,7 +2,7 @@
 // What is chosen for a material once, for every engine: its lighting model and form, what its bumps do, which of its sides
 // are shown. Conversions to the numbers of the lighting text.
 #pragma once
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "shading/text_numbers.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is chosen for a draw, of its material, its mesh and the settings: once, for every engine.
 #pragma once
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "shading/draw_list.h"
 #include "shading/effect_factors.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where lighting is evaluated before there are pixels: vertices, faces, and the frames that vertices have in the world.
 #pragma once
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "shading/draw_list.h"
 #include "shading/lights/lit_side.h"

@@ -4,8 +4,8 @@
 #include <bitset>
 #include <vector>
 
-#include <rakelight/scene.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/scene/scene.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include "geometry/faults/normal_sides.h"
 #include "shading/materials.h"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "image/maps/environment.h"
 #include "shading/effect_factors.h"

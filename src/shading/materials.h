@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "scene/materials/material_table.h"
 #include "shading/material_factors.h"

@@ -2,8 +2,8 @@
 // A camera made ready for one picture: everything in double, about the eye, so that a model a thousand kilometers from
 // the origin looks like one at it.
 #pragma once
-#include <rakelight/engine.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/engines/engine.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include "math/linear.h"
 #include "scene/placement.h"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::shading {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "image/maps/alpha_coverage.h"
 #include "image/maps/mip_chain.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/report.h>
+#include <rakelight/base/report.h>
 #include <rakelight/tools/bake_files.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 #include "tools/report_json.h"
 #include "world/z_up.h"
 
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
 #include <rakelight/tools/rows.h>
 
 namespace rakelight {

@@ -3,7 +3,7 @@
 #pragma once
 #include <optional>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "math/functions.h"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
+#include <rakelight/io/world.h>
+#include <rakelight/scene/validate.h>
+#include <rakelight/scene/words.h>
 #include <rakelight/tools/check_scene.h>
 #include <rakelight/tools/rows.h>
-#include <rakelight/tools/words.h>
-#include <rakelight/validate.h>
-#include <rakelight/world.h>
 
-#include <rakelight/shot.h>
+#include <rakelight/render/shot.h>
 #include "base/format_text.h"
 #include "engines/check_settings.h"
 #include "render/engines.h"

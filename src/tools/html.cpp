@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "io/pictures/image_io.h"
 

@@ -12,7 +12,7 @@
 #include "tools/report_json.h"
 #include "tools/window_bands.h"
 
-#include <rakelight/tools/join_windows.h>
+#include <programs/tools/join_windows.h>
 #include <rakelight/tools/rows.h>
 
 namespace rakelight {

@@ -3,8 +3,8 @@
 #pragma once
 #include <string>
 
-#include <rakelight/error.h>
-#include <rakelight/inspect.h>
+#include <rakelight/base/error.h>
+#include <rakelight/tools/inspect.h>
 
 namespace rakelight {
 

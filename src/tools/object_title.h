@@ -3,8 +3,8 @@
 #pragma once
 #include <string>
 
-#include <rakelight/scene.h>
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/open_engine.h"
 
-#include <rakelight/session.h>
+#include <rakelight/render/session.h>
 
 #include "engines/check_settings.h"
 #include "engines/shader_text.h"

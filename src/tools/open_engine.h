@@ -3,7 +3,7 @@
 #pragma once
 #include <memory>
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 #include "engines/raster/inspect/inspection.h"
 #include "render/remarks/shader_terms.h"

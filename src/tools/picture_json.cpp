@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 #include <rakelight/tools/rows.h>
 
 #include "tools/report_json.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/tools/file_ending.h>
-#include <rakelight/tools/radiosity_file.h>
+#include <programs/base/file_ending.h>
+#include <programs/tools/radiosity_file.h>
 
 #include <cstdio>
 

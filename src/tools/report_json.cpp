@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/tools/exit_code.h>
+#include <programs/base/exit_code.h>
 
 namespace rakelight {
 

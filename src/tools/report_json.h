@@ -7,9 +7,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <rakelight/engine.h>
-#include <rakelight/error.h>
-#include <rakelight/report.h>
+#include <rakelight/base/error.h>
+#include <rakelight/base/report.h>
+#include <rakelight/engines/engine.h>
 
 namespace rakelight {
 

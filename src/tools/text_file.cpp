@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/tools/text_file.h>
+#include <programs/tools/text_file.h>
 
 #include <filesystem>
 #include <system_error>

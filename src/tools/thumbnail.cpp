@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/tools/thumbnail.h>
+#include <programs/tools/thumbnail.h>
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 namespace rakelight {
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <span>
 
-#include <rakelight/scene.h>
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

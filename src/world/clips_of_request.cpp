@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include <rakelight/error.h>
-#include <rakelight/request.h>
-#include <rakelight/tools/words.h>
+#include <rakelight/base/error.h>
+#include <rakelight/scene/words.h>
+#include <rakelight/world/request.h>
 
 #include "base/format_text.h"
 

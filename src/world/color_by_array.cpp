@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <limits>
 
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/words.h>
 
 #include "base/format_text.h"
 #include "math/color.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Resolves the coloring of a picture by a vertex attribute.
 #pragma once
-#include <rakelight/request.h>
+#include <rakelight/world/request.h>
 
 namespace rakelight {
 

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/words.h>
 
 #include "base/format_text.h"
 #include "world/scene_of_request.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/join_scenes.h"
 
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/tools/values.h>
+#include <rakelight/world/values.h>
 
 #include "world/light_properties.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/light_limits.h>
+#include <rakelight/scene/light_limits.h>
 
 namespace rakelight::values {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight::values {
 

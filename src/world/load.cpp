@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loading of scenes by name.
-#include <rakelight/load.h>
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/world/load.h>
 
 #include <algorithm>
 #include <cstring>

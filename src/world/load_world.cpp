@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/load_world.h"
 
-#include <rakelight/report.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/report.h>
+#include <rakelight/scene/validate.h>
 
 #include <algorithm>
 #include <map>

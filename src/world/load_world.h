@@ -3,8 +3,8 @@
 #pragma once
 #include <utility>
 
-#include <rakelight/load.h>
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
+#include <rakelight/world/load.h>
 
 namespace rakelight {
 

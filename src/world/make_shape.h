@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Creates a scene from a built-in shape of a world or the command line.
 #pragma once
-#include <rakelight/context.h>
-#include <rakelight/world.h>
+#include <rakelight/base/context.h>
+#include <rakelight/io/world.h>
 
 #include "prepare/shapes/primitives.h"
 

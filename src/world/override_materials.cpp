@@ -4,9 +4,9 @@
 #include <functional>
 #include <map>
 
-#include <rakelight/material_changes.h>
-#include <rakelight/request.h>
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
+#include <rakelight/world/material_changes.h>
+#include <rakelight/world/request.h>
 
 #include "base/format_text.h"
 #include "io/files/file.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Applies a request to a loaded scene: materials, coloring, environment, preset.
 #pragma once
-#include <rakelight/request.h>
+#include <rakelight/world/request.h>
 
 namespace rakelight {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Applies the environment of a request.
-#include <rakelight/linear.h>
+#include <rakelight/math/linear.h>
 
 #include "base/format_text.h"
 #include "io/files/file.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts the keys of a world's cameras and lights to a clip.
 #pragma once
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
 
 namespace rakelight {
 

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <map>
 
-#include <rakelight/report.h>
-#include <rakelight/tools/words.h>
+#include <rakelight/base/report.h>
+#include <rakelight/scene/words.h>
 
 #include "io/files/file.h"
 #include "io/pictures/image_io.h"

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
 
 namespace rakelight {
 

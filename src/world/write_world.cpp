@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include <rakelight/linear.h>
+#include <rakelight/math/linear.h>
 
 #include "base/enumerators.h"
 #include "io/files/beside.h"

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include <rakelight/report.h>
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/base/report.h>
 
 #include "math/linear.h"
 #include "scene/placement.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/report.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/report.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

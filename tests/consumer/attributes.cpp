@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Uses the component attributes alone: two squares at a right angle get one normal along their common edge; a wrong index is an
 // Error that crosses from the library; borders that share no vertex are matched.
-#include <rakelight/attributes.h>
-#include <rakelight/creases.h>
-#include <rakelight/error.h>
-#include <rakelight/linear.h>
-#include <rakelight/matching_borders.h>
-#include <rakelight/seams.h>
+#include <rakelight/base/error.h>
+#include <rakelight/geometry/attributes.h>
+#include <rakelight/geometry/creases.h>
+#include <rakelight/geometry/matching_borders.h>
+#include <rakelight/geometry/seams.h>
+#include <rakelight/math/linear.h>
 
 #include <cstdio>
 #include <vector>

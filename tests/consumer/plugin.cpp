@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A plugin of somebody's program: one entry of C, which uses the library inside.
-#include <rakelight/attributes.h>
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
+#include <rakelight/geometry/attributes.h>
 
 extern "C" __attribute__((visibility("default"))) int plugin_faces_up() {
     using namespace rakelight;

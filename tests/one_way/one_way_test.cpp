@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include <rakelight/render.h>
+#include <rakelight/render/render.h>
 
 #include "one_way/table.h"
 #include "one_way/ways.h"

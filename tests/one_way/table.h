@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
 
 #include "support/shared.h"
 

@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <thread>
 
-#include <rakelight/linear.h>
-#include <rakelight/picture.h>
-#include <rakelight/sequence.h>
-#include <rakelight/shot.h>
+#include <rakelight/math/linear.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/render/sequence.h>
+#include <rakelight/render/shot.h>
 
 #include "../../apps/viewer/view/load_model.h"
 #include "io/files/file.h"

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/request.h>
-#include <rakelight/session.h>
+#include <rakelight/base/context.h>
+#include <rakelight/render/session.h>
+#include <rakelight/world/request.h>
 
 #include "../../apps/viewer/document/document.h"
 #include "../../apps/viewer/view/painter.h"

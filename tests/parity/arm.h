@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene that moves, made in code, for tests of poses.
 #pragma once
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // Meshes that the engine gl poses by transform feedback beside those that the processor poses: vertices that are read back. On
 // llvmpipe where there is no GPU; skipped where there is no OpenGL.
 #include <gtest/gtest.h>
-#include <rakelight/load.h>
-#include <rakelight/motion.h>
+#include <rakelight/scene/motion.h>
+#include <rakelight/world/load.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include <rakelight/render.h>
+#include <rakelight/render/render.h>
 
 #include "render/decide.h"
 #include "render/prepared_scene.h"

@@ -2,9 +2,9 @@
 // Pictures of meshes that the engine gl poses on the GPU, and of those that it has to get posed. On llvmpipe where there is no GPU;
 // skipped where there is no OpenGL.
 #include <gtest/gtest.h>
-#include <rakelight/load.h>
-#include <rakelight/motion.h>
-#include <rakelight/session.h>
+#include <rakelight/render/session.h>
+#include <rakelight/scene/motion.h>
+#include <rakelight/world/load.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/motion.h>
-#include <rakelight/render.h>
-#include <rakelight/session.h>
+#include <rakelight/render/render.h>
+#include <rakelight/render/session.h>
+#include <rakelight/scene/motion.h>
 
 #include "support/scene_builder.h"
 #include "support/shared.h"

@@ -6,7 +6,7 @@ Prints one line a picture: name, width, height, channels, bits, FNV-1a 64 of the
 interleaved, 16-bit ones with the high byte first). Palettes are resolved, tRNS becomes an alpha channel, gray of fewer than
 8 bits is spread over 0..255.
 
-    python3 tests/support/png_reference.py ../shared/assets/textures/pngsuite/*.png > tests/unit/io/pngsuite_expected.txt
+    python3 tests/support/png_reference.py ../shared/assets/textures/pngsuite/*.png > tests/unit/io/pictures/pngsuite_expected.txt
 """
 import os
 import struct

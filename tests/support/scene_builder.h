@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Small scenes made in code, for tests of prepare and engines.
 #pragma once
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include <utility>
 #include <vector>

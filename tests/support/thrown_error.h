@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <gtest/gtest.h>
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 namespace rakelight::test {
 

@@ -61,19 +61,8 @@ DOORS = {
     "engines/opengl": re.compile(r"engines/opengl/(opengl_engine|window_view)\.h"),
 }
 
-# Public header -> the module that implements it (and whose layer it belongs to).
-PUBLIC = {
-    "export": "base", "error": "base", "current_error": "base", "report": "base", "context": "base", "memory_budget": "base", "rare": "base", "interleaved": "base", "file_ending": "base",
-    "vector": "math", "linear": "math", "joint_influence": "math",
-    "block": "image", "morph_target": "image", "image": "image", "colormap": "image",
-    "attributes": "geometry", "creases": "geometry", "seams": "geometry", "matching_borders": "geometry",
-    "scene": "scene", "motion": "scene", "scene_queries": "scene", "validate": "scene", "light_limits": "scene", "words": "scene", "world": "io", "image_sources": "io", "movie": "io", "unfinished_outputs": "io", "folder_lock": "io",
-    "prepare": "prepare", "bake": "bake", "lightmap": "bake",
-    "engine": "engines", "line": "engines", "values": "world", "request": "world", "settings_file": "world", "material_changes": "world", "load": "world",
-    "radiosity": "radiosity", "render": "render", "session": "render", "gl_view": "render", "draw_alike": "render", "sink": "engines", "exit_code": "base", "rows": "tools",
-    "picture": "render", "camera_chooser": "render", "shot": "render", "sequence": "render", "version": "render",
-    "check_scene": "tools", "compare": "tools", "inspect": "tools", "explain": "tools", "stages": "tools", "join_windows": "tools", "bake_files": "tools", "bench": "tools", "reference": "tools", "inspection_report": "tools", "text_file": "tools", "thumbnail": "tools", "smooth_file": "tools", "convert_file": "tools", "radiosity_file": "tools", "rakelight": "tools",
-}
+# Public headers in no module's folder: the version, and all headers in one.
+ROOT_HEADERS = {"version": "render", "rakelight": "tools"}
 
 # Third-party include (regular expression) -> the modules, or the one file of a module, that may use it.
 LIBRARIES = {
@@ -132,12 +121,22 @@ def sources(*folders):
                 yield path.relative_to(ROOT)
 
 
+def owner_of(header):
+    """The module of rakelight/MODULE/NAME.h or programs/MODULE/NAME.h."""
+    parts = pathlib.PurePath(header).parts
+    if len(parts) == 2:
+        return ROOT_HEADERS.get(pathlib.PurePath(header).stem)
+    return parts[1] if len(parts) == 3 and parts[1] in BELOW else None
+
+
 def check_public_include(where, module, name, wrong):
-    topic = pathlib.PurePath(name).stem
-    if topic not in PUBLIC:
-        wrong.append(f"{where}: <{name}> is not in the table of public headers (tools/check/check_layers.py)")
-    elif module and PUBLIC[topic] not in closure(module):
-        wrong.append(f"{where}: {module} may not include <{name}>, which belongs to {PUBLIC[topic]}")
+    owner = owner_of(name)
+    if owner is None or not (ROOT / "include" / name).exists() and name != "rakelight/version.h":
+        wrong.append(f"{where}: <{name}> does not exist; public headers are rakelight/MODULE/NAME.h, those of the programs programs/MODULE/NAME.h")
+    elif module and owner not in closure(module):
+        wrong.append(f"{where}: {module} may not include <{name}>, which belongs to {owner}")
+    if where.startswith("include/rakelight/") and name.startswith("programs/"):
+        wrong.append(f"{where}: <{name}> is not installed")
 
 
 def check_library(where, module, name, wrong):
@@ -170,13 +169,13 @@ def check_file(path, wrong):
     relative = str(path)
     is_public = relative.startswith("include/")
     in_src = relative.startswith("src/")
-    module = module_of(path.relative_to("src")) if in_src else PUBLIC.get(path.stem) if is_public else "/".join(path.parts[:2])
+    module = module_of(path.relative_to("src")) if in_src else owner_of(path.relative_to("include")) if is_public else "/".join(path.parts[:2])
     if module is None:
         wrong.append(f"{relative}: in no module of the table")
         return
     for bracket, name in INCLUDE.findall(text):
         where = f"{relative}"
-        if name.startswith("rakelight/"):
+        if name.startswith(("rakelight/", "programs/")):
             check_public_include(where, module if module in BELOW else None, name, wrong)
         elif bracket == "<":
             check_library(where, module, name, wrong)
@@ -212,7 +211,7 @@ def check_export(path, wrong):
     for found in DECLARATION.finditer(text):
         above = text[:found.start()].rstrip("\n").rpartition("\n")[2]
         if not above.startswith("template"):
-            wrong.append(f"{path}: {found.group(1)}() has no RL_API (rakelight/export.h): the shared library would hide it")
+            wrong.append(f"{path}: {found.group(1)}() has no RL_API (rakelight/base/export.h): the shared library would hide it")
 
 
 def check_glsl(path, wrong):

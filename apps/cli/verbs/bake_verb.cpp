@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include <rakelight/tools/rows.h>
-#include <rakelight/tools/values.h>
+#include <rakelight/world/values.h>
 
 #include "../../common/picture_options.h"
 #include "../run_file.h"

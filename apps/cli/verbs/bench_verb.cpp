@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include <rakelight/tools/bench.h>
-#include <rakelight/tools/values.h>
+#include <programs/tools/bench.h>
+#include <rakelight/world/values.h>
 
 #include "../../common/interrupt.h"
 #include "../../common/picture_options.h"

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <set>
 
-#include <rakelight/compare.h>
-#include <rakelight/tools/values.h>
+#include <rakelight/tools/compare.h>
+#include <rakelight/world/values.h>
 
 #include "../inputs.h"
 #include "../output_names.h"

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <rakelight/compare.h>
-#include <rakelight/tools/draw_alike.h>
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
+#include <programs/render/draw_alike.h>
+#include <rakelight/tools/compare.h>
 #include <rakelight/tools/rows.h>
-#include <rakelight/tools/values.h>
+#include <rakelight/world/values.h>
 
 #include "../../common/interrupt.h"
 #include "../../common/picture_options.h"

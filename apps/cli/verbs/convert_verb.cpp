@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include <rakelight/convert_file.h>
+#include <rakelight/tools/convert_file.h>
 #include <rakelight/tools/rows.h>
 
 #include "../../common/interrupt.h"

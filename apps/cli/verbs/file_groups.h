@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/smooth_file.h>
+#include <rakelight/tools/smooth_file.h>
 
 #include "../run.h"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include <rakelight/compare.h>
-#include <rakelight/tools/exit_code.h>
-#include <rakelight/tools/file_ending.h>
-#include <rakelight/tools/inspection_report.h>
+#include <programs/base/exit_code.h>
+#include <programs/base/file_ending.h>
+#include <programs/tools/inspection_report.h>
+#include <programs/tools/text_file.h>
+#include <rakelight/tools/compare.h>
 #include <rakelight/tools/rows.h>
-#include <rakelight/tools/text_file.h>
-#include <rakelight/tools/values.h>
+#include <rakelight/world/values.h>
 
 #include "../../common/interrupt.h"
 #include "../../common/picture_options.h"

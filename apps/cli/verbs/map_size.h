@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/tools/values.h>
+#include <rakelight/world/values.h>
 
 namespace rakelight::cli {
 

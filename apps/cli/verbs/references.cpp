@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <rakelight/tools/exit_code.h>
-#include <rakelight/tools/values.h>
+#include <programs/base/exit_code.h>
+#include <rakelight/world/values.h>
 
 #include "../inputs.h"
 #include "../output_names.h"

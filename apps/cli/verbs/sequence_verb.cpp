@@ -7,12 +7,12 @@
 #include <memory>
 #include <set>
 
-#include <rakelight/movie.h>
-#include <rakelight/sequence.h>
-#include <rakelight/tools/file_ending.h>
-#include <rakelight/tools/folder_lock.h>
+#include <programs/base/file_ending.h>
+#include <programs/io/folder_lock.h>
+#include <rakelight/io/movie.h>
+#include <rakelight/render/sequence.h>
 #include <rakelight/tools/rows.h>
-#include <rakelight/tools/values.h>
+#include <rakelight/world/values.h>
 
 #include "../../common/interrupt.h"
 #include "../output_names.h"

@@ -4,9 +4,9 @@
 #include <map>
 #include <system_error>
 
-#include <rakelight/compare.h>
+#include <rakelight/tools/compare.h>
 #include <rakelight/tools/rows.h>
-#include <rakelight/tools/values.h>
+#include <rakelight/world/values.h>
 
 #include "../../common/interrupt.h"
 #include "../../common/picture_options.h"

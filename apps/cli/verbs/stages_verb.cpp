@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include <rakelight/compare.h>
+#include <rakelight/tools/compare.h>
 #include <rakelight/tools/rows.h>
-#include <rakelight/tools/values.h>
+#include <rakelight/world/values.h>
 
 #include "../../common/interrupt.h"
 #include "../../common/picture_options.h"

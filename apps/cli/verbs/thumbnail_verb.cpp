@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <system_error>
 
-#include <rakelight/tools/current_error.h>
-#include <rakelight/tools/text_file.h>
-#include <rakelight/tools/thumbnail.h>
-#include <rakelight/tools/values.h>
+#include <programs/tools/text_file.h>
+#include <programs/tools/thumbnail.h>
+#include <rakelight/base/current_error.h>
+#include <rakelight/world/values.h>
 
 #include "../../common/picture_options.h"
 #include "../file_uri.h"

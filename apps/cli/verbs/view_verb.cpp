@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "../file_uri.h"
 #include "../inputs.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/linear.h>
+#include <rakelight/math/linear.h>
 #include <rakelight/version.h>
 
 #include "document.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/linear.h>
-#include <rakelight/shot.h>
+#include <rakelight/math/linear.h>
+#include <rakelight/render/shot.h>
 
 namespace rakelight::viewer {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/material_changes.h>
-#include <rakelight/request.h>
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
+#include <rakelight/world/material_changes.h>
+#include <rakelight/world/request.h>
 
 #include "../view/view_box.h"
 #include "eye.h"

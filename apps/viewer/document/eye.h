@@ -3,9 +3,9 @@
 #pragma once
 #include <optional>
 
-#include <rakelight/request.h>
-#include <rakelight/scene_queries.h>
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
+#include <rakelight/scene/scene_queries.h>
+#include <rakelight/world/request.h>
 
 namespace rakelight::viewer {
 

@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/words.h>
 
 namespace rakelight::viewer {
 namespace {

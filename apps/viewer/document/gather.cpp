@@ -7,8 +7,8 @@
 #include <map>
 #include <vector>
 
-#include <rakelight/error.h>
-#include <rakelight/tools/text_file.h>
+#include <programs/tools/text_file.h>
+#include <rakelight/base/error.h>
 
 namespace rakelight::viewer {
 namespace {

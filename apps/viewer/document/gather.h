@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
 
 namespace rakelight::viewer {
 

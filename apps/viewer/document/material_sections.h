@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
 
 namespace rakelight::viewer {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
 
 #include "../motion/recorded_keys.h"
 #include "material_sections.h"

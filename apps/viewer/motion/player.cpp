@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <rakelight/linear.h>
+#include <rakelight/math/linear.h>
 
 #include "recorded_keys.h"
 

@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <filesystem>
 
-#include <rakelight/linear.h>
-#include <rakelight/render.h>
-#include <rakelight/shot.h>
+#include <rakelight/math/linear.h>
+#include <rakelight/render/render.h>
+#include <rakelight/render/shot.h>
 
 #include "../view/studio.h"
 

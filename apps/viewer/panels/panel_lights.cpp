@@ -2,7 +2,7 @@
 // The list of lights, the environment.
 #include <algorithm>
 
-#include <rakelight/linear.h>
+#include <rakelight/math/linear.h>
 
 #include "../document/display_path.h"
 #include "panels.h"

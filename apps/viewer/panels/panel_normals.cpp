@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include <rakelight/prepare.h>
+#include <rakelight/prepare/prepare.h>
 
 #include "panels.h"
 #include "widgets.h"

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 #include <rakelight/version.h>
 
 namespace rakelight::viewer {

@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 #include "../document/display_path.h"
 #include "widgets.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/inspect.h>
+#include <rakelight/tools/inspect.h>
 
 #include "../document/own_keys.h"
 #include "../document/ui_state.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/words.h>
 
 namespace rakelight::viewer {
 

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <thread>
 
-#include <rakelight/tools/current_error.h>
+#include <rakelight/base/current_error.h>
 
 namespace rakelight::viewer {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 namespace rakelight::viewer {
 

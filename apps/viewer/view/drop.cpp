@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <rakelight/tools/file_ending.h>
-#include <rakelight/world.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/io/world.h>
 
 namespace rakelight::viewer {
 namespace {

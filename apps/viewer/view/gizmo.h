@@ -4,9 +4,9 @@
 #pragma once
 #include <vector>
 
-#include <rakelight/line.h>
-#include <rakelight/scene.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/engines/line.h>
+#include <rakelight/scene/scene.h>
+#include <rakelight/scene/scene_queries.h>
 
 namespace rakelight::viewer {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/gl_view.h>
+#include <rakelight/render/gl_view.h>
 
 #include "gl_pictures.h"
 #include "shared_context.h"

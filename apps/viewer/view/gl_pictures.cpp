@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 namespace rakelight::viewer {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <chrono>
 
-#include <rakelight/session.h>
-#include <rakelight/shot.h>
+#include <rakelight/render/session.h>
+#include <rakelight/render/shot.h>
 
 namespace rakelight::viewer {
 namespace {

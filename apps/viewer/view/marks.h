@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include <rakelight/session.h>
+#include <rakelight/render/session.h>
 
 #include "gizmo.h"
 #include "overlay.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/linear.h>
+#include <rakelight/math/linear.h>
 
 #include "load_model.h"
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include <rakelight/inspect.h>
-#include <rakelight/line.h>
+#include <rakelight/engines/line.h>
+#include <rakelight/tools/inspect.h>
 
 #include "../document/document.h"
 

@@ -11,9 +11,9 @@
 #include <malloc.h>
 #endif
 
-#include <rakelight/render.h>
-#include <rakelight/shot.h>
-#include <rakelight/tools/current_error.h>
+#include <rakelight/base/current_error.h>
+#include <rakelight/render/render.h>
+#include <rakelight/render/shot.h>
 
 #include "studio.h"
 

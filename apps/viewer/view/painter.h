@@ -9,7 +9,7 @@
 #include <optional>
 #include <thread>
 
-#include <rakelight/session.h>
+#include <rakelight/render/session.h>
 
 #include "../document/document.h"
 #include "background.h"

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include <rakelight/request.h>
+#include <rakelight/world/request.h>
 
 namespace rakelight::viewer {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 namespace rakelight::viewer {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio.h"
 
-#include <rakelight/shot.h>
+#include <rakelight/render/shot.h>
 
 #include "../document/materials.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include <rakelight/session.h>
+#include <rakelight/render/session.h>
 
 #include "../document/document.h"
 

@@ -5,8 +5,8 @@
 #include <mutex>
 #include <optional>
 
-#include <rakelight/linear.h>
-#include <rakelight/picture.h>
+#include <rakelight/math/linear.h>
+#include <rakelight/render/picture.h>
 
 namespace rakelight::viewer {
 namespace {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/camera_chooser.h>
-#include <rakelight/motion.h>
-#include <rakelight/picture.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/render/camera_chooser.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/scene/motion.h>
+#include <rakelight/scene/scene_queries.h>
 
 namespace rakelight::viewer {
 

@@ -3,7 +3,7 @@
 
 #include <GLFW/glfw3.h>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 namespace rakelight::viewer {
 namespace {

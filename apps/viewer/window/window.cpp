@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <utility>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "held_modifiers.h"
 #include "hidden_window.h"

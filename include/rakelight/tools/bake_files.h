@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/bake.h>
-#include <rakelight/export.h>
-#include <rakelight/load.h>
+#include <rakelight/bake/bake.h>
+#include <rakelight/base/export.h>
+#include <rakelight/world/load.h>
 
 namespace rakelight {
 

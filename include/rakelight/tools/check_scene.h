@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/error.h>
-#include <rakelight/export.h>
-#include <rakelight/picture.h>
-#include <rakelight/report.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/error.h>
+#include <rakelight/base/export.h>
+#include <rakelight/base/report.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include <rakelight/compare.h>
-#include <rakelight/export.h>
-#include <rakelight/tools/words.h>
+#include <rakelight/base/export.h>
+#include <rakelight/scene/words.h>
+#include <rakelight/tools/compare.h>
 
 namespace rakelight {
 

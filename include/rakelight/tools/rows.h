@@ -9,20 +9,19 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/compare.h>
-#include <rakelight/convert_file.h>
-#include <rakelight/error.h>
-#include <rakelight/explain.h>
-#include <rakelight/export.h>
-#include <rakelight/inspect.h>
-#include <rakelight/picture.h>
-#include <rakelight/report.h>
-#include <rakelight/smooth_file.h>
-#include <rakelight/stages.h>
+#include <rakelight/base/error.h>
+#include <rakelight/base/export.h>
+#include <rakelight/base/report.h>
+#include <rakelight/render/picture.h>
 #include <rakelight/tools/bake_files.h>
 #include <rakelight/tools/check_scene.h>
-#include <rakelight/tools/join_windows.h>
+#include <rakelight/tools/compare.h>
+#include <rakelight/tools/convert_file.h>
+#include <rakelight/tools/explain.h>
+#include <rakelight/tools/inspect.h>
 #include <rakelight/tools/reference.h>
+#include <rakelight/tools/smooth_file.h>
+#include <rakelight/tools/stages.h>
 
 namespace rakelight {
 
@@ -96,11 +95,6 @@ struct ConvertedFileRow : ReportRow {
     ConvertedFile result{};  ///< at least `file` and `output`
 };
 
-/// A row of `join-windows --json`.
-struct JoinRow : ReportRow {
-    JoinResult result{};  ///< at least `output`
-};
-
 /// A row of `bake --json`.
 struct BakeRow : ReportRow {
     BakeFilesResult result{};  ///< at least `high` and `low`
@@ -122,9 +116,6 @@ RL_API std::string to_json(std::span<const StagesRow> rows);
 RL_API std::string to_json(std::span<const SmoothedFileRow> rows);
 /// {"schema": "rakelight.convert/1", "rows": [...]}
 RL_API std::string to_json(std::span<const ConvertedFileRow> rows);
-
-/// {"schema": "rakelight.join-windows/1", "rows": [...]}
-RL_API std::string to_json(std::span<const JoinRow> rows);
 
 /// {"schema": "rakelight.bake/1", "rows": [...]}
 RL_API std::string to_json(std::span<const BakeRow> rows);

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 #include "bake/high/mapped_normals.h"
 #include "engines/raytrace/surface_rays.h"

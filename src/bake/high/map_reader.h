@@ -4,8 +4,8 @@
 #include <map>
 #include <memory>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 #include "image/maps/mip_chain.h"
 #include "math/linear.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/attributes.h>
+#include <rakelight/geometry/attributes.h>
 
 namespace rakelight::bake {
 

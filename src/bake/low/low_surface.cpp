@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include <rakelight/attributes.h>
+#include <rakelight/geometry/attributes.h>
 
 #include "prepare/variants.h"
 #include "scene/placed_normal.h"

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 #include "math/linear.h"
 

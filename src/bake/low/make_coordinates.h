@@ -3,8 +3,8 @@
 #pragma once
 #include <cstdint>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight::bake {
 

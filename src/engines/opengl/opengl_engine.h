@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 namespace rakelight::opengl {
 

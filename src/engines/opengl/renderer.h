@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "engines/opengl/context/pass_meter.h"
 #include "engines/opengl/picture/behind.h"

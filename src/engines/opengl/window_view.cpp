@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "base/format_text.h"
 #include "engines/opengl/picture/line_pass.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures in a window, on the context that is current: what <rakelight/gl_view.h> is made of.
+// Pictures in a window, on the context that is current: what <rakelight/render/gl_view.h> is made of.
 #pragma once
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include <rakelight/engine.h>
-#include <rakelight/line.h>
+#include <rakelight/engines/engine.h>
+#include <rakelight/engines/line.h>
 
 #include "geometry/pose/mesh_pose.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a color is laid over what is there.
 #pragma once
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::raster {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 namespace rakelight::raster {
 

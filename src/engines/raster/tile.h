@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "engines/raster/geometry/front_end.h"
 #include "engines/raster/lights/light_points.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "cpu_shading/material_job.h"
 #include "math/functions.h"

@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 #include "cpu_shading/draw_list.h"
 

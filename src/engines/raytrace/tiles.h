@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 #include "engines/raytrace/trace_tile.h"
 

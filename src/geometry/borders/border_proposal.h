@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The proposed distance for matching borders.
 #pragma once
-#include <rakelight/matching_borders.h>
+#include <rakelight/geometry/matching_borders.h>
 
 namespace rakelight::geometry {
 

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t nodes_per_chunk = 64;
 constexpr std::uint32_t none = 0xffffffffu;
 
-// In rings. These four were chosen by the errors of tests/unit/geometry/border_fits_test.cpp.
+// In rings. These four were chosen by the errors of tests/unit/geometry/borders/border_fits_test.cpp.
 constexpr double reach = 2.6, link_cost = 0.5;
 constexpr double least_distance = 0.1;  // nearer neighbors say more of rounding than of the surface
 constexpr double spacing = 0.3;         // of two neighbors, as a share of their distance from the node

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/matching_borders.h>
+#include <rakelight/geometry/matching_borders.h>
 
 #include "geometry/borders/border_rings.h"
 

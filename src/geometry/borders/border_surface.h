@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The common first step of matching and measuring borders.
 #pragma once
-#include <rakelight/matching_borders.h>
+#include <rakelight/geometry/matching_borders.h>
 
 #include "geometry/borders/border_edges.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stages: open edges -> nodes at their ends -> links between borders of different meshes -> votes passed up the links,
 // normals and tangents passed down.
-#include <rakelight/matching_borders.h>
+#include <rakelight/geometry/matching_borders.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Angles between the normals of adjacent borders.
-#include <rakelight/matching_borders.h>
+#include <rakelight/geometry/matching_borders.h>
 
 #include <algorithm>
 #include <tuple>

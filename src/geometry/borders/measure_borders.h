@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <rakelight/matching_borders.h>
+#include <rakelight/geometry/matching_borders.h>
 
 namespace rakelight::geometry {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides for each edge whether it is hard, from the planes on both sides: <rakelight/creases.h>.
+// Decides for each edge whether it is hard, from the planes on both sides: <rakelight/geometry/creases.h>.
 #pragma once
 #include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include <rakelight/creases.h>
+#include <rakelight/geometry/creases.h>
 
 #include "geometry/corners/topology.h"
 

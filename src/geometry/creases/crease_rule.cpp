@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/creases.h>
+#include <rakelight/geometry/creases.h>
 
 #include "geometry/creases/across_faces.h"
 #include "geometry/creases/meant_planes.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/creases.h>
+#include <rakelight/geometry/creases.h>
 
 namespace rakelight::geometry {
 namespace {

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <optional>
 
-#include <rakelight/creases.h>
+#include <rakelight/geometry/creases.h>
 
 #include "geometry/creases/crease_rule.h"
 #include "geometry/fast/fast_stages.h"

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 #include "geometry/fits/height_kernel_types.h"
 #include "math/linear.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tolerances for authored normals: equality of two normals, flatness of a face, negligible rotation.
 #pragma once
-#include <rakelight/seams.h>
+#include <rakelight/geometry/seams.h>
 
 #include <algorithm>
 #include <span>

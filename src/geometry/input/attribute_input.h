@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/attributes.h>
+#include <rakelight/geometry/attributes.h>
 
 #include "math/linear.h"
 

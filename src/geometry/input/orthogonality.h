@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include <rakelight/attributes.h>
+#include <rakelight/geometry/attributes.h>
 
 #include "math/angles.h"
 #include "math/linear.h"

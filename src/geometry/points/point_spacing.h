@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/vector.h>
+#include <rakelight/base/context.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::geometry {
 

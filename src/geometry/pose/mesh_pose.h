@@ -5,9 +5,9 @@
 #include <map>
 #include <span>
 
-#include <rakelight/block.h>
-#include <rakelight/context.h>
-#include <rakelight/morph_target.h>
+#include <rakelight/base/context.h>
+#include <rakelight/image/block.h>
+#include <rakelight/image/morph_target.h>
 
 #include "geometry/pose/skin.h"
 

@@ -3,8 +3,8 @@
 #pragma once
 #include <span>
 
-#include <rakelight/context.h>
-#include <rakelight/vector.h>
+#include <rakelight/base/context.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::geometry {
 

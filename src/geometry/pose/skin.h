@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <span>
 
-#include <rakelight/context.h>
-#include <rakelight/joint_influence.h>
-#include <rakelight/vector.h>
+#include <rakelight/base/context.h>
+#include <rakelight/math/joint_influence.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::geometry {
 

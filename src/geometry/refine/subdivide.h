@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 #include "geometry/refine/surface_pieces.h"
 

@@ -8,7 +8,7 @@
 #pragma once
 #include <cmath>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 #include "math/functions.h"
 

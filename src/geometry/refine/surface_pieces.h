@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::geometry {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/vector.h>
+#include <rakelight/base/context.h>
+#include <rakelight/math/vector.h>
 
 #include "geometry/faults/place_classes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/seams/seam_fans.h"
 
-#include <rakelight/seams.h>
+#include <rakelight/geometry/seams.h>
 
 #include <algorithm>
 #include <array>

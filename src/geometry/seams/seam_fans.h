@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The corners at one place that several meshes share: which of them have one authored normal, and which of these fans
-// are joined across meshes. The rules are in <rakelight/seams.h>.
+// are joined across meshes. The rules are in <rakelight/geometry/seams.h>.
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Joins authored normals where meshes meet: shared places -> corners -> fans -> changed vertices.
-#include <rakelight/seams.h>
+#include <rakelight/geometry/seams.h>
 
 #include <algorithm>
 #include <atomic>

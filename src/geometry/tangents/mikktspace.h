@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/attributes.h>
+#include <rakelight/geometry/attributes.h>
 
 namespace rakelight::geometry {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <rakelight/image.h>
+#include <rakelight/image/image.h>
 
 namespace rakelight {
 

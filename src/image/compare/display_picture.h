@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <rakelight/image.h>
+#include <rakelight/image/image.h>
 
 namespace rakelight {
 

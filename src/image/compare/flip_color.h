@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Colors as FLIP sees them: the space that is filtered, the space that is measured, and the distance there.
 #pragma once
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::flip {
 

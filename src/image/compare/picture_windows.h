@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 namespace rakelight {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <compare>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 #include "image/maps/mip_chain.h"
 

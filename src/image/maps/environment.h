@@ -7,8 +7,8 @@
 #include <array>
 #include <vector>
 
-#include <rakelight/image.h>
-#include <rakelight/vector.h>
+#include <rakelight/image/image.h>
+#include <rakelight/math/vector.h>
 
 #include "image/maps/mip_chain.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/maps/fourier.h"
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 #include "math/functions.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reconstructs the height map of a tangent-space normal map.
 #pragma once
-#include <rakelight/image.h>
+#include <rakelight/image/image.h>
 
 namespace rakelight {
 

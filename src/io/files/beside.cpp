@@ -3,7 +3,7 @@
 
 #include <system_error>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "io/files/file.h"
 #include "io/files/output_file.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 namespace rakelight::io {
 

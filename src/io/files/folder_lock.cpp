@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/tools/folder_lock.h>
+#include <programs/io/folder_lock.h>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "io/files/descriptor.h"
 #include "io/files/made_folders.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 namespace rakelight::io {
 

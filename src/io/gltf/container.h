@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 namespace rakelight::io::gltf {
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::io::gltf {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Skin influences of vertices: the eight strongest of all sets, with weights that sum to 1.
 #pragma once
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/gltf/vertex_data.h"
 

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 namespace rakelight::io::gltf {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/light_limits.h>
+#include <rakelight/scene/light_limits.h>
 
 namespace rakelight::io::gltf {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/materials.h"
 
-#include <rakelight/report.h>
+#include <rakelight/base/report.h>
 
 #include <algorithm>
 #include <limits>

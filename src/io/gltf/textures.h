@@ -3,7 +3,7 @@
 #pragma once
 #include <map>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/gltf/buffers.h"
 

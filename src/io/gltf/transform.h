@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The placement of one node.
 #pragma once
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/gltf/document.h"
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include <cmath>
 #include <limits>

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include <rakelight/block.h>
-#include <rakelight/scene.h>
+#include <rakelight/image/block.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/gltf/accessors.h"
 #include "io/gltf/packed/draco.h"

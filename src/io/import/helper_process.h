@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 #include "base/child_process.h"
 #include "io/import/stream_reader.h"

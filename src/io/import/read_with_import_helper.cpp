@@ -3,8 +3,8 @@
 #include <map>
 #include <span>
 
-#include <rakelight/tools/file_ending.h>
-#include <rakelight/validate.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/scene/validate.h>
 
 #include "io/files/file.h"
 #include "io/import/collada_cameras.h"

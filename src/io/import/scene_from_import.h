@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/import/stream_reader.h"
 #include "io/reader.h"

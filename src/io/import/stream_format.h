@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::io::import_stream {
 

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 #include "io/import/stream_format.h"
 

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/import/stream_format.h"
 

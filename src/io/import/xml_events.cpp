@@ -9,7 +9,7 @@
 #include <string>
 #include <type_traits>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 namespace rakelight::io {
 namespace {

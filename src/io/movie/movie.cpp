@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string_view>
 
-#include <rakelight/movie.h>
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/io/movie.h>
 
 #include "base/format_text.h"
 #include "io/files/output_place.h"

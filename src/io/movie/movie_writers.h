@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 #include "io/movie/png_chunks.h"
 

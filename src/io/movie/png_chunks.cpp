@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 namespace rakelight::io {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/words.h>
 
 #include "io/obj/obj_lines.h"
 #include "io/obj/obj_numbers.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 #include "io/files/beside.h"
 #include "io/reader.h"

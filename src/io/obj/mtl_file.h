@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/vector.h>
+#include <rakelight/base/context.h>
+#include <rakelight/math/vector.h>
 
 #include "io/obj/obj_remarks.h"
 

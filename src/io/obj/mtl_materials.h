@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 #include "base/name_table.h"
 #include "io/obj/mtl_file.h"

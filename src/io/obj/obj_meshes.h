@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/obj/chunk_elements.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 #include "io/obj/obj_vertices.h"
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight::io::obj {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 namespace rakelight::io::obj {
 

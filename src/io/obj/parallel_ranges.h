@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 namespace rakelight::io::obj {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::io::obj {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "io/files/file.h"
 #include "io/obj/obj_lines.h"

@@ -24,7 +24,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include <rakelight/tools/current_error.h>
+#include <rakelight/base/current_error.h>
 
 #include "io/files/output_file.h"
 #include "io/pictures/image_codecs.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include <rakelight/image.h>
+#include <rakelight/image/image.h>
 
 #include "io/files/output_file.h"
 #include "io/files/sync.h"

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <string_view>
 
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
 
 #include "base/format_text.h"
 #include "io/pictures/image_codecs.h"

@@ -2,7 +2,7 @@
 // Pictures that callers bring.
 #include <utility>
 
-#include <rakelight/image_sources.h>
+#include <rakelight/io/image_sources.h>
 
 #include "base/enumerators.h"
 #include "base/format_text.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
 
 #include "base/format_text.h"
 #include "io/pictures/image_codecs.h"

@@ -3,7 +3,7 @@
 #pragma once
 #include <cstdint>
 
-#include <rakelight/image.h>
+#include <rakelight/image/image.h>
 
 namespace rakelight::io {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "io/movie/png_chunks.h"
 

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "base/format_text.h"
 

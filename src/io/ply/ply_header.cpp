@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "base/format_text.h"
 

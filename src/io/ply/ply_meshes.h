@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Vertices and faces -> the meshes of a scene.
 #pragma once
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/ply/ply_faces.h"
 

@@ -2,7 +2,7 @@
 // PLY -> scene: header, then element by element. Without faces and edges its vertices are points.
 #include "io/ply/read_ply.h"
 
-#include <rakelight/report.h>
+#include <rakelight/base/report.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
 
 namespace rakelight::io::world {
 

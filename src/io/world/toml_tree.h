@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
 
 namespace rakelight::io::world {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/words.h>
 
 #include "math/color_names.h"
 

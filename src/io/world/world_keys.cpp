@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <rakelight/light_limits.h>
+#include <rakelight/scene/light_limits.h>
 
 #include "base/assert.h"
 #include "io/world/motion_keys.h"

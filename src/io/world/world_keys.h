@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/error.h>
-#include <rakelight/tools/words.h>
-#include <rakelight/world.h>
+#include <rakelight/base/error.h>
+#include <rakelight/io/world.h>
+#include <rakelight/scene/words.h>
 
 namespace rakelight::io::world {
 

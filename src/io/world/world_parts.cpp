@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include <rakelight/linear.h>
+#include <rakelight/math/linear.h>
 
 #include "io/world/material_keys.h"
 

@@ -3,7 +3,7 @@
 // across, which is what the prefiltered environment holds. Source: Heitz 2018, "Sampling the GGX Distribution of Visible Normals",
 // for a width of 0 across t. (KHR_materials_anisotropy, section "Image-based lighting", not normative, has one bent normal and
 // asks for further samples along t. These are such, and the normal is not bent: their mean is that of the lobe,
-// tests/unit/lighting/anisotropic_fan_test.cpp.)
+// tests/unit/lighting/models/anisotropic_fan_test.cpp.)
 
 struct FacetRay {
     vec3 l;       // unit, where the facet mirrors v

@@ -4,7 +4,7 @@
 
 // Of a surface that is rougher along one axis: each direction of the fan reflects a lobe as wide as the surface is
 // across, or as wide as their spacing. 1.2 times a direction's share of the width is a heuristic, as fan_width() is.
-// Held to the lobe is the fan's mean alone, 7 degrees off at most (tests/unit/lighting/anisotropic_fan_test.cpp), not its
+// Held to the lobe is the fan's mean alone, 7 degrees off at most (tests/unit/lighting/models/anisotropic_fan_test.cpp), not its
 // spread. Lanes of equal widths have `even`.
 RL_MAP_FN vec3 mirrored_by_fan(RL_IN(Maps) maps, RL_IN(Environment) e, RL_IN(MaterialSurface) s, vec3 even)
 {

@@ -9,8 +9,8 @@
 #include <string>
 #include <tuple>
 
-#include <rakelight/error.h>
-#include <rakelight/report.h>
+#include <rakelight/base/error.h>
+#include <rakelight/base/report.h>
 
 #include "base/cancel_check.h"
 #include "base/format_text.h"

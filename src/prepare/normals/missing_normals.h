@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 #include "prepare/repair/repair.h"
 

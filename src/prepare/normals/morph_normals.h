@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include <rakelight/attributes.h>
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/geometry/attributes.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include <rakelight/seams.h>
+#include <rakelight/geometry/seams.h>
 
 #include "base/format_text.h"
 #include "prepare/split_vertices.h"

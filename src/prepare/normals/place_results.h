@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include <rakelight/attributes.h>
+#include <rakelight/geometry/attributes.h>
 
 #include "prepare/normals/morph_normals.h"
 #include "prepare/normals/smooth_request.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include <rakelight/prepare.h>
-#include <rakelight/validate.h>
+#include <rakelight/prepare/prepare.h>
+#include <rakelight/scene/validate.h>
 
 #include "base/format_text.h"
 #include "prepare/moving_placements.h"

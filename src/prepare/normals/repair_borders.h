@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Applies <rakelight/matching_borders.h> to a scene: matches instances once, computes normals for any pose.
+// Applies <rakelight/geometry/matching_borders.h> to a scene: matches instances once, computes normals for any pose.
 #pragma once
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <rakelight/matching_borders.h>
-#include <rakelight/scene.h>
+#include <rakelight/geometry/matching_borders.h>
+#include <rakelight/scene/scene.h>
 
 #include "prepare/variants.h"
 

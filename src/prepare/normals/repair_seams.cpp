@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
 
 #include "base/format_text.h"
 #include "prepare/normals/bind_pose.h"

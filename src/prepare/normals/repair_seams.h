@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Applies join_seams() of <rakelight/seams.h> to a scene.
+// Applies join_seams() of <rakelight/geometry/seams.h> to a scene.
 #pragma once
 #include <optional>
 #include <string>
 
-#include <rakelight/scene.h>
-#include <rakelight/seams.h>
+#include <rakelight/geometry/seams.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

@@ -3,8 +3,8 @@
 #pragma once
 #include <optional>
 
-#include <rakelight/attributes.h>
-#include <rakelight/scene.h>
+#include <rakelight/geometry/attributes.h>
+#include <rakelight/scene/scene.h>
 
 #include "prepare/generated_attributes.h"
 #include "prepare/normals/tangent_coordinates.h"

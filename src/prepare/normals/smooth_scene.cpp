@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Computes normals and tangents of a scene by compute_attributes(): inputs, and placement of the results.
-#include <rakelight/report.h>
+#include <rakelight/base/report.h>
 
 #include <algorithm>
 #include <cstdio>

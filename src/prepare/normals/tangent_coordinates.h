@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The texture coordinates to which the tangents of a mesh belong.
 #pragma once
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "scene/materials/uv_matrix.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Remarks on tangents: deviation from orthogonality, and inverted maps.
 #pragma once
-#include <rakelight/attributes.h>
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/geometry/attributes.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

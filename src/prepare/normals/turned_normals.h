@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inputs of <rakelight/seams.h> and <rakelight/matching_borders.h>, and placement of the rotated normals.
+// Inputs of <rakelight/geometry/seams.h> and <rakelight/geometry/matching_borders.h>, and placement of the rotated normals.
 #pragma once
 #include <vector>
 
-#include <rakelight/attributes.h>
-#include <rakelight/scene.h>
-#include <rakelight/seams.h>
+#include <rakelight/geometry/attributes.h>
+#include <rakelight/geometry/seams.h>
+#include <rakelight/scene/scene.h>
 
 #include "prepare/variants.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Displacement mapping: tessellates triangles and moves vertices along the normal.
 #pragma once
-#include <rakelight/prepare.h>
-#include <rakelight/scene.h>
+#include <rakelight/prepare/prepare.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prepare/refine/displace_parts.h"
 
-#include <rakelight/report.h>
+#include <rakelight/base/report.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include <rakelight/prepare.h>
-#include <rakelight/scene.h>
+#include <rakelight/prepare/prepare.h>
+#include <rakelight/scene/scene.h>
 
 #include "prepare/refine/height_field.h"
 #include "prepare/variants.h"

@@ -4,7 +4,7 @@
 #include <map>
 #include <memory>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "image/maps/mip_chain.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prepare/refine/subdivide_scene.h"
 
-#include <rakelight/creases.h>
-#include <rakelight/report.h>
+#include <rakelight/base/report.h>
+#include <rakelight/geometry/creases.h>
 
 #include <algorithm>
 #include <cmath>

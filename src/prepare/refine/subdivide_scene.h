@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Meshes as control nets of subdivision surfaces, over the borders of objects.
 #pragma once
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/error.h>
-#include <rakelight/report.h>
+#include <rakelight/base/error.h>
+#include <rakelight/base/report.h>
 
 #include "math/linear.h"
 #include "prepare/normals/normal_rule.h"

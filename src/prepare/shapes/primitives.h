@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

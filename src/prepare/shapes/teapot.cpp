@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "base/format_text.h"
 #include "math/linear.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
 
 #include "math/functions.h"
 #include "math/linear.h"

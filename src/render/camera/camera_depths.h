@@ -3,9 +3,9 @@
 #pragma once
 #include <functional>
 
-#include <rakelight/picture.h>
-#include <rakelight/report.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/base/report.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include "scene/near_surfaces.h"
 

@@ -6,8 +6,8 @@
 #include <charconv>
 #include <cstdio>
 
-#include <rakelight/camera_chooser.h>
-#include <rakelight/tools/words.h>
+#include <rakelight/render/camera_chooser.h>
+#include <rakelight/scene/words.h>
 
 #include "base/format_text.h"
 #include "math/functions.h"

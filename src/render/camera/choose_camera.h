@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chooses the camera of a picture. See choose_camera() in <rakelight/picture.h>.
+// Chooses the camera of a picture. See choose_camera() in <rakelight/render/picture.h>.
 #pragma once
-#include <rakelight/picture.h>
-#include <rakelight/report.h>
-#include <rakelight/scene_queries.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/report.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/scene/scene_queries.h>
+#include <rakelight/scene/validate.h>
 
 namespace rakelight {
 

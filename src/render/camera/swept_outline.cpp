@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include <rakelight/linear.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/math/linear.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include "math/functions.h"
 #include "math/linear.h"

@@ -4,8 +4,8 @@
 #pragma once
 #include <span>
 
-#include <rakelight/scene.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/scene/scene.h>
+#include <rakelight/scene/scene_queries.h>
 
 namespace rakelight {
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include <rakelight/scene_queries.h>
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include "math/linear.h"
 #include "scene/drawn_vertices.h"

@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

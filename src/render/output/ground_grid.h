@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The grid on the ground below a model.
 #pragma once
-#include <rakelight/engine.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/engines/engine.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include "shading/picture_camera.h"
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include <rakelight/scene_queries.h>
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include "render/output/overlay.h"
 #include "scene/drawn_vertices.h"

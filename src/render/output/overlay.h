@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 #include "render/output/ground_grid.h"
 #include "render/rows.h"

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
 
 #include "render/channel_view.h"
 

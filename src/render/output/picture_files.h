@@ -10,7 +10,7 @@
 #include "io/pictures/image_io.h"
 #include "render/output/picture_sink.h"
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 namespace rakelight {
 

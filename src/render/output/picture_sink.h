@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/sink.h>
+#include <rakelight/engines/sink.h>
 
 #include "render/remarks/too_dark_or_bright.h"
 #include "render/rows.h"

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include <rakelight/render.h>
+#include <rakelight/render/render.h>
 
 #include "engines/shader_text.h"
 #include "render/engines.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 namespace rakelight {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 namespace rakelight {
 

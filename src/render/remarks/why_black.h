@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 namespace rakelight {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include <rakelight/sequence.h>
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/render/sequence.h>
 
 #include "io/files/file.h"
 #include "io/pictures/whole_picture.h"

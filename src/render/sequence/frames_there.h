@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 namespace rakelight {
 

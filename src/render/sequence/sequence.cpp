@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The way of a sequence: load -> which pictures -> look and camera for all -> each picture: scene at its moment, camera, engine, file.
-#include <rakelight/sequence.h>
+#include <rakelight/render/sequence.h>
 
 #include <algorithm>
 #include <new>
 
-#include <rakelight/shot.h>
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/render/shot.h>
 
 #include "render/draw_shot.h"
 #include "render/prepared_scene.h"

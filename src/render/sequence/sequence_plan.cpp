@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include <rakelight/linear.h>
+#include <rakelight/math/linear.h>
 
 #include "base/format_text.h"
 

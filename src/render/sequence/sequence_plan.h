@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include <rakelight/sequence.h>
+#include <rakelight/render/sequence.h>
 
 namespace rakelight {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include <rakelight/linear.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/math/linear.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include "prepare/pose_scene.h"
 #include "render/camera/camera_depths.h"

@@ -7,7 +7,7 @@
 #include "render/camera/choose_camera.h"
 #include "render/sequence/sequence_plan.h"
 
-#include <rakelight/scene_queries.h>
+#include <rakelight/scene/scene_queries.h>
 
 namespace rakelight {
 

@@ -6,7 +6,7 @@
 #include <future>
 #include <string>
 
-#include <rakelight/sequence.h>
+#include <rakelight/render/sequence.h>
 
 namespace rakelight {
 

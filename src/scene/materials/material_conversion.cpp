@@ -20,7 +20,7 @@
 //
 // Lost: k_a, F0 above 1, exponents below 1 or above 10000. A round trip restores k_d and n, and gives F0 as k_s.
 //
-// tests/unit/raster/shared_parameters_test.cpp compares rendered results of both models.
+// tests/unit/raster/shade/shared_parameters_test.cpp compares rendered results of both models.
 #include <algorithm>
 #include <cmath>
 

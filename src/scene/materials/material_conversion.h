@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Conversions between the two parameter sets of a material, and what a material asks for.
 #pragma once
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "image/convert.h"
 #include "scene/materials/texture_role_numbers.h"

@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include <rakelight/report.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/report.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How texture transforms turn and scale coordinates, and the texture to whose coordinates tangents belong.
 #pragma once
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/light_limits.h>
+#include <rakelight/scene/light_limits.h>
 
 #include "math/default_up.h"
 #include "math/linear.h"

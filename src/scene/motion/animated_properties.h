@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Setters of the animated properties of materials, lights and cameras; <rakelight/motion.h> lists them.
+// Setters of the animated properties of materials, lights and cameras; <rakelight/scene/motion.h> lists them.
 #pragma once
 #include <cstdint>
 #include <functional>
 #include <span>
 
-#include <rakelight/motion.h>
+#include <rakelight/scene/motion.h>
 
 namespace rakelight {
 

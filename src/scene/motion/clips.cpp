@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Evaluates clips at a moment: transforms and morph weights into Scene::pose, other properties into their objects.
-#include <rakelight/motion.h>
+#include <rakelight/scene/motion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "base/format_text.h"
 #include "math/linear.h"

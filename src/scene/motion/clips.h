@@ -3,7 +3,7 @@
 #pragma once
 #include <span>
 
-#include <rakelight/motion.h>
+#include <rakelight/scene/motion.h>
 
 namespace rakelight {
 

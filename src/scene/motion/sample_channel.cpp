@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <rakelight/motion.h>
+#include <rakelight/scene/motion.h>
 
 #include "math/functions.h"
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

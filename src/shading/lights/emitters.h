@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "shading/draw_list.h"
 #include "shading/lights/alias_table.h"

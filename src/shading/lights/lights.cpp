@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/light_limits.h>
+#include <rakelight/scene/light_limits.h>
 
 #include "math/functions.h"
 #include "math/linear.h"

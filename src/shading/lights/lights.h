@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "lighting/light_parameters.h"
 #include "math/linear.h"

@@ -2,7 +2,7 @@
 // Which side of a surface is lit: the one that is seen. Vertex normals belong to one side of their triangle, and are
 // turned round where the other one is seen.
 #pragma once
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "shading/draw_list.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <algorithm>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::shading {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "image/maps/mip_chain.h"
 

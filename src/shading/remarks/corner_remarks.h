@@ -3,7 +3,7 @@
 #pragma once
 #include <functional>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "shading/draw_list.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "shading/texture_cache.h"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "shading/draw_list.h"
 

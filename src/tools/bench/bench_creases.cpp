@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/creases.h>
-#include <rakelight/tools/bench.h>
+#include <programs/tools/bench.h>
+#include <rakelight/geometry/creases.h>
 
 #include "math/functions.h"
 #include "math/linear.h"

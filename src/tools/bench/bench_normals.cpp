@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/prepare.h>
-#include <rakelight/tools/bench.h>
+#include <programs/tools/bench.h>
+#include <rakelight/prepare/prepare.h>
 
 #include "math/functions.h"
 #include "math/linear.h"

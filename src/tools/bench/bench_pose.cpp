@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Poses against a plain copy of the vertices. What one repetition measures is interleaved over all rows.
-#include <rakelight/tools/bench.h>
+#include <programs/tools/bench.h>
 
 #include <algorithm>
 #include <chrono>
@@ -8,7 +8,7 @@
 #include <ctime>
 #include <functional>
 
-#include <rakelight/session.h>
+#include <rakelight/render/session.h>
 
 #include "geometry/pose/skin.h"
 #include "math/linear.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures against the clock. Pictures of all engines are interleaved, so that a neighbor's load falls on all of them.
-#include <rakelight/tools/bench.h>
+#include <programs/tools/bench.h>
 
 #include <algorithm>
 #include <ctime>
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"

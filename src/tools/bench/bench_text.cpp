@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measurements as the program's JSON, schema rakelight.bench/1 (fields are added, never renamed), and as a table.
-#include <rakelight/tools/bench.h>
+#include <programs/tools/bench.h>
 
 #include <cstdio>
 

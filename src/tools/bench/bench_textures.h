@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight {
 

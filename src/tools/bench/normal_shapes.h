@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight {
 

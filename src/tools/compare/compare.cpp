@@ -6,9 +6,9 @@
 #include <cstring>
 #include <filesystem>
 
-#include <rakelight/image_sources.h>
-#include <rakelight/tools/file_ending.h>
-#include <rakelight/world.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/io/image_sources.h>
+#include <rakelight/io/world.h>
 
 #include "base/format_text.h"
 #include "image/compare/compare.h"

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <rakelight/compare.h>
+#include <rakelight/tools/compare.h>
 
 #include "image/compare/display_picture.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Makes the components of two pictures comparable.
 #pragma once
-#include <rakelight/image.h>
+#include <rakelight/image/image.h>
 
 namespace rakelight {
 

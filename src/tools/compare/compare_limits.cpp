@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whether two pictures are near enough.
-#include <rakelight/compare.h>
+#include <rakelight/tools/compare.h>
 
 #include <limits>
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <rakelight/compare.h>
+#include <rakelight/tools/compare.h>
 
 namespace rakelight {
 

@@ -2,8 +2,8 @@
 // Comparisons as a page: one file, no script from elsewhere. Without scripts the slider's middle is shown.
 #include <cstring>
 
-#include <rakelight/compare.h>
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/tools/compare.h>
 
 #include "base/format_text.h"
 #include "io/files/output_file.h"

@@ -2,7 +2,7 @@
 // Models as several objects, and all models in their order.
 #include <algorithm>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "math/functions.h"
 #include "tools/creases/model_lists.h"

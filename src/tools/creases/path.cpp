@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "math/functions.h"
 

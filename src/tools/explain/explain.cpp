@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/explain.h>
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
+#include <rakelight/tools/explain.h>
 
 #include <new>
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/explain.h>
+#include <rakelight/tools/explain.h>
 
 #include "engines/raster/inspect/inspection.h"
 #include "render/remarks/shader_terms.h"

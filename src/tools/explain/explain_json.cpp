@@ -3,8 +3,8 @@
 // Floats are written as the doubles that they are equal to, so that the bits come back.
 #include <nlohmann/json.hpp>
 
+#include <rakelight/scene/words.h>
 #include <rakelight/tools/rows.h>
-#include <rakelight/tools/words.h>
 
 #include "tools/explain/explain.h"
 #include "tools/explain/explain_factors.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the default look adds to an explained pixel: its choices, and the way from light to codes.
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/words.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // What shaders of the user's make of a pixel: the terms that a lighting returns, and those that it declares.
 #include <nlohmann/json.hpp>
 
-#include <rakelight/error.h>
-#include <rakelight/linear.h>
+#include <rakelight/base/error.h>
+#include <rakelight/math/linear.h>
 
 #include "tools/explain/explain.h"
 #include "tools/explain/explain_values.h"

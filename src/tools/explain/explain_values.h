@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 #include "tools/shortest_digits.h"
 #include "tools/text_table.h"

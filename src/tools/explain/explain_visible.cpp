@@ -2,7 +2,7 @@
 // Which object an explained pixel shows; where none is, the nearest pixel that shows one.
 #include <nlohmann/json.hpp>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "tools/explain/explain.h"
 #include "tools/object_title.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // World positions that two or more parts draw, and how far apart the parts' normals are there, by pairs of objects.
 #pragma once
-#include <rakelight/inspect.h>
+#include <rakelight/tools/inspect.h>
 
 #include "geometry/faults/place_classes.h"
 #include "tools/inspect/seam_normals.h"

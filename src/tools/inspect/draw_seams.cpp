@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The heat map: the model in gray, and its seams as lines of even width over it. The lines are drawn into the finished
 // picture by its depths, so that they are as wide on a model of twelve triangles as on one of a million.
-#include <rakelight/inspect.h>
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
+#include <rakelight/tools/inspect.h>
 
 #include <algorithm>
 #include <cmath>

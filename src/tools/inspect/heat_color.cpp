@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Angles as colors that grow lighter with the angle, so that they are in order in gray too.
-#include <rakelight/inspect.h>
+#include <rakelight/tools/inspect.h>
 
 #include <algorithm>
 #include <iterator>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/inspect.h>
-#include <rakelight/scene_queries.h>
-#include <rakelight/validate.h>
+#include <rakelight/scene/scene_queries.h>
+#include <rakelight/scene/validate.h>
+#include <rakelight/tools/inspect.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whether an inspected model keeps to limits.
-#include <rakelight/inspect.h>
+#include <rakelight/tools/inspect.h>
 
 #include <cstdio>
 #include <set>

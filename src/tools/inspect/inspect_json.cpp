@@ -2,8 +2,8 @@
 // Inspections as the program's JSON, schema rakelight.inspect/1: fields are added, never renamed.
 #include <nlohmann/json.hpp>
 
-#include <rakelight/inspect.h>
-#include <rakelight/motion.h>
+#include <rakelight/scene/motion.h>
+#include <rakelight/tools/inspect.h>
 #include <rakelight/tools/rows.h>
 
 #include "tools/camera_extent.h"

@@ -2,7 +2,7 @@
 // Checks as JUnit's XML: what build servers show as tests.
 #include <algorithm>
 
-#include <rakelight/tools/inspection_report.h>
+#include <programs/tools/inspection_report.h>
 
 #include "tools/html.h"
 #include "tools/report_json.h"

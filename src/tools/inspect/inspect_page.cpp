@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inspections as a page: one file, no script. The worst comes first: exceeded limits, heat maps, seams, faults.
-#include <rakelight/tools/inspection_report.h>
-#include <rakelight/tools/text_file.h>
+#include <programs/tools/inspection_report.h>
+#include <programs/tools/text_file.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/inspect.h>
+#include <rakelight/tools/inspect.h>
 
 #include "tools/text_table.h"
 

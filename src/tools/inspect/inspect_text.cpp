@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // An inspection for people.
-#include <rakelight/inspect.h>
-#include <rakelight/motion.h>
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/motion.h>
+#include <rakelight/scene/words.h>
+#include <rakelight/tools/inspect.h>
 
 #include <algorithm>
 

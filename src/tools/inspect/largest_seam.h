@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <rakelight/inspect.h>
+#include <rakelight/tools/inspect.h>
 
 namespace rakelight {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Open borders of an inspected model that run along each other: their seams, or the distance that would find these.
 #pragma once
-#include <rakelight/inspect.h>
+#include <rakelight/tools/inspect.h>
 
 #include "geometry/faults/edge_census.h"
 #include "geometry/faults/place_classes.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/inspect/place_angles.h"
 
-#include <rakelight/inspect.h>
+#include <rakelight/tools/inspect.h>
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <optional>
 
-#include <rakelight/inspect.h>
+#include <rakelight/tools/inspect.h>
 
 namespace rakelight {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/attributes.h>
-#include <rakelight/inspect.h>
-#include <rakelight/seams.h>
+#include <rakelight/geometry/attributes.h>
+#include <rakelight/geometry/seams.h>
+#include <rakelight/tools/inspect.h>
 
 #include "tools/inspect/surfaces.h"
 

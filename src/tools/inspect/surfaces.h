@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/attributes.h>
-#include <rakelight/scene.h>
+#include <rakelight/geometry/attributes.h>
+#include <rakelight/scene/scene.h>
 
 #include "prepare/normals/normal_rule.h"
 #include "prepare/variants.h"

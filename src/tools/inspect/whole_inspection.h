@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inspections are plain data: a caller may pass one that differs from what inspect() returned.
 #pragma once
-#include <rakelight/inspect.h>
+#include <rakelight/tools/inspect.h>
 
 namespace rakelight {
 

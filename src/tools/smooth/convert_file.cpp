@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/convert_file.h>
+#include <rakelight/tools/convert_file.h>
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
 #include <rakelight/tools/rows.h>
 
 #include "base/format_text.h"

@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include <rakelight/render.h>
-#include <rakelight/smooth_file.h>
+#include <rakelight/render/render.h>
+#include <rakelight/tools/smooth_file.h>
 
 #include "geometry/borders/open_edges.h"
 #include "geometry/faults/place_classes.h"

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include <rakelight/request.h>
-#include <rakelight/tools/file_ending.h>
-#include <rakelight/world.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/io/world.h>
+#include <rakelight/world/request.h>
 
 #include "io/files/beside.h"
 #include "io/files/file.h"

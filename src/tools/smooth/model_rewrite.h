@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include <rakelight/load.h>
-#include <rakelight/smooth_file.h>
+#include <rakelight/tools/smooth_file.h>
+#include <rakelight/world/load.h>
 
 namespace rakelight {
 

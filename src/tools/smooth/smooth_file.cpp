@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/smooth_file.h>
+#include <rakelight/tools/smooth_file.h>
 
 #include <algorithm>
 #include <utility>

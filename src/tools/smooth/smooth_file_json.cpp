@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
-#include <rakelight/smooth_file.h>
 #include <rakelight/tools/rows.h>
+#include <rakelight/tools/smooth_file.h>
 
 #include "base/format_text.h"
 #include "prepare/normals/repair_borders.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The attributes that smooth_file() writes, as a scene.
 #pragma once
-#include <rakelight/smooth_file.h>
+#include <rakelight/tools/smooth_file.h>
 
 namespace rakelight {
 

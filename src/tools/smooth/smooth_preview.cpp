@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What smoothing would do to a model, as a page of one file: no script, pictures inside.
-#include <rakelight/smooth_file.h>
+#include <rakelight/tools/smooth_file.h>
 
 #include <cstdio>
 #include <filesystem>

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <rakelight/image.h>
-#include <rakelight/vector.h>
+#include <rakelight/image/image.h>
+#include <rakelight/math/vector.h>
 
 #include "image/false_color.h"
 

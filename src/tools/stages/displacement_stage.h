@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The base meshes next to the displaced ones.
 #pragma once
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 #include "tools/stages/stage.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/image.h>
+#include <rakelight/image/image.h>
 
 #include "io/files/made_folders.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/words.h>
 
 #include "math/functions.h"
 #include "tools/stages/label.h"

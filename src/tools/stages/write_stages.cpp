@@ -6,10 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/report.h>
-#include <rakelight/stages.h>
+#include <programs/tools/text_file.h>
+#include <rakelight/base/report.h>
 #include <rakelight/tools/rows.h>
-#include <rakelight/tools/text_file.h>
+#include <rakelight/tools/stages.h>
 
 #include "scene/charge_arrays.h"
 #include "scene/placement.h"

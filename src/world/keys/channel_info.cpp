@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/keys/channel_info.h"
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include <array>
 #include <bit>
 #include <cstring>
 
-#include <rakelight/request.h>
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/words.h>
+#include <rakelight/world/request.h>
 
 namespace rakelight {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses colors and fog.
-#include <rakelight/tools/values.h>
+#include <rakelight/world/values.h>
 
 #include <algorithm>
 #include <array>

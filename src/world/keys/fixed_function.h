@@ -2,7 +2,7 @@
 // The preset of the fixed-function pipeline: its settings, and its restrictions of materials and lights.
 // docs/shading.md.
 #pragma once
-#include <rakelight/request.h>
+#include <rakelight/world/request.h>
 
 namespace rakelight {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Macros and helpers for the tables of [render] keys in keys_*.cpp.
 #pragma once
-#include <rakelight/request.h>
-#include <rakelight/tools/values.h>
+#include <rakelight/world/request.h>
+#include <rakelight/world/values.h>
 
 namespace rakelight::keys {
 

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <iterator>
 
-#include <rakelight/engine.h>
-#include <rakelight/error.h>
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/base/error.h>
+#include <rakelight/engines/engine.h>
 
 #include "base/format_text.h"
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <optional>
 
-#include <rakelight/request.h>
-#include <rakelight/tools/settings_file.h>
-#include <rakelight/tools/words.h>
+#include <programs/world/settings_file.h>
+#include <rakelight/scene/words.h>
+#include <rakelight/world/request.h>
 
 #include "io/world/read_settings.h"
 #include "world/keys/lighting_text.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rakelight/tools/values.h>
+#include <rakelight/world/values.h>
 
 #include <charconv>
 #include <cmath>

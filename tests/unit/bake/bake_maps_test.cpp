@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What bake_maps() refuses.
-#include <rakelight/bake.h>
+#include <rakelight/bake/bake.h>
 
 #include <gtest/gtest.h>
 

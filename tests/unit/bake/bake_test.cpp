@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bakes against surfaces whose normals, heights, curvatures and openness are known.
-#include <rakelight/bake.h>
+#include <rakelight/bake/bake.h>
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "support/thrown_error.h"
 #include "unit/bake/bake_scenes.h"
 
-#include <rakelight/load.h>
+#include <rakelight/world/load.h>
 
 namespace rakelight {
 namespace {

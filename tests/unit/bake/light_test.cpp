@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light in maps: against rooms whose radiosity is known, by the map `light` of bakes and by lightmaps.
-#include <rakelight/bake.h>
-#include <rakelight/lightmap.h>
-#include <rakelight/prepare.h>
-#include <rakelight/validate.h>
+#include <rakelight/bake/bake.h>
+#include <rakelight/bake/lightmap.h>
+#include <rakelight/prepare/prepare.h>
+#include <rakelight/scene/validate.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <rakelight/tools/current_error.h>
+#include <rakelight/base/current_error.h>
 
 #include <new>
 #include <stdexcept>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <rakelight/error.h>
-#include <rakelight/tools/exit_code.h>
+#include <programs/base/exit_code.h>
+#include <rakelight/base/error.h>
 
 using namespace rakelight;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 #include <atomic>
 #include <utility>

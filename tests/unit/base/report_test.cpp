@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <rakelight/report.h>
+#include <rakelight/base/report.h>
 
 using namespace rakelight;
 

@@ -2,7 +2,7 @@
 // Bounds on what GLSL texts ask of a driver's compiler, counted in the text.
 #include <gtest/gtest.h>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "engines/shader_arrays.h"
 #include "engines/shader_constants.h"

@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include <rakelight/interleaved.h>
-#include <rakelight/vector.h>
+#include <rakelight/base/interleaved.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Meshes for the tests of normals and tangents: closed forms, ways of cutting them into objects, and small conveniences.
 #pragma once
-#include <rakelight/attributes.h>
+#include <rakelight/geometry/attributes.h>
 
 #include <cmath>
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include <rakelight/colormap.h>
+#include <rakelight/image/colormap.h>
 
 #include "math/color.h"
 

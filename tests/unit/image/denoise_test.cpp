@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include <rakelight/linear.h>
+#include <rakelight/math/linear.h>
 
 #include "support/thrown_error.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::test {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 #include "image/maps/fourier.h"
 

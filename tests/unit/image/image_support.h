@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the tests of pictures share: pictures made from a formula.
 #pragma once
-#include <rakelight/image.h>
+#include <rakelight/image/image.h>
 
 #include <cstring>
 #include <vector>

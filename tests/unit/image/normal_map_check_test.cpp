@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 #include "math/color.h"
 

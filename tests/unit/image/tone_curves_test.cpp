@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "math/linear.h"
 

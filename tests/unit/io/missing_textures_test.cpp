@@ -3,11 +3,11 @@
 // as white (docs/materials.md).
 #include <cmath>
 
-#include "gltf_support.h"
 #include "io/gltf/write/glb_writer.h"
 #include "io/import/scene_from_import.h"
 #include "io/pictures/image_io.h"
-#include "obj_fixture.h"
+#include "unit/io/gltf/gltf_support.h"
+#include "unit/io/obj/obj_fixture.h"
 
 namespace rakelight {
 namespace {

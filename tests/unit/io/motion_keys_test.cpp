@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `keys` of cameras and lights in world files, as they are read.
 #include <gtest/gtest.h>
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
 
 #include <nlohmann/json.hpp>
 

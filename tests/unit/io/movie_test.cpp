@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Movies of PNG files: APNG chunk by chunk, WebP by its container, and what is refused.
-#include <rakelight/movie.h>
+#include <rakelight/io/movie.h>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -11,7 +11,7 @@
 #include "io/movie/png_chunks.h"
 #include "io/pictures/image_io.h"
 #include "io/pictures/whole_picture.h"
-#include "unit/io/image_io_support.h"
+#include "unit/io/pictures/image_io_support.h"
 
 namespace rakelight {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // OFF: colors of faces and vertices, kinds of the header, and files that promise what they do not hold.
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
 
 #include <gtest/gtest.h>
 

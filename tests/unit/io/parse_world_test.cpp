@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
 
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/words.h>
 #include <cmath>
 #include <limits>
 

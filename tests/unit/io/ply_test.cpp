@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // PLY: names of the common writers, the three forms of the data, faces, and files that promise what they do not hold.
-#include <rakelight/report.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/report.h>
+#include <rakelight/scene/validate.h>
 
 #include <gtest/gtest.h>
 

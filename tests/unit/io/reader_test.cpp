@@ -6,8 +6,8 @@
 #include <string>
 
 #include "io/content_kind.h"
-#include "obj_fixture.h"
 #include "support/shared.h"
+#include "unit/io/obj/obj_fixture.h"
 
 namespace rakelight::io {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points as lines of numbers: what the columns mean, and lines that are none.
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
 
 #include <gtest/gtest.h>
 

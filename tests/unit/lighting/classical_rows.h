@@ -3,7 +3,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include "furnace.h"
+#include "unit/lighting/furnace.h"
 
 namespace rakelight::lighting_test {
 
@@ -18,7 +18,7 @@ inline const std::vector<ClassicalRow>& classical_rows() {
 #define RL_ATTENUATION(c, l, q, d, expected)
 #define RL_RANGE(d, r, expected)
 #define RL_CONE(angle, inner, outer, expected)
-#include "lighting_values.inc"
+#include "unit/lighting/lighting_values.inc"
 #undef RL_TERMS
 #undef RL_ATTENUATION
 #undef RL_RANGE

@@ -2,7 +2,7 @@
 // Fog against the closed forms of the specification.
 #include <gtest/gtest.h>
 
-#include "lighting_items.h"
+#include "unit/lighting/lighting_items.h"
 
 namespace rakelight::lighting_test {
 namespace {
@@ -18,7 +18,7 @@ struct Row {
 };
 #define RL_FOG(...) Row{__VA_ARGS__},
 const std::vector<Row> rows = {
-#include "fog_values.inc"
+#include "unit/lighting/fog_values.inc"
 };
 
 /// The operation of lighting_operations.inc: d = |p|, start, end and density in ka.

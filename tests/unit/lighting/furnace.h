@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lighting_items.h"
+#include "unit/lighting/lighting_items.h"
 
 namespace rakelight::lighting_test {
 

@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "lighting/albedo_tables.h"
-#include "lighting_items.h"
 #include "support/gl_context.h"
 #include "support/shared.h"
+#include "unit/lighting/lighting_items.h"
 
 namespace rakelight::lighting_test {
 namespace {

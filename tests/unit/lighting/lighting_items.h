@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "lighting_kernel.h"
 #include "math/isa.h"
 #include "math/linear.h"
+#include "unit/lighting/lighting_kernel.h"
 
 namespace rakelight::lighting_test {
 

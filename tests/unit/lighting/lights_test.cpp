@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "lighting_items.h"
 #include "math/functions.h"
+#include "unit/lighting/lighting_items.h"
 
 namespace rakelight::lighting_test {
 namespace {
@@ -28,21 +28,21 @@ struct Cone {
 #define RL_RANGE(d, r, expected)
 #define RL_CONE(angle, inner, outer, expected)
 const std::vector<Attenuation> attenuations = {
-#include "lighting_values.inc"
+#include "unit/lighting/lighting_values.inc"
 };
 #undef RL_ATTENUATION
 #undef RL_RANGE
 #define RL_ATTENUATION(...)
 #define RL_RANGE(d, r, expected) Range{d, r, expected},
 const std::vector<Range> ranges = {
-#include "lighting_values.inc"
+#include "unit/lighting/lighting_values.inc"
 };
 #undef RL_RANGE
 #undef RL_CONE
 #define RL_RANGE(...)
 #define RL_CONE(angle, inner, outer, expected) Cone{angle, inner, outer, expected},
 const std::vector<Cone> cones = {
-#include "lighting_values.inc"
+#include "unit/lighting/lighting_values.inc"
 };
 
 float cos_degrees(double angle) { return float(math::cos(radians(angle))); }

@@ -3,7 +3,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include "furnace.h"
+#include "unit/lighting/furnace.h"
 
 namespace rakelight::lighting_test {
 
@@ -14,7 +14,7 @@ struct MaterialRow {
 inline const std::vector<MaterialRow>& material_rows() {
     static const std::vector<MaterialRow> all = {
 #define RL_MATERIAL(lx, ly, lz, vx, vy, vz, ...) MaterialRow{{lx, ly, lz}, {vx, vy, vz}, __VA_ARGS__},
-#include "material_values.inc"
+#include "unit/lighting/material_values.inc"
 #undef RL_MATERIAL
     };
     return all;

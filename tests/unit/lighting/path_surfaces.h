@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surfaces for the samplers: every model and layer, narrow and wide.
 #pragma once
-#include "lighting_items.h"
+#include "unit/lighting/lighting_items.h"
 
 namespace rakelight::lighting_test {
 

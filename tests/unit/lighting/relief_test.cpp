@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "lighting_items.h"
-#include "relief_fields.h"
+#include "unit/lighting/lighting_items.h"
+#include "unit/lighting/relief_fields.h"
 
 namespace rakelight::lighting_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "sphere_bins.h"
+#include "unit/lighting/sphere_bins.h"
 
 namespace rakelight::lighting_test {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "furnace.h"
-#include "path_surfaces.h"
+#include "unit/lighting/furnace.h"
+#include "unit/lighting/path_surfaces.h"
 
 namespace rakelight::lighting_test {
 

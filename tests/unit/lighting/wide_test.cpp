@@ -7,9 +7,9 @@
 #include <set>
 #include <string>
 
-#include "lighting_items.h"
 #include "math/flush_denormals.h"
-#include "sphere_bins.h"
+#include "unit/lighting/lighting_items.h"
+#include "unit/lighting/sphere_bins.h"
 
 namespace rakelight::lighting_test {
 namespace {

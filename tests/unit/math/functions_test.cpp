@@ -8,7 +8,7 @@
 #include <functional>
 #include <limits>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 #include "math/angles.h"
 #include "math/functions.h"

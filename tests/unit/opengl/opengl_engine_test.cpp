@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The engine gl beside the soft one, and its messages when it cannot draw.
-#include <rakelight/report.h>
+#include <rakelight/base/report.h>
 
 #include <algorithm>
 #include <cmath>

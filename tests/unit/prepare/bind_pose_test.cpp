@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Case "skinning": skinned models are smoothed where their parts meet, in the bind pose.
 #include <gtest/gtest.h>
-#include <rakelight/error.h>
-#include <rakelight/report.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/error.h>
+#include <rakelight/base/report.h>
+#include <rakelight/scene/validate.h>
 
 #include <string>
 

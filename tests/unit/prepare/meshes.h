@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Minimal scenes for the tests of prepare, and questions to a report.
 #pragma once
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 #include <cmath>
 #include <string>

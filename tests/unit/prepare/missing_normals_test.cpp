@@ -11,7 +11,7 @@
 #include <set>
 #include <tuple>
 
-#include <rakelight/prepare.h>
+#include <rakelight/prepare/prepare.h>
 
 #include "support/scene_builder.h"
 #include "unit/prepare/prepared.h"

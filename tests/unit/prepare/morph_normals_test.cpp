@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Normals of morph targets: base plus offset is the normal of the morphed surface.
-#include <rakelight/report.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/report.h>
+#include <rakelight/scene/validate.h>
 
 #include <gtest/gtest.h>
 

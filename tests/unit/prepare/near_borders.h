@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts whose borders run along each other without sharing vertices.
 #pragma once
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include <cmath>
 #include <vector>

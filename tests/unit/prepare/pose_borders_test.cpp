@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include <rakelight/motion.h>
-#include <rakelight/prepare.h>
+#include <rakelight/prepare/prepare.h>
+#include <rakelight/scene/motion.h>
 
 #include "near_borders.h"
 #include "prepare/prepare_scene.h"

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "prepare/prepare_scene.h"
 #include "unit/prepare/meshes.h"

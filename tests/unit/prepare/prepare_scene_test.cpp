@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
-#include <rakelight/error.h>
-#include <rakelight/report.h>
+#include <rakelight/base/error.h>
+#include <rakelight/base/report.h>
 
 #include "prepare/prepare_scene.h"
 #include "unit/prepare/meshes.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
-#include <rakelight/error.h>
-#include <rakelight/report.h>
+#include <rakelight/base/error.h>
+#include <rakelight/base/report.h>
 
 #include "prepare/prepare_scene.h"
 #include "support/thrown_error.h"

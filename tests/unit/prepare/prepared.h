@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes as prepare_scene() returns them, checked.
 #pragma once
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
 
 #include "prepare/prepare_scene.h"
 #include "unit/prepare/meshes.h"

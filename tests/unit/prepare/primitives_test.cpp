@@ -10,9 +10,9 @@
 #include <map>
 #include <tuple>
 
-#include <rakelight/context.h>
-#include <rakelight/error.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/context.h>
+#include <rakelight/base/error.h>
+#include <rakelight/scene/validate.h>
 
 #include "math/linear.h"
 #include "scene/placement.h"

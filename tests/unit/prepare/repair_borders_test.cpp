@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include <rakelight/error.h>
-#include <rakelight/prepare.h>
+#include <rakelight/base/error.h>
+#include <rakelight/prepare/prepare.h>
 
 #include "near_borders.h"
 

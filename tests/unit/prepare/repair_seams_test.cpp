@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include <rakelight/prepare.h>
+#include <rakelight/prepare/prepare.h>
 
 #include "math/linear.h"
 #include "prepare/normals/repair_seams.h"

@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include <rakelight/error.h>
-#include <rakelight/report.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/error.h>
+#include <rakelight/base/report.h>
+#include <rakelight/scene/validate.h>
 
 #include "prepare/prepare_scene.h"
 #include "prepare/repair/repair.h"

@@ -2,7 +2,7 @@
 // What poses of many nodes have in common is kept once: tables of targets, weights, joints, posed vertices.
 #include <gtest/gtest.h>
 
-#include <rakelight/motion.h>
+#include <rakelight/scene/motion.h>
 
 #include "prepare/moving_placements.h"
 #include "prepare/pose_scene.h"

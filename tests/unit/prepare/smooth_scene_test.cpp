@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Instances, scopes and what a smoothed scene shares with the one it came from.
-#include <rakelight/report.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/report.h>
+#include <rakelight/scene/validate.h>
 
 #include <gtest/gtest.h>
 

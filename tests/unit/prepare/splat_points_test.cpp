@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points with normals as pieces of surface, and the size of the others.
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prepare/refine/subdivide_scene.h"
 
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
 
 #include <gtest/gtest.h>
 

@@ -9,9 +9,9 @@
 #include <tuple>
 #include <vector>
 
-#include <rakelight/error.h>
-#include <rakelight/scene_queries.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/error.h>
+#include <rakelight/scene/scene_queries.h>
+#include <rakelight/scene/validate.h>
 
 #include "math/linear.h"
 #include "prepare/prepare_scene.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "prepare/split_vertices.h"
 #include "prepare/variants.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstring>
 
-#include <rakelight/radiosity.h>
-#include <rakelight/validate.h>
+#include <rakelight/radiosity/radiosity.h>
+#include <rakelight/scene/validate.h>
 
 #include "image/maps/environment.h"
 #include "radiosity/cut.h"

@@ -9,7 +9,7 @@
 #include "engines/raster/occlusion/occlusion.h"
 #include "math/isa.h"
 #include "unit/raster/busy_scene.h"
-#include "unit/raster/shadow_scenes.h"
+#include "unit/raster/shadows/shadow_scenes.h"
 
 namespace rakelight::test {
 namespace {

@@ -12,7 +12,7 @@
 #include "support/thrown_error.h"
 #include "unit/raster/busy_scene.h"
 #include "unit/raster/drawn.h"
-#include "unit/raster/one_tile.h"
+#include "unit/raster/geometry/one_tile.h"
 
 using namespace rakelight;
 using namespace rakelight::test;

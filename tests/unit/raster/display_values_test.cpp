@@ -12,7 +12,7 @@
 #include "image/tone.h"
 #include "math/isa.h"
 #include "unit/raster/busy_scene.h"
-#include "unit/raster/every_geometry_kernels.h"
+#include "unit/raster/geometry/every_geometry_kernels.h"
 
 using namespace rakelight;
 using namespace rakelight::test;

@@ -2,7 +2,7 @@
 // What an engine keeps for the next picture is charged as long as it is kept.
 #include <gtest/gtest.h>
 
-#include "unit/raster/shadow_scenes.h"
+#include "unit/raster/shadows/shadow_scenes.h"
 
 using namespace rakelight;
 using namespace rakelight::test;

@@ -59,7 +59,7 @@ TEST(RayPoints, OverlappingPointsPartWhereTheirParaboloidsMeet) {
         Scene scene;
         add_points(scene, {place(26, 32), place(38, 32, nearer)}, {red, green});
         const Frame f = traced(scene, flat(), settings_of(20));
-        const double border = 32 - 40.0 / 3 * double(nearer);  // as tests/unit/raster/marks_test.cpp derives it
+        const double border = 32 - 40.0 / 3 * double(nearer);  // as tests/unit/raster/marks/marks_test.cpp derives it
         for (int x = 29; x < 35; ++x) {
             const std::size_t i = std::size_t(31 * side + x);
             EXPECT_EQ(f.color[i], x + 0.5 < border ? red : green) << x << ' ' << nearer;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include <rakelight/load.h>
+#include <rakelight/world/load.h>
 
 #include "cpu_shading/draw_list.h"
 #include "math/linear.h"

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include <rakelight/load.h>
+#include <rakelight/world/load.h>
 
 #include "engines/raster/raster_engine.h"
 #include "math/linear.h"

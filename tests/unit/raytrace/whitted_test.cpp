@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include <rakelight/load.h>
+#include <rakelight/world/load.h>
 
 #include "engines/raytrace/raytrace_engine.h"
 #include "math/linear.h"

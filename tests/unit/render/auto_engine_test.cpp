@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <atomic>
 
-#include <rakelight/render.h>
-#include <rakelight/session.h>
+#include <rakelight/render/render.h>
+#include <rakelight/render/session.h>
 
 #include "support/scene_builder.h"
 #include "support/thrown_error.h"

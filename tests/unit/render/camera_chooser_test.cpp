@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/camera_chooser.h>
-#include <rakelight/load.h>
-#include <rakelight/motion.h>
-#include <rakelight/picture.h>
+#include <rakelight/render/camera_chooser.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/scene/motion.h>
+#include <rakelight/world/load.h>
 
 #include "support/shared.h"
 #include "unit/render/test_scene.h"

@@ -2,8 +2,8 @@
 // Who gives classical parameters does not matter: a material that the world or the command line changes is drawn as one
 // of the world's own with the same parameters.
 #include <gtest/gtest.h>
-#include <rakelight/picture.h>
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
+#include <rakelight/render/picture.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include <rakelight/render.h>
+#include <rakelight/render/render.h>
 
 #include "math/linear.h"
 #include "prepare/shapes/primitives.h"

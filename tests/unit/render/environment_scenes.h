@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include <rakelight/render.h>
+#include <rakelight/render/render.h>
 
 #include "image/maps/environment.h"
 #include "prepare/shapes/primitives.h"

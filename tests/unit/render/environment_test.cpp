@@ -7,7 +7,7 @@
 #include <cstring>
 #include <functional>
 
-#include <rakelight/render.h>
+#include <rakelight/render/render.h>
 
 #include "math/isa.h"
 #include "math/linear.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An engine for tests of what stands around engines: pixel (x, y) is a known function of its place, tiles are 64 x 64.
 #pragma once
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include <algorithm>
 #include <mutex>

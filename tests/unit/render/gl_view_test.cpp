@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // GlView in a context of its caller's: pictures shown, scenes drawn, lines over both. Skipped where there is no OpenGL.
-#include <rakelight/gl_view.h>
-#include <rakelight/shot.h>
+#include <rakelight/render/gl_view.h>
+#include <rakelight/render/shot.h>
 
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include <rakelight/render.h>
+#include <rakelight/render/render.h>
 
 #include "math/color.h"
 #include "support/gl_context.h"

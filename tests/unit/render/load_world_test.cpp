@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <rakelight/picture.h>
-#include <rakelight/report.h>
-#include <rakelight/scene_queries.h>
-#include <rakelight/validate.h>
-#include <rakelight/world.h>
+#include <rakelight/base/report.h>
+#include <rakelight/io/world.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/scene/scene_queries.h>
+#include <rakelight/scene/validate.h>
 
 #include <cmath>
 #include <filesystem>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a scene, its prepared form and its pictures take is given back with the last that holds it.
 #include <gtest/gtest.h>
-#include <rakelight/picture.h>
-#include <rakelight/render.h>
-#include <rakelight/report.h>
+#include <rakelight/base/report.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/render/render.h>
 
 #include "engines/raster/raster_engine.h"
 #include "io/pictures/image_io.h"

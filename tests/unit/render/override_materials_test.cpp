@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 #include "support/scene_builder.h"
 #include "support/shared.h"

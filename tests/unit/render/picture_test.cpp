@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // the authors' own come back where the parts meet.
 #include <gtest/gtest.h>
 
-#include <rakelight/render.h>
+#include <rakelight/render/render.h>
 
 #include <algorithm>
 #include <cctype>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sequences: which pictures they have, where the camera stands, and that each picture is the same whatever else is drawn.
-#include <rakelight/sequence.h>
+#include <rakelight/render/sequence.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
 
-#include <rakelight/linear.h>
-#include <rakelight/render.h>
+#include <rakelight/math/linear.h>
+#include <rakelight/render/render.h>
 
 #include "render/sequence/sequence_plan.h"
 #include "render/sequence/sequence_views.h"

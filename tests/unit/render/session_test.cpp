@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A session gives the pictures that render() gives, takes up only what changed, and says what its engine cannot do.
-#include <rakelight/scene_queries.h>
-#include <rakelight/session.h>
+#include <rakelight/render/session.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <fstream>
 
-#include <rakelight/render.h>
+#include <rakelight/render/render.h>
 
 #include "render/engines.h"
 #include "render/prepared_scene.h"

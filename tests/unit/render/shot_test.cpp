@@ -4,9 +4,9 @@
 #include <cmath>
 #include <memory>
 
-#include <rakelight/picture.h>
-#include <rakelight/session.h>
-#include <rakelight/shot.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/render/session.h>
+#include <rakelight/render/shot.h>
 
 #include "support/thrown_error.h"
 

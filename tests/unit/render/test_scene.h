@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A small scene: two unit squares side by side in the plane z = 0, as two objects that share an edge.
 #pragma once
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight::test {
 

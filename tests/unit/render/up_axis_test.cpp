@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <rakelight/shot.h>
+#include <rakelight/render/shot.h>
 
 #include "math/linear.h"
 #include "render/camera/up_axis.h"

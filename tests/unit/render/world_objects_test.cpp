@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // [[material]] of single objects of a world.
 #include <gtest/gtest.h>
-#include <rakelight/material_changes.h>
-#include <rakelight/picture.h>
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
+#include <rakelight/render/picture.h>
+#include <rakelight/world/material_changes.h>
 
 #include "support/temporary_folder.h"
 #include "support/thrown_error.h"

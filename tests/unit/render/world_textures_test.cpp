@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pictures of a world's materials: each multiplies what glTF says, by the channel that it says.
 #include <gtest/gtest.h>
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 #include <cmath>
 #include <fstream>

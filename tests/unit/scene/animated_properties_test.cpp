@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers that channels set and that are right only beside one another.
 #include <gtest/gtest.h>
-#include <rakelight/motion.h>
-#include <rakelight/validate.h>
+#include <rakelight/scene/motion.h>
+#include <rakelight/scene/validate.h>
 
 #include <algorithm>
 #include <limits>

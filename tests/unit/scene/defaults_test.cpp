@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <rakelight/error.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/base/error.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include "math/linear.h"
 #include "scene/drawn_vertices.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/drawn_vertices.h"
 
-#include <rakelight/scene_queries.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include <gtest/gtest.h>
 

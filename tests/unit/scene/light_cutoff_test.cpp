@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include <rakelight/light_limits.h>
+#include <rakelight/scene/light_limits.h>
 
 namespace rakelight {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <rakelight/error.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/error.h>
+#include <rakelight/scene/validate.h>
 
 #include "math/linear.h"
 #include "scene/charge_arrays.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/scene_queries.h>
+#include <rakelight/scene/scene_queries.h>
 
 #include <gtest/gtest.h>
 

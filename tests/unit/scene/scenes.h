@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Minimal scenes, built in code.
 #pragma once
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include <string>
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <limits>
 
-#include <rakelight/error.h>
-#include <rakelight/validate.h>
+#include <rakelight/base/error.h>
+#include <rakelight/scene/validate.h>
 
 #include "unit/scene/scenes.h"
 

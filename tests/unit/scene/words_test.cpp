@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <rakelight/tools/words.h>
+#include <rakelight/scene/words.h>
 
 using namespace rakelight;
 

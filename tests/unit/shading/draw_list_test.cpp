@@ -7,7 +7,7 @@
 #include <atomic>
 #include <cmath>
 
-#include <rakelight/motion.h>
+#include <rakelight/scene/motion.h>
 
 #include "shading/draw_choices.h"
 #include "shading/edge_lengths.h"

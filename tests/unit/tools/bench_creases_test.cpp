@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/tools/bench.h>
+#include <programs/tools/bench.h>
 
 #include "math/linear.h"
 #include "support/thrown_error.h"

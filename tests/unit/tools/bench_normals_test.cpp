@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/tools/bench.h>
+#include <programs/tools/bench.h>
 
 #include "support/thrown_error.h"
 

@@ -2,14 +2,14 @@
 // The scene that pictures are measured with is what its documentation says, and what is measured is reported. No time
 // is judged.
 #include <gtest/gtest.h>
-#include <rakelight/tools/bench.h>
-#include <rakelight/validate.h>
+#include <programs/tools/bench.h>
+#include <rakelight/scene/validate.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 
 #include "math/linear.h"
 #include "scene/placement.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page of a comparison: its pictures are in it, and nothing of it is elsewhere.
-#include <rakelight/compare.h>
+#include <rakelight/tools/compare.h>
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "support/temporary_folder.h"
 #include "tools/html.h"
 #include "unit/image/image_support.h"
-#include "unit/io/image_io_support.h"
+#include "unit/io/pictures/image_io_support.h"
 
 namespace rakelight {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two pictures and their numbers: what is held against what, limits, rows, difference pictures.
-#include <rakelight/compare.h>
+#include <rakelight/tools/compare.h>
 
 #include <gtest/gtest.h>
 
-#include <rakelight/picture.h>
+#include <rakelight/render/picture.h>
 #include <rakelight/tools/rows.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/inspect.h>
+#include <rakelight/tools/inspect.h>
 
 #include <gtest/gtest.h>
 

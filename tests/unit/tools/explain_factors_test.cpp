@@ -9,7 +9,7 @@
 #include <regex>
 #include <sstream>
 
-#include <rakelight/explain.h>
+#include <rakelight/tools/explain.h>
 #include <rakelight/tools/rows.h>
 #include <nlohmann/json.hpp>
 

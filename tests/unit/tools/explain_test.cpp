@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstring>
 
-#include <rakelight/explain.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/scene/scene_queries.h>
+#include <rakelight/tools/explain.h>
 
 #include "engines/raster/inspect/inspection.h"
 #include "engines/raster/raster_engine.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <sstream>
 
-#include <rakelight/smooth_file.h>
+#include <rakelight/tools/smooth_file.h>
 
 #include "io/gltf/write/glb_writer.h"
 #include "support/temporary_folder.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/inspect.h>
-#include <rakelight/render.h>
+#include <rakelight/render/render.h>
+#include <rakelight/tools/inspect.h>
 #include <rakelight/tools/rows.h>
 
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Windows put together: which window gives which columns, and what is refused.
 #include <gtest/gtest.h>
-#include <rakelight/tools/join_windows.h>
+#include <programs/tools/join_windows.h>
 
 #include "io/pictures/image_io.h"
 #include "support/thrown_error.h"
 #include "tools/window_bands.h"
-#include "unit/io/image_io_support.h"
+#include "unit/io/pictures/image_io_support.h"
 
 namespace rakelight {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Borders that run along each other, as inspections say them: two halves of a cylinder of which one is finer.
-#include <rakelight/inspect.h>
-#include <rakelight/tools/inspection_report.h>
+#include <programs/tools/inspection_report.h>
+#include <rakelight/tools/inspect.h>
 #include <rakelight/tools/rows.h>
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 #include "support/temporary_folder.h"
 #include "tools/inspect/largest_seam.h"
-#include "unit/geometry/border_shapes.h"
+#include "unit/geometry/borders/border_shapes.h"
 #include "unit/render/test_scene.h"
 
 namespace rakelight {

@@ -8,8 +8,8 @@
 #include <initializer_list>
 #include <limits>
 
-#include <rakelight/convert_file.h>
-#include <rakelight/tools/inspection_report.h>
+#include <programs/tools/inspection_report.h>
+#include <rakelight/tools/convert_file.h>
 
 #include "base/format_text.h"
 #include "io/gltf/write/glb_writer.h"

@@ -2,8 +2,8 @@
 // Scenes that are wrong, and every public function that takes one.
 #pragma once
 #include <gtest/gtest.h>
+#include <programs/tools/bench.h>
 #include <rakelight/rakelight.h>
-#include <rakelight/tools/bench.h>
 #include <rakelight/tools/check_scene.h>
 
 #include <cmath>

@@ -2,8 +2,8 @@
 // Characters cut into parts have no seam in motion: where parts meet and follow the same joints, places and normals are
 // equal to the bit in every frame.
 #include <gtest/gtest.h>
-#include <rakelight/motion.h>
-#include <rakelight/session.h>
+#include <rakelight/render/session.h>
+#include <rakelight/scene/motion.h>
 
 #include <array>
 #include <cstring>

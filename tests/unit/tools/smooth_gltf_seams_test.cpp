@@ -6,7 +6,7 @@
 #include <rakelight/rakelight.h>
 
 #include "math/linear.h"
-#include "unit/io/gltf_support.h"
+#include "unit/io/gltf/gltf_support.h"
 
 namespace rakelight {
 namespace {

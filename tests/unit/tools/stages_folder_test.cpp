@@ -3,13 +3,13 @@
 #include "tools/stages/folder.h"
 
 #include <gtest/gtest.h>
-#include <rakelight/tools/unfinished_outputs.h>
+#include <programs/io/unfinished_outputs.h>
 
 #include <fstream>
 
 #include "support/recorded_syncs.h"
 #include "support/thrown_error.h"
-#include "unit/io/image_io_support.h"
+#include "unit/io/pictures/image_io_support.h"
 
 namespace rakelight::stages {
 namespace {

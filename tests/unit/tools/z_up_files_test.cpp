@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstring>
 
-#include <rakelight/compare.h>
-#include <rakelight/convert_file.h>
-#include <rakelight/report.h>
-#include <rakelight/scene_queries.h>
+#include <programs/render/draw_alike.h>
+#include <programs/tools/radiosity_file.h>
+#include <rakelight/base/report.h>
+#include <rakelight/scene/scene_queries.h>
 #include <rakelight/tools/bake_files.h>
-#include <rakelight/tools/draw_alike.h>
-#include <rakelight/tools/radiosity_file.h>
+#include <rakelight/tools/compare.h>
+#include <rakelight/tools/convert_file.h>
 
 #include "base/format_text.h"
 #include "math/linear.h"

@@ -2,8 +2,8 @@
 // What a document keeps while its engine changes.
 #include <gtest/gtest.h>
 
-#include <rakelight/linear.h>
-#include <rakelight/render.h>
+#include <rakelight/math/linear.h>
+#include <rakelight/render/render.h>
 
 #include "../../../apps/viewer/document/document.h"
 #include "looks.h"

@@ -6,8 +6,8 @@
 #include <atomic>
 #include <thread>
 
-#include <rakelight/linear.h>
-#include <rakelight/render.h>
+#include <rakelight/math/linear.h>
+#include <rakelight/render/render.h>
 
 #include "../../../apps/viewer/document/feedback.h"
 #include "../../../apps/viewer/document/gather.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include <rakelight/linear.h>
+#include <rakelight/math/linear.h>
 
 namespace rakelight::viewer {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include <rakelight/linear.h>
+#include <rakelight/math/linear.h>
 
 #include "../../../apps/viewer/view/overlay.h"
 

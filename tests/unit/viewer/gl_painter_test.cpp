@@ -7,7 +7,7 @@
 
 #include <cstdlib>
 
-#include <rakelight/render.h>
+#include <rakelight/render/render.h>
 
 #include "../../../apps/viewer/view/load_model.h"
 #include "../../../apps/viewer/view/painter.h"

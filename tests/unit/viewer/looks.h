@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include <rakelight/linear.h>
+#include <rakelight/math/linear.h>
 
 #include "../../../apps/viewer/document/materials.h"
 #include "../../../apps/viewer/document/save.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <thread>
 
-#include <rakelight/render.h>
+#include <rakelight/render/render.h>
 
 #include "../../../apps/viewer/motion/player.h"
 #include "../../../apps/viewer/view/painter.h"

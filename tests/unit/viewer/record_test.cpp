@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "../../../apps/viewer/motion/record.h"
 
-#include <rakelight/image_sources.h>
+#include <rakelight/io/image_sources.h>
 
 #include "looks.h"
 

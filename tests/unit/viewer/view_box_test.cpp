@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <rakelight/linear.h>
-#include <rakelight/load.h>
+#include <rakelight/math/linear.h>
+#include <rakelight/world/load.h>
 
 namespace rakelight::viewer {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/validate.h>
+#include <rakelight/scene/validate.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Several models as one scene, and models that lie in memory.
 #include <gtest/gtest.h>
 
-#include <rakelight/load.h>
+#include <rakelight/world/load.h>
 
 #include "support/temporary_folder.h"
 #include "support/thrown_error.h"

@@ -6,8 +6,8 @@
 
 #include <fstream>
 
-#include <rakelight/request.h>
-#include <rakelight/tools/settings_file.h>
+#include <programs/world/settings_file.h>
+#include <rakelight/world/request.h>
 
 #include "support/temporary_folder.h"
 #include "support/thrown_error.h"

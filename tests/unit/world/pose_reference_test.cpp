@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Posed vertices against other programs: three.js, and where that departs from glTF an evaluation in double (tests/poses).
 #include <gtest/gtest.h>
-#include <rakelight/load.h>
-#include <rakelight/motion.h>
-#include <rakelight/prepare.h>
+#include <rakelight/prepare/prepare.h>
+#include <rakelight/scene/motion.h>
+#include <rakelight/world/load.h>
 
 #include <filesystem>
 #include <fstream>

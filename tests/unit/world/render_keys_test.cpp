@@ -9,7 +9,7 @@
 
 #include <map>
 
-#include <rakelight/request.h>
+#include <rakelight/world/request.h>
 
 #include "scene/faults.h"
 #include "support/shared.h"

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include <rakelight/load.h>
-#include <rakelight/motion.h>
-#include <rakelight/request.h>
+#include <rakelight/scene/motion.h>
+#include <rakelight/world/load.h>
+#include <rakelight/world/request.h>
 
 #include "math/linear.h"
 #include "support/temporary_folder.h"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include <rakelight/world.h>
+#include <rakelight/io/world.h>
 
 #include "math/linear.h"
 #include "support/shared.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The axis that is up in files, and scenes with Z up that are turned.
-#include <rakelight/report.h>
+#include <rakelight/base/report.h>
 
 #include <gtest/gtest.h>
 

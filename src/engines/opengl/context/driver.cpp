@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "base/format_text.h"
 

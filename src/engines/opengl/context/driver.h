@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 namespace rakelight::opengl {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 namespace rakelight::opengl {
 namespace {

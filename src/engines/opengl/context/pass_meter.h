@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "engines/opengl/context/driver.h"
 #include "engines/opengl/context/gl_objects.h"

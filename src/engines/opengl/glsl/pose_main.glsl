@@ -34,7 +34,7 @@ vec3 offset_of(float weight, float block)
 
 float largest_of(vec3 v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
 
-// normalize_or() of <rakelight/linear.h>: right for any finite length
+// normalize_or() of <rakelight/math/linear.h>: right for any finite length
 vec3 unit_or(vec3 v, vec3 otherwise)
 {
     float largest = largest_of(v);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 #include "shading/draw_list.h"
 #include "shading/picture_camera.h"

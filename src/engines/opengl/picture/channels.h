@@ -4,7 +4,7 @@
 #include <array>
 #include <functional>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "engines/opengl/context/driver.h"
 #include "engines/opengl/context/gl_objects.h"

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "engines/opengl/picture/light_table.h"
 #include "engines/opengl/programs/features.h"

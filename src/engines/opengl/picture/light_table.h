@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 #include "engines/opengl/context/gl_objects.h"
 #include "lighting/light_parameters.h"

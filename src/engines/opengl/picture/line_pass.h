@@ -3,7 +3,7 @@
 #pragma once
 #include <span>
 
-#include <rakelight/line.h>
+#include <rakelight/engines/line.h>
 
 #include "engines/opengl/context/driver.h"
 #include "engines/opengl/context/gl_objects.h"

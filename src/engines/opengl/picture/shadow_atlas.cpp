@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "base/format_text.h"
 #include "shading/lights/shadow_factors.h"

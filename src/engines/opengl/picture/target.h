@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 #include "engines/opengl/context/driver.h"
 #include "engines/opengl/context/gl_objects.h"

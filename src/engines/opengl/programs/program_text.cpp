@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <regex>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "engines/opengl/programs/embedded_texts.h"
 #include "engines/opengl/scene/material_numbers.h"

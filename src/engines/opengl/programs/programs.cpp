@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "engines/opengl/programs/program_cache.h"
 #include "engines/opengl/programs/shader_check.h"

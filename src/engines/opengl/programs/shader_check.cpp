@@ -13,7 +13,7 @@
 #include <set>
 #include <string_view>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "base/child_process.h"
 #include "base/format_text.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "engines/opengl/context/headless.h"
 #include "engines/opengl/programs/compile.h"

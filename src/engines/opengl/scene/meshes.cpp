@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "engines/opengl/programs/program_text.h"
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "engines/opengl/context/driver.h"
 #include "engines/opengl/context/gl_objects.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "engines/opengl/programs/program_text.h"
 #include "engines/opengl/scene/meshes.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 #include "engines/opengl/context/driver.h"
 #include "engines/opengl/context/gl_objects.h"

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "cpu_shading/draw_list.h"
 #include "engines/raster/geometry/clip.h"

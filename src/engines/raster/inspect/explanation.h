@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "engines/raster/inspect/traced_pixel.h"
 #include "engines/raster/lights/lit_corner.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "engines/raster/inspect/explanation.h"
 #include "lighting/light_parameters.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "cpu_shading/draw_list.h"
 #include "engines/raster/kernels/kernel_types.h"

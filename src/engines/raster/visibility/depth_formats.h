@@ -2,7 +2,7 @@
 // Numbers that a z-buffer keeps of a distance: whole numbers of 16, 24 and 32 bits, a float of the textbook's depth, and the float of
 // the reversed depth that this engine draws with.
 #pragma once
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 namespace rakelight::raster {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/engine.h>
+#include <rakelight/base/context.h>
+#include <rakelight/engines/engine.h>
 
 #include "math/linear.h"
 

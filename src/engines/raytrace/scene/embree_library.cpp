@@ -3,7 +3,7 @@
 
 #include <dlfcn.h>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 namespace rakelight::raytrace {
 namespace {

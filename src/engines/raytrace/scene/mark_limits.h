@@ -4,7 +4,7 @@
 #pragma once
 #include <array>
 
-#include <rakelight/engine.h>
+#include <rakelight/engines/engine.h>
 
 #include "shading/picture_camera.h"
 

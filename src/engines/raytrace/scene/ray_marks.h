@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 #include "shading/draw_list.h"
 #include "shading/picture_camera.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 #include "engines/raytrace/scene/ray_marks.h"
 #include "engines/raytrace/scene/ray_scene.h"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include <rakelight/context.h>
+#include <rakelight/base/context.h>
 
 #include "engines/raytrace/scene/embree_library.h"
 #include "engines/raytrace/scene/shapes.h"

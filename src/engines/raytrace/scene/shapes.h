@@ -3,8 +3,8 @@
 #pragma once
 #include <array>
 
-#include <rakelight/scene.h>
-#include <rakelight/scene_queries.h>
+#include <rakelight/scene/scene.h>
+#include <rakelight/scene/scene_queries.h>
 
 namespace rakelight::raytrace {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight::io::gltf {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include "io/gltf/accessors.h"
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight::io::gltf {
 

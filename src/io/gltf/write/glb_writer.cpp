@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/report.h>
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
+#include <rakelight/base/report.h>
 
 #include "io/files/output_file.h"
 #include "io/gltf/write/glb_writer_materials.h"

@@ -4,8 +4,8 @@
 #pragma once
 #include <string>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 namespace rakelight::io {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/write/glb_writer_materials.h"
 
-#include <rakelight/report.h>
+#include <rakelight/base/report.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/gltf/write/glb_writer_pointers.h"
 #include "io/gltf/write/save_tree.h"

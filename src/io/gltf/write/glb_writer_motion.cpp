@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "base/format_text.h"
 #include "math/linear.h"

@@ -5,8 +5,8 @@
 #include <map>
 #include <vector>
 
-#include <rakelight/context.h>
-#include <rakelight/scene.h>
+#include <rakelight/base/context.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/gltf/write/glb_writer_pointers.h"
 #include "io/gltf/write/save_data.h"

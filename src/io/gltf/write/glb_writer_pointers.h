@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/gltf/motion/pointer_table.h"
 #include "io/gltf/write/save_tree.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/gltf/elements.h"
 #include "io/gltf/write/save_tree.h"

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/tools/file_ending.h>
+#include <programs/base/file_ending.h>
 
 #include "io/files/beside.h"
 #include "io/files/file.h"

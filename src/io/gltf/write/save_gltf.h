@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/reader.h"
 

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/vector.h>
+#include <rakelight/math/vector.h>
 
 namespace rakelight::io::gltf {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/gltf/accessors.h"
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/error.h>
+#include <rakelight/base/error.h>
 
 #include "io/gltf/json_tree.h"
 

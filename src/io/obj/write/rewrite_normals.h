@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include <rakelight/scene.h>
+#include <rakelight/scene/scene.h>
 
 #include "io/obj/obj_lines.h"
 #include "io/reader.h"

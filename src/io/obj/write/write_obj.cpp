@@ -13,8 +13,8 @@
 #include <string_view>
 #include <system_error>
 
-#include <rakelight/error.h>
-#include <rakelight/report.h>
+#include <rakelight/base/error.h>
+#include <rakelight/base/report.h>
 
 #include "base/format_text.h"
 #include "io/content_kind.h"

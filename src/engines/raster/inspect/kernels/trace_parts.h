@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The terms of the lights taken apart into their factors, for the recorder: each part of a term is a product whose
 // factors the equations' own functions give. Their sum is the kernel's term except for rounding, as
-// tests/unit/raster/explain_parts_test.cpp checks.
+// tests/unit/raster/inspect/explain_parts_test.cpp checks.
 #pragma once
 #include "engines/raster/inspect/kernels/trace_kernel.h"
 #include "engines/raster/kernels/whole_pixels.h"
