@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/../.."
 
 compgen -G 'build/packages/*.deb' >/dev/null || { echo 'there are no packages: tools/package/make_packages.sh makes them' >&2; exit 1; }
-python3 tests/cli/completion_test.py build/deb/rakelight
+python3 tests/cli/program/completion_test.py build/deb/rakelight
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 dpkg-deb -x build/packages/rakelight_*.deb "$place"

@@ -21,7 +21,7 @@ from labels import HEIGHT, strip
 from png8 import read_rgb, write_rgb
 from sheet import PROGRAM, ROOT, difference, joined, write_sheet
 
-sys.path.insert(0, str(ROOT / "tests/cli"))
+sys.path.insert(0, str(ROOT / "tests/cli/support"))
 import exr  # noqa: E402
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "peers"))
