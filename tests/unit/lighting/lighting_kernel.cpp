@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set: runs the lighting text over arrays, as an engine's kernel would.
-#include "unit/lighting/lighting_kernel.h"
+#include "lighting_kernel.h"
 #include "lighting/lighting.h"
 #include "lighting/read_albedos.h"
 
@@ -11,8 +11,8 @@ using namespace rakelight::lighting::RL_ISA;
 using rakelight::lighting::LightParameters;
 
 // clang-format off
-#include "unit/lighting/operations.glsl"
-#include "unit/lighting/material_operations.glsl"
+#include "operations.glsl"
+#include "material_operations.glsl"
 // clang-format on
 
 inline real sample_albedo(const Maps&, int table, real x, real y) {
@@ -43,7 +43,7 @@ static void store3(float* const* out, int at, vec3 x) {
     static void run_##name(const Inputs& in, float* const* out) { RL_LOOP(store(out[0] + at, result)) }
 #define RL_VEC3(name, result, absolute, relative) \
     static void run_##name(const Inputs& in, float* const* out) { RL_LOOP(store3(out, at, result)) }
-#include "unit/lighting/lighting_operations.inc"
+#include "lighting_operations.inc"
 #undef RL_REAL
 #undef RL_VEC3
 
@@ -52,7 +52,7 @@ static void store3(float* const* out, int at, vec3 x) {
 #define RL_VEC3(name, result, absolute, relative) \
     {#name, 3, run_##name, #result, absolute, []([[maybe_unused]] float e) { return relative; }},
 static const Operation operations[] = {
-#include "unit/lighting/lighting_operations.inc"
+#include "lighting_operations.inc"
 };
 
 static Reflection reflection_of(Choice choice) {

@@ -4,7 +4,7 @@
 #include <stdint.h>
 
 #include "lighting/light_parameters.h"
-#include "unit/lighting/relief_fields.h"
+#include "relief_fields.h"
 
 namespace rakelight::lighting_test {
 
