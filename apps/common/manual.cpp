@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <utility>
 
 namespace rakelight::apps {
 namespace {
@@ -67,15 +69,36 @@ std::string cell(const std::string& text) {
     return replaced(replaced(replaced(text, "|", "\\|"), "<", "&lt;"), "*", "\\*");
 }
 
-std::string markdown_rows(const Command& command) {
-    std::string out;
+/// Rows of commands before, and the first command that has each.
+using Shown = std::map<std::string, std::string>;
+
+/// Links to the options that commands before have alike.
+std::string markdown_links(const std::vector<std::pair<std::string, std::string>>& alike) {
+    std::string out, command;
+    for (const auto& [name, option] : alike) {
+        out += name == command ? ", " : "\n\n**As in [" + name + "](#" + name + ")**: ";
+        out += "`" + option + "`";
+        command = name;
+    }
+    return out.empty() ? out : out.substr(1) + "\n";
+}
+
+/// An option stands once: commands after the first one that has it name it alone.
+std::string markdown_rows(const Command& command, Shown& shown) {
+    std::string out, title;
+    std::vector<std::pair<std::string, std::string>> alike;  // command, option
     walk(
         command,
-        [&](const char* group) { out += "\n**" + std::string(group) + "**\n\n| option | meaning |\n| --- | --- |\n"; },
+        [&](const char* group) { title = "\n**" + std::string(group) + "**\n\n| option | meaning |\n| --- | --- |\n"; },
         [&](const Option& option) {
-            out += "| `" + replaced(written(option), "|", "\\|") + "` | " + cell(option.help + remark(option)) + " |\n";
+            const std::string row =
+                "| `" + replaced(written(option), "|", "\\|") + "` | " + cell(option.help + remark(option)) + " |\n";
+            const auto [first, is_new] = shown.emplace(row, command.name);
+            if (!is_new) return alike.emplace_back(first->second, std::string("--") + option.name), void();
+            out += std::exchange(title, {}) + row;
         });
-    return out;
+    std::ranges::stable_sort(alike, {}, [](const auto& entry) { return entry.first; });
+    return out + markdown_links(alike);
 }
 
 }  // namespace
@@ -101,14 +124,16 @@ std::string man_page(const Program& program) {
 
 std::string markdown_page(const Program& program) {
     std::string out = "# The command line\n\n" + std::string(program.help) + " `" + program.name +
-                      " --markdown` prints this page; `--help` and the man page have the same text.\n";
+                      " --markdown` prints this page; `--help` and the man page have the same text. An option is "
+                      "described once: commands below name it alone.\n";
     out += "\n```\n" + std::string(program.footer) + "\n```\n";
+    Shown shown;
     for (const Command& command : program.commands) {
         out += "\n## " + std::string(command.name) + "\n\n" + command.help + ": `" + usage(program, command) + "`\n";
         if (!command.positionals.empty()) out += "\n";
         for (const Positional& p : command.positionals)
             out += "- `" + std::string(p.name) + "`: " + replaced(p.help, "*", "\\*") + "\n";
-        out += markdown_rows(command);
+        out += markdown_rows(command, shown);
         if (command.footer) out += "\n```\n" + std::string(command.footer) + "\n```\n";
     }
     return out;
