@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include <programs/base/text.h>
 #include <rakelight/base/error.h>
 
 namespace rakelight::cli {
@@ -27,8 +28,7 @@ bool is_scheme_letter(char c) {
 std::string scheme_of(const std::string& word) {
     const std::size_t end = word.find(":/");
     if (end == word.npos || !std::all_of(word.begin(), word.begin() + std::ptrdiff_t(end), is_scheme_letter)) return {};
-    std::string scheme = word.substr(0, end);
-    for (char& c : scheme) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    std::string scheme = lower_case(word.substr(0, end));
     const bool has_host = word.compare(end, 3, "://") == 0;
     return has_host || scheme == "file" ? scheme : std::string();  // "a:/b" is a path like any other
 }

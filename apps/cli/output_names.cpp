@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <programs/base/file_ending.h>
+#include <programs/base/text.h>
 #include <rakelight/io/movie.h>
 #include <rakelight/tools/compare.h>
 #include <rakelight/world/values.h>
@@ -135,8 +136,7 @@ std::string format_of(const Run& run, bool of_pictures) {
     const std::string list = run.given.word("format");
     std::string found;
     for (const std::string_view word : values::split(list, ',')) {
-        std::string name(word.starts_with('.') ? word.substr(1) : word);
-        for (char& c : name) c = char(std::tolower(static_cast<unsigned char>(c)));
+        const std::string name = lower_case(word.starts_with('.') ? word.substr(1) : word);
         const bool is_picture = has_picture_ending("x." + name) || name == "ppm";
         if (!is_picture && !is_scene("x." + name))
             throw values::wrong("format", "'" + one_line(name, 40) + "' is neither a model format nor a picture format",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <programs/base/file_ending.h>
+#include <programs/base/text.h>
 
 namespace rakelight {
 
@@ -7,9 +8,7 @@ std::string file_ending(std::string_view path) {
     const std::string_view name = path.substr(path.find_last_of('/') + 1);  // npos + 1 is 0
     const std::size_t dot = name.rfind('.');
     if (dot == std::string_view::npos || dot == 0) return {};
-    std::string ending(name.substr(dot + 1));
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-    return ending;
+    return lower_case(name.substr(dot + 1));
 }
 
 }  // namespace rakelight

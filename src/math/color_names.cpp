@@ -3,6 +3,8 @@
 
 #include <charconv>
 
+#include <programs/base/text.h>
+
 namespace rakelight {
 namespace {
 
@@ -163,15 +165,6 @@ constexpr NamedColor named_colors[] = {
     {"yellowgreen", 0x9acd32},
 };
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
-
-bool is_name(std::string_view text, std::string_view name) {
-    if (text.size() != name.size()) return false;
-    for (std::size_t i = 0; i < name.size(); ++i)
-        if (lower(text[i]) != name[i]) return false;
-    return true;
-}
-
 std::array<std::uint8_t, 3> codes_of(std::uint32_t code) {
     return {std::uint8_t(code >> 16), std::uint8_t(code >> 8), std::uint8_t(code)};
 }
@@ -179,8 +172,9 @@ std::array<std::uint8_t, 3> codes_of(std::uint32_t code) {
 }  // namespace
 
 std::optional<std::array<std::uint8_t, 3>> color_by_text(std::string_view text) {
+    const std::string name = lower_case(text.substr(0, 32));  // no name is longer
     for (const NamedColor& color : named_colors)
-        if (is_name(text, color.name)) return codes_of(color.code);
+        if (name == color.name) return codes_of(color.code);
     if (!text.starts_with('#') || (text.size() != 4 && text.size() != 7)) return {};
     std::uint32_t code = 0;
     const auto [end, fault] = std::from_chars(text.data() + 1, text.data() + text.size(), code, 16);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stages: parts of the scene -> patches -> shots -> elements, refined at shadow boundaries -> lit scene.
+#include <programs/base/text.h>
 #include <rakelight/base/report.h>
 #include <rakelight/radiosity/radiosity.h>
 
@@ -27,10 +28,6 @@ constexpr double first_share = 0.25;
 constexpr double share_after[] = {0.35, 0.45, 0.55, 0.65, 0.75, 0.85, 0.95, 1.0};
 /// [diagonals of the scene] offset of ray ends from surfaces.
 constexpr double gap_share = 2e-6;
-
-std::string counted(std::size_t count, const std::string& what) {
-    return format_text("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 std::vector<bool> used_materials(const Scene& scene, const std::vector<Part>& parts) {
     std::vector<bool> used(scene.materials.size(), false);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <limits>
 
+#include <programs/base/text.h>
 #include <rakelight/scene/light_limits.h>
 
 #include "base/format_text.h"
@@ -40,8 +41,6 @@ std::string number(double value) {
     std::snprintf(text, sizeof text, "%.3g", value);
     return text;
 }
-
-std::string counted_lights(std::size_t count) { return format_text("{}{}", count, count == 1 ? " light" : " lights"); }
 
 }  // namespace
 
@@ -82,9 +81,9 @@ std::string said(const CutLights& result, double cutoff) {
     if (result.cut == 0)
         text += "no light is cut";
     else if (result.least == result.most)
-        text += counted_lights(result.cut) + " cut at " + number(double(result.least)) + " m";
+        text += counted(result.cut, "light") + " cut at " + number(double(result.least)) + " m";
     else
-        text += counted_lights(result.cut) + " cut at " + number(double(result.least)) + " to " +
+        text += counted(result.cut, "light") + " cut at " + number(double(result.least)) + " to " +
                 number(double(result.most)) + " m";
     if (result.endless != 0) text += format_text("; without an end, since they stay brighter: {}", result.endless);
     return text;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <programs/base/text.h>
 #include <rakelight/scene/words.h>
 
 #include <algorithm>
@@ -9,10 +10,7 @@
 
 namespace rakelight {
 
-bool same_word(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; };
-    return std::ranges::equal(a, b, {}, lower, lower);
-}
+bool same_word(std::string_view a, std::string_view b) { return lower_case(a) == lower_case(b); }
 
 std::size_t spelling_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include <programs/base/exit_code.h>
+#include <programs/base/text.h>
 #include <rakelight/world/values.h>
 
 #include "../inputs.h"
@@ -39,8 +40,7 @@ std::vector<std::string> reference_names(const Run& run, std::string_view option
     if (given.size() > 1) {
         if (given.size() != requests.size())
             throw values::wrong(std::string(option),
-                                std::to_string(given.size()) + " references for " + std::to_string(requests.size()) +
-                                    (requests.size() == 1 ? " picture" : " pictures"),
+                                std::to_string(given.size()) + " references for " + counted(requests.size(), "picture"),
                                 "give one for each, a folder, or a name with {model}");
         return given;
     }

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <programs/base/text.h>
+
 #include "bake/low/charts.h"
 #include "bake/low/shelf_packing.h"
 #include "base/format_text.h"
@@ -134,8 +136,8 @@ MadeCoordinates make_coordinates(Scene scene, const CoordinateOptions& options, 
     const auto packing = pack_shelves(sizes, width, height, margin, context);
     if (!packing || (packing->scale <= 0 && !sizes.empty()))
         throw Error(ErrorCode::usage,
-                    format_text("a map of {} x {} pixels has no room for {}{}{} pixels around each", width, height,
-                                sizes.size(), sizes.size() == 1 ? " chart with " : " charts with ", margin),
+                    format_text("a map of {} x {} pixels has no room for {} with {} pixels around each", width, height,
+                                counted(sizes.size(), "chart"), margin),
                     {}, "make the map larger")
             .about(options.size_setting);
     MeshVariants variants(scene, context);

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include <programs/base/text.h>
+
 #include "base/format_text.h"
 #include "cpu_shading/environment_maps.h"
 #include "cpu_shading/scratch_pool.h"
@@ -222,9 +224,9 @@ private:
         const auto count = std::ranges::count(is_too_bright, true);
         if (count > 0)
             report.add(Remark::note, list_.scene.source, {},
-                       format_text("where the classical colors of {}{} would reflect more light than arrives, they are "
+                       format_text("where the classical colors of {} would reflect more light than arrives, they are "
                                    "divided by their sum",
-                                   count, count == 1 ? " material" : " materials"));
+                                   counted(std::uint64_t(count), "material")));
     }
 
     static bool may_reflect_too_much(const HitJob& job) {

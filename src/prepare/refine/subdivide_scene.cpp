@@ -228,8 +228,8 @@ private:
         const auto add = [&](Remark kind, const std::string& text) {
             context_.report().add(kind, scene_.source, {}, text);
         };
-        add(Remark::note, format_text("subdivided by {}{} ({}): {} faces of {} surfaces became {} triangles", levels,
-                                      high == 1 ? " level" : " levels", scheme, faces, surfaces_.size(), triangles));
+        add(Remark::note, format_text("subdivided by {} {} ({}): {} faces of {} surfaces became {} triangles", levels,
+                                      high == 1 ? "level" : "levels", scheme, faces, surfaces_.size(), triangles));
         if (flat > 0)
             add(Remark::dropped, format_text("{} triangles with corners at one place are not subdivided", flat));
         if (parted > 0)
@@ -237,8 +237,8 @@ private:
                                              "subdivided surface is parted there",
                                              parted));
         if (moving > 0)
-            add(Remark::dropped, format_text("joint influences and morph targets of {} subdivided mesh{} left out",
-                                             moving, moving == 1 ? " is" : "es are"));
+            add(Remark::dropped, format_text("joint influences and morph targets of {} subdivided {} left out", moving,
+                                             moving == 1 ? "mesh is" : "meshes are"));
     }
 
     /// The first surface of a mesh replaces it, others get new meshes.

@@ -15,7 +15,7 @@ namespace rakelight {
 namespace {
 
 /// "1234567" as "1,234,567".
-std::string counted(std::uint64_t count) {
+std::string with_separators(std::uint64_t count) {
     std::string digits = std::to_string(count);
     for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
     return digits;
@@ -33,9 +33,9 @@ std::string format_of(const std::string& file) {
 std::string metadata_text(const std::string& file, const Scene& scene) {
     const auto objects = std::uint64_t(
         std::count_if(scene.nodes.begin(), scene.nodes.end(), [](const Node& n) { return !n.meshes.empty(); }));
-    std::string text = "format " + format_of(file) + "\nobjects " + counted(objects) + "\ntriangles " +
-                       counted(triangle_count(scene)) + "\nmaterials " + counted(scene.materials.size()) +
-                       "\ntextures " + counted(scene.textures.size());
+    std::string text = "format " + format_of(file) + "\nobjects " + with_separators(objects) + "\ntriangles " +
+                       with_separators(triangle_count(scene)) + "\nmaterials " +
+                       with_separators(scene.materials.size()) + "\ntextures " + with_separators(scene.textures.size());
     const Bounds box = world_bounds(scene);
     if (box.empty()) return text;
     char size[100];

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double below_one = 1 - std::numeric_limits<double>::epsilon() / 2;
 
-double counted(double weight) { return std::isfinite(weight) && weight > 0 ? weight : 0; }
+double positive_or_none(double weight) { return std::isfinite(weight) && weight > 0 ? weight : 0; }
 
 }  // namespace
 
@@ -21,11 +21,11 @@ AliasTable::AliasTable(std::span<const double> weights) {
     RL_ASSERT(n < ~std::uint32_t(0), "elements are numbered by 32 bits");
     std::size_t heaviest = 0;
     for (std::size_t i = 1; i < n; ++i)
-        if (counted(weights[i]) > counted(weights[heaviest])) heaviest = i;
-    if (n == 0 || counted(weights[heaviest]) == 0) return;
+        if (positive_or_none(weights[i]) > positive_or_none(weights[heaviest])) heaviest = i;
+    if (n == 0 || positive_or_none(weights[heaviest]) == 0) return;
     std::vector<double> scaled(n);  // by the largest first, so that no sum overflows
     double sum = 0;
-    for (std::size_t i = 0; i < n; ++i) sum += scaled[i] = counted(weights[i]) / weights[heaviest];
+    for (std::size_t i = 0; i < n; ++i) sum += scaled[i] = positive_or_none(weights[i]) / weights[heaviest];
     cells_.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
         cells_[i].probability = float(scaled[i] / sum);

@@ -5,6 +5,8 @@
 #include <set>
 #include <string>
 
+#include <programs/base/text.h>
+
 #include "base/format_text.h"
 #include "geometry/faults/edge_census.h"
 #include "scene/validate_parts.h"
@@ -18,9 +20,8 @@ std::uint64_t size_of(const Mesh& mesh) {
 }
 
 std::string message(bool asked, std::uint64_t edges, std::uint64_t more) {
-    std::string text = format_text("back faces were culled of an open surface with {}{}", edges,
-                                   edges == 1 ? " boundary edge" : " boundary edges");
-    if (more > 0) text += format_text(", and of {}{}", more, more == 1 ? " more object" : " more objects");
+    std::string text = "back faces were culled of an open surface with " + counted(edges, "boundary edge");
+    if (more > 0) text += ", and of " + counted(more, "more object");
     return text + (asked ? ": its inside is not shown" : "");
 }
 
