@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <programs/base/text.h>
 #include <rakelight/base/error.h>
 #include <rakelight/scene/words.h>
 
@@ -74,8 +75,8 @@ void join_passed(UserShaders& s) {
 void set_value(ShaderVariable& to, const ShaderUniform& from) {
     const std::size_t n = std::size_t(to.components());
     if (from.values.size() != n)
-        throw wrong(format_text("'{}' is {} {}, which needs {} number{}, not {}", to.name,
-                                to.type == "int" ? "an" : "a", to.type, n, n == 1 ? "" : "s", from.values.size()));
+        throw wrong(format_text("'{}' is {} {}, which needs {}, not {}", to.name, to.type == "int" ? "an" : "a",
+                                to.type, counted(n, "number"), from.values.size()));
     for (const float value : from.values)
         if (!std::isfinite(value)) throw wrong("the value of '" + to.name + "' is not finite");
     if (to.type == "int" && (from.values[0] != std::trunc(from.values[0]) || std::fabs(from.values[0]) > 16777216.0f))

@@ -3,7 +3,9 @@
 
 #include "engines/channel_arrays.h"
 #include "engines/raster/multisample.h"
+#include "engines/raster/shade/blend_tile.h"
 #include "engines/raster/shade/channels_tile.h"
+#include "engines/raster/shade/shade_tile.h"
 #include "engines/raster/shadows/shadow_texels.h"
 
 namespace rakelight::raster {

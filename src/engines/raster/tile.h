@@ -117,10 +117,6 @@ public:
 
 /// Nearest opaque (or masked, where its texture is opaque) triangle of every pixel.
 void find_visible(const TileJob& job, std::size_t tile, TileScratch& scratch);
-/// Colors of the visible pixels. True where something is to be laid over them.
-bool shade_opaque(const TileJob& job, std::size_t tile, TileScratch& scratch);
-/// Blended surfaces over them, far to near at each pixel, then lines and points.
-void blend_transparent(const TileJob& job, std::size_t tile, TileScratch& scratch);
 
 /// Positions begin..end-1 of a tile's list, all of one draw.
 struct DrawRun {
@@ -131,12 +127,7 @@ struct DrawRun {
 void find_runs(const TileJob& job, std::size_t tile, std::vector<DrawRun>& runs);
 /// Some of them are blended.
 bool has_blended(const TileJob& job, const std::vector<DrawRun>& runs);
-/// The blended triangles of a tile, into Binned::items, far to near by the middle of each: the order in which they are
-/// shaded, and that in which methods without depth lay them.
-std::vector<std::uint32_t> blending_order(const TileJob& job, std::size_t tile);
 
-/// `wanted`: what the first `count` of `shown` are, each once; `batch_triangle`: which of them.
-void find_wanted(const TileJob& job, std::size_t tile, std::size_t count, TileScratch& scratch);
 /// Display values come from the kernel, to their places.
 DisplayPixels display_pixels(const TileScratch& scratch);
 /// Those of a linear color.

@@ -8,7 +8,9 @@
 
 #include "engines/raster/multisample.h"
 #include "engines/raster/raster_engine.h"
+#include "engines/raster/shade/blend_tile.h"
 #include "engines/raster/shade/channels_tile.h"
+#include "engines/raster/shade/shade_tile.h"
 #include "support/thrown_error.h"
 #include "unit/raster/busy_scene.h"
 #include "unit/raster/drawn.h"

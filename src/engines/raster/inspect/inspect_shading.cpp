@@ -3,6 +3,8 @@
 
 #include "engines/raster/inspect/open_scene.h"
 #include "engines/raster/multisample.h"
+#include "engines/raster/shade/blend_tile.h"
+#include "engines/raster/shade/shade_tile.h"
 #include "math/flush_denormals.h"
 
 namespace rakelight::raster {

@@ -9,6 +9,7 @@
 #include "engines/empty_pixel.h"
 #include "engines/raster/occlusion/occlusion.h"
 #include "engines/raster/shade/channels_tile.h"
+#include "engines/raster/shade/shade_tile.h"
 #include "engines/raster/shade/sky.h"
 #include "image/srgb_encoder.h"
 #include "image/tone.h"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engines/raster/multisample.h"
+#include "engines/raster/shade/blend_tile.h"
 #include "engines/raster/shade/layer_order.h"
 #include "engines/raster/visibility/coverage.h"
 #include "unit/raster/drawn.h"
