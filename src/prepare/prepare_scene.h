@@ -40,27 +40,4 @@ UnposedScene finish_unposed(BoundScene bound, const Rare<ScenePose>& pose, const
 /// @throws Error usage: a number out of range, an invalid enumerator
 void check_options(const PrepareOptions& options);
 
-/// Texture coordinates by projection about the world bounding box, for triangle meshes of a valid scene that have none;
-/// reported.
-Scene project_texcoords(Scene scene, UvProjection projection, Context& context);
-
-/// Normals and tangents of a valid scene by <rakelight/geometry/attributes.h> over the whole scene.
-struct SmoothSceneOptions {
-    AttributeOptions attributes;
-    bool only_missing = false;  ///< keep existing normals; compute the others
-    /// Overrides attributes.tangent_mode for all meshes. Absent: that mode for computed normals, MikkTSpace for kept
-    /// ones.
-    std::optional<TangentMode> tangents;
-};
-Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Context& context);
-
-/// The Utah teapot from Newell's 32 Bezier patches, as six objects (rim, body, handle, spout, lid, bottom) with their
-/// patch u, v; no normals (prepare_scene() computes them). `divisions` quads per side of each patch, 1..256.
-/// @param memory charged for the arrays before they are created; may be null. Border positions of adjacent patches are
-///         bit-equal
-Scene make_teapot(int divisions = 10, MemoryBudget* memory = nullptr);
-/// The divisions for which facets are within `tolerance` [m], > 0, of the patch at equal u, v.
-/// @throws Error usage: more than 256 would be needed
-int teapot_divisions(double tolerance);
-
 }  // namespace rakelight

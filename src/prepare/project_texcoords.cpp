@@ -22,7 +22,7 @@
 #include "base/format_text.h"
 #include "math/functions.h"
 #include "math/linear.h"
-#include "prepare/prepare_scene.h"
+#include "prepare/project_texcoords.h"
 #include "prepare/split_vertices.h"
 #include "prepare/variants.h"
 #include "scene/charge_arrays.h"

@@ -7,7 +7,7 @@
 #include <rakelight/geometry/attributes.h>
 
 #include "prepare/normals/morph_normals.h"
-#include "prepare/normals/smooth_request.h"
+#include "prepare/normals/smooth_scene.h"
 #include "prepare/normals/smooth_selection.h"
 #include "prepare/variants.h"
 

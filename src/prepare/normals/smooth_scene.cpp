@@ -17,7 +17,7 @@
 #include "prepare/normals/missing_normals.h"
 #include "prepare/normals/normal_rule.h"
 #include "prepare/normals/place_results.h"
-#include "prepare/normals/smooth_request.h"
+#include "prepare/normals/smooth_scene.h"
 #include "prepare/normals/smooth_selection.h"
 #include "prepare/normals/tangent_report.h"
 #include "prepare/prepare_scene.h"

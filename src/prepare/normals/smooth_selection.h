@@ -5,7 +5,7 @@
 
 #include <rakelight/scene/scene.h>
 
-#include "prepare/normals/smooth_request.h"
+#include "prepare/normals/smooth_scene.h"
 #include "prepare/variants.h"
 
 namespace rakelight {

@@ -11,7 +11,7 @@
 
 #include "base/format_text.h"
 #include "math/linear.h"
-#include "prepare/prepare_scene.h"
+#include "prepare/shapes/teapot.h"
 
 namespace rakelight {
 namespace {

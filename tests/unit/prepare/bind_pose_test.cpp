@@ -9,6 +9,7 @@
 
 #include "math/linear.h"
 #include "prepare/normals/bind_pose.h"
+#include "prepare/normals/smooth_scene.h"
 #include "prepare/prepare_scene.h"
 #include "scene/placement.h"
 #include "unit/prepare/meshes.h"

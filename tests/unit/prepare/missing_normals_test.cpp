@@ -13,6 +13,7 @@
 
 #include <rakelight/prepare/prepare.h>
 
+#include "prepare/normals/smooth_scene.h"
 #include "support/scene_builder.h"
 #include "unit/prepare/prepared.h"
 

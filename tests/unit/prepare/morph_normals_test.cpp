@@ -7,6 +7,7 @@
 
 #include "math/linear.h"
 #include "prepare/normals/morph_normals.h"
+#include "prepare/normals/smooth_scene.h"
 #include "prepare/prepare_scene.h"
 #include "scene/placement.h"
 #include "support/scene_builder.h"

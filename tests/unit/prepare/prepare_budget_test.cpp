@@ -8,6 +8,7 @@
 #include <rakelight/base/error.h>
 
 #include "prepare/prepare_scene.h"
+#include "prepare/project_texcoords.h"
 #include "unit/prepare/meshes.h"
 #include "unit/prepare/prepared.h"
 

@@ -10,6 +10,7 @@
 #include <rakelight/base/report.h>
 
 #include "prepare/prepare_scene.h"
+#include "prepare/shapes/teapot.h"
 #include "unit/prepare/meshes.h"
 #include "unit/prepare/prepared.h"
 

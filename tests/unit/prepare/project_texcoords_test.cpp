@@ -10,6 +10,7 @@
 #include <rakelight/scene/validate.h>
 
 #include "prepare/prepare_scene.h"
+#include "prepare/project_texcoords.h"
 #include "scene/placement.h"
 #include "unit/prepare/meshes.h"
 

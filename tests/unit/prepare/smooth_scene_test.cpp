@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "math/linear.h"
+#include "prepare/normals/smooth_scene.h"
 #include "prepare/prepare_scene.h"
 #include "scene/placement.h"
 #include "unit/prepare/meshes.h"

@@ -15,6 +15,7 @@
 
 #include "math/linear.h"
 #include "prepare/prepare_scene.h"
+#include "prepare/shapes/teapot.h"
 #include "scene/drawn_vertices.h"
 #include "scene/placement.h"
 

@@ -35,4 +35,14 @@ Scene smooth_meshes(Scene scene, const SmoothRequest& request, Context& context)
 /// instances stay shared; published modes over everything at a place in world space, for all meshes.
 Scene add_missing_tangents(Scene scene, const SmoothRequest& request, Context& context);
 
+/// Normals and tangents of a valid scene by <rakelight/geometry/attributes.h> over the whole scene.
+struct SmoothSceneOptions {
+    AttributeOptions attributes;
+    bool only_missing = false;  ///< keep existing normals; compute the others
+    /// Overrides attributes.tangent_mode for all meshes. Absent: that mode for computed normals, MikkTSpace for kept
+    /// ones.
+    std::optional<TangentMode> tangents;
+};
+Scene smooth_scene(const Scene& scene, const SmoothSceneOptions& options, Context& context);
+
 }  // namespace rakelight
