@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
-#include <programs/world/settings_file.h>
+#include <rakelight/world/render_keys.h>
 #include <rakelight/world/values.h>
+#include <rakelight/world/world_request.h>
 
 #include "../common/view_command.h"
 #include "file_uri.h"

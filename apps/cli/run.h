@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <rakelight/render/picture.h>
+#include <rakelight/world/world_request.h>
 
 #include "../common/command_line.h"
 #include "../common/interrupt.h"

@@ -5,6 +5,7 @@
 
 #include <programs/base/exit_code.h>
 #include <rakelight/base/current_error.h>
+#include <rakelight/world/world_request.h>
 #include <string>
 
 #include "../common/interrupt.h"

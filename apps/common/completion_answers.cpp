@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <rakelight/base/error.h>
+#include <rakelight/world/render_keys.h>
 #include <rakelight/world/request.h>
 #include <rakelight/world/values.h>
 

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include <rakelight/version.h>
+#include <rakelight/world/render_keys.h>
 
 namespace rakelight::apps {
 namespace {

@@ -8,6 +8,8 @@
 #include "../common/interrupt.h"
 #include "document/display_path.h"
 
+#include <rakelight/world/render_keys.h>
+
 namespace rakelight::viewer {
 namespace {
 

@@ -4,6 +4,7 @@
 
 #include <programs/base/exit_code.h>
 #include <rakelight/base/current_error.h>
+#include <rakelight/world/render_keys.h>
 #include <rakelight/world/values.h>
 
 #include "../common/command_line.h"

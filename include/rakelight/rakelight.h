@@ -23,11 +23,14 @@
 #include <rakelight/math/vector.h>
 #include <rakelight/prepare/prepare.h>
 #include <rakelight/render/camera_chooser.h>
+#include <rakelight/render/channel_view.h>
 #include <rakelight/render/picture.h>
 #include <rakelight/render/render.h>
 #include <rakelight/render/sequence.h>
 #include <rakelight/render/session.h>
+#include <rakelight/scene/animated_properties.h>
 #include <rakelight/scene/light_limits.h>
+#include <rakelight/scene/motion.h>
 #include <rakelight/scene/scene.h>
 #include <rakelight/scene/scene_queries.h>
 #include <rakelight/scene/validate.h>
@@ -39,4 +42,6 @@
 #include <rakelight/tools/stages.h>
 #include <rakelight/version.h>
 #include <rakelight/world/load.h>
+#include <rakelight/world/render_keys.h>
 #include <rakelight/world/request.h>
+#include <rakelight/world/world_request.h>

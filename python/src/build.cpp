@@ -6,6 +6,8 @@
 #include <rakelight/render/picture.h>
 #include <rakelight/scene/words.h>
 #include <rakelight/version.h>
+#include <rakelight/world/render_keys.h>
+#include <rakelight/world/world_request.h>
 
 #include "scene.h"
 

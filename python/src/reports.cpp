@@ -9,6 +9,7 @@
 #include <rakelight/tools/inspect.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/tools/smooth_file.h>
+#include <rakelight/world/render_keys.h>
 #include <rakelight/world/values.h>
 
 #include "errors.h"

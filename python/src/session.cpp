@@ -11,6 +11,7 @@
 #include <rakelight/render/camera_chooser.h>
 #include <rakelight/render/picture.h>
 #include <rakelight/render/shot.h>
+#include <rakelight/world/render_keys.h>
 
 #include "errors.h"
 #include "frames.h"

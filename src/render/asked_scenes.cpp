@@ -9,7 +9,7 @@
 
 #include "render/look.h"
 #include "render/point_look.h"
-#include "scene/motion/clips.h"
+#include "scene/motion/motion.h"
 #include "world/coloring.h"
 #include "world/scene_of_request.h"
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <rakelight/render/picture.h>
+#include <rakelight/render/channel_view.h>
 
 #include "world/keys/channel_info.h"
 

@@ -11,7 +11,7 @@
 #include <rakelight/scene/scene_queries.h>
 
 #include "prepare/pose_scene.h"
-#include "render/camera/choose_camera.h"
+#include "render/camera/camera_chooser.h"
 #include "render/camera/up_axis.h"
 #include "scene/faults.h"
 #include "world/z_up.h"

@@ -7,8 +7,8 @@
 #include <rakelight/scene/validate.h>
 
 #include "render/check_request.h"
-#include "render/draw_picture.h"
 #include "render/draw_shot.h"
+#include "render/picture.h"
 #include "render/remarks/too_dark_or_bright.h"
 #include "render/stopwatch.h"
 

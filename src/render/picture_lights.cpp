@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/picture_lights.h"
 
+#include <programs/base/text.h>
 #include <rakelight/base/report.h>
 #include <rakelight/math/linear.h>
 #include <rakelight/render/shot.h>
@@ -30,10 +31,10 @@ std::vector<Light> wanted_lights(const Scene& scene, const PictureRequest& reque
 }
 
 void note_lights_left_out(std::size_t count, const std::string& source, Report& report) {
-    report.add(Remark::note, source, "",
-               format_text("the preset has the first {} lights: {}{} left out", max_fixed_lights, count,
-                           count == 1 ? " is" : " are"),
-               {"preset"});
+    report.add(
+        Remark::note, source, "",
+        format_text("the preset has the first {} lights: {} left out", max_fixed_lights, counted(count, "is", "are")),
+        {"preset"});
 }
 
 /// @param report  null: not wanted

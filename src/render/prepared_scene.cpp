@@ -9,7 +9,7 @@
 
 #include "engines/posed_arrays.h"
 #include "prepare/prepare_scene.h"
-#include "render/camera/choose_camera.h"
+#include "render/camera/camera_chooser.h"
 #include "render/height_maps.h"
 #include "scene/placement.h"
 #include "world/scene_of_request.h"

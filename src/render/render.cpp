@@ -12,6 +12,7 @@
 #include "io/gltf/write/glb_writer.h"
 #include "io/obj/write/write_obj.h"
 #include "io/ply/ply_writer.h"
+#include "prepare/normals/smooth_scene.h"
 #include "prepare/prepare_scene.h"
 #include "render/output/picture_files.h"
 #include "render/rows.h"

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <utility>
 
+#include <programs/base/text.h>
 #include <rakelight/base/report.h>
 #include <rakelight/render/render.h>
 #include <rakelight/render/session.h>
@@ -27,10 +28,6 @@
 
 namespace rakelight {
 namespace {
-
-std::string counted(std::size_t count, const std::string& what) {
-    return format_text("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 /// What a rasterizer does not show of the materials.
 void remark_missing_rays(const Scene& scene, const Engine& engine, Report& report) {

@@ -7,12 +7,12 @@
 #include "engines/empty_pixel.h"
 #include "image/tone_curves.h"
 #include "render/asked_scenes.h"
-#include "render/camera/choose_camera.h"
+#include "render/camera/camera_chooser.h"
 #include "render/check_request.h"
-#include "render/decide.h"
 #include "render/look.h"
 #include "render/picture_lights.h"
 #include "render/prepared_scene.h"
+#include "render/shot.h"
 #include "world/coloring.h"
 
 namespace rakelight {

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include <rakelight/base/error.h>
+#include <rakelight/scene/animated_properties.h>
 #include <rakelight/scene/motion.h>
 #include <rakelight/scene/validate.h>
 

@@ -5,8 +5,8 @@
 
 #include "engines/check_settings.h"
 #include "engines/shader_text.h"
-#include "render/decide.h"
 #include "render/prepared_scene.h"
+#include "render/shot.h"
 
 namespace rakelight {
 namespace {

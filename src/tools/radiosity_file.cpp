@@ -11,8 +11,8 @@
 #include "io/gltf/write/glb_writer.h"
 #include "io/pictures/image_io.h"
 #include "render/check_request.h"
-#include "render/decide.h"
 #include "render/lit_scenes.h"
+#include "render/shot.h"
 #include "tools/report_json.h"
 #include "world/z_up.h"
 

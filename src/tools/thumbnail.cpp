@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "render/draw_picture.h"
+#include "render/picture.h"
 #include "tools/thumbnail_textures.h"
 
 namespace rakelight {

@@ -3,6 +3,7 @@
 
 #include "base/assert.h"
 #include "prepare/prepare_scene.h"
+#include "prepare/shapes/teapot.h"
 #include "scene/charge_arrays.h"
 
 namespace rakelight {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/world_clip.h"
 
+#include <rakelight/scene/animated_properties.h>
 #include <rakelight/scene/motion.h>
 
 #include <algorithm>

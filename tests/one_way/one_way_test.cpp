@@ -6,6 +6,7 @@
 #include <set>
 
 #include <rakelight/render/render.h>
+#include <rakelight/world/render_keys.h>
 
 #include "one_way/table.h"
 #include "one_way/ways.h"

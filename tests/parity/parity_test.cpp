@@ -10,9 +10,11 @@
 #include <sstream>
 
 #include <rakelight/render/render.h>
+#include <rakelight/world/render_keys.h>
+#include <rakelight/world/world_request.h>
 
-#include "render/decide.h"
 #include "render/prepared_scene.h"
+#include "render/shot.h"
 #include "support/shared.h"
 #include "world/scene_of_request.h"
 

@@ -5,7 +5,9 @@
 #include <cstdint>
 
 #include <programs/tools/bench.h>
+#include <rakelight/world/render_keys.h>
 #include <rakelight/world/values.h>
+#include <rakelight/world/world_request.h>
 
 #include "../../common/interrupt.h"
 #include "../../common/picture_options.h"

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include <rakelight/tools/rows.h>
+#include <rakelight/world/world_request.h>
 
 #include "../../common/interrupt.h"
 #include "../../common/picture_options.h"

@@ -7,6 +7,7 @@
 
 #include <rakelight/tools/compare.h>
 #include <rakelight/world/values.h>
+#include <rakelight/world/world_request.h>
 
 #include "../inputs.h"
 #include "../output_names.h"

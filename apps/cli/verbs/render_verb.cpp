@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include <programs/base/text.h>
 #include <rakelight/tools/rows.h>
 
 #include "../../common/interrupt.h"
@@ -143,9 +144,9 @@ int run_render(const Run& run) {
         if (CancelOnInterrupt::happened()) return code;
         const std::size_t count = watched.count();
         if (frame == 1)
-            print_message("watching " + std::to_string(count) + (count == 1 ? " file" : " files") +
-                              ": pictures are drawn again when one changes, until Ctrl+C",
-                          run.loudness);
+            print_message(
+                "watching " + counted(count, "file") + ": pictures are drawn again when one changes, until Ctrl+C",
+                run.loudness);
         CancelOnInterrupt::stand_by();
         const std::string changed = watched.wait();
         print_message(one_line(changed, 160) + " has changed: drawing again", run.loudness);

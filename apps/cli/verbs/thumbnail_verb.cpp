@@ -6,6 +6,7 @@
 #include <programs/tools/text_file.h>
 #include <programs/tools/thumbnail.h>
 #include <rakelight/base/current_error.h>
+#include <rakelight/world/render_keys.h>
 #include <rakelight/world/values.h>
 
 #include "../../common/picture_options.h"

@@ -9,6 +9,7 @@
 
 #include <programs/tools/text_file.h>
 #include <rakelight/base/error.h>
+#include <rakelight/world/render_keys.h>
 
 namespace rakelight::viewer {
 namespace {

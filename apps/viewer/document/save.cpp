@@ -12,6 +12,8 @@
 #include "materials.h"
 #include "shell_words.h"
 
+#include <rakelight/world/render_keys.h>
+
 namespace rakelight::viewer {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include <rakelight/version.h>
+#include <rakelight/world/render_keys.h>
 
 namespace rakelight::viewer {
 namespace {

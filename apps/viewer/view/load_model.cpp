@@ -5,6 +5,8 @@
 
 #include <rakelight/render/session.h>
 #include <rakelight/render/shot.h>
+#include <rakelight/world/render_keys.h>
+#include <rakelight/world/world_request.h>
 
 namespace rakelight::viewer {
 namespace {

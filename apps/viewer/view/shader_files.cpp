@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <rakelight/world/render_keys.h>
 #include <rakelight/world/request.h>
 
 namespace rakelight::viewer {

@@ -11,33 +11,13 @@
 #include <rakelight/base/export.h>
 #include <rakelight/engines/engine.h>
 #include <rakelight/prepare/prepare.h>
+#include <rakelight/render/camera_chooser.h>
+#include <rakelight/render/channel_view.h>
 #include <rakelight/render/render.h>
 #include <rakelight/scene/scene_queries.h>
 #include <rakelight/world/request.h>
 
 namespace rakelight {
-
-/// The camera for a picture of `aspect` = width / height. It is placed in world space, with near and far planes around
-/// the model. If a camera of the file has another aspect, its field of view is widened until the picture contains the
-/// original field of view. If the model's bounding box is outside of the view of that camera, a fitted camera replaces
-/// it, with a warning.
-/// @throws Error usage: no such side or camera, impossible angle or position; bad_file "nothing to draw".
-RL_API Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Context& context);
-
-/// The camera that render_picture() chooses for a picture with this hidden-surface removal. The z-buffers of the textbook
-/// (z_float, z16, z24, z32) lose precision if near is small: a camera inside of a scene then has near = far / 10000. All
-/// others show what is nearer.
-RL_API Camera choose_camera(const Scene& scene, const ViewRequest& view, double aspect, Visibility visibility,
-                            Context& context);
-
-/// Data channels (depth, position and so on) can be written as PNG files (channel_files_png). These files show depth
-/// with a gray scale, and position with a color scale. ChannelRange has the values at the ends of both scales. They are
-/// computed from the bounding box of the whole model. So all windows of a picture get the same values. (A window is a
-/// part of the picture that is rendered separately.)
-struct ChannelRange {
-    double depth_low = 0, depth_high = 0;  ///< [m] along the view axis, clipped to the camera's near and far
-    dvec3 low{}, high{};                   ///< [m] world
-};
 
 /// The result of one PictureRequest.
 struct PictureResult {
@@ -78,19 +58,6 @@ RL_API PictureResult render_picture(const PictureRequest& request, std::vector<s
 /// `request.output` and the data channels are ignored.
 /// @throws Error as above
 RL_API PictureResult render_picture(const PictureRequest& request, Pixels& color, Context& context);
-
-/// The value of PictureResult::channel_range.
-/// @param camera  result of choose_camera()
-RL_API ChannelRange channel_range_of(const Bounds& bounds, const Camera& camera);
-
-/// A channel of a frame as display values, as in PNG files of channels: [width * height of the frame's window] sRGB
-/// codes, R in the low byte.
-/// @param channel  one Channel bit
-/// @throws Error usage: the frame has no such channel
-RL_API std::vector<std::uint32_t> channel_codes(const Frame& frame, std::uint32_t channel, const ChannelRange& range);
-
-/// The words of --channels, in the order of the Channel bits.
-RL_API std::vector<std::string> channel_words();
 
 /// Linear light of a display value (sRGB, 0..1), for backgrounds and light colors given as display colors.
 RL_API vec3 linear_from_srgb(vec3 s);

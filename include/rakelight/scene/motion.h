@@ -46,15 +46,4 @@ RL_API Scene scene_at(Scene still, const std::vector<Animation>& animations, std
 /// Animation::plays_always.
 inline constexpr std::string_view world_clip_name = "world";
 
-/// A property of materials, lights or cameras that can be animated.
-struct AnimatedProperty {
-    AnimationPath path;
-    std::string_view name;  ///< AnimationChannel::property
-    std::uint32_t width;    ///< numbers per key: 1..4
-};
-/// All properties that can be animated.
-RL_API std::span<const AnimatedProperty> animated_properties();
-/// The property of that name, or null.
-RL_API const AnimatedProperty* animated_property(AnimationPath path, std::string_view name);
-
 }  // namespace rakelight

@@ -3,7 +3,6 @@
 // written by the keys of [render] in world files (world.h).
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +17,7 @@
 #include <rakelight/prepare/prepare.h>
 #include <rakelight/scene/motion.h>
 #include <rakelight/world/load.h>
+#include <rakelight/world/material_changes.h>
 
 namespace rakelight {
 
@@ -60,27 +60,6 @@ struct ViewRequest {
     bool is_orbited() const { return azimuth_rad || elevation_rad; }
     bool operator==(const ViewRequest&) const = default;
 };
-
-/// Overrides for every material of a scene. The textures use set 0 of the texture coordinates.
-struct MaterialOverrides {
-    std::string base_color{}, normal{}, height{};  ///< picture files; empty: the model's own
-    std::optional<double> normal_scale{};          ///< Material::normal_scale
-    std::optional<bool> green_down{};              ///< Material::green_down
-    std::optional<bool> centered_normals{};        ///< Material::centered_normals
-    std::optional<vec3> color{};                   ///< linear; base color factor
-    std::optional<double> opacity{};               ///< 0..1, alpha factor; surfaces are blended if less than 1
-    /// 0..1, factors of metallic-roughness materials; classical materials are converted first.
-    std::optional<double> roughness{}, metallic{};
-    /// Keys of [[material]] in world files, see material_values(). Applied after the picture files above, and before
-    /// the other members.
-    std::vector<WorldValue> values{};
-
-    bool operator==(const MaterialOverrides&) const = default;
-};
-
-/// The scene with overridden materials; meshes without a material get one.
-/// @throws Error not_found: a missing picture file, or a folder; bad_file: a picture that cannot be decoded
-RL_API Scene override_materials(const Scene& scene, const MaterialOverrides& overrides, Context& context);
 
 /// Unlit coloring by a custom vertex attribute (Mesh::arrays).
 struct Coloring {
@@ -144,9 +123,6 @@ enum class Preset : std::uint8_t {
 };
 /// Whether a preset sets this key of [render]. Explicitly given keys override the preset.
 RL_API bool is_preset_key(std::string_view key);
-/// Whether settings contain the key "preset". If such settings override those of a world file, all keys of
-/// is_preset_key() in the file are ignored.
-RL_API bool sets_preset(std::span<const WorldValue> settings);
 
 /// Overlays drawn over the finished picture: docs/overlays.md.
 struct Overlays {
@@ -210,37 +186,5 @@ struct PictureRequest {
     bool has_overlays() const { return overlays.any() || (coloring.is_on && coloring.has_bar); }
     bool operator==(const PictureRequest&) const = default;
 };
-
-/// Whether settings define the shading of the whole picture. If such settings override those of a world file, the
-/// shading of its materials and parts is ignored (RenderSettings::material_shading).
-RL_API bool sets_shading(std::span<const WorldValue> settings);
-
-/// Settings that override those of a world file.
-struct RenderOverrides {
-    /// Each value overrides the same key in the file. A value that places the camera overrides all keys of the file
-    /// that place the camera.
-    std::vector<WorldValue> values{};
-    /// Whether to use a setting of the file; empty: use all settings. If this function throws an Error, the error gets
-    /// the line and column of the setting.
-    std::function<bool(std::string_view key)> accepts{};
-};
-
-/// The picture of a world file, and its settings.
-struct WorldRequest {
-    PictureRequest picture{};           ///< picture.load.overridden lists the overridden keys
-    std::vector<WorldValue> applied{};  ///< applied settings of the file's [render], with resolved file names
-};
-
-/// Reads [render] of a world file and applies `overrides`. File names are relative to the world's folder. The caller
-/// sets the output.
-/// @throws Error not_found; bad_file, with the file, line and column of the fault; usage: an override is invalid or
-///         conflicts with a setting of the file
-RL_API WorldRequest read_world_request(const std::string& path, const LoadOptions& options,
-                                       const RenderOverrides& overrides, Context& context);
-/// The same without overrides.
-RL_API PictureRequest request_of_world(const std::string& path, const LoadOptions& options, Context& context);
-
-/// The error with the line and column of its setting, if it is about a setting of the file. Otherwise the same error.
-RL_API Error at_world_value(const Error& error, const WorldRequest& world);
 
 }  // namespace rakelight

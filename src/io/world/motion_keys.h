@@ -5,6 +5,8 @@
 
 #include "io/world/section_values.h"
 
+#include <rakelight/scene/animated_properties.h>
+
 namespace rakelight::io::world {
 
 /// A key of [[camera]] or [[light]] that may stand in `keys`, too.

@@ -7,8 +7,8 @@
 #include <rakelight/scene/scene_queries.h>
 
 #include "prepare/pose_scene.h"
+#include "render/camera/camera_chooser.h"
 #include "render/camera/camera_depths.h"
-#include "render/camera/choose_camera.h"
 #include "render/camera/place_camera.h"
 #include "render/camera/swept_outline.h"
 #include "scene/drawn_vertices.h"

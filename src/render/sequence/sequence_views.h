@@ -3,8 +3,8 @@
 #pragma once
 #include <functional>
 
+#include "render/camera/camera_chooser.h"
 #include "render/camera/camera_depths.h"
-#include "render/camera/choose_camera.h"
 #include "render/sequence/sequence_plan.h"
 
 #include <rakelight/scene/scene_queries.h>

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/scene/animated_properties.h>
 #include <rakelight/scene/light_limits.h>
 
 #include "math/default_up.h"

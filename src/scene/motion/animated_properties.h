@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 
+#include <rakelight/scene/animated_properties.h>
 #include <rakelight/scene/motion.h>
 
 namespace rakelight {

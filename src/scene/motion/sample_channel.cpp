@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <rakelight/scene/animated_properties.h>
 #include <rakelight/scene/motion.h>
 
 #include "math/functions.h"

@@ -14,7 +14,7 @@
 #include "math/linear.h"
 #include "prepare/moving_placements.h"
 #include "prepare/pose_scene.h"
-#include "render/camera/choose_camera.h"
+#include "render/camera/camera_chooser.h"
 #include "render/output/picture_sink.h"
 #include "render/prepared_scene.h"
 #include "scene/placement.h"

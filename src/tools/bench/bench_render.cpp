@@ -11,10 +11,10 @@
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"
-#include "render/decide.h"
 #include "render/draw_shot.h"
 #include "render/engines.h"
 #include "render/prepared_scene.h"
+#include "render/shot.h"
 #include "render/stopwatch.h"
 #include "scene/placement.h"
 #include "tools/bench/bench_export.h"

@@ -11,7 +11,7 @@
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/prepare_scene.h"
-#include "render/camera/choose_camera.h"
+#include "render/camera/camera_chooser.h"
 #include "scene/placement.h"
 #include "tools/inspect/largest_seam.h"
 #include "tools/inspect/seam_legend.h"

@@ -7,7 +7,7 @@
 
 #include <programs/base/file_ending.h>
 #include <rakelight/io/world.h>
-#include <rakelight/world/request.h>
+#include <rakelight/world/world_request.h>
 
 #include "io/files/beside.h"
 #include "io/files/file.h"

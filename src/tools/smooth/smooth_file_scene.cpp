@@ -9,7 +9,7 @@
 #include "prepare/normals/missing_normals.h"
 #include "prepare/normals/repair_borders.h"
 #include "prepare/normals/repair_seams.h"
-#include "prepare/normals/smooth_request.h"
+#include "prepare/normals/smooth_scene.h"
 #include "prepare/variants.h"
 #include "scene/charge_arrays.h"
 #include "scene/materials/material_conversion.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Macros and helpers for the tables of [render] keys in keys_*.cpp.
 #pragma once
+#include <rakelight/world/render_keys.h>
 #include <rakelight/world/request.h>
 #include <rakelight/world/values.h>
 
@@ -66,12 +67,14 @@ inline Written on_or_off(bool value) { return {value ? "on" : "off"}; }
 #define RL_INTEGER_KEY(name, field, low, high) \
     RL_KEY(name, value, field, values::integer(name, w[0], low, high), {std::to_string(field)})
 
-std::span<const RenderKey> picture_keys();
-std::span<const RenderKey> surface_keys();
-std::span<const RenderKey> normal_keys();
-std::span<const RenderKey> view_keys();
-std::span<const RenderKey> scene_keys();
-std::span<const RenderKey> coloring_keys();
-std::span<const RenderKey> motion_keys();
+/// The tables of keys_*.cpp.
+using KeyTable = std::span<const RenderKey>;
+extern const KeyTable picture_keys;
+extern const KeyTable surface_keys;
+extern const KeyTable normal_keys;
+extern const KeyTable view_keys;
+extern const KeyTable scene_keys;
+extern const KeyTable coloring_keys;
+extern const KeyTable motion_keys;
 
 }  // namespace rakelight::keys

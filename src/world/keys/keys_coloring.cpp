@@ -49,6 +49,6 @@ constexpr RenderKey table_of_coloring[] = {
 
 }  // namespace
 
-std::span<const RenderKey> coloring_keys() { return table_of_coloring; }
+constinit const KeyTable coloring_keys = table_of_coloring;
 
 }  // namespace rakelight::keys

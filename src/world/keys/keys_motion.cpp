@@ -24,6 +24,6 @@ constexpr RenderKey table_of_motion[] = {
 
 }  // namespace
 
-std::span<const RenderKey> motion_keys() { return table_of_motion; }
+constinit const KeyTable motion_keys = table_of_motion;
 
 }  // namespace rakelight::keys

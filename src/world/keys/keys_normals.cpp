@@ -123,6 +123,6 @@ constexpr RenderKey table_of_normal[] = {
 
 }  // namespace
 
-std::span<const RenderKey> normal_keys() { return table_of_normal; }
+constinit const KeyTable normal_keys = table_of_normal;
 
 }  // namespace rakelight::keys

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys of the picture: size, samples, data channels, engine, shading frequency, visibility, lines and points.
 #include "base/format_text.h"
+
+#include <programs/base/text.h>
 #include "world/keys/channel_info.h"
 #include "world/keys/fixed_function.h"
 #include "world/keys/key_fields.h"
@@ -44,8 +46,7 @@ void read_preset(PictureRequest& r, Words w) {
 
 /// Ray tracing has shadows by default; `shadows`, which is read later, may override it.
 void read_engine(PictureRequest& r, Words w) {
-    r.engine = w[0];
-    for (char& c : r.engine) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    r.engine = lower_case(w[0]);
     if (r.engine == "trace") r.settings.shadows = true;
 }
 
@@ -243,6 +244,6 @@ constexpr RenderKey table_of_picture[] = {
 
 }  // namespace
 
-std::span<const RenderKey> picture_keys() { return table_of_picture; }
+constinit const KeyTable picture_keys = table_of_picture;
 
 }  // namespace rakelight::keys

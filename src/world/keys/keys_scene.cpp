@@ -90,6 +90,6 @@ constexpr RenderKey table_of_scene[] = {
 
 }  // namespace
 
-std::span<const RenderKey> scene_keys() { return table_of_scene; }
+constinit const KeyTable scene_keys = table_of_scene;
 
 }  // namespace rakelight::keys

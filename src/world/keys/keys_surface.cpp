@@ -126,6 +126,6 @@ constexpr RenderKey table_of_surface[] = {
 
 }  // namespace
 
-std::span<const RenderKey> surface_keys() { return table_of_surface; }
+constinit const KeyTable surface_keys = table_of_surface;
 
 }  // namespace rakelight::keys

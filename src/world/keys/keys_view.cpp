@@ -83,6 +83,6 @@ constexpr RenderKey table_of_view[] = {
 
 }  // namespace
 
-std::span<const RenderKey> view_keys() { return table_of_view; }
+constinit const KeyTable view_keys = table_of_view;
 
 }  // namespace rakelight::keys

@@ -33,4 +33,8 @@ std::string read_shader_file(const std::string& path, const std::string& key, co
     return text;
 }
 
+bool names_lighting_file(const WorldValue& value) {
+    return value.key == "lighting" && !value.words.empty() && is_lighting_file(value.words[0]);
+}
+
 }  // namespace rakelight

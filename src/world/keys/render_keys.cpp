@@ -7,15 +7,15 @@
 #include "engines/check_settings.h"
 #include "engines/shader_text.h"
 #include "world/keys/key_fields.h"
+#include "world/keys/lighting_text.h"
 
 namespace rakelight {
 namespace {
 
 std::vector<RenderKey> all_keys() {
     std::vector<RenderKey> all;
-    for (const std::span<const RenderKey> part :
-         {keys::picture_keys(), keys::surface_keys(), keys::normal_keys(), keys::view_keys(), keys::scene_keys(),
-          keys::coloring_keys(), keys::motion_keys()})
+    for (const keys::KeyTable part : {keys::picture_keys, keys::surface_keys, keys::normal_keys, keys::view_keys,
+                                      keys::scene_keys, keys::coloring_keys, keys::motion_keys})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }
@@ -128,6 +128,11 @@ const RenderKey* find_render_key(std::string_view name) {
     const auto found =
         std::ranges::find(render_keys(), name, [](const RenderKey& k) { return std::string_view(k.name); });
     return found == render_keys().end() ? nullptr : &*found;
+}
+
+bool names_files(const WorldValue& value) {
+    const RenderKey* const key = find_render_key(value.key);
+    return (key && key->kind == RenderKey::Kind::file) || names_lighting_file(value);
 }
 
 bool places_camera(std::string_view key) {

@@ -10,6 +10,8 @@
 #include "../../../apps/common/picture_options.h"
 #include "support/thrown_error.h"
 
+#include <rakelight/world/render_keys.h>
+
 namespace rakelight::apps {
 namespace {
 

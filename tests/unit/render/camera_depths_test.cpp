@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "math/linear.h"
-#include "render/decide.h"
 #include "render/engines.h"
+#include "render/shot.h"
 #include "support/scene_builder.h"
 #include "unit/render/test_scene.h"
 

@@ -7,8 +7,8 @@
 
 #include "io/files/file.h"
 #include "io/pictures/image_io.h"
-#include "render/draw_picture.h"
 #include "render/draw_shot.h"
+#include "render/picture.h"
 #include "render/prepared_scene.h"
 #include "support/temporary_folder.h"
 #include "unit/render/fake_engine.h"

@@ -12,6 +12,8 @@
 #include <rakelight/tools/bake_files.h>
 #include <rakelight/tools/compare.h>
 #include <rakelight/tools/convert_file.h>
+#include <rakelight/world/render_keys.h>
+#include <rakelight/world/world_request.h>
 
 #include "base/format_text.h"
 #include "math/linear.h"

@@ -4,6 +4,8 @@
 #include "../../../apps/viewer/motion/player.h"
 #include "looks.h"
 
+#include <rakelight/scene/animated_properties.h>
+
 namespace rakelight::viewer {
 namespace {
 

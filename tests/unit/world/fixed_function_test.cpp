@@ -9,6 +9,9 @@
 #include "support/temporary_folder.h"
 #include "world/keys/fixed_function.h"
 
+#include <rakelight/world/render_keys.h>
+#include <rakelight/world/world_request.h>
+
 namespace rakelight {
 namespace {
 

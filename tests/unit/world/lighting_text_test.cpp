@@ -6,8 +6,8 @@
 
 #include <fstream>
 
-#include <programs/world/settings_file.h>
-#include <rakelight/world/request.h>
+#include <rakelight/world/render_keys.h>
+#include <rakelight/world/world_request.h>
 
 #include "support/temporary_folder.h"
 #include "support/thrown_error.h"

@@ -9,6 +9,7 @@
 
 #include <map>
 
+#include <rakelight/world/render_keys.h>
 #include <rakelight/world/request.h>
 
 #include "scene/faults.h"

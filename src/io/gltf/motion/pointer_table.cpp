@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/motion/pointer_table.h"
 
+#include <rakelight/scene/animated_properties.h>
 #include <rakelight/scene/motion.h>
 
 #include <map>

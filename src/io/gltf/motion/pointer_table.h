@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include <rakelight/scene/animated_properties.h>
 #include <rakelight/scene/scene.h>
 
 namespace rakelight::io::gltf {

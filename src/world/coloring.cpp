@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include <programs/base/text.h>
 #include <rakelight/scene/words.h>
 
 #include "base/format_text.h"
@@ -48,8 +49,8 @@ void check_array(const Scene& scene, const Coloring& coloring) {
                                           "'; there are " + list_of_names(array_names(scene), 12, 60))
             .about("scalars");
     if (coloring.component && (*coloring.component < 0 || std::uint32_t(*coloring.component) >= most))
-        throw Error(ErrorCode::usage, format_text("'{}' has {}{}, counted from 0", one_line(coloring.array, 60), most,
-                                                  most == 1 ? " component" : " components"))
+        throw Error(ErrorCode::usage, format_text("'{}' has {}, counted from 0", one_line(coloring.array, 60),
+                                                  counted(most, "component")))
             .about("coloring-component");
 }
 

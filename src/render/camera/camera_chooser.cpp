@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which camera: the caller's, else the file's first, else one fitted to the model.
-#include "render/camera/choose_camera.h"
+#include "render/camera/camera_chooser.h"
 
 #include <algorithm>
 #include <charconv>

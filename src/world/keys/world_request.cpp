@@ -3,19 +3,15 @@
 #include <filesystem>
 #include <optional>
 
-#include <programs/world/settings_file.h>
 #include <rakelight/scene/words.h>
-#include <rakelight/world/request.h>
+#include <rakelight/world/render_keys.h>
+#include <rakelight/world/world_request.h>
 
 #include "io/world/read_settings.h"
 #include "world/keys/lighting_text.h"
 
 namespace rakelight {
 namespace {
-
-bool names_lighting_file(const WorldValue& value) {
-    return value.key == "lighting" && !value.words.empty() && is_lighting_file(value.words[0]);
-}
 
 bool has(std::span<const WorldValue> values, std::string_view key) {
     return std::ranges::find(values, key, &WorldValue::key) != values.end();
@@ -120,11 +116,6 @@ std::optional<Error> disagreement(const Error& error, const WorldRequest& world,
 }
 
 }  // namespace
-
-bool names_files(const WorldValue& value) {
-    const RenderKey* const key = find_render_key(value.key);
-    return (key && key->kind == RenderKey::Kind::file) || names_lighting_file(value);
-}
 
 bool sets_preset(std::span<const WorldValue> settings) {
     const auto preset = std::ranges::find(settings, "preset", &WorldValue::key);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chooses the camera of a picture. See choose_camera() in <rakelight/render/picture.h>.
+// Chooses the camera of a picture. See choose_camera() in <rakelight/render/camera_chooser.h>.
 #pragma once
 #include <rakelight/base/report.h>
-#include <rakelight/render/picture.h>
+#include <rakelight/render/camera_chooser.h>
 #include <rakelight/scene/scene_queries.h>
 #include <rakelight/scene/validate.h>
 

@@ -4,8 +4,8 @@
 #include <rakelight/render/picture.h>
 #include <rakelight/render/session.h>
 
-#include "render/decide.h"
 #include "render/output/picture_target.h"
+#include "render/shot.h"
 
 namespace rakelight {
 

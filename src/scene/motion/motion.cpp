@@ -10,11 +10,12 @@
 #include <vector>
 
 #include <rakelight/base/error.h>
+#include <rakelight/scene/animated_properties.h>
 
 #include "base/format_text.h"
 #include "math/linear.h"
 #include "scene/motion/animated_properties.h"
-#include "scene/motion/clips.h"
+#include "scene/motion/motion.h"
 #include "scene/motion/sample_channel.h"
 #include "scene/validate_parts.h"
 
