@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include <rakelight/base/error.h>
+
 #include "io/files/made_folders.h"
 #include "io/files/output_place.h"
 

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <rakelight/base/error.h>
+
 #include "io/files/made_folders.h"
 #include "io/files/sync.h"
 
