@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of a build without libwebp (RAKELIGHT_WEBP=OFF).
 #include "base/left_out.h"
-#include "io/movie/movie_writers.h"
+#include "io/movie/movie_formats.h"
 #include "io/pictures/image_formats.h"
 
 namespace rakelight::io {
@@ -17,13 +17,14 @@ std::unique_ptr<ImageWriter> write_webp(const OutputTarget& target, int, int, in
     throw no_webp(ErrorCode::usage).with_file(target.path);
 }
 
+void write_webp_movie(const std::string& path, const MoviePictures&, Context&) {
+    throw no_webp(ErrorCode::usage).with_file(path);
+}
+
 }  // namespace
 
 const codec::ReadableFormat codec::readable_webp = {.read = read_webp};
 const codec::WritableFormat codec::writable_webp = {.write = write_webp};
-
-void write_webp_movie(const std::string& path, const MoviePictures&, Context&) {
-    throw no_webp(ErrorCode::usage).with_file(path);
-}
+const MovieFormat webp_movie = {.ending = "webp", .most_side = 16383, .write = write_webp_movie};
 
 }  // namespace rakelight::io
