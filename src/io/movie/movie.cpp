@@ -8,7 +8,7 @@
 #include <rakelight/io/movie.h>
 
 #include "base/format_text.h"
-#include "io/files/output_place.h"
+#include "io/files/made_folders.h"
 #include "io/movie/ffmpeg_process.h"
 #include "io/movie/movie_formats.h"
 #include "io/pictures/whole_picture.h"
