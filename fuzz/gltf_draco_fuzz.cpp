@@ -13,15 +13,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Context context({.threads = 1, .max_memory = 256u << 20});
     const Value from(nullptr, "mesh 0, primitive 0");
     try {
-        const DracoMesh mesh(std::as_bytes(std::span(data, size)), from, context);
-        for (const std::uint32_t corner : mesh.indices())
-            if (corner >= mesh.vertex_count()) std::abort();
+        const std::unique_ptr<DracoMesh> mesh = decode_draco(std::as_bytes(std::span(data, size)), from, context);
+        for (const std::uint32_t corner : mesh->indices())
+            if (corner >= mesh->vertex_count()) std::abort();
         Elements description;
         description.components = 3;
         for (std::uint32_t id = 0; id < 4; ++id) {
             try {
-                const Elements found = mesh.attribute(id, description, from, context);
-                if (found.count != mesh.vertex_count()) std::abort();
+                const Elements found = mesh->attribute(id, description, from, context);
+                if (found.count != mesh->vertex_count()) std::abort();
                 to_vec3(found);
             } catch (const Error&) {
             }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "convert.h"
+#include "convert_mesh.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
+
+#include "join.h"
 
 namespace rakelight::import_helper {
 namespace {

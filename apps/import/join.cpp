@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Assimp hands out a vertex per corner for most formats. Joining those that are equal in every attribute changes no picture and
 // no topology that the file had: two vertices that differ in one bit of one attribute stay two.
-#include "convert.h"
+#include "join.h"
 
 #include <cstring>
 

@@ -24,7 +24,9 @@
 #include <rakelight/base/current_error.h>
 
 #include "../common/helper_limits.h"
-#include "convert.h"
+#include "convert_mesh.h"
+#include "convert_nodes.h"
+#include "convert_surface.h"
 #include "folder_io.h"
 #include "io/import/stream_writer.h"
 
@@ -187,16 +189,6 @@ int run(const Options& options) {
 }
 
 }  // namespace
-
-Format format_of(const std::string& path) {
-    Format format;
-    format.ending = file_ending(path);
-    const std::string& e = format.ending;
-    format.file_normals = e == "fbx" || e == "dae" || e == "x";
-    format.hint_normals = e == "3ds" || e == "ase";
-    format.max_placement = format.hint_normals;
-    return format;
-}
 
 }  // namespace rakelight::import_helper
 

@@ -19,6 +19,7 @@
 #include <rakelight/io/image_sources.h>
 #include <rakelight/io/movie.h>
 #include <rakelight/io/world.h>
+#include <rakelight/io/world_words.h>
 #include <rakelight/math/linear.h>
 #include <rakelight/math/vector.h>
 #include <rakelight/prepare/prepare.h>

@@ -10,6 +10,7 @@
 #include "base/format_text.h"
 #include "io/cloud_material.h"
 #include "io/files/plain_text.h"
+#include "io/model_readers.h"
 #include "io/vertex_table.h"
 
 namespace rakelight::io {
@@ -179,9 +180,15 @@ Scene read_xyz_text(std::string_view bytes, const std::string& path, Context& co
     return scene;
 }
 
-Scene read_xyz(const std::string& path, const ReadOptions&, Context& context) {
-    const Bytes bytes = read_file(path, context);
-    return read_xyz_text({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path, context);
+namespace {
+
+Scene read_bytes(const std::string& path, Bytes bytes, const ReadOptions&, Context& context) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    return read_xyz_text(text, path, context);
 }
+
+}  // namespace
+
+const ModelReader xyz_reader = {.read_bytes = read_bytes};
 
 }  // namespace rakelight::io

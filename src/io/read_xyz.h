@@ -13,6 +13,5 @@ namespace rakelight::io {
 /// '#' or '//' are comments.
 /// @throws Error bad_file: a line that is none, with its number
 Scene read_xyz_text(std::string_view text, const std::string& path, Context& context);
-Scene read_xyz(const std::string& path, const ReadOptions& options, Context& context);
 
 }  // namespace rakelight::io

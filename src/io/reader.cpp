@@ -18,40 +18,27 @@
 #include "base/left_out.h"
 #include "io/content_kind.h"
 #include "io/files/file.h"
-#include "io/files/plain_text.h"
-#include "io/gltf/read_gltf.h"
-#include "io/obj/read_obj.h"
-#include "io/ply/read_off.h"
-#include "io/ply/read_ply.h"
-#include "io/read_xyz.h"
+#include "io/model_readers.h"
 
 namespace rakelight::io {
 namespace {
 
-enum class Reader : std::uint8_t { gltf, obj, ply, off, xyz, import_helper };
-
 struct Format {
     std::string_view ending, name;
-    Reader reader;
+    const ModelReader* reader;
     bool has_meters;  ///< or says what its unit is; the others are numbers alone
 };
 
 constexpr Format formats[] = {
-    {"gltf", "glTF 2.0", Reader::gltf, true},
-    {"glb", "GLB", Reader::gltf, true},
-    {"obj", "OBJ", Reader::obj, false},
-    {"ply", "PLY", Reader::ply, false},
-    {"off", "OFF", Reader::off, false},
-    {"xyz", "XYZ", Reader::xyz, false},
-    {"pts", "PTS", Reader::xyz, false},
+    {"gltf", "glTF 2.0", &gltf_reader, true}, {"glb", "GLB", &gltf_reader, true},
+    {"obj", "OBJ", &obj_reader, false},       {"ply", "PLY", &ply_reader, false},
+    {"off", "OFF", &off_reader, false},       {"xyz", "XYZ", &xyz_reader, false},
+    {"pts", "PTS", &xyz_reader, false},
 #if RL_IMPORT
-    {"fbx", "FBX", Reader::import_helper, true},
-    {"dae", "DAE", Reader::import_helper, true},
-    {"3ds", "3DS", Reader::import_helper, false},
-    {"ase", "ASE", Reader::import_helper, false},
-    {"blend", "Blend", Reader::import_helper, true},
-    {"stl", "STL", Reader::import_helper, false},
-    {"x", "X", Reader::import_helper, false},
+    {"fbx", "FBX", &import_reader, true},     {"dae", "DAE", &import_reader, true},
+    {"3ds", "3DS", &import_reader, false},    {"ase", "ASE", &import_reader, false},
+    {"blend", "Blend", &import_reader, true}, {"stl", "STL", &import_reader, false},
+    {"x", "X", &import_reader, false},
 #endif
 };
 
@@ -86,7 +73,7 @@ std::vector<std::byte> head_of(const std::string& path, Context& context) {
 /// here).
 bool may_hold(const Format& format, const ContentKind& kind) {
     return kind.ending == format.ending ||
-           (format.reader == Reader::gltf && (kind.ending == "glb" || kind.ending == "gltf"));
+           (format.reader == &gltf_reader && (kind.ending == "glb" || kind.ending == "gltf"));
 }
 
 /// Endings of formats that the import helper would read.
@@ -125,45 +112,6 @@ const Format& choose_format(const std::string& path, std::span<const std::byte> 
     return *format;
 }
 
-Scene read_as(const Format& format, const std::string& path, const ReadOptions& options, Context& context) {
-    switch (format.reader) {
-        case Reader::gltf:
-            return read_gltf(path, options, context);
-        case Reader::obj:
-            return read_obj(path, options, context);
-        case Reader::ply:
-            return read_ply(path, options, context);
-        case Reader::off:
-            return read_off(path, options, context);
-        case Reader::xyz:
-            return read_xyz(path, options, context);
-        case Reader::import_helper:
-            return read_with_import_helper(path, options, context);
-    }
-    return {};
-}
-
-std::string_view text_of(const Bytes& bytes) { return {reinterpret_cast<const char*>(bytes->data()), bytes->size()}; }
-
-Scene read_as(const Format& format, const std::string& path, Bytes bytes, const ReadOptions& options,
-              Context& context) {
-    switch (format.reader) {
-        case Reader::gltf:
-            return gltf::read_gltf_bytes(path, std::move(bytes), options, context);
-        case Reader::obj:
-            return obj::read_obj_text(PlainText(text_of(bytes), path, context).view(), path, options, context);
-        case Reader::ply:
-            return ply::read_ply_bytes(text_of(bytes), path, options, context);
-        case Reader::off:
-            return ply::read_off_text(text_of(bytes), path, context);
-        case Reader::xyz:
-            return read_xyz_text(text_of(bytes), path, context);
-        case Reader::import_helper:
-            return read_with_import_helper(path, bytes, options, context);
-    }
-    return {};
-}
-
 /// Runs a reader, with the file's name in what goes wrong.
 template <class Read>
 Scene read_valid(const std::string& path, Context& context, const Read& read) {
@@ -191,7 +139,7 @@ const char* length_unit(const std::string& path) {
 
 Scene read_scene(const std::string& path, const ReadOptions& options, Context& context) {
     return read_valid(path, context, [&] {
-        return read_as(choose_format(path, head_of(path, context), context), path, options, context);
+        return choose_format(path, head_of(path, context), context).reader->read(path, options, context);
     });
 }
 
@@ -199,7 +147,7 @@ Scene read_scene(const std::string& path, Bytes bytes, const ReadOptions& option
     return read_valid(path, context, [&] {
         const Format& format =
             choose_format(path, std::span(*bytes).first(std::min(head_bytes, bytes->size())), context);
-        return read_as(format, path, std::move(bytes), options, context);
+        return format.reader->read_bytes(path, std::move(bytes), options, context);
     });
 }
 

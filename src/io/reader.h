@@ -25,15 +25,6 @@ Scene read_scene(const std::string& path, const ReadOptions& options, Context& c
 /// The same of a file that is in memory. @param path  where it would be: its ending, its folder, its name in messages
 Scene read_scene(const std::string& path, Bytes bytes, const ReadOptions& options, Context& context);
 
-/// The single formats.
-Scene read_gltf(const std::string& path, const ReadOptions& options, Context& context);  ///< .gltf and .glb
-Scene read_obj(const std::string& path, const ReadOptions& options, Context& context);   ///< .obj with .mtl
-/// FBX, DAE, 3DS, ASE, Blend, STL, PLY, OFF, X through the helper executable `rakelight-import` (Assimp), found beside the
-/// running program or by RAKELIGHT_IMPORT; limited in memory and time. The helper reads files: bytes in memory go into a temporary one.
-Scene read_with_import_helper(const std::string& path, const ReadOptions& options, Context& context);
-Scene read_with_import_helper(const std::string& path, const Bytes& bytes, const ReadOptions& options,
-                              Context& context);
-
 /// Whether a name's ending is that of a model format which this build reads.
 bool has_model_ending(const std::string& path);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engines/check_settings.h"
-#include "io/files/output_place.h"
+#include "io/files/made_folders.h"
 #include "prepare/normals/normal_rule.h"
 #include "prepare/refine/displace.h"
 #include "prepare/variants.h"

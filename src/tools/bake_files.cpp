@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/files/output_place.h"
+#include "io/files/made_folders.h"
 #include "io/gltf/write/glb_writer.h"
 #include "io/pictures/image_io.h"
 #include "scene/materials/texture_uses.h"

@@ -5,7 +5,6 @@
 #include <system_error>
 
 #include "io/files/output_file.h"
-#include "io/files/overwrite_file.h"
 #include "render/check_request.h"
 
 namespace rakelight {

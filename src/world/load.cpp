@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loading of scenes by name.
 #include <programs/base/file_ending.h>
+#include <rakelight/io/world_words.h>
 #include <rakelight/world/load.h>
 
 #include <algorithm>

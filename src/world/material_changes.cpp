@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 
+#include <rakelight/io/world_words.h>
 #include <rakelight/scene/validate.h>
 #include <rakelight/world/material_changes.h>
 #include <rakelight/world/request.h>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/world/motion_keys.h"
-#include "io/world/world_parts.h"
+#include "io/world/world_lights_cameras.h"
 #include "world/keys/key_fields.h"
 
 namespace rakelight {

@@ -247,7 +247,7 @@ def check_hash_tables(path, wrong):
 
 # An option of a command line in a text: "--engine", "-o". Arguments of other programs, and words of a format, are in these files.
 OPTION = re.compile(r"(?<![\w-])--[a-z]|(?:^|(?<=[\s'(]))-[a-z](?=[\s',);]|$)")
-OPTIONS_OF_OTHERS = {"src/io/import/helper_process.cpp", "src/engines/opengl/programs/shader_check.cpp", "src/io/movie/write_movie_by_ffmpeg.cpp", "src/io/obj/mtl_map.cpp", "src/io/obj/obj_remarks.cpp",
+OPTIONS_OF_OTHERS = {"src/io/import/helper_process.cpp", "src/engines/opengl/programs/shader_check.cpp", "src/io/movie/ffmpeg_movies.cpp", "src/io/obj/mtl_map.cpp", "src/io/obj/obj_remarks.cpp",
                      "src/tools/stages/projection_stages.cpp", "src/tools/stages/shadow_stage.cpp"}
 
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <rakelight/io/world_words.h>
+
 namespace rakelight::viewer {
 namespace {
 

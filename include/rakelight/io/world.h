@@ -153,16 +153,6 @@ RL_API void save_world(const WorldFile& world, const std::string& path);
 /// @throws Error bad_file: the other file is outside of the folder of the world file, and `allow_outside` is false
 RL_API std::string resolve_in_world(const std::string& path, const std::string& name, bool allow_outside);
 
-/// Parses words "KEY=VALUE" with the keys of [[material]], and checks the values. The elements of lists are separated
-/// by commas, flags are on or off, and colors are linear or "#rrggbb".
-/// @throws Error usage
-RL_API std::vector<WorldValue> material_values(std::span<const std::string> words);
-
-/// Parses a shape such as "sphere" or "sphere:tolerance=0.01:radius=2" with the keys of [[primitive]], and checks the
-/// values.
-/// @throws Error usage
-RL_API WorldPrimitive shape_of_words(std::string_view words);
-
 /// The JSON schema of world files (draft 2020-12), for editors that check TOML: data/world.schema.json.
 RL_API std::string world_schema();
 

@@ -14,6 +14,7 @@
 #include "base/assert.h"
 #include "io/files/beside.h"
 #include "io/files/descriptor.h"
+#include "io/files/file.h"
 
 namespace rakelight::io {
 namespace {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "io/files/made_folders.h"
+
 #include <filesystem>
 #include <system_error>
 
-#include "io/files/made_folders.h"
-#include "io/files/output_place.h"
+#include <rakelight/base/error.h>
 
 namespace rakelight::io {
 namespace fs = std::filesystem;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Folders that are made for an output, and removed again if it is not written.
+// Folders that are made for an output, and removed again if it is not written; whether they could be made.
 #pragma once
 #include <deque>
 #include <string>
 
-#include "io/files/unfinished_output.h"
+#include "io/files/unfinished_outputs.h"
 
 namespace rakelight::io {
 
@@ -25,5 +25,9 @@ private:
     std::deque<std::string> folders_;          ///< those that were made
     std::deque<UnfinishedOutput> unfinished_;  ///< [folders]
 };
+
+/// Whether an output can have its name: folders that are missing are made when the file is.
+/// @throws Error failed: something else has the name of such a folder, or the output is a folder
+void check_output_place(const std::string& output);
 
 }  // namespace rakelight::io

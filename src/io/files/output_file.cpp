@@ -18,7 +18,6 @@
 #include "io/files/descriptor.h"
 #include "io/files/held_outputs.h"
 #include "io/files/output_file.h"
-#include "io/files/overwrite_file.h"
 
 namespace rakelight::io {
 namespace {

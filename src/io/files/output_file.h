@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <rakelight/base/error.h>
+
 #include "io/files/made_folders.h"
 #include "io/files/sync.h"
 
@@ -73,5 +75,10 @@ void sync_file(const std::string& path);
 /// nothing.
 /// @throws Error failed: EIO and the like, but not where the file system does not offer it
 void sync_folder(const std::string& folder);
+
+/// The way around OutputFile, for an output that cannot be renamed into its place: replaces the content of a file that is there, or writes to a device or FIFO. A file that cannot be written completely
+/// is left empty.
+/// @throws Error failed; a FIFO that nobody reads from, too
+void overwrite_file(const std::string& path, std::span<const std::byte> bytes);
 
 }  // namespace rakelight::io

@@ -9,6 +9,7 @@
 #include "io/gltf/lights_cameras.h"
 #include "io/gltf/motion/animations.h"
 #include "io/gltf/nodes.h"
+#include "io/model_readers.h"
 
 namespace rakelight::io {
 namespace gltf {
@@ -57,8 +58,6 @@ Scene read_gltf_bytes(const std::string& path, Bytes file, const ReadOptions& op
 
 }  // namespace gltf
 
-Scene read_gltf(const std::string& path, const ReadOptions& options, Context& context) {
-    return gltf::read_gltf_bytes(path, read_file(path, context), options, context);
-}
+const ModelReader gltf_reader = {.read_bytes = gltf::read_gltf_bytes};
 
 }  // namespace rakelight::io

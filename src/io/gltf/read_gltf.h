@@ -6,7 +6,7 @@
 
 namespace rakelight::io::gltf {
 
-/// As io::read_gltf, for a file whose bytes are `file`; `path` is for messages and for resolving references.
+/// What gltf_reader (io/model_readers.h) does with a file whose bytes are `file`; `path` is for messages and for resolving references.
 /// @throws Error that carries `path`
 Scene read_gltf_bytes(const std::string& path, Bytes file, const ReadOptions& options, Context& context);
 

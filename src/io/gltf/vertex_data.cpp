@@ -31,7 +31,7 @@ VertexData::VertexData(Accessors& accessors, BlockCache& cache, const Value& pri
     if (!packed) return;
     packed_attributes_ = packed.object("attributes");
     const Region region = accessors_.buffers().view(packed.required_index("bufferView"), primitive_);
-    draco_ = std::make_unique<DracoMesh>(region.bytes, primitive_, document().context());
+    draco_ = decode_draco(region.bytes, primitive_, document().context());
     count_ = draco_->vertex_count();
 }
 

@@ -19,19 +19,16 @@ struct Suspect {
     Report& report;
 };
 
-void check_stl(const Suspect& s);
-void check_3ds(const Suspect& s);
-void check_ase(const Suspect& s);
-void check_blend(const Suspect& s);
-void check_collada(const Suspect& s);
-void check_fbx(const Suspect& s);
-void check_x(const Suspect& s);
+/// The check of a format, which the source of the check defines.
+struct Precheck {
+    std::string_view ending;  ///< of the file's name, lower case, no dot
+    void (*check)(const Suspect& s);
+};
+extern const Precheck stl_precheck, precheck_3ds, ase_precheck, blend_precheck, collada_precheck, fbx_precheck,
+    x_precheck;
 
 /// The check of the format that `ending` (lower case, no dot) names. @throws Error bad_file for an unknown one too.
 void check_before_import(const std::string& ending, const Suspect& s);
-
-/// "line 12", by the line feeds before the byte at `at`.
-std::string line_of(std::string_view text, std::size_t at);
 
 /// Size of a block-structured text: how deep braces stand open at the end, those in quotes not counted; -1 when one is closed
 /// that was never opened. Works for UTF-16 too.

@@ -165,8 +165,6 @@ std::uint64_t enter_3ds(const Suspect& s, Faces3ds& faces, std::uint16_t id, std
     return id == 0x4120 ? faces.faces(begin, end) : inside_of_3ds(s.bytes, id, begin, end);
 }
 
-}  // namespace
-
 void check_fbx(const Suspect& s) {
     constexpr std::string_view binary("Kaydara FBX Binary  \0\x1a\0", 23);
     const std::string_view text = text_of(s);
@@ -237,5 +235,11 @@ void check_blend(const Suspect& s) {
     }
     if (!described) throw Error(ErrorCode::bad_file, "the block that describes all others is missing");
 }
+
+}  // namespace
+
+const Precheck fbx_precheck = {"fbx", check_fbx};
+const Precheck precheck_3ds = {"3ds", check_3ds};
+const Precheck blend_precheck = {"blend", check_blend};
 
 }  // namespace rakelight::io

@@ -44,11 +44,13 @@ private:
     std::string word_;
 };
 
-}  // namespace
-
 void check_collada(const Suspect& s) {
     IndexCheck check;
     read_xml(s.bytes, check);
 }
+
+}  // namespace
+
+const Precheck collada_precheck = {"dae", check_collada};
 
 }  // namespace rakelight::io

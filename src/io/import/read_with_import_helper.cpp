@@ -12,7 +12,7 @@
 #include "io/import/precheck.h"
 #include "io/import/scene_from_import.h"
 #include "io/import/temporary_file.h"
-#include "io/reader.h"
+#include "io/model_readers.h"
 
 namespace rakelight::io {
 namespace {
@@ -60,9 +60,7 @@ Scene import_file(const std::string& path, const std::string& file, const Checke
     return scene;
 }
 
-}  // namespace
-
-Scene read_with_import_helper(const std::string& path, const ReadOptions& options, Context& context) {
+Scene read(const std::string& path, const ReadOptions& options, Context& context) {
     try {
         // The bytes are let go before the helper starts.
         const Checked known = checked(path, *read_file(path, context), options, context);
@@ -72,8 +70,7 @@ Scene read_with_import_helper(const std::string& path, const ReadOptions& option
     }
 }
 
-Scene read_with_import_helper(const std::string& path, const Bytes& bytes, const ReadOptions& options,
-                              Context& context) {
+Scene read_bytes(const std::string& path, Bytes bytes, const ReadOptions& options, Context& context) {
     try {
         const Checked known = checked(path, *bytes, options, context);
         const TemporaryFile file("model." + known.ending, *bytes);
@@ -82,5 +79,9 @@ Scene read_with_import_helper(const std::string& path, const Bytes& bytes, const
         throw advised(e, path);
     }
 }
+
+}  // namespace
+
+const ModelReader import_reader = {.read_bytes = read_bytes, .read_file = read};
 
 }  // namespace rakelight::io

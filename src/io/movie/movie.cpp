@@ -3,35 +3,28 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 
 #include <programs/base/file_ending.h>
 #include <rakelight/io/movie.h>
 
 #include "base/format_text.h"
-#include "io/files/output_place.h"
+#include "io/files/made_folders.h"
 #include "io/movie/ffmpeg_process.h"
-#include "io/movie/movie_writers.h"
+#include "io/movie/movie_formats.h"
 #include "io/pictures/whole_picture.h"
 
 namespace rakelight {
 namespace io {
 namespace {
 
-struct Kind {
-    std::string_view ending;
-    MovieKind kind;
-    int most_side;  ///< [px]
-};
-constexpr std::array<Kind, 5> kinds{{{"apng", MovieKind::apng, 65536},
-                                     {"webp", MovieKind::webp, 16383},
-                                     {"gif", MovieKind::gif, 65535},
-                                     {"mp4", MovieKind::mp4, 16384},
-                                     {"webm", MovieKind::webm, 16384}}};
+constexpr std::array formats{&apng_movie, &webp_movie, &gif_movie, &mp4_movie, &webm_movie};
 
-const Kind* find_kind(const std::string& path) {
-    const auto found = std::ranges::find(kinds, file_ending(path), &Kind::ending);
-    return found == kinds.end() ? nullptr : &*found;
+/// By the ending of a name, in any case. Null: no movie has it.
+const MovieFormat* find_format(const std::string& path) {
+    const std::string ending = file_ending(path);
+    for (const MovieFormat* const format : formats)
+        if (format->ending == ending) return format;
+    return nullptr;
 }
 
 /// All pictures have the first one's header, and none is damaged; their data are read again later, one by one.
@@ -53,31 +46,24 @@ PngHeader common_header(std::span<const std::string> pictures, Context& context)
 
 }  // namespace
 
-std::optional<MovieKind> movie_kind(const std::string& path) {
-    const Kind* const kind = find_kind(path);
-    return kind ? std::optional(kind->kind) : std::nullopt;
-}
-
 }  // namespace io
 
-bool is_movie(const std::string& path) { return io::movie_kind(path).has_value(); }
+bool is_movie(const std::string& path) { return io::find_format(path) != nullptr; }
 
 void check_movie(const std::string& path, const MovieSize& size) {
-    const io::Kind* const kind = io::find_kind(path);
-    if (!kind)
+    const io::MovieFormat* const format = io::find_format(path);
+    if (!format)
         throw Error(ErrorCode::usage, "no movie has this ending", {}, "use .mp4, .webm, .gif, .apng or .webp")
             .with_file(path);
-    if (kind->kind == io::MovieKind::mp4 && size.has_alpha)
+    if (!format->has_alpha && size.has_alpha)
         throw Error(ErrorCode::usage, "MP4 has no alpha", {}, "use .webm, .apng or .webp, or an opaque background")
             .with_file(path);
-    if (std::max(size.width, size.height) > kind->most_side)
+    if (std::max(size.width, size.height) > format->most_side)
         throw Error(ErrorCode::usage,
-                    format_text("a movie of this kind has at most {} pixels per side", kind->most_side))
+                    format_text("a movie of this kind has at most {} pixels per side", format->most_side))
             .with_file(path);
-    const bool is_by_ffmpeg =
-        kind->kind == io::MovieKind::gif || kind->kind == io::MovieKind::mp4 || kind->kind == io::MovieKind::webm;
     try {
-        if (is_by_ffmpeg) io::check_ffmpeg();
+        if (format->is_by_ffmpeg) io::check_ffmpeg();
         io::check_output_place(path);
     } catch (const Error& error) {
         throw error.with_file(path);
@@ -92,14 +78,7 @@ void write_movie(const std::string& path, std::span<const std::string> pictures,
     const io::MoviePictures all{pictures, fps, io::common_header(pictures, context)};
     check_movie(path, {int(all.header.width), int(all.header.height), all.header.has_alpha()});
     context.progress("movie", 0);
-    switch (const io::MovieKind kind = *io::movie_kind(path)) {
-        case io::MovieKind::apng:
-            return io::write_apng(path, all, context);
-        case io::MovieKind::webp:
-            return io::write_webp_movie(path, all, context);
-        default:
-            return io::write_movie_by_ffmpeg(path, kind, all, context);
-    }
+    io::find_format(path)->write(path, all, context);
 }
 
 }  // namespace rakelight

@@ -11,19 +11,10 @@
 #include <rakelight/base/context.h>
 #include <rakelight/math/vector.h>
 
+#include "io/obj/mtl_map.h"
 #include "io/obj/obj_remarks.h"
 
 namespace rakelight::io::obj {
-
-/// A texture line: options and file name.
-struct MtlMap {
-    std::string file;                       ///< as written, quotes taken off; not empty
-    std::optional<double> bump_multiplier;  ///< -bm
-    std::optional<double> gain;             ///< second number of -mm
-    vec2 offset{0, 0}, scale{1, 1};         ///< -o, -s: uv' = offset + scale * uv, v up as in the file
-    bool is_clamped = false;                ///< -clamp on
-    std::uint64_t line = 0;
-};
 
 /// One newmtl block. Colors are display values as written. Keys of `maps` are in lower case: "map_kd", "map_bump" (also
 /// for bump), "norm", "disp", "map_pr", ...; the last line of a kind counts.
@@ -44,11 +35,5 @@ struct MtlMaterial {
 /// Reads all materials; lines that cannot be read go into the remarks.
 /// @throws Error bad_file: over the memory limit; failed: cancelled
 std::vector<MtlMaterial> read_mtl(std::string_view file, Remarks& remarks, Context& context);
-
-/// The part of a texture line after its keyword. Options stand before the file name; -bm also after it, as some
-/// exporters write it. Words that are not options begin the file name, which may hold blanks.
-/// @return nullopt when there is no file name
-std::optional<MtlMap> parse_map(std::string_view file, std::size_t begin, std::size_t end, std::uint64_t line,
-                                Remarks& remarks);
 
 }  // namespace rakelight::io::obj

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "io/obj/mtl_map.h"
+
 #include <cmath>
 #include <initializer_list>
 
-#include "io/obj/mtl_file.h"
 #include "io/obj/obj_lines.h"
 #include "io/obj/obj_numbers.h"
 

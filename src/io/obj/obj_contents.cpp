@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first pass: what each chunk holds.
+#include "io/obj/obj_contents.h"
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
 
 #include "base/name_table.h"
-#include "io/obj/obj_vertices.h"
 
 namespace rakelight::io::obj {
 namespace {

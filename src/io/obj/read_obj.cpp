@@ -6,13 +6,13 @@
 
 #include "io/files/file.h"
 #include "io/files/plain_text.h"
+#include "io/model_readers.h"
 #include "io/obj/mtl_materials.h"
 #include "io/obj/obj_faces.h"
 #include "io/obj/obj_points.h"
 #include "io/obj/obj_vertices.h"
 #include "io/obj/read_obj.h"
 #include "io/obj/write/kept_obj.h"
-#include "io/reader.h"
 #include "io/vertex_colors.h"
 
 namespace rakelight::io {
@@ -107,6 +107,8 @@ Scene read_obj_text(std::string_view text, const std::string& path, const ReadOp
 
 }  // namespace obj
 
+namespace {
+
 Scene read_obj(const std::string& path, const ReadOptions& options, Context& context) {
     const Bytes bytes = read_file(path, context);
     const auto text = std::make_shared<const PlainText>(
@@ -119,5 +121,14 @@ Scene read_obj(const std::string& path, const ReadOptions& options, Context& con
     *options.keep_obj = kept;
     return scene;
 }
+
+Scene read_obj_bytes(const std::string& path, Bytes bytes, const ReadOptions& options, Context& context) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    return obj::read_obj_text(PlainText(text, path, context).view(), path, options, context);
+}
+
+}  // namespace
+
+const ModelReader obj_reader = {.read_bytes = read_obj_bytes, .read_file = read_obj};
 
 }  // namespace rakelight::io

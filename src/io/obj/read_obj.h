@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An OBJ file that is in memory already. read_obj() of io/reader.h is this after read_file().
+// The text of an OBJ file. obj_reader (io/model_readers.h) does this with a file.
 #pragma once
 #include <string>
 #include <string_view>
@@ -12,7 +12,7 @@ namespace rakelight::io::obj {
 /// @param text  the whole file
 /// @param path  of the file, for messages and for the folder in which material files and textures are looked for
 /// @param chunk_bytes  what threads take at once; nothing but speed depends on it
-/// @throws Error as read_obj(), with the file's name
+/// @throws Error bad_file, with the file's name
 Scene read_obj_text(std::string_view text, const std::string& path, const ReadOptions& options, Context& context,
                     std::size_t chunk_bytes = usual_chunk_bytes);
 

@@ -2,13 +2,14 @@
 // Checks the headers of an OpenEXR file before the library reads them. The library allocates tables and buffers from
 // sizes that it has not compared with the file. It also reads values of known types without checking the size stored
 // with them, so a wrong size would lead it into other data. Layout: "OpenEXR File Layout", openexr.com.
+#include "io/pictures/image_exr_check.h"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
 
 #include "base/format_text.h"
-#include "io/pictures/image_codecs.h"
 
 namespace rakelight::io::codec {
 namespace {

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Radiance HDR (Ward 1991, "Real Pixels"; file format: Radiance reference, "Picture File Format"). Three 8-bit mantissas
 // share one exponent. Own code: stb_image 2.27 takes a file that was cut short for a whole one and may never return from it.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include "base/format_text.h"
 #include "io/files/output_file.h"
-#include "io/pictures/image_codecs.h"
+#include "io/pictures/image_formats.h"
 #include "io/pictures/image_hdr_lines.h"
 #include "io/pictures/image_place.h"
 
 namespace rakelight::io::codec {
 namespace {
+
+constexpr std::size_t most_header_bytes = 1 << 16;  // of files read by rows
 
 /// Negative and NaN give 0, what is too large the largest number there is.
 void rgbe_of(const float* rgb, std::uint8_t* rgbe) {
@@ -99,7 +102,48 @@ private:
     std::vector<std::uint8_t> rgbe_, packed_;
 };
 
-}  // namespace
+/// Floats of the mantissas and exponents of a file are written back as the same.
+class HdrRows final : public RowReader {
+public:
+    HdrRows(std::unique_ptr<InputFile> file, Context& context) : file_(std::move(file)), bytes_(most_header_bytes) {
+        fill();
+        hdr::Source source(unread());
+        const hdr::Header read = hdr::read_header(source);
+        begin_ = source.taken();
+        check_row_size(read.width, read.height);
+        if (read.bottom_up) bad_picture("is an HDR picture whose rows begin at the bottom");
+        header_.width = int(read.width), header_.height = int(read.height);
+        header_.kind = {RowFormat::hdr, 3, Component::f32, {}, read.comment};
+        if (!read.window.empty()) header_.place = place_of(read.window, header_.width, header_.height);
+        const std::size_t width = std::size_t(header_.width), room = hdr::most_line_bytes(width);
+        charge_ = MemoryCharge(context.memory(), room + 4 * width, "rows of the picture");
+        bytes_.resize(std::max(bytes_.size(), room));
+        rgbe_.resize(4 * width);
+    }
+
+    void read_row(void* row) override {
+        const std::size_t width = std::size_t(header_.width);
+        if (end_ - begin_ < hdr::most_line_bytes(width)) fill();
+        hdr::Source source(unread());
+        hdr::read_line(source, width, rgbe_.data());
+        begin_ += source.taken();
+        hdr::floats_of(rgbe_.data(), width, static_cast<float*>(row));
+    }
+
+private:
+    std::span<const std::byte> unread() const { return std::span(bytes_).subspan(begin_, end_ - begin_); }
+    void fill() {
+        std::memmove(bytes_.data(), bytes_.data() + begin_, end_ - begin_);
+        end_ -= begin_, begin_ = 0;
+        end_ += file_->read(std::span(bytes_).subspan(end_));
+    }
+
+    std::unique_ptr<InputFile> file_;
+    MemoryCharge charge_;
+    std::vector<std::byte> bytes_;  ///< begin_..end_ are read from the file, and not yet taken
+    std::size_t begin_ = 0, end_ = 0;
+    std::vector<std::uint8_t> rgbe_;
+};
 
 Pixels read_hdr(std::span<const std::byte> bytes, Want want, Context& context) {
     hdr::Source source(bytes);
@@ -124,5 +168,18 @@ Pixels read_hdr(std::span<const std::byte> bytes, Want want, Context& context) {
 std::unique_ptr<ImageWriter> write_hdr(const OutputTarget& target, int width, int height, int channels, Component) {
     return std::make_unique<HdrWriter>(target, width, height, channels);
 }
+
+std::uint64_t work_of_hdr(const Pixels& header, std::span<const std::byte>, int, Context&) {
+    return std::uint64_t(header.width) * std::uint64_t(header.height) * std::uint64_t(header.channels) / 2;
+}
+
+std::unique_ptr<RowReader> read_hdr_rows(std::unique_ptr<InputFile> file, Context& context) {
+    return std::make_unique<HdrRows>(std::move(file), context);
+}
+
+}  // namespace
+
+const ReadableFormat readable_hdr = {.read = read_hdr, .work = work_of_hdr, .read_rows = read_hdr_rows};
+const WritableFormat writable_hdr = {.component = Component::f32, .write = write_hdr};
 
 }  // namespace rakelight::io::codec

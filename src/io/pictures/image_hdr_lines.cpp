@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "io/pictures/image_codecs.h"
+#include "io/pictures/new_pixels.h"
 
 namespace rakelight::io::codec::hdr {
 

@@ -7,6 +7,7 @@
 
 #include <rakelight/image/image.h>
 
+#include "io/files/file.h"
 #include "io/files/output_file.h"
 #include "io/files/sync.h"
 
@@ -18,6 +19,13 @@ namespace rakelight::io {
 ImageHandle image_from_file(std::string name, std::string model_file, std::string path, std::string place = {});
 ImageHandle image_from_bytes(std::string name, std::string model_file,
                              std::shared_ptr<const std::vector<std::byte>> bytes, std::string mime_type);
+
+/// Whether one of these made the picture, and nothing has changed how it is decoded.
+bool is_of_file(const EncodedImage& image);
+/// What such a picture is decoded from. @param is_told  as read_file()
+Bytes bytes_of(const EncodedImage& image, Context& context, bool is_told);
+/// An error in these bytes, with the names of the picture and its file.
+Error named(const Error& error, const EncodedImage& image);
 
 /// Decodes by content (not by name). The size in the header is held against the memory budget before pixels are asked
 /// for; at most 32768 pixels per side. Colors that EXR holds multiplied by alpha are divided by it (and multiplied on

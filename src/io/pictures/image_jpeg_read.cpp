@@ -12,7 +12,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "io/pictures/image_codecs.h"
+#include "io/pictures/block_means.h"
+#include "io/pictures/image_formats.h"
 
 namespace rakelight::io::codec {
 namespace {
@@ -140,17 +141,21 @@ Pixels read(std::span<const std::byte> bytes, Want want, unsigned scale, Context
     return pixels;
 }
 
-}  // namespace
-
 Pixels read_jpeg(std::span<const std::byte> bytes, Want want, Context& context) {
     return read(bytes, want, 1, context);
 }
 
+/// Whether all coefficients of the file are decoded before the first pixel is.
 bool has_several_scans(std::span<const std::byte> bytes, Context& context) {
     JpegReader reader;
     reader.context = &context;
     if (!read_header(reader, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), 0)) broken(reader);
     return jpeg_has_multiple_scans(&reader.info) != FALSE;
+}
+
+std::uint64_t work_of_jpeg(const Pixels& header, std::span<const std::byte> bytes, int factor, Context& context) {
+    const std::uint64_t pixels = std::uint64_t(header.width) * std::uint64_t(header.height);
+    return has_several_scans(bytes, context) ? pixels : pixels / (factor > 1 ? 4 : 2);
 }
 
 Pixels read_reduced_jpeg(std::span<const std::byte> bytes, int factor, Context& context) {
@@ -160,5 +165,9 @@ Pixels read_reduced_jpeg(std::span<const std::byte> bytes, int factor, Context& 
     return block_means(
         pixels, factor / scale, [&pixels](int y) { return pixels.row(y); }, context);
 }
+
+}  // namespace
+
+const ReadableFormat readable_jpeg = {.read = read_jpeg, .read_reduced = read_reduced_jpeg, .work = work_of_jpeg};
 
 }  // namespace rakelight::io::codec

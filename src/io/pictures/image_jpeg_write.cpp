@@ -7,7 +7,7 @@
 #include <jpeglib.h>
 
 #include "io/files/output_file.h"
-#include "io/pictures/image_codecs.h"
+#include "io/pictures/image_formats.h"
 
 namespace rakelight::io::codec {
 namespace {
@@ -105,10 +105,12 @@ private:
     std::vector<unsigned char> row_;
 };
 
-}  // namespace
-
 std::unique_ptr<ImageWriter> write_jpeg(const OutputTarget& target, int width, int height, int channels, Component) {
     return std::make_unique<JpegWriter>(target, width, height, channels);
 }
+
+}  // namespace
+
+const WritableFormat writable_jpeg = {.write = write_jpeg};
 
 }  // namespace rakelight::io::codec

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "io/files/output_file.h"
-#include "io/pictures/image_codecs.h"
+#include "io/pictures/image_formats.h"
 #include "io/pictures/image_place.h"
 
 namespace rakelight::io::codec {
@@ -99,11 +99,13 @@ private:
     std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> png_;
 };
 
-}  // namespace
-
 std::unique_ptr<ImageWriter> write_png(const OutputTarget& target, int width, int height, int channels,
                                        Component component) {
     return std::make_unique<PngWriter>(target, width, height, channels, component);
 }
+
+}  // namespace
+
+const WritableFormat writable_png = {.takes_u16 = true, .write = write_png};
 
 }  // namespace rakelight::io::codec

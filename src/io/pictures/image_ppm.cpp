@@ -4,7 +4,7 @@
 
 #include "base/format_text.h"
 #include "io/files/output_file.h"
-#include "io/pictures/image_codecs.h"
+#include "io/pictures/image_formats.h"
 
 namespace rakelight::io::codec {
 namespace {
@@ -46,10 +46,12 @@ private:
     std::vector<std::byte> row_;
 };
 
-}  // namespace
-
 std::unique_ptr<ImageWriter> write_ppm(const OutputTarget& target, int width, int height, int channels, Component) {
     return std::make_unique<PpmWriter>(target, width, height, channels);
 }
+
+}  // namespace
+
+const WritableFormat writable_ppm = {.write = write_ppm};
 
 }  // namespace rakelight::io::codec

@@ -2,13 +2,12 @@
 #include "io/pictures/image_rows.h"
 
 #include <array>
-#include <cstring>
-#include <string_view>
+#include <span>
 
 #include <programs/base/file_ending.h>
 
 #include "base/format_text.h"
-#include "io/pictures/image_codecs.h"
+#include "io/pictures/image_formats.h"
 
 namespace rakelight::io {
 namespace codec {
@@ -19,34 +18,17 @@ void check_row_size(std::uint64_t width, std::uint64_t height) {
         bad_picture(format_text("the picture is {} x {} pixels, more than {} per side", width, height, max_row_side));
 }
 
-namespace {
-
-using Reader = std::unique_ptr<RowReader> (*)(std::unique_ptr<InputFile>, Context&);
-
-Reader reader_for(InputFile& file) {
-    struct Format {
-        std::string_view magic;
-        Reader read;
-    };
-    static constexpr std::array formats{Format{"\x89PNG\r\n\x1a\n", read_png_rows},
-                                        Format{"\x76\x2f\x31\x01", read_exr_rows}, Format{"#?", read_hdr_rows}};
-    std::array<std::byte, 8> first{};
-    const std::size_t got = file.read(first);
-    file.seek(0);
-    for (const Format& format : formats)
-        if (got >= format.magic.size() && std::memcmp(first.data(), format.magic.data(), format.magic.size()) == 0)
-            return format.read;
-    bad_picture("is not a PNG, EXR or HDR picture");
-}
-
-}  // namespace
 }  // namespace codec
 
 std::unique_ptr<RowReader> read_rows(const std::string& path, Context& context) {
     try {
         auto file = std::make_unique<InputFile>(path, context);
-        const codec::Reader read = codec::reader_for(*file);
-        return read(std::move(file), context);
+        std::array<std::byte, 8> first{};
+        const std::size_t got = file->read(first);
+        file->seek(0);
+        const codec::ReadableFormat* const format = codec::format_by_signature(std::span(first).first(got));
+        if (!format || !format->read_rows) codec::bad_picture("is not a PNG, EXR or HDR picture");
+        return format->read_rows(std::move(file), context);
     } catch (const Error& error) {
         throw error.with_file(path);
     }

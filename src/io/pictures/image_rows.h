@@ -58,9 +58,5 @@ inline constexpr std::uint64_t max_row_side = 65536;  ///< [px] the largest side
 /// @throws Error bad_file
 void check_row_size(std::uint64_t width, std::uint64_t height);
 
-std::unique_ptr<RowReader> read_png_rows(std::unique_ptr<InputFile> file, Context& context);
-std::unique_ptr<RowReader> read_exr_rows(std::unique_ptr<InputFile> file, Context& context);
-std::unique_ptr<RowReader> read_hdr_rows(std::unique_ptr<InputFile> file, Context& context);
-
 }  // namespace codec
 }  // namespace rakelight::io

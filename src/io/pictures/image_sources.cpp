@@ -6,7 +6,8 @@
 
 #include "base/enumerators.h"
 #include "base/format_text.h"
-#include "io/pictures/image_codecs.h"
+#include "io/pictures/image_io.h"
+#include "io/pictures/new_pixels.h"
 
 namespace rakelight {
 namespace {

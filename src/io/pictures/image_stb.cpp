@@ -21,7 +21,7 @@
 #endif
 
 #include "base/format_text.h"
-#include "io/pictures/image_codecs.h"
+#include "io/pictures/image_formats.h"
 
 namespace rakelight::io::codec {
 namespace {
@@ -95,8 +95,6 @@ void mirror_rows(Pixels& pixels) {
             for (std::size_t c = 0; c < n; ++c) std::swap(pixels.row(y)[left * n + c], pixels.row(y)[right * n + c]);
 }
 
-}  // namespace
-
 bool may_be_tga(std::span<const std::byte> bytes) {
     if (bytes.size() < 18) return false;
     const TgaHeader h = tga_header(bytes);
@@ -136,5 +134,10 @@ Pixels read_bmp(std::span<const std::byte> bytes, Want want, Context& context) {
         bad_picture("broken BMP: it ends too early");
     return read_by_stb(bytes, "BMP", want, context);
 }
+
+}  // namespace
+
+const ReadableFormat readable_tga = {.read = read_tga, .may_be = may_be_tga};
+const ReadableFormat readable_bmp = {.read = read_bmp};
 
 }  // namespace rakelight::io::codec

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "io/files/output_file.h"
-#include "io/pictures/image_codecs.h"
+#include "io/pictures/image_formats.h"
 
 namespace rakelight::io::codec {
 namespace {
@@ -90,8 +90,6 @@ private:
     std::vector<std::uint8_t> rgba_;
 };
 
-}  // namespace
-
 Pixels read_webp(std::span<const std::byte> bytes, Want want, Context& context) {
     WebPDecoderConfig config;
     if (!WebPInitDecoderConfig(&config)) throw Error(ErrorCode::failed, "libwebp does not match its headers");
@@ -113,14 +111,23 @@ Pixels read_webp(std::span<const std::byte> bytes, Want want, Context& context) 
     return pixels;
 }
 
-bool is_lossless_webp(std::span<const std::byte> bytes) {
+std::uint64_t work_of_webp(const Pixels& header, std::span<const std::byte> bytes, int, Context&) {
     constexpr int lossless = 2;  // WebPBitstreamFeatures::format
     WebPBitstreamFeatures features{};
-    return WebPGetFeatures(data_of(bytes), bytes.size(), &features) == VP8_STATUS_OK && features.format == lossless;
+    const bool is_lossless =
+        WebPGetFeatures(data_of(bytes), bytes.size(), &features) == VP8_STATUS_OK && features.format == lossless;
+    const std::uint64_t values =
+        std::uint64_t(header.width) * std::uint64_t(header.height) * std::uint64_t(header.channels);
+    return is_lossless ? values / 2 : values / 4;
 }
 
 std::unique_ptr<ImageWriter> write_webp(const OutputTarget& target, int width, int height, int channels, Component) {
     return std::make_unique<WebpWriter>(target, width, height, channels);
 }
+
+}  // namespace
+
+const ReadableFormat readable_webp = {.read = read_webp, .work = work_of_webp};
+const WritableFormat writable_webp = {.write = write_webp};
 
 }  // namespace rakelight::io::codec

@@ -2,12 +2,15 @@
 // Textures that are decoded at a fraction of their size, for small pictures of models.
 #pragma once
 #include <cstdint>
+#include <span>
 
 #include <rakelight/image/image.h>
 
+#include "io/pictures/new_pixels.h"
+
 namespace rakelight::io {
 
-/// The same picture, halved until no side is longer than `most_side` [px], > 0: image_reduced.cpp. A picture that did not
+/// The same picture, halved until no side is longer than `most_side` [px], > 0. A picture that did not
 /// come from a file is returned as it is.
 ImageHandle reduced_image(const ImageHandle& image, int most_side);
 
@@ -19,5 +22,13 @@ std::uint64_t decoding_work(const EncodedImage& image, int most_side, Context& c
 
 /// Whether the picture has an alpha channel; false where it cannot be read.
 bool has_alpha(const EncodedImage& image, Context& context);
+
+namespace codec {
+
+/// reduced_image() and decoding_work() of the bytes of a file. @throws Error bad_file
+Pixels read_reduced(std::span<const std::byte> bytes, int most_side, Want want, Context& context);
+std::uint64_t reduced_work(std::span<const std::byte> bytes, int most_side, Context& context);
+
+}  // namespace codec
 
 }  // namespace rakelight::io

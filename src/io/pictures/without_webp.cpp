@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of a build without libwebp (RAKELIGHT_WEBP=OFF).
 #include "base/left_out.h"
-#include "io/movie/movie_writers.h"
-#include "io/pictures/image_codecs.h"
+#include "io/movie/movie_formats.h"
+#include "io/pictures/image_formats.h"
 
 namespace rakelight::io {
 namespace {
@@ -11,18 +11,20 @@ Error no_webp(ErrorCode code = ErrorCode::bad_file) {
     return left_out("WebP pictures", "libwebp", "RAKELIGHT_WEBP", code);
 }
 
-}  // namespace
+Pixels read_webp(std::span<const std::byte>, codec::Want, Context&) { throw no_webp(); }
 
-Pixels codec::read_webp(std::span<const std::byte>, Want, Context&) { throw no_webp(); }
-
-bool codec::is_lossless_webp(std::span<const std::byte>) { return false; }
-
-std::unique_ptr<ImageWriter> codec::write_webp(const OutputTarget& target, int, int, int, Component) {
+std::unique_ptr<ImageWriter> write_webp(const OutputTarget& target, int, int, int, Component) {
     throw no_webp(ErrorCode::usage).with_file(target.path);
 }
 
 void write_webp_movie(const std::string& path, const MoviePictures&, Context&) {
     throw no_webp(ErrorCode::usage).with_file(path);
 }
+
+}  // namespace
+
+const codec::ReadableFormat codec::readable_webp = {.read = read_webp};
+const codec::WritableFormat codec::writable_webp = {.write = write_webp};
+const MovieFormat webp_movie = {.ending = "webp", .most_side = 16383, .write = write_webp_movie};
 
 }  // namespace rakelight::io

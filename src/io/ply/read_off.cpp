@@ -12,6 +12,7 @@
 #include "io/cloud_material.h"
 #include "io/files/file.h"
 #include "io/files/plain_text.h"
+#include "io/model_readers.h"
 #include "io/ply/ply_meshes.h"
 
 namespace rakelight::io {
@@ -279,9 +280,15 @@ Scene read_off_text(std::string_view bytes, const std::string& path, Context& co
 
 }  // namespace ply
 
-Scene read_off(const std::string& path, const ReadOptions&, Context& context) {
-    const Bytes bytes = read_file(path, context);
-    return ply::read_off_text({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path, context);
+namespace {
+
+Scene read_bytes(const std::string& path, Bytes bytes, const ReadOptions&, Context& context) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    return ply::read_off_text(text, path, context);
 }
+
+}  // namespace
+
+const ModelReader off_reader = {.read_bytes = read_bytes};
 
 }  // namespace rakelight::io

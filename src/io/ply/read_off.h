@@ -16,6 +16,4 @@ Scene read_off_text(std::string_view bytes, const std::string& path, Context& co
 
 }  // namespace ply
 
-Scene read_off(const std::string& path, const ReadOptions& options, Context& context);
-
 }  // namespace rakelight::io

@@ -9,6 +9,7 @@
 
 #include "io/cloud_material.h"
 #include "io/files/plain_text.h"
+#include "io/model_readers.h"
 #include "io/obj/references.h"
 #include "io/pictures/image_io.h"
 #include "io/ply/ply_faces.h"
@@ -105,9 +106,15 @@ Scene read_ply_bytes(std::string_view bytes, const std::string& path, const Read
 
 namespace rakelight::io {
 
-Scene read_ply(const std::string& path, const ReadOptions& options, Context& context) {
-    const Bytes bytes = read_file(path, context);
-    return ply::read_ply_bytes({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path, options, context);
+namespace {
+
+Scene read_bytes(const std::string& path, Bytes bytes, const ReadOptions& options, Context& context) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    return ply::read_ply_bytes(text, path, options, context);
 }
+
+}  // namespace
+
+const ModelReader ply_reader = {.read_bytes = read_bytes};
 
 }  // namespace rakelight::io

@@ -12,9 +12,3 @@ namespace rakelight::io::ply {
 Scene read_ply_bytes(std::string_view file, const std::string& path, const ReadOptions& options, Context& context);
 
 }  // namespace rakelight::io::ply
-
-namespace rakelight::io {
-
-Scene read_ply(const std::string& path, const ReadOptions& options, Context& context);
-
-}  // namespace rakelight::io

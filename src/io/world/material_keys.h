@@ -29,6 +29,9 @@ struct MaterialKey {
     std::function<void(MaterialChange&)> set;
 };
 
+/// The keys of the section.
+std::vector<WorldKey> material_keys();
+
 /// All but name and model.
 const std::vector<MaterialKey>& material_setters();
 const MaterialKey* find_material_key(std::string_view name);

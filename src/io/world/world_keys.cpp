@@ -6,6 +6,7 @@
 #include <rakelight/scene/light_limits.h>
 
 #include "base/assert.h"
+#include "io/world/material_keys.h"
 #include "io/world/motion_keys.h"
 
 namespace rakelight::io::world {

@@ -55,7 +55,6 @@ struct WorldSection {
 const std::vector<WorldSection>& sections();
 const WorldSection& section(std::string_view name);
 
-std::vector<WorldKey> material_keys();
 std::vector<WorldKey> light_keys();
 
 template <class T>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "io/world/world_lights_cameras.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "io/world/world_parts.h"
 #include "math/default_up.h"
 #include "math/linear.h"
 

@@ -2,6 +2,8 @@
 // Keys of materials, lights, environment and tone.
 #include <algorithm>
 
+#include <rakelight/io/world_words.h>
+
 #include "world/keys/key_fields.h"
 
 namespace rakelight::keys {

@@ -3,7 +3,7 @@
 
 #include <bit>
 
-#include "import/convert.h"
+#include "import/join.h"
 
 namespace rakelight::import_helper {
 namespace {

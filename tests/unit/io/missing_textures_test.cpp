@@ -134,7 +134,7 @@ TEST(MissingTextures, OfEmissionAreWrittenAsNone) {
     const std::string path = folder.file("out.glb");
     io::write_glb(scene, path, context);
     EXPECT_EQ(times_said(context, no_emission), 1);
-    const Scene back = io::read_gltf(path, {}, context);
+    const Scene back = io::gltf_reader.read(path, {}, context);
     EXPECT_EQ(back.materials.at(0).emission, (vec3{0, 0, 0}));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 #include <rakelight/io/world.h>
-
+#include <rakelight/io/world_words.h>
 #include <rakelight/scene/words.h>
 #include <cmath>
 #include <limits>

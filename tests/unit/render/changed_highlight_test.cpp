@@ -3,6 +3,7 @@
 // of the world's own with the same parameters.
 #include <gtest/gtest.h>
 #include <rakelight/io/world.h>
+#include <rakelight/io/world_words.h>
 #include <rakelight/render/picture.h>
 
 #include <algorithm>

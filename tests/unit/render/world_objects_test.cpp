@@ -2,6 +2,7 @@
 // [[material]] of single objects of a world.
 #include <gtest/gtest.h>
 #include <rakelight/io/world.h>
+#include <rakelight/io/world_words.h>
 #include <rakelight/render/picture.h>
 #include <rakelight/world/material_changes.h>
 

@@ -86,92 +86,65 @@ void check_header(std::span<const std::byte> data, const Value& from, Context& c
                            "decoding a Draco mesh");
 }
 
-}  // namespace
+struct DecodedMesh final : DracoMesh {
+    std::uint64_t vertex_count() const override { return mesh->num_points(); }
+    std::vector<std::uint32_t> indices() const override;
+    Elements attribute(std::uint32_t id, const Elements& description, const Value& from,
+                       Context& context) const override;
+    double step(std::uint32_t id) const override;
+    void dequantize(int id, const Value& from);
 
-struct DracoMesh::Impl {
     std::unique_ptr<draco::Mesh> mesh;
     std::map<std::uint32_t, double> steps;  ///< by unique id, of quantized positions
-
-    /// The library would do this itself, but then it forgets the step.
-    void dequantize(int id, const Value& from) {
-        const draco::PointAttribute* codes = mesh->attribute(id);
-        const draco::AttributeTransformData* data = codes->GetAttributeTransformData();
-        if (!data || data->transform_type() != draco::ATTRIBUTE_QUANTIZATION_TRANSFORM) return;
-        draco::AttributeQuantizationTransform transform;
-        const int width = codes->num_components();
-        if (codes->data_type() != draco::DT_INT32 || !transform.InitFromAttribute(*codes) ||
-            transform.min_values().size() < std::size_t(width) || transform.quantization_bits() < 1 ||
-            transform.quantization_bits() > 30)
-            from.fail("its Draco data has positions without their quantization");
-        draco::GeometryAttribute shape;
-        shape.Init(codes->attribute_type(), nullptr, std::uint8_t(width), draco::DT_FLOAT32, false,
-                   width * std::int64_t(sizeof(float)), 0);
-        auto values = std::make_unique<draco::PointAttribute>(shape);
-        if (!values->Reset(codes->size())) from.fail("its Draco data asks for more memory than there is");
-        if (codes->is_mapping_identity()) {
-            values->SetIdentityMapping();
-        } else {
-            values->SetExplicitMapping(mesh->num_points());
-            for (draco::PointIndex p(0); p < mesh->num_points(); ++p)
-                values->SetPointMapEntry(p, codes->mapped_index(p));
-        }
-        if (!transform.InverseTransformAttribute(*codes, values.get()))
-            from.fail("its Draco data has positions that cannot be scaled back");
-        const std::uint32_t unique_id = codes->unique_id();
-        const double step = double(transform.range()) / double((1u << transform.quantization_bits()) - 1);
-        if (std::isfinite(step) && step > 0) steps[unique_id] = step;
-        mesh->SetAttribute(id, std::move(values));
-        mesh->attribute(id)->set_unique_id(unique_id);
-    }
 };
 
-DracoMesh::DracoMesh(std::span<const std::byte> data, const Value& from, Context& context)
-    : impl_(std::make_unique<Impl>()) {
-    check_header(data, from, context);
-    try {
-        draco::DecoderBuffer buffer;
-        buffer.Init(reinterpret_cast<const char*>(data.data()), data.size());
-        draco::Decoder decoder;
-        decoder.SetSkipAttributeTransform(draco::GeometryAttribute::POSITION);
-        auto result = decoder.DecodeMeshFromBuffer(&buffer);
-        if (!result.ok()) from.fail("its Draco data is broken: " + result.status().error_msg_string());
-        impl_->mesh = std::move(result).value();
-        for (int a = 0; impl_->mesh && a < impl_->mesh->num_attributes(); ++a)
-            if (impl_->mesh->attribute(a)->attribute_type() == draco::GeometryAttribute::POSITION)
-                impl_->dequantize(a, from);
-    } catch (const std::bad_alloc&) {
-        from.fail("its Draco data asks for more memory than there is");
-    } catch (const std::length_error&) {
-        from.fail("its Draco data asks for more memory than there is");
+/// The library would do this itself, but then it forgets the step.
+void DecodedMesh::dequantize(int id, const Value& from) {
+    const draco::PointAttribute* codes = mesh->attribute(id);
+    const draco::AttributeTransformData* data = codes->GetAttributeTransformData();
+    if (!data || data->transform_type() != draco::ATTRIBUTE_QUANTIZATION_TRANSFORM) return;
+    draco::AttributeQuantizationTransform transform;
+    const int width = codes->num_components();
+    if (codes->data_type() != draco::DT_INT32 || !transform.InitFromAttribute(*codes) ||
+        transform.min_values().size() < std::size_t(width) || transform.quantization_bits() < 1 ||
+        transform.quantization_bits() > 30)
+        from.fail("its Draco data has positions without their quantization");
+    draco::GeometryAttribute shape;
+    shape.Init(codes->attribute_type(), nullptr, std::uint8_t(width), draco::DT_FLOAT32, false,
+               width * std::int64_t(sizeof(float)), 0);
+    auto values = std::make_unique<draco::PointAttribute>(shape);
+    if (!values->Reset(codes->size())) from.fail("its Draco data asks for more memory than there is");
+    if (codes->is_mapping_identity()) {
+        values->SetIdentityMapping();
+    } else {
+        values->SetExplicitMapping(mesh->num_points());
+        for (draco::PointIndex p(0); p < mesh->num_points(); ++p) values->SetPointMapEntry(p, codes->mapped_index(p));
     }
-    if (!impl_->mesh) from.fail("its Draco data holds no mesh");
-    for (draco::FaceIndex f(0); f < impl_->mesh->num_faces(); ++f)
-        for (const draco::PointIndex& corner : impl_->mesh->face(f))
-            if (corner.value() >= impl_->mesh->num_points())
-                from.fail(format_text("its Draco data has a corner {} of {} vertices", corner.value(),
-                                      impl_->mesh->num_points()));
+    if (!transform.InverseTransformAttribute(*codes, values.get()))
+        from.fail("its Draco data has positions that cannot be scaled back");
+    const std::uint32_t unique_id = codes->unique_id();
+    const double step = double(transform.range()) / double((1u << transform.quantization_bits()) - 1);
+    if (std::isfinite(step) && step > 0) steps[unique_id] = step;
+    mesh->SetAttribute(id, std::move(values));
+    mesh->attribute(id)->set_unique_id(unique_id);
 }
 
-DracoMesh::~DracoMesh() = default;
-
-std::uint64_t DracoMesh::vertex_count() const { return impl_->mesh->num_points(); }
-
-std::vector<std::uint32_t> DracoMesh::indices() const {
+std::vector<std::uint32_t> DecodedMesh::indices() const {
     std::vector<std::uint32_t> result;
-    result.reserve(std::size_t(impl_->mesh->num_faces()) * 3);
-    for (draco::FaceIndex f(0); f < impl_->mesh->num_faces(); ++f)
-        for (const draco::PointIndex& corner : impl_->mesh->face(f)) result.push_back(corner.value());
+    result.reserve(std::size_t(mesh->num_faces()) * 3);
+    for (draco::FaceIndex f(0); f < mesh->num_faces(); ++f)
+        for (const draco::PointIndex& corner : mesh->face(f)) result.push_back(corner.value());
     return result;
 }
 
-double DracoMesh::step(std::uint32_t id) const {
-    const auto known = impl_->steps.find(id);
-    return known == impl_->steps.end() ? 0 : known->second;
+double DecodedMesh::step(std::uint32_t id) const {
+    const auto known = steps.find(id);
+    return known == steps.end() ? 0 : known->second;
 }
 
-Elements DracoMesh::attribute(std::uint32_t id, const Elements& description, const Value& from,
-                              Context& context) const {
-    const draco::PointAttribute* attribute = impl_->mesh->GetAttributeByUniqueId(id);
+Elements DecodedMesh::attribute(std::uint32_t id, const Elements& description, const Value& from,
+                                Context& context) const {
+    const draco::PointAttribute* attribute = mesh->GetAttributeByUniqueId(id);
     if (!attribute) from.fail("its Draco data has no attribute " + std::to_string(id));
     const auto type = component_type(attribute->data_type());
     const std::uint32_t width = std::uint32_t(attribute->num_components());
@@ -186,7 +159,7 @@ Elements DracoMesh::attribute(std::uint32_t id, const Elements& description, con
     std::vector<std::byte> packed(std::size_t(elements.count * bytes));
     const draco::DataBuffer* values = attribute->buffer();
     const std::uint64_t start = std::uint64_t(attribute->byte_offset());
-    for (draco::PointIndex p(0); p < impl_->mesh->num_points(); ++p) {
+    for (draco::PointIndex p(0); p < mesh->num_points(); ++p) {
         const std::uint64_t value = attribute->mapped_index(p).value();
         if (!values || step < bytes || value >= attribute->size() || start + value * step + bytes > values->data_size())
             from.fail(format_text("Draco attribute {} has no value for vertex {}", id, p.value()));
@@ -201,6 +174,36 @@ Elements DracoMesh::attribute(std::uint32_t id, const Elements& description, con
     elements.data = values_of_all->data();
     elements.owner = values_of_all;
     return elements;
+}
+
+}  // namespace
+
+std::unique_ptr<DracoMesh> decode_draco(std::span<const std::byte> data, const Value& from, Context& context) {
+    auto decoded = std::make_unique<DecodedMesh>();
+    check_header(data, from, context);
+    try {
+        draco::DecoderBuffer buffer;
+        buffer.Init(reinterpret_cast<const char*>(data.data()), data.size());
+        draco::Decoder decoder;
+        decoder.SetSkipAttributeTransform(draco::GeometryAttribute::POSITION);
+        auto result = decoder.DecodeMeshFromBuffer(&buffer);
+        if (!result.ok()) from.fail("its Draco data is broken: " + result.status().error_msg_string());
+        decoded->mesh = std::move(result).value();
+        for (int a = 0; decoded->mesh && a < decoded->mesh->num_attributes(); ++a)
+            if (decoded->mesh->attribute(a)->attribute_type() == draco::GeometryAttribute::POSITION)
+                decoded->dequantize(a, from);
+    } catch (const std::bad_alloc&) {
+        from.fail("its Draco data asks for more memory than there is");
+    } catch (const std::length_error&) {
+        from.fail("its Draco data asks for more memory than there is");
+    }
+    if (!decoded->mesh) from.fail("its Draco data holds no mesh");
+    for (draco::FaceIndex f(0); f < decoded->mesh->num_faces(); ++f)
+        for (const draco::PointIndex& corner : decoded->mesh->face(f))
+            if (corner.value() >= decoded->mesh->num_points())
+                from.fail(format_text("its Draco data has a corner {} of {} vertices", corner.value(),
+                                      decoded->mesh->num_points()));
+    return decoded;
 }
 
 }  // namespace rakelight::io::gltf

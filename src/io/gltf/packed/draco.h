@@ -13,25 +13,21 @@ namespace rakelight::io::gltf {
 /// A decoded Draco mesh. The library stays behind this door.
 class DracoMesh {
 public:
-    /// @param data  the compressed bytes  @param from  the primitive, for messages
-    /// @throws Error bad_file: not a Draco mesh of bitstream 2.2, sizes that the data cannot hold, broken data.
-    DracoMesh(std::span<const std::byte> data, const Value& from, Context& context);
-    ~DracoMesh();
-    DracoMesh(const DracoMesh&) = delete;
-    DracoMesh& operator=(const DracoMesh&) = delete;
-
-    std::uint64_t vertex_count() const;
-    std::vector<std::uint32_t> indices() const;  ///< [3T] each < vertex_count()
+    virtual ~DracoMesh() = default;
+    virtual std::uint64_t vertex_count() const = 0;
+    virtual std::vector<std::uint32_t> indices() const = 0;  ///< [3T] each < vertex_count()
     /// Attribute `id` as one element a vertex. Whether integers are normalized is the accessor's word, in
     /// `description`.
     /// @throws Error: no such attribute, another number of components.
-    Elements attribute(std::uint32_t id, const Elements& description, const Value& from, Context& context) const;
+    virtual Elements attribute(std::uint32_t id, const Elements& description, const Value& from,
+                               Context& context) const = 0;
     /// The step between two codes of positions that were stored as floats of fewer bits; 0: another attribute, or not so.
-    double step(std::uint32_t id) const;
-
-private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+    virtual double step(std::uint32_t id) const = 0;
 };
+
+/// @param data  the compressed bytes  @param from  the primitive, for messages
+/// @throws Error bad_file: not a Draco mesh of bitstream 2.2, sizes that the data cannot hold, broken data; or that this
+/// build has no Draco (without_draco.cpp)
+std::unique_ptr<DracoMesh> decode_draco(std::span<const std::byte> data, const Value& from, Context& context);
 
 }  // namespace rakelight::io::gltf

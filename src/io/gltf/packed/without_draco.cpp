@@ -5,15 +5,8 @@
 
 namespace rakelight::io::gltf {
 
-struct DracoMesh::Impl {};
-
-DracoMesh::DracoMesh(std::span<const std::byte>, const Value& from, Context&) {
+std::unique_ptr<DracoMesh> decode_draco(std::span<const std::byte>, const Value& from, Context&) {
     throw left_out("a mesh is compressed by Draco", "draco", "RAKELIGHT_DRACO").at(from.place());
 }
-DracoMesh::~DracoMesh() = default;
-std::uint64_t DracoMesh::vertex_count() const { return 0; }
-std::vector<std::uint32_t> DracoMesh::indices() const { return {}; }
-Elements DracoMesh::attribute(std::uint32_t, const Elements&, const Value&, Context&) const { return {}; }
-double DracoMesh::step(std::uint32_t) const { return 0; }
 
 }  // namespace rakelight::io::gltf

@@ -36,7 +36,7 @@ struct GltfSaveResult {
     std::vector<SavedPrimitive> primitives;
 };
 
-/// @param before  what read_gltf() made of `source`  @param after  the same scene with other normals, tangents, splits
+/// @param before  what gltf_reader made of `source`  @param after  the same scene with other normals, tangents, splits
 /// and
 ///                mesh copies (smooth_scene() and the like); nodes and the first meshes in the order of `before`
 /// @param output  .glb or .gltf; may be `source` itself. A .gltf file gets its new data in NAME.bin beside it; the

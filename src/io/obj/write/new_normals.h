@@ -42,7 +42,7 @@ struct NewNormals {
 };
 
 /// @param elements  with their chunks
-/// @param after     the scene that read_obj() makes of the file, with other normals and splits
+/// @param after     the scene that obj_reader makes of the file, with other normals and splits
 /// @throws Error failed: the scene does not fit the file; bad_file: over the memory limit
 NewNormals choose_normals(const Elements& elements, const Contents& contents, const VertexData& data,
                           const Scene& after, Context& context);

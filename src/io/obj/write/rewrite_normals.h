@@ -15,12 +15,12 @@ namespace rakelight::io {
 /// the reader skips lose their reference to a normal. A corner of a polygon has the normal of the first triangle that
 /// the polygon was cut into there.
 ///
-/// @param after  the scene that read_obj() makes of `source`, with other normals and splits
+/// @param after  the scene that obj_reader makes of `source`, with other normals and splits
 /// @param output may be `source`; to another folder the MTL files and pictures that the model names go along
 /// @param options  with what the reader kept of the file, or without: then it is read again
 /// @param chunk_bytes  what threads take at once; nothing but speed depends on it
 /// @return false when all faces had these normals already, to rounding: the file was copied byte by byte
-/// @throws Error as read_obj(); failed: cannot write, or a file of the model is there already with other bytes
+/// @throws Error as obj_reader; failed: cannot write, or a file of the model is there already with other bytes
 bool rewrite_obj_normals(const std::string& source, const Scene& after, const std::string& output,
                          const ReadOptions& options, Context& context,
                          std::size_t chunk_bytes = obj::usual_chunk_bytes);

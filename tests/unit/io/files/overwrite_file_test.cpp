@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files that are overwritten where they are.
-#include "io/files/overwrite_file.h"
+#include "io/files/output_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "image/maps/green_direction.h"
-#include "io/reader.h"
+#include "io/model_readers.h"
 #include "math/linear.h"
 #include "scene/drawn_vertices.h"
 #include "scene/placement.h"
@@ -64,7 +64,7 @@ TEST(GltfAssets, AllLoadAndAreValidScenes) {
         SCOPED_TRACE(path.string());
         Context context({.threads = 1});
         try {
-            const Scene scene = io::read_gltf(path.string(), {}, context);
+            const Scene scene = io::gltf_reader.read(path.string(), {}, context);
             EXPECT_NO_THROW(validate(scene));
             EXPECT_FALSE(world_bounds(scene).empty());
             EXPECT_TRUE(scene.missing_normals_are_flat);
@@ -80,7 +80,7 @@ TEST(GltfAssets, HaveTheTriangleCountsOfTheIndex) {
     EXPECT_GE(expected.size(), 70u);
     for (const auto& [name, triangles] : expected) {
         Context context({.threads = 1});
-        const Scene scene = io::read_gltf((test::shared_dir() / "assets" / name).string(), {}, context);
+        const Scene scene = io::gltf_reader.read((test::shared_dir() / "assets" / name).string(), {}, context);
         EXPECT_EQ(triangle_count(scene), triangles) << name;
     }
 }
@@ -89,7 +89,7 @@ TEST(GltfAssets, TexturesAreFoundWhereTheFilesHaveThem) {
     RL_NEEDS_SHARED("assets");
     for (const auto& path : gltf_assets()) {
         Context context({.threads = 1});
-        io::read_gltf(path.string(), {}, context);
+        io::gltf_reader.read(path.string(), {}, context);
         for (const ReportEntry& entry : context.report().entries())
             EXPECT_EQ(entry.message.find("Texture is left out"), std::string::npos)
                 << path << ": " << entry.place << ": " << entry.message;
@@ -121,7 +121,7 @@ TEST(GltfAssets, NormalMapsAreNotCalledGreenDown) {
     std::set<std::string> seen;
     int maps = 0, up = 0;
     for (const auto& path : gltf_assets())
-        for (const GreenDirection& green : greens_of(io::read_gltf(path.string(), {}, context), seen, context)) {
+        for (const GreenDirection& green : greens_of(io::gltf_reader.read(path.string(), {}, context), seen, context)) {
             EXPECT_FALSE(green.is_down()) << path;
             ++maps;
             up += green.is_up();
@@ -129,7 +129,7 @@ TEST(GltfAssets, NormalMapsAreNotCalledGreenDown) {
     EXPECT_GE(maps, 13);
     EXPECT_GE(up, 5);
     const std::string head = (test::shared_dir() / "assets/obj/LeePerrySmith/head.obj").string();
-    const std::vector<GreenDirection> of_head = greens_of(io::read_obj(head, {}, context), seen, context);
+    const std::vector<GreenDirection> of_head = greens_of(io::obj_reader.read(head, {}, context), seen, context);
     ASSERT_EQ(of_head.size(), 1u);
     EXPECT_TRUE(of_head[0].is_down());
 }
@@ -138,7 +138,8 @@ TEST(GltfAssets, CutCopiesHoldTheSamePositionsAsTheWhole) {
     RL_NEEDS_SHARED("assets");
     const auto positions = [](const std::string& name) {
         Context context({.threads = 1});
-        const Scene scene = io::read_gltf((test::shared_dir() / "assets/derived/spot" / name).string(), {}, context);
+        const Scene scene =
+            io::gltf_reader.read((test::shared_dir() / "assets/derived/spot" / name).string(), {}, context);
         std::set<std::array<float, 3>> set;
         for (const Mesh& mesh : scene.meshes) {
             EXPECT_EQ(mesh.origin, (dvec3{0, 0, 0}));
@@ -154,7 +155,7 @@ TEST(GltfAssets, CutCopiesHoldTheSamePositionsAsTheWhole) {
 
 Scene load(const char* name) {
     Context context({.threads = 1});
-    return io::read_gltf((test::shared_dir() / "assets/gltf" / name).string(), {}, context);
+    return io::gltf_reader.read((test::shared_dir() / "assets/gltf" / name).string(), {}, context);
 }
 
 TEST(GltfAssets, CamerasAreReadAtTheirNodes) {

@@ -11,7 +11,7 @@ std::string read_error(const std::string& bytes, const char* name = "model.glb")
     const TemporaryFolder folder;
     Context context({.threads = 1});
     try {
-        io::read_gltf(folder.write(name, bytes), {}, context);
+        io::gltf_reader.read(folder.write(name, bytes), {}, context);
     } catch (const Error& error) {
         return error.what();
     }
@@ -72,7 +72,7 @@ TEST(GltfJson, ANameThatStandsTwiceIsSaidAndTheLastCounts) {
     text.insert(1, "\"scene\": 5, ");
     folder.write("data.bin", file.data);
     Context context({.threads = 1});
-    EXPECT_EQ(io::read_gltf(folder.write("model.gltf", text), {}, context).nodes.size(), 1u);
+    EXPECT_EQ(io::gltf_reader.read(folder.write("model.gltf", text), {}, context).nodes.size(), 1u);
     EXPECT_TRUE(is_said(context, Remark::warning, "occurs twice"));
 }
 
@@ -116,7 +116,7 @@ TEST(GltfBuffers, BrokenReferencesAreRefused) {
         const TemporaryFolder folder;
         const std::string path = folder.write("model.gltf", file.root.dump());
         Context context({.threads = 1});
-        EXPECT_THROW(io::read_gltf(path, {}, context), Error) << uri;
+        EXPECT_THROW(io::gltf_reader.read(path, {}, context), Error) << uri;
     }
 }
 

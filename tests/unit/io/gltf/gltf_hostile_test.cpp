@@ -9,7 +9,7 @@
 
 #include <fstream>
 
-#include "io/reader.h"
+#include "io/model_readers.h"
 #include "support/shared.h"
 
 namespace rakelight {
@@ -24,7 +24,7 @@ Outcome read(const std::filesystem::path& path) {
     Outcome outcome;
     Context context({.threads = 1});
     try {
-        const Scene scene = io::read_gltf(path.string(), {}, context);
+        const Scene scene = io::gltf_reader.read(path.string(), {}, context);
         validate(scene);
     } catch (const Error& error) {
         outcome.error = error;
@@ -86,7 +86,7 @@ TEST(GltfHostile, MessagesNameAReferenceOutsideAsItIsWritten) {
     RL_NEEDS_SHARED("hostile");
     Context context({.threads = 1});
     const auto folder = test::shared_dir() / "hostile/gltf";
-    io::read_gltf((folder / "path_traversal_texture.gltf").string(), {}, context);
+    io::gltf_reader.read((folder / "path_traversal_texture.gltf").string(), {}, context);
     ASSERT_FALSE(context.report().entries().empty());
     EXPECT_NE(context.report().entries()[0].message.find("'../../../../../../etc/passwd' leaves the model's folder"),
               std::string::npos)

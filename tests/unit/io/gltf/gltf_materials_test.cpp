@@ -184,7 +184,7 @@ TEST(GltfTextures, ImagesOfOneFileOrOneViewAreOnePicture) {
     material["emissiveTexture"] = {{"index", 3}};
     folder.write("data.bin", file.data);
     Context context({.threads = 1});
-    const Scene scene = io::read_gltf(folder.write("model.gltf", file.text()), {}, context);
+    const Scene scene = io::gltf_reader.read(folder.write("model.gltf", file.text()), {}, context);
     const Material& m = scene.materials[0];
     const auto image_of = [&](const TextureUse& use) { return scene.textures.at(use.texture).image; };
     EXPECT_EQ(image_of(m.normal_texture), image_of(m.base_color_texture));
@@ -198,7 +198,7 @@ TEST(GltfTextures, PercentEncodedNamesAreFound) {
     GltfFile file = textured(R"([{"source": 0}])", R"([{"uri": "two%20words.png"}])");
     folder.write("data.bin", file.data);
     Context context({.threads = 1});
-    const Scene scene = io::read_gltf(folder.write("model.gltf", file.text()), {}, context);
+    const Scene scene = io::gltf_reader.read(folder.write("model.gltf", file.text()), {}, context);
     ASSERT_TRUE(scene.materials[0].normal_texture);
     EXPECT_TRUE(scene.textures[0].image->path.ends_with("two words.png"));
 }

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "io/reader.h"
+#include "io/model_readers.h"
 #include "support/temporary_folder.h"
 
 namespace rakelight::test {
@@ -67,7 +67,7 @@ struct GltfFile {
         const TemporaryFolder folder;
         const std::string json = text();
         folder.write("data.bin", data);
-        return io::read_gltf(folder.write("model.gltf", json), {}, context);
+        return io::gltf_reader.read(folder.write("model.gltf", json), {}, context);
     }
     Scene load() {
         Context context({.threads = 1});

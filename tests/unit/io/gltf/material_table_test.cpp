@@ -169,7 +169,7 @@ protected:
         std::memcpy(&length, bytes.data() + 12, 4);
         const auto* json = reinterpret_cast<const char*>(bytes.data() + 20);
         tree_ = Json::parse(json, json + length);
-        loaded_ = io::read_gltf(path, {}, context_);
+        loaded_ = io::gltf_reader.read(path, {}, context_);
     }
     const Material& loaded(std::string_view name) const {
         for (const Material& m : loaded_.materials)

@@ -38,7 +38,7 @@ Saved save(GltfFile& file, Context& context, Change change, const std::string& o
     const std::string json = file.text();
     folder.write("data.bin", file.data);
     const std::string source = folder.write("model.gltf", json), out = (folder.path() / output).string();
-    const Scene before = io::read_gltf(source, {}, context), after = change(before);
+    const Scene before = io::gltf_reader.read(source, {}, context), after = change(before);
     Saved saved;
     saved.result = io::save_gltf(source, before, after, out, options, context);
     std::ifstream opened(out, std::ios::binary);
@@ -48,7 +48,7 @@ Saved save(GltfFile& file, Context& context, Change change, const std::string& o
     if (is_glb) std::memcpy(&length, saved.bytes.data() + 12, 4);
     saved.tree = GltfFile::Json::parse(is_glb ? saved.bytes.substr(20, length) : saved.bytes);
     if (is_glb) saved.binary = saved.bytes.substr(28 + length);
-    saved.scene = io::read_gltf(out, {}, context);
+    saved.scene = io::gltf_reader.read(out, {}, context);
     const std::string again = (folder.path() / ("again" + output.substr(output.rfind('.')))).string();
     EXPECT_FALSE(io::save_gltf(out, saved.scene, rounded(saved.scene, after), again, {}, context).changed);
     return saved;

@@ -50,7 +50,7 @@ TEST_F(ImportProcess, TheHelperOfTheContextGoesBeforeThatOfTheEnvironment) {
     Context context({.import_helper = named});
     EXPECT_EQ(find_import_helper(context.import_helper()), named);
     try {
-        read_with_import_helper(model_, {}, context);
+        import_reader.read(model_, {}, context);
         ADD_FAILURE() << "the model was read";
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("SIGSEGV"), std::string::npos) << error.what();
@@ -60,7 +60,7 @@ TEST_F(ImportProcess, TheHelperOfTheContextGoesBeforeThatOfTheEnvironment) {
 TEST_F(ImportProcess, AHelperThatIsNoProgramIsNamed) {
     Context context({.import_helper = model_});
     try {
-        read_with_import_helper(model_, {}, context);
+        import_reader.read(model_, {}, context);
         ADD_FAILURE() << "the model was read";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::failed);
@@ -176,7 +176,7 @@ TEST_F(ImportProcess, ACancelledRunEndsTheHelper) {
     const EnvironmentVariable helper("RAKELIGHT_IMPORT", script("exec sleep 60"));
     Context context;
     context.cancel();
-    EXPECT_THROW(read_with_import_helper(model_, {}, context), Error);
+    EXPECT_THROW(import_reader.read(model_, {}, context), Error);
 }
 
 TEST_F(ImportProcess, AMissingOrEmptyFileNeedsNoHelper) {

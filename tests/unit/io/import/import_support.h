@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "io/reader.h"
+#include "io/model_readers.h"
 #include "support/environment_variable.h"
 #include "support/shared.h"
 #include "support/temporary_folder.h"
@@ -37,7 +37,7 @@ inline Outcome read_import(const std::string& path, const ReadOptions& options =
     Outcome outcome;
     Context context(run);
     try {
-        outcome.scene = read_with_import_helper(path, options, context);
+        outcome.scene = import_reader.read(path, options, context);
     } catch (const Error& e) {
         outcome.error = e;
     }

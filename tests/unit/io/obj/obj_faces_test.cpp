@@ -294,9 +294,9 @@ TEST_F(ObjFaces, MemoryIsChargedBeforeItIsAskedFor) {
     for (int i = 0; i < 10'000; ++i) text += "v 0 1 2\n";
     const std::string path = write("big.obj", text + "f 1 2 3\n");
     Context small({.max_memory = 100'000});
-    EXPECT_THROW(read_obj(path, {}, small), Error);
+    EXPECT_THROW(obj_reader.read(path, {}, small), Error);
     Context large({.max_memory = 4'000'000});
-    EXPECT_NO_THROW(read_obj(path, {}, large));
+    EXPECT_NO_THROW(obj_reader.read(path, {}, large));
 }
 
 /// Finalizer of SplitMix64: a good hash that everybody can compute.
@@ -336,7 +336,7 @@ TEST_F(ObjFaces, ACancelledRunStops) {
     Context context;
     context.cancel();
     try {
-        read_obj(path, {}, context);
+        obj_reader.read(path, {}, context);
         FAIL();
     } catch (const Error& e) {
         EXPECT_EQ(e.code(), ErrorCode::failed);

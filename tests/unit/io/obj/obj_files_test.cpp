@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "io/reader.h"
+#include "io/model_readers.h"
 #include "scene/placement.h"
 #include "support/shared.h"
 #include "support/temporary_folder.h"
@@ -33,7 +33,7 @@ Loaded load(const fs::path& path) {
     Loaded result;
     Context context;
     try {
-        result.scene = read_obj(path.string(), {}, context);
+        result.scene = obj_reader.read(path.string(), {}, context);
         validate(result.scene);
     } catch (const Error& e) {
         result.error = e.what();

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/reader.h"
+#include "io/model_readers.h"
 #include "support/temporary_folder.h"
 
 namespace rakelight::io::obj_test {
@@ -21,7 +21,7 @@ protected:
     /// Writes model.obj and loads it into a fresh report.
     Scene load(const std::string& text, const ReadOptions& options = {}) {
         context_.emplace();
-        return read_obj(write("model.obj", text), options, *context_);
+        return obj_reader.read(write("model.obj", text), options, *context_);
     }
     std::string error_of(const std::string& text) {
         try {

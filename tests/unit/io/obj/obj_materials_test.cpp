@@ -329,7 +329,7 @@ TEST_F(ObjMaterials, NothingOutsideTheFolderIsOpened) {
     write("inner/model.obj", "mtllib ../outer.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
     write("outer.mtl", "newmtl m\nKd 1 0 0\n");
     Context context;
-    const Scene s = read_obj((folder_ / "inner/model.obj").string(), {}, context);
+    const Scene s = obj_reader.read((folder_ / "inner/model.obj").string(), {}, context);
     EXPECT_EQ(s.materials.at(0).base_color.xyz(), linear(0.8f, 0.8f, 0.8f));
     ASSERT_FALSE(context.report().entries().empty());
     const ReportEntry remark = context.report().entries()[0];
@@ -338,9 +338,10 @@ TEST_F(ObjMaterials, NothingOutsideTheFolderIsOpened) {
               "('allow-outside' permits it)");
     EXPECT_EQ(remark.settings, std::vector<std::string>{"allow-outside"});
     Context allowed;
-    EXPECT_EQ(
-        read_obj((folder_ / "inner/model.obj").string(), {.allow_outside = true}, allowed).materials.at(0).base_color.x,
-        1);
+    EXPECT_EQ(obj_reader.read((folder_ / "inner/model.obj").string(), {.allow_outside = true}, allowed)
+                  .materials.at(0)
+                  .base_color.x,
+              1);
 }
 
 TEST_F(ObjMaterials, ThousandsOfMissingNamesAreSummedUp) {

@@ -14,8 +14,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "io/pictures/image_codecs.h"
 #include "io/pictures/image_io.h"
+#include "io/pictures/reduced_image.h"
 #include "unit/io/pictures/image_io_support.h"
 
 namespace rakelight::io {

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "io/pictures/image_codecs.h"
+#include "io/pictures/image_formats.h"
 #include "io/pictures/image_io.h"
 #include "unit/io/pictures/image_io_support.h"
 
@@ -84,12 +84,15 @@ TEST(JpegReading, SeveralScansAreReadButNotAnyNumberOfThem) {
     EXPECT_NE(error_of([&] { decode_image(bytes, context); }).reason().find("more than 100 scans"), std::string::npos);
 }
 
-TEST(JpegReading, AProgressiveFileHasSeveralScans) {
+TEST(JpegReading, AProgressiveFileIsDecodedByItsSeveralScans) {
     Context context;
-    EXPECT_TRUE(codec::has_several_scans(bytes_of_hex(progressive), context));
-    EXPECT_FALSE(codec::has_several_scans(bytes_of_hex(adobe_cmyk), context));
-    EXPECT_EQ(error_of([&] { codec::has_several_scans(std::vector<std::byte>(4), context); }).code(),
-              ErrorCode::bad_file);
+    const codec::ReadableFormat& jpeg = codec::readable_jpeg;
+    const auto work_at_half_size = [&](const std::vector<std::byte>& bytes) {
+        return jpeg.work(jpeg.read(bytes, codec::Want::header, context), bytes, 2, context);
+    };
+    EXPECT_EQ(work_at_half_size(bytes_of_hex(progressive)), 8 * 8) << "all coefficients come before the first pixel";
+    EXPECT_EQ(work_at_half_size(bytes_of_hex(adobe_cmyk)), 8 * 8 / 4);
+    EXPECT_EQ(error_of([&] { jpeg.work({}, std::vector<std::byte>(4), 2, context); }).code(), ErrorCode::bad_file);
 }
 
 }  // namespace

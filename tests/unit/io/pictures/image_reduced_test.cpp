@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "image/decode.h"
-#include "io/pictures/image_codecs.h"
+#include "io/pictures/image_io.h"
 #include "io/pictures/reduced_image.h"
 #include "support/shared.h"
 #include "unit/io/pictures/image_io_support.h"

@@ -36,8 +36,6 @@ void check_ascii_stl(const Suspect& s) {
         s.report.add(Remark::warning, s.path, {}, "the solid has no end; the file is probably cut short");
 }
 
-}  // namespace
-
 void check_stl(const Suspect& s) {
     const std::string_view text = text_of(s);
     const bool solid = text.starts_with("solid");
@@ -65,5 +63,9 @@ void check_stl(const Suspect& s) {
                     "not an STL file (neither text beginning with 'solid' nor the size of a binary one)");
     check_ascii_stl(s);
 }
+
+}  // namespace
+
+const Precheck stl_precheck = {"stl", check_stl};
 
 }  // namespace rakelight::io

@@ -8,7 +8,7 @@
 
 #include "io/files/file.h"
 #include "io/files/output_file.h"
-#include "io/movie/movie_writers.h"
+#include "io/movie/movie_formats.h"
 #include "io/pictures/image_io.h"
 
 namespace rakelight::io {
@@ -72,8 +72,6 @@ private:
     std::unique_ptr<WebPAnimEncoder, void (*)(WebPAnimEncoder*)> encoder_;
 };
 
-}  // namespace
-
 void write_webp_movie(const std::string& path, const MoviePictures& pictures, Context& context) {
     OutputFile out(path);
     const auto ms_of = [&](std::size_t i) {
@@ -99,5 +97,9 @@ void write_webp_movie(const std::string& path, const MoviePictures& pictures, Co
     }
     out.commit();
 }
+
+}  // namespace
+
+const MovieFormat webp_movie = {.ending = "webp", .most_side = 16383, .write = write_webp_movie};
 
 }  // namespace rakelight::io

@@ -9,7 +9,7 @@
 #include "io/files/descriptor.h"
 #include "io/files/output_file.h"
 #include "io/movie/ffmpeg_process.h"
-#include "io/movie/movie_writers.h"
+#include "io/movie/movie_formats.h"
 
 namespace rakelight::io {
 namespace {
@@ -91,7 +91,7 @@ Words webm_words(const MoviePictures& pictures) {
 }
 
 /// One palette for all pictures, found in a first run.
-void write_gif(const MoviePictures& pictures, int output, Context& context) {
+void encode_gif(const MoviePictures& pictures, int output, Context& context) {
     const Descriptor palette{::memfd_create("palette", MFD_CLOEXEC)};
     if (palette.fd < 0) throw Error(ErrorCode::failed, "no memory for a palette: " + system_message(errno));
     run_ffmpeg({joined({begin(pictures), {"-vf", "palettegen", "-frames:v", "1", "-c:v", "png"}, end("image2pipe")}),
@@ -104,21 +104,33 @@ void write_gif(const MoviePictures& pictures, int output, Context& context) {
                context);
 }
 
-}  // namespace
-
-void write_movie_by_ffmpeg(const std::string& path, MovieKind kind, const MoviePictures& pictures, Context& context) {
+/// @param encode  puts the movie into the file of this descriptor
+template <class Encode>
+void write(const std::string& path, const Encode& encode) {
     OutputFile out(path);
-    const int output = ::fileno(out.handle());
     try {
-        if (kind == MovieKind::gif)
-            write_gif(pictures, output, context);
-        else
-            run_ffmpeg({kind == MovieKind::mp4 ? mp4_words(pictures) : webm_words(pictures), pictures.files, output},
-                       context);
+        encode(::fileno(out.handle()));
     } catch (const Error& error) {
         throw error.with_file(path);
     }
     out.commit();
 }
+
+void write_gif(const std::string& path, const MoviePictures& pictures, Context& context) {
+    write(path, [&](int output) { encode_gif(pictures, output, context); });
+}
+void write_mp4(const std::string& path, const MoviePictures& pictures, Context& context) {
+    write(path, [&](int output) { run_ffmpeg({mp4_words(pictures), pictures.files, output}, context); });
+}
+void write_webm(const std::string& path, const MoviePictures& pictures, Context& context) {
+    write(path, [&](int output) { run_ffmpeg({webm_words(pictures), pictures.files, output}, context); });
+}
+
+}  // namespace
+
+const MovieFormat gif_movie = {.ending = "gif", .most_side = 65535, .write = write_gif, .is_by_ffmpeg = true};
+const MovieFormat mp4_movie = {
+    .ending = "mp4", .most_side = 16384, .write = write_mp4, .has_alpha = false, .is_by_ffmpeg = true};
+const MovieFormat webm_movie = {.ending = "webm", .most_side = 16384, .write = write_webm, .is_by_ffmpeg = true};
 
 }  // namespace rakelight::io

@@ -9,6 +9,7 @@
 #include "io/world/motion_keys.h"
 #include "io/world/read_settings.h"
 #include "io/world/section_values.h"
+#include "io/world/world_lights_cameras.h"
 #include "io/world/world_parts.h"
 
 namespace rakelight {

@@ -4,7 +4,7 @@
 
 #include "io/files/file.h"
 #include "io/files/output_file.h"
-#include "io/movie/movie_writers.h"
+#include "io/movie/movie_formats.h"
 
 namespace rakelight::io {
 namespace {
@@ -44,8 +44,6 @@ void put_head(std::vector<std::byte>& to, std::span<const PngChunk> chunks, std:
     }
 }
 
-}  // namespace
-
 void write_apng(const std::string& path, const MoviePictures& pictures, Context& context) {
     OutputFile out(path);
     const Delay delay = delay_of(pictures.fps);
@@ -75,5 +73,9 @@ void write_apng(const std::string& path, const MoviePictures& pictures, Context&
     out.write(end);
     out.commit();
 }
+
+}  // namespace
+
+const MovieFormat apng_movie = {.ending = "apng", .most_side = 65536, .write = write_apng};
 
 }  // namespace rakelight::io

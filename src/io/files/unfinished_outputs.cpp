@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/files/unfinished_output.h"
+#include "io/files/unfinished_outputs.h"
 
 #include <programs/io/unfinished_outputs.h>
 
