@@ -51,7 +51,7 @@ class CheckDocs(unittest.TestCase):
         self.assertIn("docs/*.txt", self.check("see `docs/*.txt`")[1])
 
     def test_source_files_and_functions_in_backticks_must_exist(self):
-        for path, text in {"src/one/view.h": "int look_at();", "src/two/list.h": "", "src/three/list.h": "", "include/a/list.h": "", "build/gone.h": ""}.items():
+        for path, text in {"src/one/view.h": "namespace a {\nint look_at();\n}", "src/two/list.h": "", "src/three/list.h": "", "include/a/list.h": "", "build/gone.h": ""}.items():
             (self.root / path).parent.mkdir(parents=True, exist_ok=True)
             (self.root / path).write_text(text)
         (self.root / "src/two/README.md").write_text("`list.h`, `view.h`, `one/view.h`\n")
@@ -61,6 +61,23 @@ class CheckDocs(unittest.TestCase):
         self.assertIn("`list.h`: may be include/a/list.h or src/three/list.h", self.check("`list.h`")[1])
         for text in ("`look_from()` (`view.h`)", "`look_from()` in `view.h`", "`view.h`: `look_from()`"):
             self.assertIn("`look_from()` is not in src/one/view.h", self.check(text)[1])
+
+    def test_functions_in_backticks_must_be_defined_or_declared(self):
+        sources = {"src/view.cpp": "namespace n {\nstd::vector<int> View::look_at(int a) {\n    return look_from(a);\n}\n}\n", "include/a/list.h": "class RL_API View {\n    RL_API void turn() const;\n};\n",
+                   "src/light.glsl": "RL_FN real fall_off(real d)\n", "python/a/__init__.py": "class Scene:\n    def smooth(self):\n        look_back()\n", "python/src/bind.cpp": '    m.def("load", &load);\n',
+                   "tests/one/turn_test.py": "def run_twice():\n    pass\n", "build/gone.cpp": "void gone() {}\n"}
+        for path, text in sources.items():
+            (self.root / path).parent.mkdir(parents=True, exist_ok=True)
+            (self.root / path).write_text(text)
+        self.assertEqual(self.check("`look_at()`, `n::View::turn()`, `fall_off()`, `scene.smooth()`, `load()`, `find_package()`, `look_from(a)`"), (0, ""))
+        for name in ("look_from", "look_back", "gone", "run_twice"):
+            self.assertIn(f"`{name}()`: no source defines a function of that name", self.check(f"`{name}()`")[1])
+        self.assertIn("`Turner::turn()`: no source defines a class of that name", self.check("`Turner::turn()`")[1])
+        (self.root / "docs/page.md").write_text("`look_from()`\n")
+        self.assertIn("docs/page.md: `look_from()`", self.check("")[1])
+        (self.root / "docs/page.md").write_text("")
+        (self.root / "tests/one/README.md").write_text("`run_twice()`\n")
+        self.assertEqual(self.check(""), (0, ""))
 
     def test_dev_commands_must_exist(self):
         self.assertEqual(self.check("```\n./dev build  # builds\n./dev test\n```\n"), (0, ""))

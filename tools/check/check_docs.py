@@ -8,6 +8,8 @@
 - paths in backticks that begin with a folder of the repository exist (`*` matches as in a shell);
 - names of source files in backticks (README.md, CONTRIBUTING.md, architecture.md), `draw_list.h` or `kernels/hits.h`, are in the folder of the
   page, or of one file of the repository alone; a function before the name, `resolve_reference()` (`file.h`), stands in that file;
+- functions in backticks (docs/, README.md, CONTRIBUTING.md), `render()` or `Context::parallel_for()`, are defined or declared in a source: DEFINED_IN
+  (C++, GLSL, Python), or the folder of the page. The class before the name is one, too. FOREIGN are those of others;
 - `./dev WORD` is a command of ./dev;
 - commands `rakelight VERB ...` in code blocks, fenced or indented, and in the examples of `rakelight VERB --help`, run. Models that are
   not there are replaced by one of data/, as are the pictures and the folders (before/) that `compare` gets; where no such model can be made (model.fbx), the program must get as far as not finding it.
@@ -35,6 +37,17 @@ SYNOPSIS = re.compile(r"(?:^|\s)[A-Z]{2,}\b|\[|\|")
 SPAN = re.compile(r"`([^`\n]+)`")
 # A file of sources, with a function said to be in it: `NAME()` (`FILE`), `NAME()` in `FILE`, `FILE`: `NAME()`.
 SOURCE = re.compile(r"(?:`(?:\w+::)*(\w+)\(\)`(?: \(|\s+in\s+))?`((?:[\w-]+/)*[\w-]+\.(?:h|cpp|glsl|inc|py|sh|cmake))`(?:(?:: | \()`(?:\w+::)*(\w+)\(\)`)?")
+
+# A function in backticks: `name()`, `Class::name()`, `module.name()`.
+FUNCTION = re.compile(r"`(?:::)?((?:\w+(?:::|\.))*)(\w+)\(\)`")
+DEFINED_IN = ("src", "include", "apps", "python", "tools", "blender", "examples", "cmake")
+# What defines or declares a name: a function after its type, a class, a function of Python, one that pybind11 binds, a macro, a function of CMake or the shell,
+# an operator of Blender.
+DEFINITION = re.compile(r"^[ \t]*(?!(?:return|else|throw|case|delete|new|using|goto)\b)(?:[&*]*[\w:\[][\w:<>,&*\[\]]*[ \t]+)+[&*]*(?:\w+::)*(\w+)[ \t]*\("
+                        r"|\b(?:class|struct|namespace)[ \t]+(?:RL_\w+[ \t]+)?(?:\w+::)*(\w+)|\bdef[ \t]+(\w+)[ \t]*\(|\.def\w*\(\s*\"(\w+)\""
+                        r"|^[ \t]*#[ \t]*define[ \t]+(\w+)\(|^[ \t]*(?:function|macro)\([ \t]*(\w+)|^(\w+)[ \t]*\(|std::function<[^;\n]*>[ \t]+(\w+)|\bbl_idname = \"\w+\.(\w+)\"", re.M)
+SOURCES = {".h", ".hpp", ".cpp", ".inc", ".glsl", ".py", ".cmake", ".sh"}
+FOREIGN = {"find_package": "CMake", "add_subdirectory": "CMake", "getVertexPosition": "three.js"}
 
 
 def pages(root):
@@ -101,6 +114,33 @@ def check_file_names(page, text, files, root, wrong):
         for called in filter(None, (function, after)):
             if not re.search(rf"\b{called}\b", text_of_file):
                 wrong(f"`{called}()` is not in {path}")
+
+
+@functools.cache
+def names_in(file):
+    """What a source defines or declares."""
+    return {name for names in DEFINITION.findall(file.read_text(errors="replace")) for name in names if name}
+
+
+@functools.cache
+def names_below(root, folder):
+    """What the sources of a folder define or declare."""
+    files = (path for path in (root / folder).rglob("*") if path.suffix in SOURCES and "build" not in path.relative_to(root).parts)
+    return frozenset(name for path in files if path.is_file() for name in names_in(path))
+
+
+def check_functions(page, text, root, wrong):
+    at = page.relative_to(root)
+    if not (at.parts[0] == "docs" or page.name in ("README.md", "CONTRIBUTING.md")):
+        return
+    folders = {*DEFINED_IN, *at.parts[:-1][:2]} if at.parts[0] != "docs" else set(DEFINED_IN)
+    known = set().union(*(names_below(root, folder) for folder in folders if (root / folder).is_dir()), FOREIGN)
+    for owners, name in sorted(set(FUNCTION.findall(FENCE.sub("", text)))):
+        if name not in known:
+            wrong(f"`{name}()`: no source defines a function of that name")
+        owner = re.split(r"::|\.", owners)[-2] if "::" in owners else ""
+        if owner and owner not in known and owner != "std":
+            wrong(f"`{owner}::{name}()`: no source defines a class of that name")
 
 
 def dev_commands(root):
@@ -232,6 +272,7 @@ def main():
         check_paths(root, text, wrong)
         check_dev(root, text, wrong)
         check_file_names(page, text, files, root, wrong)
+        check_functions(page, text, root, wrong)
         for command in commands_of_page(text) if program else ():
             counts["commands"] += 1
             if fault := run_command(root, program, command):
