@@ -6,6 +6,7 @@
 #include <rakelight/math/linear.h>
 
 #include "app.h"
+#include "document/commands.h"
 #include "document/feedback.h"
 
 namespace rakelight::viewer {

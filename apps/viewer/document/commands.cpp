@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What commands do to a look.
+#include "commands.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include <rakelight/math/linear.h>
 #include <rakelight/version.h>
-
-#include "document.h"
 
 namespace rakelight::viewer {
 namespace {

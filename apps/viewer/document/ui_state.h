@@ -7,6 +7,7 @@
 
 #include "../motion/player.h"
 #include "document.h"
+#include "keys.h"
 #include "message.h"
 
 namespace rakelight::viewer {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Engine, shading frequency, lighting model, bump technique, channels, lines, tone.
+#include "../document/commands.h"
 #include "../document/display_path.h"
-#include "../document/document.h"
 #include "panels.h"
 #include "widgets.h"
 

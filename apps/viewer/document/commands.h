@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the user's commands do to a look.
+#pragma once
+#include <string>
+
+#include "document.h"
+#include "keys.h"
+
+namespace rakelight::viewer {
+
+/// Another way of following rays. Paths have a number of samples of their own.
+void choose_method(RayMethod method, Look& look);
+
+/// Another engine, by its plain method. Rays have shadows by nature, as where `engine` is said; another engine then has those of before.
+void choose_engine(const std::string& name, Look& look);
+
+/// What a command does to a look; false: it is not about looks. @throws Error usage
+bool apply(Command command, Look& look, const Model& model, int width, int height);
+
+}  // namespace rakelight::viewer
