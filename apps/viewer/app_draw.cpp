@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app.h"
+#include "panels/floating_windows.h"
 #include "view/overlay.h"
 
 namespace rakelight::viewer {
