@@ -28,10 +28,10 @@ double seconds(std::chrono::steady_clock::duration d) { return std::chrono::dura
 
 App::App(Start start)
     : start_(std::move(start)),
-      loader_([this] { wake(); }, start_.threads, start_.max_memory, start_.everything),
-      writer_([this] { wake(); }, start_.threads, start_.max_memory, start_.everything),
-      explainer_([this] { wake(); }, start_.threads, start_.max_memory, start_.everything),
-      seam_search_([this] { wake(); }, start_.threads, start_.max_memory, start_.everything),
+      loader_(GlfwWindow::wake, start_.threads, start_.max_memory, start_.everything),
+      writer_(GlfwWindow::wake, start_.threads, start_.max_memory, start_.everything),
+      explainer_(GlfwWindow::wake, start_.threads, start_.max_memory, start_.everything),
+      seam_search_(GlfwWindow::wake, start_.threads, start_.max_memory, start_.everything),
       remembered_(read_settings()),
       ui_(remembered_.ui) {
     if (!start_.files.empty()) load_current(false);  // beside the opening of the window
@@ -42,7 +42,6 @@ App::App(Start start)
         if (value.key == "resolution")
             read_render_keys({&value, 1}, given), width = given.settings.width, height = given.settings.height;
     window_ = std::make_unique<GlfwWindow>("Rakelight", width, height);
-    has_window_ = true;
     window_->set_theme(ui_.is_dark);
     views_[0].screen = std::make_unique<GlView>();
 }
@@ -57,10 +56,6 @@ App::~App() {
         view.screen.reset();
     }
     lost_gl_.clear();
-}
-
-void App::wake() const {
-    if (has_window_) GlfwWindow::wake();
 }
 
 bool App::has_background_work() const {
@@ -82,20 +77,20 @@ int App::run() {
     remembered_.ui = ui_;
     write_settings(remembered_);
     if (fault) std::rethrow_exception(fault);
-    log_stats();
+    if (start_.wants_stats) times_.print(moments_, gl_pictures_, one_line(views_[0].screen->renderer(), 100));
     return has_lost_file_ ? 1 : 0;
 }
 
 void App::loop() {
     int faults = 0;  // one after another
-    woke_ = Clock::now();
+    times_.begin_turn(false, false);
     while (!window_->is_closing() && !is_quitting_ && !apps::CancelOnInterrupt::happened()) try {
             step();
             faults = 0;
         } catch (const Error& error) {
             if (++faults > most_faults) throw;
             window_->abandon_panels();
-            report(error);
+            ui_.report(error);
         }
 }
 
@@ -117,13 +112,12 @@ void App::finish_writing() {
 
 /// Takes what has happened, and shows it.
 void App::step() {
-    note_pause();
+    times_.end_turn();
     window_->wait(wait_s());
-    woke_ = Clock::now();
-    was_loading_ = loader_.is_running();
-    was_gl_drawing_ = std::ranges::any_of(views_, [](const View& v) { return v.is_painting && v.gl; });
+    times_.begin_turn(loader_.is_running(),
+                      std::ranges::any_of(views_, [](const View& v) { return v.is_painting && v.gl; }));
     const std::vector<Event> events = window_->take_events();
-    if (!events.empty()) frames_to_draw_ = 3;
+    if (!events.empty()) ui_.redraw();
     for (const Event& event : events) handle(event);
     for (const Command command : std::exchange(from_panels_, {})) this->command(command);
     poll();
@@ -133,31 +127,10 @@ void App::step() {
     for (std::size_t i = 0; i < view_count(); ++i) submit(views_[i]);
     look_for_seams();
     const bool has_progress = plays() ? has_background_work() : is_busy();
-    if (has_progress || window_->needs_drawing()) is_dirty_ = true;
-    if (!is_dirty_ && frames_to_draw_ == 0) return;
-    frames_to_draw_ = std::max(0, frames_to_draw_ - 1);
-    is_dirty_ = false;
+    if (has_progress || window_->needs_drawing()) ui_.redraw(1);
+    if (ui_.frames_to_draw == 0) return;
+    --ui_.frames_to_draw;
     draw();
-}
-
-/// How long the window did not process events.
-void App::note_pause() {
-    const double pause_ms = 1e3 * seconds(Clock::now() - woke_);
-    longest_block_ms_ = std::max(longest_block_ms_, pause_ms);
-    if (was_loading_) longest_load_block_ms_ = std::max(longest_load_block_ms_, pause_ms);
-    if (was_gl_drawing_) longest_gl_block_ms_ = std::max(longest_gl_block_ms_, pause_ms);
-}
-
-void App::log_stats() const {
-    if (!start_.wants_stats) return;
-    std::fprintf(
-        stderr,
-        "first picture after %.0f ms, longest pause of the window %.0f ms (while loading %.0f ms, while gl "
-        "draws %.0f ms), %zu pictures in motion after %.0f ms (median; at most %.0f ms), %llu moments played, %llu "
-        "pictures by GlView, %s\n",
-        first_picture_ms_, longest_block_ms_, longest_load_block_ms_, longest_gl_block_ms_, motion_times_.count(),
-        motion_times_.quantile_ms(0.5), motion_times_.quantile_ms(1), static_cast<unsigned long long>(moments_),
-        static_cast<unsigned long long>(gl_pictures_), one_line(views_[0].screen->renderer(), 100).c_str());
 }
 
 void App::poll() {
@@ -166,7 +139,7 @@ void App::poll() {
     explainer_.poll();
     seam_search_.poll();
     for (std::size_t i = 0; i < 2; ++i) poll_view(views_[i]);
-    if (ui_.message.is_over()) ui_.message.clear(), frames_to_draw_ = 3;
+    if (ui_.message.is_over()) ui_.message.clear(), ui_.redraw();
     if (seconds(Clock::now() - last_watch_) > 0.5) watch_file();
 }
 
@@ -177,8 +150,8 @@ void App::poll_view(View& view) {
         view.displayed = std::move(painting);
         gl_pictures_ += view.displayed->picture != nullptr;
         note_warnings(*view.displayed);
-        if (view.displayed->is_final) frames_to_draw_ = 3;  // what was said of its progress is gone
-        is_dirty_ = true;
+        if (view.displayed->is_final) ui_.redraw();  // what was said of its progress is gone
+        ui_.redraw(1);
         if (view.displayed->number == view.number) {
             view.good = view.submitted, view.good_model = view.submitted_model;
             if (view.displayed->is_final || view.is_submitted_moving) view.is_painting = false;
@@ -187,7 +160,7 @@ void App::poll_view(View& view) {
     const auto fault = view.painter->take_fault();
     if (!fault) return;
     if (fault->is_of_gl) return handle_gl_fault(fault->error);
-    report(fault->error);
+    ui_.report(fault->error);
     if (fault->number != view.number) return;
     ui_.player.is_playing = ui_.player.is_turning = false;
     view.is_painting = false;
@@ -200,7 +173,7 @@ void App::note_warnings(const Painting& painting) {
     for (const std::string& warning : painting.warnings)
         if (ui_.announces && std::ranges::find(warned_, warning) == warned_.end()) {
             warned_.push_back(warning);
-            return say(warning);
+            return ui_.say(warning);
         }
 }
 
@@ -223,7 +196,7 @@ bool App::take_camera(View& view) {
         view.camera = camera;
         return true;
     } catch (const Error& error) {
-        report(error);
+        ui_.report(error);
         if (view.submitted_model == model_)
             view.look = view.submitted;
         else
@@ -253,13 +226,12 @@ void App::submit(View& view) {
                          a.height == b.height && view.is_submitted_with_depth == wants_depth &&
                          (!is_by_gl || view.submitted_marks == wanted_marks);
     if (is_same && (is_moving || !view.is_submitted_moving)) return;
-    if (!view.painter)
-        view.painter = std::make_unique<Painter>([] { GlfwWindow::wake(); }, start_.threads, start_.max_memory);
+    if (!view.painter) view.painter = std::make_unique<Painter>(GlfwWindow::wake, start_.threads, start_.max_memory);
     if (!take_camera(view)) return;
     view.submitted = view.look, view.submitted_model = model_, view.submitted_area = a;
     view.submitted_marks = wanted_marks;
     view.is_submitted_moving = is_moving, view.is_submitted_with_depth = wants_depth, view.is_painting = true;
-    if (is_moving && &view == &views_[0]) motion_times_.asked(view.number + 1, woke_);
+    if (is_moving && &view == &views_[0]) times_.request(view.number + 1);
     view.painter->paint({.model = model_,
                          .look = view.look,
                          .width = a.width,
@@ -270,17 +242,6 @@ void App::submit(View& view) {
                          .number = ++view.number,
                          .gl = is_by_gl ? gl_of(view) : nullptr,
                          .marks = std::move(wanted_marks)});
-}
-
-void App::report(const Error& error) {
-    ui_.message.fail(with_short_paths(error.what()));
-    is_dirty_ = true;
-    frames_to_draw_ = 3;
-}
-
-void App::say(const std::string& text) {
-    ui_.message.say(text);
-    frames_to_draw_ = 3;
 }
 
 }  // namespace rakelight::viewer

@@ -14,7 +14,6 @@
 #include "../common/watched_files.h"
 #include "document/materials.h"
 #include "document/settings_file.h"
-#include "motion/motion_times.h"
 #include "panels/panels.h"
 #include "view/background.h"
 #include "view/gizmo.h"
@@ -23,6 +22,7 @@
 #include "view/shader_files.h"
 #include "window/input.h"
 #include "window/window.h"
+#include "window/window_times.h"
 
 namespace rakelight::viewer {
 
@@ -61,7 +61,6 @@ private:
     void poll();
     void poll_view(View& view);
     void step();
-    void note_pause();
     void finish_writing();
     void note_warnings(const Painting& painting);
     void lay_out();
@@ -71,12 +70,8 @@ private:
     std::shared_ptr<GlPainter> gl_of(View& view);
     void handle_gl_fault(const Error& error);
     Marks marks(const View& view) const;
-    void report(const Error& error);
-    void say(const std::string& text);
-    void wake() const;
     bool is_busy() const;
     bool has_background_work() const;
-    void log_stats() const;
     View& active() { return views_[ui_.active]; }
     std::size_t view_count() const { return ui_.split == Split::none ? 1 : 2; }
 
@@ -146,7 +141,6 @@ private:
     void draw_panels_over();
 
     Start start_;
-    std::atomic<bool> has_window_{false};
     std::unique_ptr<GlfwWindow> window_;  ///< before all whose threads wake it
     Background loader_, writer_, explainer_, seam_search_;
     std::size_t not_begun_ = 0;  ///< files that were to be written when all was cancelled
@@ -181,8 +175,7 @@ private:
     Handle hovered_ = Handle::none;
     Clock::time_point last_click_{}, last_motion_{}, last_step_{}, last_watch_{}, last_moment_{};
     std::atomic<bool> has_lost_file_{false};  ///< that was requested and could not be written
-    bool is_quitting_ = false, is_dirty_ = true, is_walk_step_ = false;
-    int frames_to_draw_ = 3;  ///< ImGui needs some frames to settle
+    bool is_quitting_ = false, is_walk_step_ = false;
     std::vector<Command> from_panels_;
 
     apps::WatchedFiles watched_files_;
@@ -198,11 +191,7 @@ private:
     Wipe wipe_;
     std::vector<std::uint32_t> wiped_;
 
-    Clock::time_point began_ = Clock::now();
-    Clock::time_point woke_{};  ///< when the window last began to look at events
-    bool was_loading_ = false, was_gl_drawing_ = false;
-    double first_picture_ms_ = 0, longest_block_ms_ = 0, longest_load_block_ms_ = 0, longest_gl_block_ms_ = 0;
-    MotionTimes motion_times_;  ///< of the first view
+    WindowTimes times_;
 };
 
 }  // namespace rakelight::viewer

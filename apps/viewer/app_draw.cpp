@@ -29,9 +29,7 @@ void App::draw() {
     for (std::size_t i = 0; i < view_count(); ++i)
         if (views_[i].displayed && views_[i].displayed->picture) mark_as_displayed(*views_[i].displayed->picture);
     window_->swap();
-    if (views_[0].displayed) motion_times_.displayed(views_[0].displayed->number, Clock::now());
-    if (first_picture_ms_ == 0 && views_[0].displayed)
-        first_picture_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - began_).count();
+    if (views_[0].displayed) times_.display(views_[0].displayed->number);
 }
 
 PixelBox App::box_of(const View& view) const { return {view.area.x, view.area.y, view.area.width, view.area.height}; }
@@ -134,7 +132,7 @@ void App::draw_panels_over() {
     const float pixels_a_point = window_->pixels_a_point();
     panels.window_width = std::max(1, int(float(window_->width()) / pixels_a_point));
     panels.window_height = std::max(1, int(float(window_->height()) / pixels_a_point));
-    panels.scale = window_->scale() / pixels_a_point, panels.longest_block_ms = longest_block_ms_;
+    panels.scale = window_->scale() / pixels_a_point, panels.longest_block_ms = times_.longest_pause_ms();
     panels.own_keys = remembered_.own_keys;
     panels.file_number = file_, panels.file_count = start_.files.size();
     panels.seams = seams_model_ == model_ ? seams_.get() : nullptr;
@@ -159,7 +157,7 @@ void App::draw_panels_over() {
     draw_status(panels);
     draw_help(panels);
     from_panels_ = std::move(panels.commands);
-    if (!from_panels_.empty()) frames_to_draw_ = 3;
+    if (!from_panels_.empty()) ui_.redraw();
 }
 
 }  // namespace rakelight::viewer

@@ -9,9 +9,9 @@ namespace rakelight::viewer {
 
 void App::drop(const Event& event) {
     const DropPlan plan = plan_of_drop(event.files, event.modifiers & mod_shift);
-    if (plan.is_empty_folder) return say("there is no model in this folder");
+    if (plan.is_empty_folder) return ui_.say("there is no model in this folder");
     if (!plan.models.empty()) return open_dropped(plan.models, event.modifiers & mod_control);
-    if (!model_) return say("drop a model first: pictures are for what is shown");
+    if (!model_) return ui_.say("drop a model first: pictures are for what is shown");
     activate_at(event.x, event.y);
     if (!plan.environment.empty()) {
         PictureRequest& request = active().look.request;
@@ -43,21 +43,21 @@ void App::take_files_back() {
 void App::give_picture(const Event& event, const std::string& file) {
     View& view = active();
     if (!view.painter || !view.area.holds(event.x, event.y))
-        return say("drop a picture on an object, which gets it as its texture");
+        return ui_.say("drop a picture on an object, which gets it as its texture");
     const int x = int(event.x) - view.area.x, y = int(event.y) - view.area.y;
     view.painter->look_at_pixel(x, y, [this, &view, file, model = model_](std::optional<Painter::Hit> hit) {
         if (model != model_) return;
-        if (!hit) return say("drop a picture on an object, which gets it as its texture");
+        if (!hit) return ui_.say("drop a picture on an object, which gets it as its texture");
         try {
             const std::uint32_t material = source_material(model_->scene, view.look.materials, hit->material);
             const MaterialTarget target = ui_.is_object_alone ? target_in_object(model_->scene, material, hit->object)
                                                               : target_of(model_->scene, material, hit->object);
             if (ui_.is_object_alone) ui_.material = material, ui_.object = hit->object;
             set_material(view.look, target, "color_texture=" + file);
-            say("texture of " + title_of(model_->scene, target) + ": " +
-                std::filesystem::path(file).filename().string());
+            ui_.say("texture of " + title_of(model_->scene, target) + ": " +
+                    std::filesystem::path(file).filename().string());
         } catch (const Error& error) {
-            report(error);
+            ui_.report(error);
         }
     });
 }

@@ -34,12 +34,12 @@ void App::handle_gl_fault(const Error& error) {
             if (view.gl) lost_gl_.push_back(std::move(view.gl));
             view.submitted_model.reset();  // its picture is requested again
         }
-        return say("OpenGL is started again: " + one_line(error.reason(), 200));
+        return ui_.say("OpenGL is started again: " + one_line(error.reason(), 200));
     }
     has_gl_failed_ = true;
     for (View& view : views_)
         if (view.look.request.engine == "gl" || view.look.request.engine == "auto") view.look.request.engine = "soft";
-    report(
+    ui_.report(
         Error(ErrorCode::failed, "OpenGL fails in the window: " + error.reason(), {}, "engine soft draws from now on"));
 }
 
@@ -69,9 +69,9 @@ void App::watch_shaders() {
             if (s.lighting_name == seen.lighting_name) s.lighting_text = texts->lighting;
             if (s.vertex_name == seen.vertex_name) s.vertex_text = texts->vertex;
         }
-        say("read " + one_line(seen.lighting_name.empty() ? seen.vertex_name : seen.lighting_name, 100) + " again");
+        ui_.say("read " + one_line(seen.lighting_name.empty() ? seen.vertex_name : seen.lighting_name, 100) + " again");
     } catch (const Error& error) {
-        report(error);
+        ui_.report(error);
     }
 }
 

@@ -155,11 +155,11 @@ void App::click(const Event& event) {
     if (event.button == Button::left && (press_modifiers_ & mod_alt))
         return view.painter->look_at_pixel(x, y, [this, &view, model = model_](std::optional<Painter::Hit> hit) {
             if (model != model_) return;
-            if (!hit || hit->material == no_index) return say("there is no surface at this pixel");
+            if (!hit || hit->material == no_index) return ui_.say("there is no surface at this pixel");
             ui_.material = source_material(model_->scene, view.look.materials, hit->material);
             ui_.object = hit->object;
             ui_.open[std::size_t(Panel::materials)] = true, ui_.are_panels_hidden = false;
-            frames_to_draw_ = 3;
+            ui_.redraw();
         });
     if (!is_middle && !(event.button == Button::left && is_double)) return;
     view.painter->look_at_pixel(x, y, [this, &view, model = model_](std::optional<Painter::Hit> hit) {
@@ -185,7 +185,7 @@ void App::leave() {
 }
 
 void App::command(Command command) {
-    frames_to_draw_ = 3;
+    ui_.redraw();
     if (viewer::apply(command, ui_)) {
         window_->set_theme(ui_.is_dark);
         if (command == Command::walk) window_->catch_pointer(ui_.is_walking), last_step_ = Clock::now();
@@ -199,14 +199,14 @@ void App::command(Command command) {
     View& view = active();
     try {
         if (model_ && viewer::apply(command, ui_.player, view.look, *model_, view.area.width, view.area.height)) {
-            return ui_.announces ? say(effect_of(command, ui_.player, view.look, *model_)) : void();
+            return ui_.announces ? ui_.say(effect_of(command, ui_.player, view.look, *model_)) : void();
         }
         if (model_ && viewer::apply(command, view.look, *model_, view.area.width, view.area.height)) {
             const std::string effect = ui_.announces ? effect_of(command, view.look, *model_) : std::string();
-            return effect.empty() ? void() : say(effect);
+            return effect.empty() ? void() : ui_.say(effect);
         }
     } catch (const Error& error) {
-        return report(error);
+        return ui_.report(error);
     }
     switch (command) {
         case Command::next_file:

@@ -64,12 +64,12 @@ void App::follow_camera() {
     if (!model_) return;
     View& view = active();
     std::vector<LightItem>& lights = changing_lights(view.look, *model_, view.area.width, view.area.height);
-    if (ui_.light >= lights.size()) return say("there is no light that could follow the camera");
+    if (ui_.light >= lights.size()) return ui_.say("there is no light that could follow the camera");
     LightItem& item = lights[ui_.light];
     item.follows_camera = !item.follows_camera;
     const std::string name =
         item.light.name.empty() ? "light " + std::to_string(ui_.light) : one_line(item.light.name, 40);
-    say(name + (item.follows_camera ? " follows the camera" : " stays where it is"));
+    ui_.say(name + (item.follows_camera ? " follows the camera" : " stays where it is"));
 }
 
 }  // namespace rakelight::viewer

@@ -20,7 +20,7 @@ bool App::is_view_painting() const {
 
 /// [s] How long the window may sleep; painters wake it.
 double App::wait_s() const {
-    if (frames_to_draw_ > 0 || (ui_.is_walking && is_stepping())) return 0;
+    if (ui_.frames_to_draw > 0 || (ui_.is_walking && is_stepping())) return 0;
     if (!plays()) return is_busy() ? 0.1 : 0.25;
     if (is_view_painting()) return 0.1;
     const std::chrono::duration<double> since = Clock::now() - last_moment_;

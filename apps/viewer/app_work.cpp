@@ -40,7 +40,7 @@ void App::load_current(bool keeps_look) {
     loader_.start("load", work, [this](const Error& error) {
         std::fprintf(stderr, "rakelight: error: %s\n", error.what());
         take_files_back();
-        report(error);
+        ui_.report(error);
     });
 }
 
@@ -65,8 +65,8 @@ void App::take_model(const std::shared_ptr<const Model>& model, bool keeps_look)
     if (warnings > 0)
         news += (news.empty() ? "" : "\n") + std::to_string(warnings) + (warnings == 1 ? " remark" : " remarks") +
                 " about the file: see the panel Statistics (F8)";
-    if (!news.empty()) say(news);
-    frames_to_draw_ = 3;
+    if (!news.empty()) ui_.say(news);
+    ui_.redraw();
 }
 
 /// What is known of objects by their numbers, for the file as it is now. @return what is to be said of it
@@ -102,7 +102,7 @@ void App::watch_file() {
 void App::write_file(const std::string& title, std::function<std::string(Context&)> work) {
     const auto run = [this, work = std::move(work)](Context& context) -> Background::Finish {
         try {
-            return [this, text = work(context)] { say(with_not_begun(text)); };
+            return [this, text = work(context)] { ui_.say(with_not_begun(text)); };
         } catch (const Error& error) {
             if (context.cancelled()) throw;
             has_lost_file_ = true;
@@ -112,7 +112,7 @@ void App::write_file(const std::string& title, std::function<std::string(Context
         }
     };
     writer_.queue(title, run, [this](const Error& error) {
-        report(error);
+        ui_.report(error);
         ui_.message.fail(with_not_begun(ui_.message.text()));
     });
 }
@@ -169,11 +169,11 @@ void App::copy_command_line() {
     try {
         window_->set_clipboard(command_line_of(view.look, *model_, view.area.width, view.area.height));
         const std::string missing = not_on_command_line(view.look, *model_);
-        say(missing.empty()
-                ? "copied the command line"
-                : "copied the command line, but for " + missing + ": save the scene to keep these (Ctrl+S)");
+        ui_.say(missing.empty()
+                    ? "copied the command line"
+                    : "copied the command line, but for " + missing + ": save the scene to keep these (Ctrl+S)");
     } catch (const Error& error) {
-        report(error);
+        ui_.report(error);
     }
 }
 
@@ -213,10 +213,10 @@ void App::explain_at(int x, int y) {
         return [this, file = model->file, text = std::move(text)] {
             ui_.explained = with_short_paths(text, file);
             ui_.open[std::size_t(Panel::pixel)] = true, ui_.are_panels_hidden = false;
-            frames_to_draw_ = 3;
+            ui_.redraw();
         };
     };
-    explainer_.start("explain", work, [this](const Error& error) { report(error); });
+    explainer_.start("explain", work, [this](const Error& error) { ui_.report(error); });
 }
 
 /// Seams are looked for again whenever normals change.
@@ -233,12 +233,12 @@ void App::look_for_seams() {
         const auto seams = std::make_shared<const Seams>(worst_seams(std::move(result.seam_lines)));
         return [this, seams] {
             seams_ = seams;
-            is_dirty_ = true;
+            ui_.redraw(1);
         };
     };
     seam_search_.start("seams", work, [this](const Error& error) {
         seams_.reset();  // those of other normals
-        report(error);
+        ui_.report(error);
     });
 }
 

@@ -29,7 +29,7 @@ public:
 
     /// Waits for events, at most so long; 0: takes those that exist.
     void wait(double seconds);
-    /// Ends a wait(); from any thread.
+    /// Ends a wait(); from any thread, also while there is no window.
     static void wake();
     std::vector<Event> take_events();
     bool is_closing() const;
