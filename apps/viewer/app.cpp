@@ -28,13 +28,12 @@ double seconds(std::chrono::steady_clock::duration d) { return std::chrono::dura
 
 App::App(Start start)
     : start_(std::move(start)),
-      loader_(GlfwWindow::wake, start_.threads, start_.max_memory, start_.everything),
-      writer_(GlfwWindow::wake, start_.threads, start_.max_memory, start_.everything),
-      explainer_(GlfwWindow::wake, start_.threads, start_.max_memory, start_.everything),
-      seam_search_(GlfwWindow::wake, start_.threads, start_.max_memory, start_.everything),
       remembered_(read_settings()),
-      ui_(remembered_.ui) {
-    if (!start_.files.empty()) load_current(false);  // beside the opening of the window
+      ui_(remembered_.ui),
+      files_(start_, GlfwWindow::wake, ui_),
+      exports_(start_, GlfwWindow::wake, ui_),
+      analysis_(start_, GlfwWindow::wake, ui_) {
+    files_.load(false);  // beside the opening of the window
     if (!remembered_.wrong_lines.empty()) ui_.message.fail(wrong_settings(remembered_));
     int width = remembered_.width, height = remembered_.height;
     PictureRequest given;
@@ -47,9 +46,7 @@ App::App(Start start)
 }
 
 App::~App() {
-    for (Background* work : {&loader_, &writer_, &explainer_, &seam_search_}) work->cancel();
-    for (Background* work : {&loader_, &writer_, &explainer_, &seam_search_})
-        work->end();             // before the window they wake
+    cancel_work();
     for (View& view : views_) {  // before their contexts
         view.painter.reset();
         view.gl.reset();
@@ -58,9 +55,13 @@ App::~App() {
     lost_gl_.clear();
 }
 
-bool App::has_background_work() const {
-    return loader_.is_running() || writer_.is_running() || explainer_.is_running() || seam_search_.is_running();
+std::vector<const Background*> App::works() const {
+    std::vector<const Background*> works{&files_.loader(), &exports_.writer()};
+    for (const Background* work : analysis_.works()) works.push_back(work);
+    return works;
 }
+
+bool App::has_background_work() const { return std::ranges::any_of(works(), &Background::is_running); }
 
 bool App::is_busy() const { return has_background_work() || views_[0].is_painting || views_[1].is_painting; }
 
@@ -78,7 +79,7 @@ int App::run() {
     write_settings(remembered_);
     if (fault) std::rethrow_exception(fault);
     if (start_.wants_stats) times_.print(moments_, gl_pictures_, one_line(views_[0].screen->renderer(), 100));
-    return has_lost_file_ ? 1 : 0;
+    return exports_.has_lost_file() ? 1 : 0;
 }
 
 void App::loop() {
@@ -98,23 +99,22 @@ void App::loop() {
 void App::finish_writing() {
     const Clock::time_point begin = Clock::now();
     window_->hide();
-    for (Background* work : {&loader_, &explainer_, &seam_search_}) work->cancel();
+    files_.cancel();
+    analysis_.cancel();
     for (View& view : views_)
         if (view.painter) view.painter->cancel();
-    while (writer_.is_running() && seconds(Clock::now() - begin) < longest_writing_s) {
+    while (exports_.writer().is_running() && seconds(Clock::now() - begin) < longest_writing_s) {
         window_->wait(0.05);
-        writer_.poll();
+        exports_.poll();
     }
-    if (!writer_.is_running()) return;
-    has_lost_file_ = true;
-    std::fprintf(stderr, "rakelight: error: ended before all files were written\n");
+    exports_.give_up();
 }
 
 /// Takes what has happened, and shows it.
 void App::step() {
     times_.end_turn();
     window_->wait(wait_s());
-    times_.begin_turn(loader_.is_running(),
+    times_.begin_turn(files_.loader().is_running(),
                       std::ranges::any_of(views_, [](const View& v) { return v.is_painting && v.gl; }));
     const std::vector<Event> events = window_->take_events();
     if (!events.empty()) ui_.redraw();
@@ -125,7 +125,7 @@ void App::step() {
     lay_out();
     play();
     for (std::size_t i = 0; i < view_count(); ++i) submit(views_[i]);
-    look_for_seams();
+    analysis_.look_for_seams(model_, active().look.request.prepare, drag_ == Drag::none);
     const bool has_progress = plays() ? has_background_work() : is_busy();
     if (has_progress || window_->needs_drawing()) ui_.redraw(1);
     if (ui_.frames_to_draw == 0) return;
@@ -134,10 +134,9 @@ void App::step() {
 }
 
 void App::poll() {
-    loader_.poll();
-    writer_.poll();
-    explainer_.poll();
-    seam_search_.poll();
+    if (const auto arrival = files_.poll()) take_model(*arrival);
+    exports_.poll();
+    analysis_.poll();
     for (std::size_t i = 0; i < 2; ++i) poll_view(views_[i]);
     if (ui_.message.is_over()) ui_.message.clear(), ui_.redraw();
     if (seconds(Clock::now() - last_watch_) > 0.5) watch_file();

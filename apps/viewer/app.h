@@ -2,22 +2,19 @@
 // The viewer: events change looks, painters make pictures of looks, the window shows the newest ones. The window's thread only
 // handles events and shows what is finished.
 #pragma once
-#include <atomic>
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
 #include <rakelight/render/gl_view.h>
-#include <rakelight/tools/inspect.h>
 
-#include "../common/watched_files.h"
 #include "document/materials.h"
 #include "document/settings_file.h"
 #include "panels/panels.h"
-#include "view/background.h"
+#include "view/analysis.h"
+#include "view/exports.h"
 #include "view/gizmo.h"
-#include "view/load_model.h"
+#include "view/model_files.h"
 #include "view/painter.h"
 #include "view/shader_files.h"
 #include "window/input.h"
@@ -71,6 +68,7 @@ private:
     void handle_gl_fault(const Error& error);
     Marks marks(const View& view) const;
     bool is_busy() const;
+    std::vector<const Background*> works() const;
     bool has_background_work() const;
     View& active() { return views_[ui_.active]; }
     std::size_t view_count() const { return ui_.split == Split::none ? 1 : 2; }
@@ -89,8 +87,6 @@ private:
 
     // app_drop.cpp: what is dropped on the window
     void drop(const Event& event);
-    void open_dropped(const std::vector<std::string>& models, bool adds);
-    void take_files_back();
     void give_picture(const Event& event, const std::string& file);
 
     // app_motion.cpp: what plays
@@ -109,24 +105,13 @@ private:
     void follow_camera();
 
     // app_work.cpp: what runs in the background
-    void load_current(bool keeps_look);
-    void take_model(const std::shared_ptr<const Model>& model, bool keeps_look);
-    void step_file(int by);
+    void take_model(const ModelFiles::Arrival& arrival);
+    Shown shown();
     void watch_file();
     void watch_shaders();
-    void watch_from_now();
     std::string carry_to(const Model& model);
-    void write_file(const std::string& title, std::function<std::string(Context&)> work);
     void cancel_work();
-    std::string with_not_begun(const std::string& text);
-    std::string displayed_half() const;
-    void screenshot(bool is_transparent);
-    void save_scene();
-    void save_seamless();
     void copy_command_line();
-    void record();
-    void explain_at(int x, int y);
-    void look_for_seams();
 
     // app_draw.cpp: what is shown
     void draw();
@@ -142,11 +127,12 @@ private:
 
     Start start_;
     std::unique_ptr<GlfwWindow> window_;  ///< before all whose threads wake it
-    Background loader_, writer_, explainer_, seam_search_;
-    std::size_t not_begun_ = 0;  ///< files that were to be written when all was cancelled
     View views_[2];
     Remembered remembered_;
     UiState ui_;
+    ModelFiles files_;
+    Exports exports_;
+    Analysis analysis_;
     bool has_gl_failed_ = false;
     int gl_faults_ = 0;
     std::vector<std::string> warned_;                  ///< of this model
@@ -155,12 +141,6 @@ private:
     std::uint64_t moments_ = 0;                        ///< that were played
     ShaderFiles shader_files_;
     std::shared_ptr<const Model> model_;
-    std::size_t file_ = 0;
-    struct FileList {
-        std::vector<std::string> files;
-        std::size_t number = 0;
-    };
-    std::optional<FileList> before_drop_;  ///< while what was dropped is loaded
 
     HeldKeys held_;
     Drag drag_ = Drag::none;
@@ -174,14 +154,9 @@ private:
     LightDrag light_drag_;
     Handle hovered_ = Handle::none;
     Clock::time_point last_click_{}, last_motion_{}, last_step_{}, last_watch_{}, last_moment_{};
-    std::atomic<bool> has_lost_file_{false};  ///< that was requested and could not be written
     bool is_quitting_ = false, is_walk_step_ = false;
     std::vector<Command> from_panels_;
 
-    apps::WatchedFiles watched_files_;
-    std::shared_ptr<const Seams> seams_;
-    std::shared_ptr<const Model> seams_model_;
-    PrepareOptions seams_prepare_;
     /// What is on the screen of a wipe.
     struct Wipe {
         std::shared_ptr<const Painting> a, b;

@@ -134,25 +134,18 @@ void App::draw_panels_over() {
     panels.window_height = std::max(1, int(float(window_->height()) / pixels_a_point));
     panels.scale = window_->scale() / pixels_a_point, panels.longest_block_ms = times_.longest_pause_ms();
     panels.own_keys = remembered_.own_keys;
-    panels.file_number = file_, panels.file_count = start_.files.size();
-    panels.seams = seams_model_ == model_ ? seams_.get() : nullptr;
-    const auto add = [&panels](const Progress& progress) {
-        std::string stage;
-        double fraction = 0;
-        progress.get(stage, fraction);
-        if (!stage.empty()) panels.works.push_back(stage + " " + std::to_string(int(100 * fraction)) + " %");
-    };
-    for (const Background* work : {&loader_, &writer_, &explainer_, &seam_search_})
-        if (work->is_running()) add(work->progress());
-    if (writer_.waiting() > 0 && !panels.works.empty())
-        panels.works.back() += ", " + std::to_string(writer_.waiting()) + " more to be written";
-    for (const View& v : views_) {
-        std::string stage;
-        double fraction = 0;
-        if (v.painter && v.is_painting) v.painter->progress().get(stage, fraction);
-        if (!stage.empty() && stage != "render")
-            panels.works.push_back(stage + " " + std::to_string(int(100 * fraction)) + " %");
-    }
+    panels.file_number = files_.number(), panels.file_count = files_.count();
+    const std::shared_ptr<const Seams> seams = analysis_.seams(model_);
+    panels.seams = seams.get();
+    for (const Background* work : works())
+        if (const std::string text = to_text(work->progress()); work->is_running() && !text.empty())
+            panels.works.push_back(text);
+    if (const std::size_t waiting = exports_.writer().waiting(); waiting > 0 && !panels.works.empty())
+        panels.works.back() += ", " + std::to_string(waiting) + " more to be written";
+    for (const View& v : views_)
+        if (const std::string text = v.painter && v.is_painting ? to_text(v.painter->progress(), "render") : "";
+            !text.empty())
+            panels.works.push_back(text);
     draw_panels(panels);
     draw_status(panels);
     draw_help(panels);

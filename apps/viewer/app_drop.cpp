@@ -10,7 +10,7 @@ namespace rakelight::viewer {
 void App::drop(const Event& event) {
     const DropPlan plan = plan_of_drop(event.files, event.modifiers & mod_shift);
     if (plan.is_empty_folder) return ui_.say("there is no model in this folder");
-    if (!plan.models.empty()) return open_dropped(plan.models, event.modifiers & mod_control);
+    if (!plan.models.empty()) return files_.open_dropped(plan.models, event.modifiers & mod_control);
     if (!model_) return ui_.say("drop a model first: pictures are for what is shown");
     activate_at(event.x, event.y);
     if (!plan.environment.empty()) {
@@ -19,24 +19,6 @@ void App::drop(const Event& event) {
         request.hdri_ambient = request.hdri_skybox = true;
     }
     if (!plan.picture.empty()) give_picture(event, plan.picture);
-}
-
-/// Opens the first; what was there stays until it is loaded, and where it cannot be.
-void App::open_dropped(const std::vector<std::string>& models, bool adds) {
-    if (!before_drop_) before_drop_ = FileList{start_.files, file_};
-    if (!adds) start_.files.clear();
-    file_ = start_.files.size();
-    start_.files.insert(start_.files.end(), models.begin(), models.end());
-    load_current(false);
-}
-
-/// After a drop that could not be loaded.
-void App::take_files_back() {
-    if (!before_drop_) return;
-    start_.files = std::move(before_drop_->files), file_ = before_drop_->number;
-    before_drop_.reset();
-    const bool is_shown = model_ && file_ < start_.files.size() && model_->file == start_.files[file_];
-    is_shown ? watch_from_now() : load_current(false);  // the drop had broken off its loading
 }
 
 /// The object at the pointer gets the picture as the base color texture of its material.

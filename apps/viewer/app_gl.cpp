@@ -45,13 +45,12 @@ void App::handle_gl_fault(const Error& error) {
 
 Marks App::marks(const View& view) const {
     const bool has_handles = ui_.light_glyphs && &view == &views_[ui_.active];
-    const bool are_seams_known = ui_.seams && seams_model_ == model_ && seams_prepare_ == view.look.request.prepare;
     const Handle lit = drag_ == Drag::light ? light_drag_.handle : hovered_;
     return {.grid = ui_.grid,
             .axes = ui_.axes,
             .lights = ui_.light_glyphs,
             .vectors = {ui_.normals, ui_.tangents, ui_.bitangents},
-            .seams = are_seams_known ? seams_ : nullptr,
+            .seams = ui_.seams ? analysis_.seams(model_, view.look.request.prepare) : nullptr,
             .light = ui_.light,
             .has_handles = has_handles,
             .lit = has_handles ? lit : Handle::none,

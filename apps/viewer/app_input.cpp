@@ -151,7 +151,8 @@ void App::click(const Event& event) {
     const bool is_double = is_near && seconds(now - last_click_) < double_click_s;
     const bool is_middle = press_modifiers_ & (1 << 8);
     last_click_ = now, last_click_x_ = event.x, last_click_y_ = event.y;
-    if (ui_.is_picking && event.button == Button::left) return explain_at(x, y);
+    if (ui_.is_picking && event.button == Button::left)
+        return analysis_.explain(model_, view.look, view.area.width, view.area.height, x, y);
     if (event.button == Button::left && (press_modifiers_ & mod_alt))
         return view.painter->look_at_pixel(x, y, [this, &view, model = model_](std::optional<Painter::Hit> hit) {
             if (model != model_) return;
@@ -174,12 +175,9 @@ void App::leave() {
     if (ui_.is_picking) return void(ui_.is_picking = false);
     if (ui_.help) return void(ui_.help = false);
     if (has_background_work()) return cancel_work();
-    for (View& view : views_) {
-        std::string stage;
-        double fraction = 0;
-        if (view.painter && view.is_painting) view.painter->progress().get(stage, fraction);
-        if (!stage.empty() && stage != "render") view.painter->cancel();
-    }
+    for (View& view : views_)
+        if (view.painter && view.is_painting && !to_text(view.painter->progress(), "render").empty())
+            view.painter->cancel();
     if (!ui_.message.text().empty()) return ui_.message.clear();
     if (window_->is_full_screen()) window_->set_full_screen(false);
 }
@@ -210,21 +208,21 @@ void App::command(Command command) {
     }
     switch (command) {
         case Command::next_file:
-            return step_file(1);
+            return files_.step(1);
         case Command::previous_file:
-            return step_file(-1);
+            return files_.step(-1);
         case Command::reload:
-            return load_current(true);
+            return files_.load(true);
         case Command::screenshot:
-            return screenshot(false);
+            return model_ ? exports_.write_picture(shown(), false) : void();
         case Command::clean_screenshot:
-            return screenshot(true);
+            return model_ ? exports_.write_picture(shown(), true) : void();
         case Command::save_world:
-            return save_scene();
+            return model_ ? exports_.save_scene(shown()) : void();
         case Command::save_seamless:
-            return save_seamless();
+            return model_ ? exports_.save_seamless(shown()) : void();
         case Command::record:
-            return record();
+            return model_ ? exports_.record(shown()) : void();
         case Command::copy_command_line:
         case Command::follow_camera:
         case Command::quit:
