@@ -17,4 +17,7 @@ void choose_engine(const std::string& name, Look& look);
 /// What a command does to a look; false: it is not about looks. @throws Error usage
 bool apply(Command command, Look& look, const Model& model, int width, int height);
 
+/// A light of the list follows the camera from now on, or stays where it is. @return what was done, for people
+std::string toggle_follows_camera(Look& look, const Model& model, int width, int height, std::size_t light);
+
 }  // namespace rakelight::viewer

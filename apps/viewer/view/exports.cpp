@@ -101,4 +101,18 @@ void Exports::record(const Shown& shown) {
     });
 }
 
+std::optional<std::string> Exports::command_line(const Shown& shown) {
+    try {
+        std::string line = command_line_of(shown.look, *shown.model, shown.width, shown.height);
+        const std::string missing = not_on_command_line(shown.look, *shown.model);
+        ui_.say(missing.empty()
+                    ? "copied the command line"
+                    : "copied the command line, but for " + missing + ": save the scene to keep these (Ctrl+S)");
+        return line;
+    } catch (const Error& error) {
+        ui_.report(error);
+        return {};
+    }
+}
+
 }  // namespace rakelight::viewer

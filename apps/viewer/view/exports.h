@@ -5,6 +5,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "../document/ui_state.h"
@@ -32,6 +33,9 @@ public:
     void save_seamless(const Shown& shown);
     /// A turntable.
     void record(const Shown& shown);
+
+    /// The command line that makes the picture; what it lacks is said. @return none: it cannot be said, which is reported
+    std::optional<std::string> command_line(const Shown& shown);
 
     void poll() { writer_.poll(); }
     /// Also what has not begun; the message of what runs says how much that is.

@@ -14,11 +14,6 @@ struct GLFWwindow;
 
 namespace rakelight::viewer {
 
-/// [px] y down.
-struct PixelBox {
-    int x = 0, y = 0, width = 0, height = 0;
-};
-
 class GlfwWindow {
 public:
     /// @param width,height  [px] of the framebuffer @throws Error failed: no display, no OpenGL 3.3
