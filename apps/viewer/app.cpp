@@ -17,13 +17,6 @@ constexpr int most_faults = 3;            // of one turn of the loop after anoth
 constexpr double longest_writing_s = 10;  // after the window is closed
 constexpr double watch_s = 0.5;           // from one look at the files to the next
 
-std::string wrong_settings(const Remembered& remembered) {
-    std::string text = settings_path() + " has lines that are not understood:";
-    for (std::size_t i = 0; i < std::min<std::size_t>(5, remembered.wrong_lines.size()); ++i)
-        text += "\n" + remembered.wrong_lines[i];
-    return text;
-}
-
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
 }  // namespace
@@ -39,7 +32,7 @@ App::App(const Start& start)
           start, GlfwWindow::wake, [this] { return window_->make_shared_context(); }, ui_),
       navigation_(pictures_, ui_) {
     files_.load(false);  // beside the opening of the window
-    if (!remembered_.wrong_lines.empty()) ui_.message.fail(wrong_settings(remembered_));
+    if (!remembered_.wrong_lines.empty()) ui_.message.fail(wrong_lines_text(remembered_));
     open_window(start);
 }
 
@@ -122,7 +115,7 @@ void App::step() {
 
 /// [s] How long the window may sleep; painters wake it.
 double App::wait_s() const {
-    if (ui_.frames_to_draw > 0 || (ui_.is_walking && navigation_.is_walking_now())) return 0;
+    if (ui_.frames_to_draw > 0 || (ui_.is_walking && navigation_.holds_walking_key())) return 0;
     if (pictures_.plays()) return pictures_.next_moment_s();
     return has_background_work() || pictures_.is_painting() ? 0.1 : 0.25;
 }

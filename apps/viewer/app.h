@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "background/analysis.h"
+#include "background/exports.h"
+#include "background/model_files.h"
 #include "document/settings_file.h"
 #include "panels/panels.h"
-#include "view/analysis.h"
-#include "view/exports.h"
-#include "view/model_files.h"
 #include "view/pictures.h"
 #include "window/navigation.h"
 #include "window/screen.h"

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "../background/load_model.h"
 #include "../document/ui_state.h"
 #include "gl_painters.h"
-#include "load_model.h"
 #include "picture_view.h"
 #include "shader_files.h"
 

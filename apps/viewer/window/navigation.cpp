@@ -118,14 +118,14 @@ void Navigation::zoom(const Event& event) {
     last_motion_ = Clock::now();
 }
 
-bool Navigation::is_walking_now() const {
+bool Navigation::holds_walking_key() const {
     return std::ranges::any_of(walking_keys, [this](char key) { return held_.has(key); });
 }
 
 void Navigation::step_walk() {
     const auto now = Clock::now();
     const double dt = is_walk_step_ ? std::min(0.1, seconds(now - last_step_)) : 0;
-    last_step_ = now, is_walk_step_ = is_walking_now();
+    last_step_ = now, is_walk_step_ = holds_walking_key();
     if (!pictures_.model() || !is_walk_step_) return;
     const auto axis = [this](Key more, Key less) { return double(held_.has(more)) - double(held_.has(less)); };
     const double ahead = axis('W', 'S'), right = axis('D', 'A'), up = axis('E', 'Q');

@@ -36,7 +36,7 @@ public:
     /// Walks as far as keys were held since the last step.
     void step_walk();
 
-    bool is_walking_now() const;  ///< a key that walks is held
+    bool holds_walking_key() const;  ///< a key that walks is held
     bool is_dragging() const { return drag_ != Drag::none; }
     bool moves_picture() const;  ///< a coarse picture is enough now
     /// The handle of a light that is highlighted.

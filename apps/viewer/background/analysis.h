@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "../document/ui_state.h"
+#include "../view/overlay.h"
 #include "background.h"
 #include "load_model.h"
-#include "overlay.h"
 
 namespace rakelight::viewer {
 
