@@ -2,74 +2,51 @@
 #include "app.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
+#include <filesystem>
+#include <utility>
 
 #include "../common/interrupt.h"
-#include "document/display_path.h"
+#include "panels/floating_windows.h"
+#include "view/drop.h"
+#include "view/pick.h"
 
-#include <rakelight/world/render_keys.h>
 
 namespace rakelight::viewer {
 namespace {
 
 constexpr int most_faults = 3;            // of one turn of the loop after another: the window's context may be lost
 constexpr double longest_writing_s = 10;  // after the window is closed
-constexpr double motion_s = 0.15;         // after the last step of a motion the whole picture is made
-
-std::string wrong_settings(const Remembered& remembered) {
-    std::string text = settings_path() + " has lines that are not understood:";
-    for (std::size_t i = 0; i < std::min<std::size_t>(5, remembered.wrong_lines.size()); ++i)
-        text += "\n" + remembered.wrong_lines[i];
-    return text;
-}
+constexpr double watch_s = 0.5;           // from one look at the files to the next
 
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
 }  // namespace
 
-App::App(Start start)
-    : start_(std::move(start)),
-      loader_([this] { wake(); }, start_.threads, start_.max_memory, start_.everything),
-      writer_([this] { wake(); }, start_.threads, start_.max_memory, start_.everything),
-      explainer_([this] { wake(); }, start_.threads, start_.max_memory, start_.everything),
-      seam_search_([this] { wake(); }, start_.threads, start_.max_memory, start_.everything),
+App::App(const Start& start)
+    : wants_stats_(start.wants_stats),
       remembered_(read_settings()),
-      ui_(remembered_.ui) {
-    if (!start_.files.empty()) load_current(false);  // beside the opening of the window
-    if (!remembered_.wrong_lines.empty()) ui_.message.fail(wrong_settings(remembered_));
+      ui_(remembered_.ui),
+      files_(start, GlfwWindow::wake, ui_),
+      exports_(start, GlfwWindow::wake, ui_),
+      analysis_(start, GlfwWindow::wake, ui_),
+      pictures_(
+          start, GlfwWindow::wake, [this] { return window_->make_shared_context(); }, ui_),
+      navigation_(pictures_, ui_) {
+    files_.load(false);  // beside the opening of the window
+    if (!remembered_.wrong_lines.empty()) ui_.message.fail(wrong_lines_text(remembered_));
+    open_window(start);
+}
+
+void App::open_window(const Start& start) {
     int width = remembered_.width, height = remembered_.height;
     PictureRequest given;
-    for (const WorldValue& value : start_.settings)
+    for (const WorldValue& value : start.settings)
         if (value.key == "resolution")
             read_render_keys({&value, 1}, given), width = given.settings.width, height = given.settings.height;
     window_ = std::make_unique<GlfwWindow>("Rakelight", width, height);
-    has_window_ = true;
     window_->set_theme(ui_.is_dark);
-    views_[0].screen = std::make_unique<GlView>();
+    screen_ = std::make_unique<Screen>(*window_);
 }
-
-App::~App() {
-    for (Background* work : {&loader_, &writer_, &explainer_, &seam_search_}) work->cancel();
-    for (Background* work : {&loader_, &writer_, &explainer_, &seam_search_})
-        work->end();             // before the window they wake
-    for (View& view : views_) {  // before their contexts
-        view.painter.reset();
-        view.gl.reset();
-        view.screen.reset();
-    }
-    lost_gl_.clear();
-}
-
-void App::wake() const {
-    if (has_window_) GlfwWindow::wake();
-}
-
-bool App::has_background_work() const {
-    return loader_.is_running() || writer_.is_running() || explainer_.is_running() || seam_search_.is_running();
-}
-
-bool App::is_busy() const { return has_background_work() || views_[0].is_painting || views_[1].is_painting; }
 
 int App::run() {
     std::exception_ptr fault;
@@ -84,20 +61,20 @@ int App::run() {
     remembered_.ui = ui_;
     write_settings(remembered_);
     if (fault) std::rethrow_exception(fault);
-    log_stats();
-    return has_lost_file_ ? 1 : 0;
+    if (wants_stats_) times_.print(pictures_.moments(), pictures_.gl_pictures(), one_line(screen_->renderer(), 100));
+    return exports_.has_lost_file() ? 1 : 0;
 }
 
 void App::loop() {
     int faults = 0;  // one after another
-    woke_ = Clock::now();
+    times_.begin_turn(false, false);
     while (!window_->is_closing() && !is_quitting_ && !apps::CancelOnInterrupt::happened()) try {
             step();
             faults = 0;
         } catch (const Error& error) {
             if (++faults > most_faults) throw;
             window_->abandon_panels();
-            report(error);
+            ui_.report(error);
         }
 }
 
@@ -105,184 +82,257 @@ void App::loop() {
 void App::finish_writing() {
     const Clock::time_point begin = Clock::now();
     window_->hide();
-    for (Background* work : {&loader_, &explainer_, &seam_search_}) work->cancel();
-    for (View& view : views_)
-        if (view.painter) view.painter->cancel();
-    while (writer_.is_running() && seconds(Clock::now() - begin) < longest_writing_s) {
+    files_.cancel();
+    analysis_.cancel();
+    pictures_.cancel();
+    while (exports_.writer().is_running() && seconds(Clock::now() - begin) < longest_writing_s) {
         window_->wait(0.05);
-        writer_.poll();
+        exports_.poll();
     }
-    if (!writer_.is_running()) return;
-    has_lost_file_ = true;
-    std::fprintf(stderr, "rakelight: error: ended before all files were written\n");
+    exports_.give_up();
 }
 
 /// Takes what has happened, and shows it.
 void App::step() {
-    note_pause();
+    times_.end_turn();
     window_->wait(wait_s());
-    woke_ = Clock::now();
-    was_loading_ = loader_.is_running();
-    was_gl_drawing_ = std::ranges::any_of(views_, [](const View& v) { return v.is_painting && v.gl; });
+    times_.begin_turn(files_.loader().is_running(), pictures_.is_gl_drawing());
     const std::vector<Event> events = window_->take_events();
-    if (!events.empty()) frames_to_draw_ = 3;
+    if (!events.empty()) ui_.redraw();
     for (const Event& event : events) handle(event);
-    for (const Command command : std::exchange(from_panels_, {})) this->command(command);
+    for (const Command command : std::exchange(from_panels_, {})) execute(command);
     poll();
-    if (ui_.is_walking) step_walk();
-    lay_out();
-    play();
-    for (std::size_t i = 0; i < view_count(); ++i) submit(views_[i]);
-    look_for_seams();
-    const bool has_progress = plays() ? has_background_work() : is_busy();
-    if (has_progress || window_->needs_drawing()) is_dirty_ = true;
-    if (!is_dirty_ && frames_to_draw_ == 0) return;
-    frames_to_draw_ = std::max(0, frames_to_draw_ - 1);
-    is_dirty_ = false;
+    if (ui_.is_walking) navigation_.step_walk();
+    pictures_.lay_out(window_->width(), window_->height(), int(ui_.panel_width * window_->pixels_a_point()));
+    pictures_.play();
+    request_pictures();
+    analysis_.look_for_seams(pictures_.model(), pictures_.active().look.request.prepare, !navigation_.is_dragging());
+    const bool has_progress = has_background_work() || (pictures_.is_painting() && !pictures_.plays());
+    if (has_progress || window_->needs_drawing()) ui_.redraw(1);
+    if (ui_.frames_to_draw == 0) return;
+    --ui_.frames_to_draw;
     draw();
 }
 
-/// How long the window did not process events.
-void App::note_pause() {
-    const double pause_ms = 1e3 * seconds(Clock::now() - woke_);
-    longest_block_ms_ = std::max(longest_block_ms_, pause_ms);
-    if (was_loading_) longest_load_block_ms_ = std::max(longest_load_block_ms_, pause_ms);
-    if (was_gl_drawing_) longest_gl_block_ms_ = std::max(longest_gl_block_ms_, pause_ms);
-}
-
-void App::log_stats() const {
-    if (!start_.wants_stats) return;
-    std::fprintf(
-        stderr,
-        "first picture after %.0f ms, longest pause of the window %.0f ms (while loading %.0f ms, while gl "
-        "draws %.0f ms), %zu pictures in motion after %.0f ms (median; at most %.0f ms), %llu moments played, %llu "
-        "pictures by GlView, %s\n",
-        first_picture_ms_, longest_block_ms_, longest_load_block_ms_, longest_gl_block_ms_, motion_times_.count(),
-        motion_times_.quantile_ms(0.5), motion_times_.quantile_ms(1), static_cast<unsigned long long>(moments_),
-        static_cast<unsigned long long>(gl_pictures_), one_line(views_[0].screen->renderer(), 100).c_str());
+/// [s] How long the window may sleep; painters wake it.
+double App::wait_s() const {
+    if (ui_.frames_to_draw > 0 || (ui_.is_walking && navigation_.holds_walking_key())) return 0;
+    if (pictures_.plays()) return pictures_.next_moment_s();
+    return has_background_work() || pictures_.is_painting() ? 0.1 : 0.25;
 }
 
 void App::poll() {
-    loader_.poll();
-    writer_.poll();
-    explainer_.poll();
-    seam_search_.poll();
-    for (std::size_t i = 0; i < 2; ++i) poll_view(views_[i]);
-    if (ui_.message.is_over()) ui_.message.clear(), frames_to_draw_ = 3;
-    if (seconds(Clock::now() - last_watch_) > 0.5) watch_file();
+    if (const auto arrival = files_.poll()) show(*arrival);
+    exports_.poll();
+    analysis_.poll();
+    pictures_.poll();
+    if (ui_.message.is_over()) ui_.message.clear(), ui_.redraw();
+    if (seconds(Clock::now() - last_watch_) <= watch_s) return;
+    last_watch_ = Clock::now();
+    pictures_.read_changed_shaders();
+    for (const PictureView& view : pictures_.all()) files_.watch(files_of(view.look));
+    files_.reload_changed();
 }
 
-void App::poll_view(View& view) {
-    if (!view.painter) return;
-    view.painter->poll();
-    if (auto painting = view.painter->take()) {
-        view.displayed = std::move(painting);
-        gl_pictures_ += view.displayed->picture != nullptr;
-        note_warnings(*view.displayed);
-        if (view.displayed->is_final) frames_to_draw_ = 3;  // what was said of its progress is gone
-        is_dirty_ = true;
-        if (view.displayed->number == view.number) {
-            view.good = view.submitted, view.good_model = view.submitted_model;
-            if (view.displayed->is_final || view.is_submitted_moving) view.is_painting = false;
-        }
-    }
-    const auto fault = view.painter->take_fault();
-    if (!fault) return;
-    if (fault->is_of_gl) return handle_gl_fault(fault->error);
-    report(fault->error);
-    if (fault->number != view.number) return;
-    ui_.player.is_playing = ui_.player.is_turning = false;
-    view.is_painting = false;
-    const bool can_go_back = view.good_model == model_ && !(view.good == view.submitted);
-    if (can_go_back) view.look = view.good;  // what worked last
+/// What has been loaded.
+void App::show(const ModelFiles::Arrival& arrival) {
+    analysis_.forget_seams();
+    pictures_.show(files_.model(), arrival.keeps_look);
+    const std::string name = std::filesystem::path(files_.model()->file).filename().string();
+    window_->set_title(one_line(name, 100) + " - Rakelight (H: keys)");
 }
 
-/// Shows the first of them that was not shown before.
-void App::note_warnings(const Painting& painting) {
-    for (const std::string& warning : painting.warnings)
-        if (ui_.announces && std::ranges::find(warned_, warning) == warned_.end()) {
-            warned_.push_back(warning);
-            return say(warning);
-        }
-}
-
-void App::lay_out() {
-    const int panels = int(ui_.panel_width * window_->pixels_a_point());
-    const int left = std::min(panels, std::max(0, window_->width() - 1));
-    const int width = std::max(1, window_->width() - left), height = std::max(1, window_->height());
-    if (window_->width() == 0 || window_->height() == 0) return;  // minimized: as it was
-    views_[0].area = views_[1].area = {left, 0, width, height};
-    if (ui_.split != Split::beside) return;
-    views_[0].area.width = std::max(1, width / 2);
-    views_[1].area = {left + views_[0].area.width, 0, std::max(1, width - views_[0].area.width), height};
-}
-
-/// Where the camera of a view stands; false: nowhere, and the view is what it was before.
-bool App::take_camera(View& view) {
-    try {
-        const Camera camera = quick_camera_of(view.look, *model_, view.area.width, view.area.height);
-        if (view.submitted_model == model_) carry_lights(view.look, view.camera, camera);
-        view.camera = camera;
-        return true;
-    } catch (const Error& error) {
-        report(error);
-        if (view.submitted_model == model_)
-            view.look = view.submitted;
-        else
-            view.look.eye.reset(), view.look.request.view = {.side = "default"};
-        return false;
+void App::request_pictures() {
+    const bool is_playing = pictures_.plays(), is_moving = is_playing || navigation_.moves_picture();
+    for (std::size_t i = 0; i < pictures_.count(); ++i) {
+        const Demand demand{.is_moving = is_moving, .is_playing = is_playing, .marks = marks(i)};
+        const bool is_new = pictures_.request(i, demand, screen_->has_gpu());
+        if (is_new && is_moving && i == 0) times_.request(pictures_[0].number());
     }
 }
 
-/// Has a picture made where another one is wanted than the last time.
-void App::submit(View& view) {
-    if (!model_) return;
-    if (ui_.split == Split::wipe) {  // one view of two looks
-        const Look& leader = active().look;
-        view.look.eye = leader.eye, view.look.world_up = leader.world_up, view.look.request.view = leader.request.view;
-        view.look.request.motion = leader.request.motion, view.look.time_s = leader.time_s,
-        view.look.keys = leader.keys;
+/// The lines that are wanted over a picture.
+Marks App::marks(std::size_t picture) const {
+    const bool has_handles = ui_.light_glyphs && picture == ui_.active;
+    const PrepareOptions& prepare = pictures_[picture].look.request.prepare;
+    return {.grid = ui_.grid,
+            .axes = ui_.axes,
+            .lights = ui_.light_glyphs,
+            .vectors = {ui_.normals, ui_.tangents, ui_.bitangents},
+            .seams = ui_.seams ? analysis_.seams(pictures_.model(), prepare) : nullptr,
+            .light = ui_.light,
+            .has_handles = has_handles,
+            .lit = has_handles ? navigation_.highlighted() : Handle::none,
+            .scale = double(window_->scale())};
+}
+
+void App::handle(const Event& event) {
+    const double scale = double(window_->scale());
+    switch (event.kind) {
+        case Event::Kind::key_down:
+            if (event.is_for_panels || navigation_.take_key(event)) return;
+            return execute(command_of(event.key, event.modifiers, remembered_.own_keys));
+        case Event::Kind::key_up:
+            return navigation_.release_key(event);
+        case Event::Kind::button_down:
+            return event.is_for_panels ? void() : navigation_.press(event, scale);
+        case Event::Kind::button_up:
+            if (const auto ended = navigation_.release(event)) click(*ended);
+            return;
+        case Event::Kind::move:
+            return navigation_.move(event, scale);
+        case Event::Kind::scroll:
+            return event.is_for_panels ? void() : navigation_.zoom(event);
+        case Event::Kind::drop:
+            return drop(event);
     }
-    const bool is_playing = plays();
-    const bool is_moving = is_playing || drag_ == Drag::orbit || drag_ == Drag::pan || drag_ == Drag::zoom ||
-                           drag_ == Drag::roll || drag_ == Drag::light ||
-                           seconds(Clock::now() - last_motion_) < motion_s;
-    const bool wants_depth = ui_.normals || ui_.tangents || ui_.bitangents || ui_.seams || ui_.grid;
-    const Rectangle &a = view.area, &b = view.submitted_area;
-    const bool is_by_gl = is_drawn_by_gl(view.look);  // then lines are in the picture
-    Marks wanted_marks = marks(view);
-    const bool is_same = view.submitted_model == model_ && view.look == view.submitted && a.width == b.width &&
-                         a.height == b.height && view.is_submitted_with_depth == wants_depth &&
-                         (!is_by_gl || view.submitted_marks == wanted_marks);
-    if (is_same && (is_moving || !view.is_submitted_moving)) return;
-    if (!view.painter)
-        view.painter = std::make_unique<Painter>([] { GlfwWindow::wake(); }, start_.threads, start_.max_memory);
-    if (!take_camera(view)) return;
-    view.submitted = view.look, view.submitted_model = model_, view.submitted_area = a;
-    view.submitted_marks = wanted_marks;
-    view.is_submitted_moving = is_moving, view.is_submitted_with_depth = wants_depth, view.is_painting = true;
-    if (is_moving && &view == &views_[0]) motion_times_.asked(view.number + 1, woke_);
-    view.painter->paint({.model = model_,
-                         .look = view.look,
-                         .width = a.width,
-                         .height = a.height,
-                         .is_moving = is_moving,
-                         .is_playing = is_playing,
-                         .wants_depth = wants_depth,
-                         .number = ++view.number,
-                         .gl = is_by_gl ? gl_of(view) : nullptr,
-                         .marks = std::move(wanted_marks)});
 }
 
-void App::report(const Error& error) {
-    ui_.message.fail(with_short_paths(error.what()));
-    is_dirty_ = true;
-    frames_to_draw_ = 3;
+void App::click(const Click& click) {
+    const PictureView& view = pictures_.active();
+    const bool is_left = click.button == Button::left;
+    if (ui_.is_picking && is_left)
+        return analysis_.explain(pictures_.model(), view.look, view.area.width, view.area.height, click.x, click.y);
+    if (is_left && (click.modifiers & mod_alt)) return select_material_at(click.x, click.y, pictures_, ui_);
+    if (click.pressed == Button::middle || (is_left && click.is_double)) center_at(click.x, click.y, pictures_);
 }
 
-void App::say(const std::string& text) {
-    ui_.message.say(text);
-    frames_to_draw_ = 3;
+void App::drop(const Event& event) {
+    const DropPlan plan = plan_of_drop(event.files, event.modifiers & mod_shift);
+    if (plan.is_empty_folder) return ui_.say("there is no model in this folder");
+    if (!plan.models.empty()) return files_.open_dropped(plan.models, event.modifiers & mod_control);
+    if (!pictures_.model()) return ui_.say("drop a model first: pictures are for what is shown");
+    use_pictures(plan, event.x, event.y, pictures_, ui_);
+}
+
+void App::execute(Command command) {
+    ui_.redraw();
+    if (apply(command, ui_)) return adapt_window(command);
+    if (pictures_.model() && pictures_.change_look(command)) return;
+    switch (command) {
+        case Command::next_file:
+            return files_.step(1);
+        case Command::previous_file:
+            return files_.step(-1);
+        case Command::reload:
+            return files_.load(true);
+        case Command::quit:
+            is_quitting_ = true;
+            return;
+        case Command::full_screen:
+            return window_->set_full_screen(!window_->is_full_screen());
+        case Command::leave:
+            return leave();
+        default:
+            return pictures_.model() ? export_as(command) : void();
+    }
+}
+
+/// What follows from a change of the window's state.
+void App::adapt_window(Command command) {
+    window_->set_theme(ui_.is_dark);
+    if (command == Command::walk) window_->catch_pointer(ui_.is_walking), navigation_.begin_walk();
+    if ((command == Command::split || command == Command::second_view) && ui_.split != Split::none)
+        pictures_.begin_split();
+    if (ui_.split == Split::none) ui_.active = 0;
+}
+
+/// Commands that need a model and do not change its look.
+void App::export_as(Command command) {
+    switch (command) {
+        case Command::screenshot:
+            return exports_.write_picture(shown(), false);
+        case Command::clean_screenshot:
+            return exports_.write_picture(shown(), true);
+        case Command::save_world:
+            return exports_.save_scene(shown());
+        case Command::save_seamless:
+            return exports_.save_seamless(shown());
+        case Command::record:
+            return exports_.record(shown());
+        case Command::copy_command_line:
+            if (const auto line = exports_.command_line(shown())) window_->set_clipboard(*line);
+            return;
+        default:
+            return;
+    }
+}
+
+Shown App::shown() const {
+    const PictureView& view = pictures_.active();
+    return {pictures_.model(), view.look, view.area.width, view.area.height};
+}
+
+/// Ends the innermost of what can be ended.
+void App::leave() {
+    if (window_->close_lists()) return;
+    if (ui_.is_walking) return ui_.is_walking = false, window_->catch_pointer(false);
+    if (ui_.is_picking) return void(ui_.is_picking = false);
+    if (ui_.help) return void(ui_.help = false);
+    if (has_background_work()) {
+        exports_.cancel();
+        files_.cancel();
+        return analysis_.cancel();
+    }
+    pictures_.cancel_preparation();
+    if (!ui_.message.text().empty()) return ui_.message.clear();
+    if (window_->is_full_screen()) window_->set_full_screen(false);
+}
+
+std::vector<const Background*> App::works() const {
+    std::vector<const Background*> works{&files_.loader(), &exports_.writer()};
+    for (const Background* work : analysis_.works()) works.push_back(work);
+    return works;
+}
+
+bool App::has_background_work() const { return std::ranges::any_of(works(), &Background::is_running); }
+
+/// What runs, for people.
+std::vector<std::string> App::work_texts() const {
+    std::vector<std::string> texts;
+    for (const Background* work : works())
+        if (const std::string text = to_text(work->progress()); work->is_running() && !text.empty())
+            texts.push_back(text);
+    if (const std::size_t waiting = exports_.writer().waiting(); waiting > 0 && !texts.empty())
+        texts.back() += ", " + std::to_string(waiting) + " more to be written";
+    for (const PictureView& view : pictures_.all())
+        if (const std::string text = view.preparation(); !text.empty()) texts.push_back(text);
+    return texts;
+}
+
+void App::draw() {
+    if (window_->width() == 0 || window_->height() == 0) return;
+    window_->set_viewport(0, 0, 0, 0);
+    window_->clear();
+    window_->begin_panels();
+    const Marks all_marks[] = {marks(0), marks(1)};
+    screen_->draw(pictures_, ui_, all_marks);
+    draw_panels_over();
+    window_->end_panels();
+    for (const PictureView& view : pictures_.all().first(pictures_.count()))
+        if (view.displayed() && view.displayed()->picture) mark_as_displayed(*view.displayed()->picture);
+    window_->swap();
+    if (const auto& first = pictures_[0].displayed()) times_.display(first->number);
+}
+
+void App::draw_panels_over() {
+    PictureView& view = pictures_.active();
+    PanelView panels{
+        .model = pictures_.model().get(), .look = view.look, .ui = ui_, .painting = view.displayed().get()};
+    panels.width = view.area.width, panels.height = view.area.height;
+    const float pixels_a_point = window_->pixels_a_point();
+    panels.window_width = std::max(1, int(float(window_->width()) / pixels_a_point));
+    panels.window_height = std::max(1, int(float(window_->height()) / pixels_a_point));
+    panels.scale = window_->scale() / pixels_a_point, panels.longest_block_ms = times_.longest_pause_ms();
+    panels.own_keys = remembered_.own_keys;
+    panels.file_number = files_.number(), panels.file_count = files_.count();
+    panels.seams = analysis_.seams(pictures_.model()).get();  // Analysis has them, too
+    panels.works = work_texts();
+    draw_panels(panels);
+    draw_status(panels);
+    draw_help(panels);
+    from_panels_ = std::move(panels.commands);
+    if (!from_panels_.empty()) ui_.redraw();
 }
 
 }  // namespace rakelight::viewer

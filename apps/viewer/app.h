@@ -2,207 +2,72 @@
 // The viewer: events change looks, painters make pictures of looks, the window shows the newest ones. The window's thread only
 // handles events and shows what is finished.
 #pragma once
-#include <atomic>
 #include <chrono>
-#include <filesystem>
 #include <memory>
-#include <optional>
+#include <string>
+#include <vector>
 
-#include <rakelight/render/gl_view.h>
-#include <rakelight/tools/inspect.h>
-
-#include "../common/watched_files.h"
-#include "document/materials.h"
+#include "background/analysis.h"
+#include "background/exports.h"
+#include "background/model_files.h"
 #include "document/settings_file.h"
-#include "motion/motion_times.h"
 #include "panels/panels.h"
-#include "view/background.h"
-#include "view/gizmo.h"
-#include "view/load_model.h"
-#include "view/painter.h"
-#include "view/shader_files.h"
-#include "window/input.h"
+#include "view/pictures.h"
+#include "window/navigation.h"
+#include "window/screen.h"
 #include "window/window.h"
+#include "window/window_times.h"
 
 namespace rakelight::viewer {
 
 class App {
 public:
-    explicit App(Start start);
-    ~App();
+    explicit App(const Start& start);
     /// Until the window is closed. @return the exit code: 1 where a file that was requested could not be written
     int run();
 
 private:
     using Clock = std::chrono::steady_clock;
-    /// [px] of the window, y down.
-    struct Rectangle {
-        int x = 0, y = 0, width = 1, height = 1;
-        bool holds(double px, double py) const { return px >= x && py >= y && px < x + width && py < y + height; }
-    };
-    /// A picture of the window: what it is to show, and what it shows.
-    struct View {
-        Look look, submitted, good;     ///< good: of the last picture without an error
-        std::shared_ptr<GlPainter> gl;  ///< null: it was not needed yet; ends in the window's thread
-        std::unique_ptr<Painter> painter;
-        std::unique_ptr<GlView> screen;                        ///< shows pictures that are not on the GPU
-        std::shared_ptr<const Painting> displayed, on_screen;  ///< the second: what `screen` holds
-        MarkLines mark_lines;
-        Marks submitted_marks;
-        std::shared_ptr<const Model> submitted_model, good_model;
-        Rectangle area, submitted_area;
-        Camera camera;  ///< of what was submitted
-        bool is_submitted_moving = false, is_submitted_with_depth = false, is_painting = false;
-        std::uint64_t number = 0;
-    };
 
-    // app.cpp: the loop
+    void open_window(const Start& start);
     void loop();
-    void poll();
-    void poll_view(View& view);
     void step();
-    void note_pause();
-    void finish_writing();
-    void note_warnings(const Painting& painting);
-    void lay_out();
-    bool take_camera(View& view);
-    void submit(View& view);
-    bool is_drawn_by_gl(const Look& look) const;
-    std::shared_ptr<GlPainter> gl_of(View& view);
-    void handle_gl_fault(const Error& error);
-    Marks marks(const View& view) const;
-    void report(const Error& error);
-    void say(const std::string& text);
-    void wake() const;
-    bool is_busy() const;
-    bool has_background_work() const;
-    void log_stats() const;
-    View& active() { return views_[ui_.active]; }
-    std::size_t view_count() const { return ui_.split == Split::none ? 1 : 2; }
-
-    // app_input.cpp: what the user does
-    void handle(const Event& event);
-    void press(Button button, const Event& event);
-    void move(const Event& event);
-    void zoom(const Event& event);
-    void command(Command command);
-    void leave();
-    bool is_stepping() const;
-    void step_walk();
-    void click(const Event& event);
-    void activate_at(double x, double y);
-
-    // app_drop.cpp: what is dropped on the window
-    void drop(const Event& event);
-    void open_dropped(const std::vector<std::string>& models, bool adds);
-    void take_files_back();
-    void give_picture(const Event& event, const std::string& file);
-
-    // app_motion.cpp: what plays
-    bool plays() const;
-    bool is_view_painting() const;
     double wait_s() const;
-    void play();
-    void take_motion(bool keeps);
+    void poll();
+    void show(const ModelFiles::Arrival& arrival);
+    void request_pictures();
+    void finish_writing();
 
-    // app_lights.cpp: lights in the picture
-    GizmoView gizmo_view(const View& view) const;
-    std::optional<Light> selected_light(const View& view) const;
-    bool take_light(double x, double y);
-    void move_light(double x, double y);
-    void hover_light(double x, double y, bool is_over_panel);
-    void follow_camera();
+    void handle(const Event& event);
+    void click(const Click& click);
+    void drop(const Event& event);
+    void execute(Command command);
+    void adapt_window(Command command);
+    void export_as(Command command);
+    void leave();
 
-    // app_work.cpp: what runs in the background
-    void load_current(bool keeps_look);
-    void take_model(const std::shared_ptr<const Model>& model, bool keeps_look);
-    void step_file(int by);
-    void watch_file();
-    void watch_shaders();
-    void watch_from_now();
-    std::string carry_to(const Model& model);
-    void write_file(const std::string& title, std::function<std::string(Context&)> work);
-    void cancel_work();
-    std::string with_not_begun(const std::string& text);
-    std::string displayed_half() const;
-    void screenshot(bool is_transparent);
-    void save_scene();
-    void save_seamless();
-    void copy_command_line();
-    void record();
-    void explain_at(int x, int y);
-    void look_for_seams();
-
-    // app_draw.cpp: what is shown
     void draw();
-    void draw_picture(View& view);
-    void show_codes(View& view);
-    void draw_wipe();
-    void draw_wipe_on_gpu();
-    void draw_wipe_of_codes();
-    PixelBox box_of(const View& view) const;
-    void draw_lines(View& view);
-    void draw_split();
     void draw_panels_over();
+    Marks marks(std::size_t picture) const;
+    Shown shown() const;
 
-    Start start_;
-    std::atomic<bool> has_window_{false};
-    std::unique_ptr<GlfwWindow> window_;  ///< before all whose threads wake it
-    Background loader_, writer_, explainer_, seam_search_;
-    std::size_t not_begun_ = 0;  ///< files that were to be written when all was cancelled
-    View views_[2];
+    std::vector<const Background*> works() const;
+    std::vector<std::string> work_texts() const;
+    bool has_background_work() const;
+
+    bool wants_stats_, is_quitting_ = false;
     Remembered remembered_;
     UiState ui_;
-    bool has_gl_failed_ = false;
-    int gl_faults_ = 0;
-    std::vector<std::string> warned_;                  ///< of this model
-    std::vector<std::shared_ptr<GlPainter>> lost_gl_;  ///< painters may hold them still; they end in this thread
-    std::uint64_t gl_pictures_ = 0;                    ///< shown
-    std::uint64_t moments_ = 0;                        ///< that were played
-    ShaderFiles shader_files_;
-    std::shared_ptr<const Model> model_;
-    std::size_t file_ = 0;
-    struct FileList {
-        std::vector<std::string> files;
-        std::size_t number = 0;
-    };
-    std::optional<FileList> before_drop_;  ///< while what was dropped is loaded
-
-    HeldKeys held_;
-    Drag drag_ = Drag::none;
-    double last_x_ = 0, last_y_ = 0, press_x_ = 0, press_y_ = 0, last_click_x_ = 0, last_click_y_ = 0;
-    int press_modifiers_ = 0;
-    struct LightDrag {
-        Handle handle = Handle::none;
-        Light start;
-        dvec2 from;
-    };
-    LightDrag light_drag_;
-    Handle hovered_ = Handle::none;
-    Clock::time_point last_click_{}, last_motion_{}, last_step_{}, last_watch_{}, last_moment_{};
-    std::atomic<bool> has_lost_file_{false};  ///< that was requested and could not be written
-    bool is_quitting_ = false, is_dirty_ = true, is_walk_step_ = false;
-    int frames_to_draw_ = 3;  ///< ImGui needs some frames to settle
-    std::vector<Command> from_panels_;
-
-    apps::WatchedFiles watched_files_;
-    std::shared_ptr<const Seams> seams_;
-    std::shared_ptr<const Model> seams_model_;
-    PrepareOptions seams_prepare_;
-    /// What is on the screen of a wipe.
-    struct Wipe {
-        std::shared_ptr<const Painting> a, b;
-        int line = 0, width = 0, height = 0;
-        bool operator==(const Wipe&) const = default;
-    };
-    Wipe wipe_;
-    std::vector<std::uint32_t> wiped_;
-
-    Clock::time_point began_ = Clock::now();
-    Clock::time_point woke_{};  ///< when the window last began to look at events
-    bool was_loading_ = false, was_gl_drawing_ = false;
-    double first_picture_ms_ = 0, longest_block_ms_ = 0, longest_load_block_ms_ = 0, longest_gl_block_ms_ = 0;
-    MotionTimes motion_times_;  ///< of the first view
+    std::unique_ptr<GlfwWindow> window_;  ///< opens while a model is loaded; ends after all whose threads wake it
+    ModelFiles files_;
+    Exports exports_;
+    Analysis analysis_;
+    Pictures pictures_;
+    Navigation navigation_;
+    std::unique_ptr<Screen> screen_;
+    WindowTimes times_;
+    Clock::time_point last_watch_{};
+    std::vector<Command> from_panels_;  ///< for the next step
 };
 
 }  // namespace rakelight::viewer

@@ -44,7 +44,7 @@ int run(int argc, char** argv, const Context& everything) {
     if (!line.help.empty()) return std::fputs(line.help.c_str(), stdout) < 0;
     Start start = start_of(commands[0], line);
     start.everything = &everything;
-    return App(std::move(start)).run();
+    return App(start).run();
 }
 
 int run_or_say(int argc, char** argv) {

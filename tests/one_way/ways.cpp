@@ -9,7 +9,7 @@
 #include <rakelight/render/sequence.h>
 #include <rakelight/render/shot.h>
 
-#include "../../apps/viewer/view/load_model.h"
+#include "../../apps/viewer/background/load_model.h"
 #include "io/files/file.h"
 #include "io/pictures/image_io.h"
 

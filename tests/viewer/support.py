@@ -12,7 +12,7 @@ import time
 import tomllib
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli" / "support"))
 from program import png  # noqa: E402
 
 import xdnd  # noqa: E402

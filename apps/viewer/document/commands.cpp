@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What commands do to a look.
+#include "commands.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include <rakelight/math/linear.h>
 #include <rakelight/version.h>
-
-#include "document.h"
 
 namespace rakelight::viewer {
 namespace {
@@ -249,6 +248,15 @@ void choose_engine(const std::string& name, Look& look) {
 
 bool apply(Command command, Look& look, const Model& model, int width, int height) {
     return apply_to_view(command, look, model, width, height) || apply_to_picture(command, look, model);
+}
+
+std::string toggle_follows_camera(Look& look, const Model& model, int width, int height, std::size_t light) {
+    std::vector<LightItem>& lights = changing_lights(look, model, width, height);
+    if (light >= lights.size()) return "there is no light that could follow the camera";
+    LightItem& item = lights[light];
+    item.follows_camera = !item.follows_camera;
+    const std::string name = item.light.name.empty() ? "light " + std::to_string(light) : one_line(item.light.name, 40);
+    return name + (item.follows_camera ? " follows the camera" : " stays where it is");
 }
 
 }  // namespace rakelight::viewer

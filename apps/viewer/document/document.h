@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is looked at, and how. A save keeps it, except for what not_saved() says. No window: commands change it, pictures are
-// made of it.
+// What is looked at, and how. A save keeps it, except for what not_saved() says. No window: commands change it (commands.h),
+// pictures are made of it.
 #pragma once
 #include <memory>
 #include <optional>
@@ -13,7 +13,6 @@
 
 #include "../view/view_box.h"
 #include "eye.h"
-#include "keys.h"
 
 namespace rakelight::viewer {
 
@@ -111,14 +110,5 @@ Look first_look(const Model& model);
 inline bool comes_in_passes(const PictureRequest& r) {
     return r.engine == "trace" && r.settings.method == RayMethod::path;
 }
-
-/// Another way of following rays. Paths have a number of samples of their own.
-void choose_method(RayMethod method, Look& look);
-
-/// Another engine, by its plain method. Rays have shadows by nature, as where `engine` is said; another engine then has those of before.
-void choose_engine(const std::string& name, Look& look);
-
-/// What a command does to a look; false: it is not about looks. @throws Error usage
-bool apply(Command command, Look& look, const Model& model, int width, int height);
 
 }  // namespace rakelight::viewer

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "document.h"
+#include "keys.h"
 
 namespace rakelight::viewer {
 

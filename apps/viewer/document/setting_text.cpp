@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setting_text.h"
 
+#include "commands.h"
 #include "shell_words.h"
 
 #include <algorithm>

@@ -59,18 +59,18 @@ bool take(Remembered& to, const std::string& key, const std::string& value) {
     return own.has_value();
 }
 
-struct Line {
+struct KeyValue {
     std::string key, value;  ///< key empty: it is none of "key = value"
 };
 
-Line line_of(std::string text) {
+KeyValue line_of(std::string text) {
     text.erase(text.find_last_not_of(" \t\r") + 1);
     const std::size_t at = text.rfind(" = ");
-    return at == std::string::npos ? Line{} : Line{text.substr(0, at), text.substr(at + 3)};
+    return at == std::string::npos ? KeyValue{} : KeyValue{text.substr(0, at), text.substr(at + 3)};
 }
 
-std::vector<Line> lines_of(const Remembered& remembered) {
-    std::vector<Line> lines;
+std::vector<KeyValue> lines_of(const Remembered& remembered) {
+    std::vector<KeyValue> lines;
     for (const Flag& flag : flags) lines.push_back({flag.key, remembered.ui.*flag.field ? "on" : "off"});
     lines.push_back({"width", std::to_string(remembered.width)});
     lines.push_back({"height", std::to_string(remembered.height)});
@@ -110,24 +110,24 @@ Remembered parse_settings(const std::string& text) {
         ++number;
         const std::size_t first = line.find_first_not_of(" \t\r");
         if (first == std::string::npos || line[first] == '#') continue;
-        if (const Line l = line_of(line); l.key.empty() || !take(out, l.key, l.value))
+        if (const KeyValue l = line_of(line); l.key.empty() || !take(out, l.key, l.value))
             out.wrong_lines.push_back("line " + std::to_string(number) + ": " + one_line(line, 80));
     }
     return out;
 }
 
 std::string settings_text(const Remembered& remembered, const std::string& before) {
-    const std::vector<Line> all = lines_of(remembered);
-    std::vector<Line> rest = all;
+    const std::vector<KeyValue> all = lines_of(remembered);
+    std::vector<KeyValue> rest = all;
     std::string text;
-    const auto put = [&text](const Line& line) { text += line.key + " = " + line.value + "\n"; };
+    const auto put = [&text](const KeyValue& line) { text += line.key + " = " + line.value + "\n"; };
     std::istringstream lines(before);
     for (std::string line; std::getline(lines, line);) {
         const std::string key = line_of(line).key;
-        const auto known = std::ranges::find(rest, key, &Line::key);
+        const auto known = std::ranges::find(rest, key, &KeyValue::key);
         if (known != rest.end())
             put(*known), rest.erase(known);
-        else if (std::ranges::find(all, key, &Line::key) == all.end())  // else it stood there twice
+        else if (std::ranges::find(all, key, &KeyValue::key) == all.end())  // else it stood there twice
             text += line + "\n";
     }
     std::ranges::for_each(rest, put);
@@ -135,6 +135,13 @@ std::string settings_text(const Remembered& remembered, const std::string& befor
 }
 
 Remembered read_settings() { return parse_settings(text_of(settings_path()).value_or("")); }
+
+std::string wrong_lines_text(const Remembered& remembered) {
+    std::string text = settings_path() + " has lines that are not understood:";
+    for (std::size_t i = 0; i < std::min<std::size_t>(5, remembered.wrong_lines.size()); ++i)
+        text += "\n" + remembered.wrong_lines[i];
+    return text;
+}
 
 void write_settings(const Remembered& remembered) noexcept try {
     if (settings_path().empty()) return;

@@ -23,6 +23,8 @@ Remembered parse_settings(const std::string& text);
 /// @param before  as the file is: lines of the user's own stay as they are
 std::string settings_text(const Remembered& remembered, const std::string& before = {});
 Remembered read_settings();
+/// Which lines of the file are wrong, for people.
+std::string wrong_lines_text(const Remembered& remembered);
 /// Says nothing where it cannot be written: the viewer works without. A file that cannot be read is left alone.
 void write_settings(const Remembered& remembered) noexcept;
 

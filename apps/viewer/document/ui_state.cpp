@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "display_path.h"
+
 namespace rakelight::viewer {
 
 bool UiState::shows_panels() const { return !are_panels_hidden && std::ranges::find(open, true) != open.end(); }
@@ -11,6 +13,18 @@ void UiState::toggle(Panel panel) {
     bool& is_open = open[std::size_t(panel)];
     is_open = are_panels_hidden || !is_open;
     are_panels_hidden = false;
+}
+
+void UiState::redraw(int frames) { frames_to_draw = std::max(frames_to_draw, frames); }
+
+void UiState::say(const std::string& text) {
+    message.say(text);
+    redraw();
+}
+
+void UiState::report(const Error& error) {
+    message.fail(with_short_paths(error.what()));
+    redraw();
 }
 
 bool apply(Command command, UiState& ui) {

@@ -5,8 +5,11 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/base/error.h>
+
 #include "../motion/player.h"
 #include "document.h"
+#include "keys.h"
 #include "message.h"
 
 namespace rakelight::viewer {
@@ -18,6 +21,8 @@ inline constexpr const char* panel_titles[panel_count] = {"View",      "Shading"
 
 /// Two pictures: none; B over A right of a line; side by side, each with a camera of its own.
 enum class Split : std::uint8_t { none, wipe, beside };
+
+inline constexpr int settling_frames = 3;  ///< that ImGui needs after a change
 
 struct UiState {
     std::array<bool, panel_count> open{};
@@ -44,9 +49,13 @@ struct UiState {
     std::string explained;
     int record_frames = 72;
     std::string option_filter;
+    int frames_to_draw = settling_frames;  ///< at least, also if nothing else changes
 
     bool shows_panels() const;
     void toggle(Panel panel);
+    void redraw(int frames = settling_frames);
+    void say(const std::string& text);  ///< what was done
+    void report(const Error& error);    ///< what could not be done
 };
 
 /// What a command does to the window's state alone; false: it is not about that.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "../document/document.h"
+#include "../document/keys.h"
 
 namespace rakelight::viewer {
 

@@ -31,22 +31,12 @@ struct PanelView {
 
 /// The column at the left; sets UiState::panel_width.
 void draw_panels(PanelView& view);
-/// Over the picture: the file's name, times, what runs, messages.
-void draw_status(const PanelView& view);
-void draw_help(PanelView& view);
-
-// One panel each.
+// One panel each, in the source of its name; the panels of text are in panels.cpp.
 void draw_view_panel(PanelView& view);
 void draw_motion_panel(PanelView& view);
 void draw_shading_panel(PanelView& view);
 void draw_normals_panel(PanelView& view);
 void draw_lights_panel(PanelView& view);
 void draw_materials_panel(PanelView& view);
-void draw_pixel_panel(PanelView& view);
-/// [px] of the column in which the text of an explained pixel is seen whole; 0: there is none.
-float explained_width(const PanelView& view);
-void draw_statistics_panel(PanelView& view);
-/// Every setting of pictures by its key, with a field each.
-void draw_all_settings(PanelView& view);
 
 }  // namespace rakelight::viewer

@@ -6,6 +6,12 @@
 
 namespace rakelight::viewer {
 
+/// Where a picture lies in the window. [px] y down.
+struct PixelBox {
+    int x = 0, y = 0, width = 0, height = 0;
+    bool holds(double px, double py) const { return px >= x && py >= y && px < x + width && py < y + height; }
+};
+
 /// A finished picture, in a corner of a texture; its lowest row comes first.
 struct GlPicture {
     unsigned texture = 0;

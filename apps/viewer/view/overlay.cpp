@@ -6,8 +6,6 @@
 
 #include <rakelight/math/linear.h>
 
-#include "load_model.h"
-
 namespace rakelight::viewer {
 namespace {
 

@@ -11,8 +11,8 @@
 
 #include <rakelight/render/session.h>
 
+#include "../background/background.h"
 #include "../document/document.h"
-#include "background.h"
 #include "gl_painter.h"
 #include "marks.h"
 #include "pace.h"

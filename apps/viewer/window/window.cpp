@@ -8,6 +8,7 @@
 #include <imgui_internal.h>  // ErrorCheckEndFrameRecover(), ClosePopupToLevel()
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -32,6 +33,7 @@ F* gl(const char* name) {
 }
 
 constexpr float text_px = 16;
+std::atomic<bool> is_open{false};  // GLFW has no events before
 
 /// Where distributions have legible fonts.
 constexpr const char* fonts[] = {
@@ -187,9 +189,11 @@ GlfwWindow::GlfwWindow(const std::string& title, int width, int height) {
     glfwSetFramebufferSizeCallback(window_, Callbacks::size);
     glfwSetWindowRefreshCallback(window_, Callbacks::refresh);
     glfwSetWindowFocusCallback(window_, Callbacks::focus);
+    is_open = true;
 }
 
 GlfwWindow::~GlfwWindow() {
+    is_open = false;
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
@@ -250,7 +254,9 @@ float GlfwWindow::pixels_a_point() const {
 }
 
 void GlfwWindow::wait(double seconds) { seconds > 0 ? glfwWaitEventsTimeout(seconds) : glfwPollEvents(); }
-void GlfwWindow::wake() { glfwPostEmptyEvent(); }
+void GlfwWindow::wake() {
+    if (is_open) glfwPostEmptyEvent();
+}
 std::vector<Event> GlfwWindow::take_events() { return std::exchange(events_, {}); }
 bool GlfwWindow::is_closing() const { return glfwWindowShouldClose(window_); }
 void GlfwWindow::hide() { glfwHideWindow(window_); }

@@ -14,11 +14,6 @@ struct GLFWwindow;
 
 namespace rakelight::viewer {
 
-/// [px] y down.
-struct PixelBox {
-    int x = 0, y = 0, width = 0, height = 0;
-};
-
 class GlfwWindow {
 public:
     /// @param width,height  [px] of the framebuffer @throws Error failed: no display, no OpenGL 3.3
@@ -29,7 +24,7 @@ public:
 
     /// Waits for events, at most so long; 0: takes those that exist.
     void wait(double seconds);
-    /// Ends a wait(); from any thread.
+    /// Ends a wait(); from any thread, also while there is no window.
     static void wake();
     std::vector<Event> take_events();
     bool is_closing() const;

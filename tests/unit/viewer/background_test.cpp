@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "../../../apps/viewer/view/background.h"
+#include "../../../apps/viewer/background/background.h"
 
 #include <gtest/gtest.h>
 

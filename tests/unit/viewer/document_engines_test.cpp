@@ -5,7 +5,7 @@
 #include <rakelight/math/linear.h>
 #include <rakelight/render/render.h>
 
-#include "../../../apps/viewer/document/document.h"
+#include "../../../apps/viewer/document/commands.h"
 #include "looks.h"
 
 namespace rakelight::viewer {

@@ -9,6 +9,7 @@
 #include <rakelight/math/linear.h>
 #include <rakelight/render/render.h>
 
+#include "../../../apps/viewer/document/commands.h"
 #include "../../../apps/viewer/document/feedback.h"
 #include "../../../apps/viewer/document/gather.h"
 #include "../../../apps/viewer/view/drop.h"

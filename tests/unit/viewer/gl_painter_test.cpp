@@ -9,7 +9,7 @@
 
 #include <rakelight/render/render.h>
 
-#include "../../../apps/viewer/view/load_model.h"
+#include "../../../apps/viewer/background/load_model.h"
 #include "../../../apps/viewer/view/painter.h"
 #include "support/gl_context.h"
 

@@ -7,9 +7,9 @@
 
 #include <rakelight/math/linear.h>
 
+#include "../../../apps/viewer/background/load_model.h"
 #include "../../../apps/viewer/document/materials.h"
 #include "../../../apps/viewer/document/save.h"
-#include "../../../apps/viewer/view/load_model.h"
 #include "../../../apps/viewer/view/studio.h"
 #include "support/temporary_folder.h"
 

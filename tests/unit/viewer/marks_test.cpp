@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../../apps/viewer/view/load_model.h"
+#include "../../../apps/viewer/background/load_model.h"
 
 namespace rakelight::viewer {
 namespace {

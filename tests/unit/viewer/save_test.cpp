@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names of saved files, and what a saved scene does not hold.
+#include "../../../apps/viewer/document/commands.h"
 #include "../../../apps/viewer/document/gather.h"
 #include "../../../apps/viewer/motion/recorded_keys.h"
 #include "looks.h"

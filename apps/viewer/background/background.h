@@ -25,6 +25,9 @@ private:
     double fraction_ = 0;
 };
 
+/// "load 40 %"; empty: nothing runs, or the stage that is left out.
+std::string to_text(const Progress& progress, std::string_view left_out = {});
+
 /// Runs one work at a time in a thread.
 class Background {
 public:

@@ -20,6 +20,14 @@ void Progress::get(std::string& stage, double& fraction) const {
     fraction = fraction_;
 }
 
+std::string to_text(const Progress& progress, std::string_view left_out) {
+    std::string stage;
+    double fraction = 0;
+    progress.get(stage, fraction);
+    return stage.empty() || stage == left_out ? std::string()
+                                              : stage + " " + std::to_string(int(100 * fraction)) + " %";
+}
+
 struct Background::Run {
     Work work;
     Failed failed;
