@@ -13,7 +13,7 @@
 
 #include "math/functions.h"
 #include "math/linear.h"
-#include "tools/creases/crease_model.h"
+#include "tools/creases/model_families.h"
 #include "tools/report_json.h"
 #include "tools/text_table.h"
 

@@ -13,7 +13,7 @@
 
 #include "math/linear.h"
 #include "support/thrown_error.h"
-#include "tools/creases/crease_model.h"
+#include "tools/creases/model_families.h"
 
 namespace rakelight {
 namespace {
