@@ -2,6 +2,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include <programs/tools/join_windows.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/world/values.h>
 

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <programs/tools/bench.h>
+#include <programs/tools/bench_creases.h>
 #include <rakelight/geometry/creases.h>
 
 #include "math/functions.h"
