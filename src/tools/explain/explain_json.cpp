@@ -6,8 +6,10 @@
 #include <rakelight/scene/words.h>
 #include <rakelight/tools/rows.h>
 
-#include "tools/explain/explain.h"
 #include "tools/explain/explain_factors.h"
+#include "tools/explain/explain_layers.h"
+#include "tools/explain/explain_shaders.h"
+#include "tools/explain/explain_triangles.h"
 #include "tools/material_names.h"
 #include "tools/report_json.h"
 
