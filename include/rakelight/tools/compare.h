@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include <rakelight/base/export.h>
 #include <rakelight/image/image.h>
 #include <rakelight/tools/inspect.h>
+#include <rakelight/tools/report_row.h>
 
 namespace rakelight {
 
@@ -128,5 +130,22 @@ private:
     std::vector<std::string> titles_;
     std::string legend_, sections_;
 };
+
+/// A row of `compare --json`.
+struct ComparisonRow : ReportRow {
+    std::string a{}, b{};                ///< files or scenes
+    std::string engine_a{}, engine_b{};  ///< engines that drew the scenes; empty for picture files
+    CompareOptions options{};
+    std::optional<PictureComparison> comparison{};
+    std::vector<CheckFailure> failures{};  ///< violated limits
+    std::string output{};                  ///< the written difference picture or page, or empty
+};
+
+/// {"schema": "rakelight.compare/1", "rows": [...]}; numbers that are not finite are null.
+RL_API std::string to_json(std::span<const ComparisonRow> rows);
+/// A readable table without the rows that have an error. Empty: there are no other rows.
+RL_API std::string to_text(std::span<const ComparisonRow> rows);
+/// "NAME", or "NAME (ENGINE)" if the engine is given.
+RL_API std::string title_of(const std::string& name, const std::string& engine);
 
 }  // namespace rakelight

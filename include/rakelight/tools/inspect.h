@@ -15,6 +15,7 @@
 #include <rakelight/prepare/prepare.h>
 #include <rakelight/render/picture.h>
 #include <rakelight/scene/scene.h>
+#include <rakelight/tools/report_row.h>
 
 namespace rakelight {
 
@@ -282,5 +283,16 @@ RL_API vec3 heat_color(double seam_deg);
 
 /// A readable table. Lines end with line feeds. Long lists end with "... N more".
 RL_API std::string to_text(const Inspection& inspection);
+
+/// A row of `inspect --json`.
+struct InspectionRow : ReportRow {
+    std::string file{};  ///< as it was named
+    std::optional<Inspection> inspection{};
+    std::optional<std::vector<CheckFailure>> check{};  ///< if limits were checked
+    std::string heat_map{};                            ///< the written picture, or empty
+};
+
+/// {"schema": "rakelight.inspect/1", "rows": [...]}
+RL_API std::string to_json(std::span<const InspectionRow> rows);
 
 }  // namespace rakelight

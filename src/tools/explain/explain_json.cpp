@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <rakelight/scene/words.h>
-#include <rakelight/tools/rows.h>
+#include <rakelight/tools/explain.h>
 
 #include "tools/explain/explain_factors.h"
 #include "tools/explain/explain_layers.h"

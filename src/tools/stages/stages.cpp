@@ -9,7 +9,6 @@
 
 #include <programs/tools/text_file.h>
 #include <rakelight/base/report.h>
-#include <rakelight/tools/rows.h>
 
 #include "scene/charge_arrays.h"
 #include "scene/placement.h"
