@@ -11,6 +11,7 @@
 #include <rakelight/base/context.h>
 #include <rakelight/base/export.h>
 #include <rakelight/image/image.h>
+#include <rakelight/tools/compare_page.h>
 #include <rakelight/tools/inspect.h>
 #include <rakelight/tools/report_row.h>
 
@@ -103,33 +104,6 @@ struct CompareLimits {
 /// One entry for each violated limit, in the order of CompareLimits. If the comparison has no SSIM, min_ssim is
 /// violated.
 RL_API std::vector<CheckFailure> check_limits(const PictureComparison& comparison, const CompareLimits& limits);
-
-/// Whether a name has the ending of a page (.html, .htm). All other names are difference pictures.
-RL_API bool is_page(const std::string& path);
-/// Checks the name of a difference picture or page before the comparison.
-/// @throws Error usage, failed
-RL_API void check_comparison_output(const std::string& path);
-
-/// Titles of a comparison on a page.
-struct PageTitles {
-    std::string title{}, a{}, b{};  ///< `title`: the heading. `a`, `b`: the names of the two pictures
-};
-
-/// An HTML page with comparisons: a wipe slider between the two pictures, their difference, the metrics. The file is
-/// self-contained.
-class RL_API ComparisonPage {
-public:
-    /// Appends a comparison.
-    /// @param gain for DifferenceKind::absolute, > 0
-    void add(const PageTitles& titles, const ComparedPictures& pictures, const CompareOptions& options, double gain);
-    /// Writes the page.
-    /// @throws Error failed
-    void save(const std::string& path) const;
-
-private:
-    std::vector<std::string> titles_;
-    std::string legend_, sections_;
-};
 
 /// A row of `compare --json`.
 struct ComparisonRow : ReportRow {
