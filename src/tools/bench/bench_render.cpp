@@ -21,7 +21,7 @@
 #include "scene/placement.h"
 #include "tools/bench/bench_export.h"
 #include "tools/bench/bench_scene.h"
-#include "tools/inspect/inspect_sections.h"
+#include "tools/inspect/inspect_text.h"
 #include "tools/report_json.h"
 
 namespace rakelight {
