@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <utility>
 
+#include <rakelight/world/render_keys.h>
+
 #include "../common/interrupt.h"
 #include "panels/floating_windows.h"
 #include "view/drop.h"

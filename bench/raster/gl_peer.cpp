@@ -5,8 +5,6 @@
 // The case plain has one color an object: edges alone differ.
 // --least-psnr DB fails where the pictures of both sides agree less.
 // One call is one OpenGL version: what a package brings is chosen by the loader (LD_LIBRARY_PATH, LIBGL_DRIVERS_PATH).
-#include <programs/tools/bench.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstring>

@@ -1,27 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stages of baking: checks, LOW with texture coordinates and frames, HIGH with shading normals, texels, padding.
+// Stages of baking: checks, LOW with texture coordinates and frames, HIGH with shading normals, texels, padding. Then maps as pictures.
 #include <rakelight/bake/bake.h>
 #include <rakelight/base/report.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <optional>
 
 #include <rakelight/prepare/prepare.h>
 #include <rakelight/scene/validate.h>
 
-#include "bake/bake_maps.h"
 #include "bake/bake_texels.h"
 #include "bake/check_settings.h"
 #include "bake/low/make_coordinates.h"
 #include "bake/padding.h"
 #include "base/format_text.h"
+#include "math/color.h"
 #include "prepare/variants.h"
 #include "scene/materials/texture_uses.h"
 
 namespace rakelight {
 namespace bake {
 namespace {
+
+struct MapKind {
+    BakeMap map;
+    const char* name;
+    int channels;
+    float even[3];        ///< value outside of charts
+    Component component;  ///< component type of integer pictures
+};
+
+const MapKind& kind_of(BakeMap map) {
+    // Name, channels, value outside of charts, component type of integer pictures.
+    static constexpr MapKind kinds[] = {{BakeMap::normal, "normal", 3, {0, 0, 1}, Component::u8},
+                                        {BakeMap::height, "height", 1, {0, 0, 0}, Component::u16},
+                                        {BakeMap::curvature, "curvature", 1, {0, 0, 0}, Component::u8},
+                                        {BakeMap::occlusion, "occlusion", 1, {1, 0, 0}, Component::u8},
+                                        {BakeMap::light, "light", 3, {0, 0, 0}, Component::u8}};
+    return kinds[std::size_t(map)];
+}
 
 bool is_length(double v) { return std::isfinite(v) && v >= 0; }
 
@@ -174,8 +193,39 @@ void add_remarks(const Scene& high, const Scene& low, const BakeReport& r, bool 
                    {"distance"});
 }
 
+/// A map's value scaled to 0..1 for integer pictures, or unchanged for float pictures.
+class Coding {
+public:
+    Coding(const BakeResult& result, const BakedMap& map, const BakeOptions& options, bool is_float) {
+        if (map.map == BakeMap::normal)
+            scale_ = 0.5, offset_ = 0.5, turns_ = options.green_down && options.space == BakeSpace::tangent;
+        if (is_float) return;
+        is_color_ = map.map == BakeMap::light;
+        if (map.map == BakeMap::height) scale_ = 0.5 / result.report.distance, offset_ = 0.5;
+        if (map.map == BakeMap::curvature) scale_ = 0.5 * result.report.curvature_radius, offset_ = 0.5;
+    }
+    double operator()(float value, std::size_t channel) const {
+        const double v = turns_ && channel == 1 ? -double(value) : double(value);
+        return is_color_ ? double(srgb_from_linear(value)) : v * scale_ + offset_;
+    }
+
+private:
+    double scale_ = 1, offset_ = 0;
+    bool turns_ = false, is_color_ = false;
+};
+
 }  // namespace
 }  // namespace bake
+
+const char* name_of(BakeMap map) noexcept { return bake::kind_of(map).name; }
+
+Component component_of(BakeMap map) noexcept { return bake::kind_of(map).component; }
+
+std::span<const BakeMap> all_bake_maps() noexcept {
+    static constexpr BakeMap all[] = {BakeMap::normal, BakeMap::height, BakeMap::curvature, BakeMap::occlusion,
+                                      BakeMap::light};
+    return all;
+}
 
 bool can_bake() noexcept {
 #ifdef RL_HAVE_TRACE
@@ -209,6 +259,30 @@ BakeResult bake_maps(const Scene& high, const Scene& low, const BakeOptions& opt
     bake::add_remarks(high, low, result.report, has_heights, context);
     bake::pad(covered, options, result, context);
     return result;
+}
+
+Pixels picture_of(const BakeResult& result, const BakedMap& map, const BakeOptions& options, Component component,
+                  Context& context) {
+    Pixels pixels{.width = result.width, .height = result.height, .channels = map.channels, .component = component};
+    pixels.is_linear = component == Component::f32 || map.map != BakeMap::light;
+    pixels.charge = share(MemoryCharge(context.memory(), map.values.size() * size_of(component), "a baked map"));
+    pixels.bytes.resize(map.values.size() * size_of(component));
+    const bake::Coding coding(result, map, options, component == Component::f32);
+    for (std::size_t i = 0; i < map.values.size(); ++i) {
+        const double value = coding(map.values[i], i % std::size_t(map.channels));
+        std::byte* const to = &pixels.bytes[i * size_of(component)];
+        const auto code = [&](double most) { return std::floor(std::clamp(value, 0.0, 1.0) * most + 0.5); };
+        if (component == Component::f32) {
+            const float v = float(value);
+            std::memcpy(to, &v, sizeof v);
+        } else if (component == Component::u16) {
+            const auto v = std::uint16_t(code(65535));
+            std::memcpy(to, &v, sizeof v);
+        } else {
+            *to = std::byte(std::uint8_t(code(255)));
+        }
+    }
+    return pixels;
 }
 
 }  // namespace rakelight

@@ -17,7 +17,6 @@
 #include "world/z_up.h"
 
 #include <programs/base/file_ending.h>
-#include <rakelight/tools/rows.h>
 
 namespace rakelight {
 namespace {

@@ -5,7 +5,6 @@
 #include <rakelight/scene/validate.h>
 #include <rakelight/scene/words.h>
 #include <rakelight/tools/check_scene.h>
-#include <rakelight/tools/rows.h>
 
 #include <rakelight/render/shot.h>
 #include "base/format_text.h"

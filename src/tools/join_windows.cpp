@@ -13,7 +13,6 @@
 #include "tools/window_bands.h"
 
 #include <programs/tools/join_windows.h>
-#include <rakelight/tools/rows.h>
 
 namespace rakelight {
 namespace {

@@ -6,6 +6,29 @@
 #include <programs/base/exit_code.h>
 
 namespace rakelight {
+namespace {
+
+Json passes_json(const RenderStats& s) {
+    Json passes = Json::array();
+    for (const GpuPass& pass : s.gpu_passes) passes.push_back({{"name", pass.name}, {"ms", 1e3 * pass.seconds}});
+    return passes;
+}
+
+Json rays_json(const RayStats& r) {
+    return {{"primary", r.primary},
+            {"shadow", r.shadow},
+            {"reflected", r.reflected},
+            {"refracted", r.refracted},
+            {"dropped", r.dropped},
+            {"deepest", r.deepest},
+            {"passes", r.passes},
+            {"samples", r.samples},
+            {"noise", r.noise},
+            {"triangle_tests", r.triangle_tests},
+            {"scene_bytes", r.scene_bytes}};
+}
+
+}  // namespace
 
 const char* name_of(ErrorCode code) {
     switch (code) {
@@ -41,6 +64,28 @@ Json error_json(const Error& error) {
             {"message", error.reason()},     {"setting", error.setting()},
             {"settings", error.related()},   {"file", error.file()},
             {"place", error.place()},        {"advice", error.advice()}};
+}
+
+Json stats_json(const RenderStats& s) {
+    return {{"triangles_in", s.triangles_in},
+            {"culled_back", s.culled_back},
+            {"culled_degenerate", s.culled_degenerate},
+            {"culled_outside", s.culled_outside},
+            {"objects_outside", s.objects_outside},
+            {"clipped", s.clipped},
+            {"drawn", s.drawn},
+            {"pixels_covered", s.pixels_covered},
+            {"samples_covered", s.samples_covered},
+            {"pixels_shaded", s.pixels_shaded},
+            {"lighting_evaluations", s.lighting_evaluations},
+            {"vertices_lit_twice", s.vertices_lit_twice},
+            {"depth_passes", s.depth_passes},
+            {"overdraw", s.overdraw()},
+            {"pixels_marked", s.pixels_marked},
+            {"shadow_maps", s.shadow_maps},
+            {"shadow_bytes", s.shadow_bytes},
+            {"rays", rays_json(s.rays)},
+            {"gpu_passes", passes_json(s)}};
 }
 
 std::string json_text(const Json& whole, int spaces_a_level) {

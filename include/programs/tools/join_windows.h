@@ -8,7 +8,7 @@
 
 #include <rakelight/base/context.h>
 #include <rakelight/base/export.h>
-#include <rakelight/tools/rows.h>
+#include <rakelight/tools/report_row.h>
 
 namespace rakelight {
 

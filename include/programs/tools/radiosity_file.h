@@ -9,7 +9,7 @@
 #include <rakelight/base/export.h>
 #include <rakelight/radiosity/radiosity.h>
 #include <rakelight/render/picture.h>
-#include <rakelight/tools/rows.h>
+#include <rakelight/tools/report_row.h>
 
 namespace rakelight {
 

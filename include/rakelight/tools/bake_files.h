@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Baking with files: writes maps as pictures, and the matching model.
 #pragma once
+#include <span>
 #include <string>
 #include <vector>
 
 #include <rakelight/bake/bake.h>
 #include <rakelight/base/export.h>
+#include <rakelight/tools/report_row.h>
 #include <rakelight/world/load.h>
 
 namespace rakelight {
@@ -44,5 +46,13 @@ RL_API BakeFilesResult bake_files(const BakeRequest& request, Context& context);
 
 /// One line: the written files and the cage distance.
 RL_API std::string summary(const BakeFilesResult& result);
+
+/// A row of `bake --json`.
+struct BakeRow : ReportRow {
+    BakeFilesResult result{};  ///< at least `high` and `low`
+};
+
+/// {"schema": "rakelight.bake/1", "rows": [...]}
+RL_API std::string to_json(std::span<const BakeRow> rows);
 
 }  // namespace rakelight

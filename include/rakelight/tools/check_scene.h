@@ -12,6 +12,7 @@
 #include <rakelight/base/report.h>
 #include <rakelight/render/picture.h>
 #include <rakelight/scene/scene.h>
+#include <rakelight/tools/report_row.h>
 
 namespace rakelight {
 
@@ -36,5 +37,14 @@ RL_API void check_picture(const Scene& scene, const PictureRequest& request, Con
 /// A few readable lines.
 /// @param file as the caller named it
 RL_API std::string to_text(const std::string& file, const SceneSummary& summary);
+
+/// A row of `check --json`.
+struct CheckRow : ReportRow {
+    std::string file{};  ///< as it was named
+    std::optional<SceneSummary> summary{};
+};
+
+/// {"schema": "rakelight.check/1", "rows": [...]}
+RL_API std::string to_json(std::span<const CheckRow> rows);
 
 }  // namespace rakelight

@@ -4,13 +4,16 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <rakelight/base/context.h>
 #include <rakelight/base/export.h>
 #include <rakelight/image/image.h>
+#include <rakelight/tools/compare_page.h>
 #include <rakelight/tools/inspect.h>
+#include <rakelight/tools/report_row.h>
 
 namespace rakelight {
 
@@ -102,31 +105,21 @@ struct CompareLimits {
 /// violated.
 RL_API std::vector<CheckFailure> check_limits(const PictureComparison& comparison, const CompareLimits& limits);
 
-/// Whether a name has the ending of a page (.html, .htm). All other names are difference pictures.
-RL_API bool is_page(const std::string& path);
-/// Checks the name of a difference picture or page before the comparison.
-/// @throws Error usage, failed
-RL_API void check_comparison_output(const std::string& path);
-
-/// Titles of a comparison on a page.
-struct PageTitles {
-    std::string title{}, a{}, b{};  ///< `title`: the heading. `a`, `b`: the names of the two pictures
+/// A row of `compare --json`.
+struct ComparisonRow : ReportRow {
+    std::string a{}, b{};                ///< files or scenes
+    std::string engine_a{}, engine_b{};  ///< engines that drew the scenes; empty for picture files
+    CompareOptions options{};
+    std::optional<PictureComparison> comparison{};
+    std::vector<CheckFailure> failures{};  ///< violated limits
+    std::string output{};                  ///< the written difference picture or page, or empty
 };
 
-/// An HTML page with comparisons: a wipe slider between the two pictures, their difference, the metrics. The file is
-/// self-contained.
-class RL_API ComparisonPage {
-public:
-    /// Appends a comparison.
-    /// @param gain for DifferenceKind::absolute, > 0
-    void add(const PageTitles& titles, const ComparedPictures& pictures, const CompareOptions& options, double gain);
-    /// Writes the page.
-    /// @throws Error failed
-    void save(const std::string& path) const;
-
-private:
-    std::vector<std::string> titles_;
-    std::string legend_, sections_;
-};
+/// {"schema": "rakelight.compare/1", "rows": [...]}; numbers that are not finite are null.
+RL_API std::string to_json(std::span<const ComparisonRow> rows);
+/// A readable table without the rows that have an error. Empty: there are no other rows.
+RL_API std::string to_text(std::span<const ComparisonRow> rows);
+/// "NAME", or "NAME (ENGINE)" if the engine is given.
+RL_API std::string title_of(const std::string& name, const std::string& engine);
 
 }  // namespace rakelight

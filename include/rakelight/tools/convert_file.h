@@ -2,10 +2,12 @@
 // Writes a model file in another format, with its normals as they are.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include <rakelight/base/export.h>
+#include <rakelight/tools/report_row.h>
 #include <rakelight/world/load.h>
 
 namespace rakelight {
@@ -34,5 +36,13 @@ RL_API ConvertedFile convert_file(const std::string& input, const std::string& o
 
 /// One line: what was written.
 RL_API std::string summary(const ConvertedFile& result);
+
+/// A row of `convert --json`.
+struct ConvertedFileRow : ReportRow {
+    ConvertedFile result{};  ///< at least `file` and `output`
+};
+
+/// {"schema": "rakelight.convert/1", "rows": [...]}
+RL_API std::string to_json(std::span<const ConvertedFileRow> rows);
 
 }  // namespace rakelight

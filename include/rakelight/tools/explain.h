@@ -10,6 +10,7 @@
 
 #include <rakelight/base/export.h>
 #include <rakelight/render/picture.h>
+#include <rakelight/tools/report_row.h>
 
 namespace rakelight {
 
@@ -40,5 +41,15 @@ RL_API std::vector<std::shared_ptr<const ExplainedPixel>> explain(const PictureR
 
 /// Readable text. Lines end with line feeds. Each number has enough digits to identify the float.
 RL_API std::string to_text(const ExplainedPixel& pixel);
+
+/// A row of `explain --json`.
+struct ExplainRow : ReportRow {
+    std::string file{};  ///< as it was named
+    int x = 0, y = 0;    ///< [px] of the pixel
+    std::shared_ptr<const ExplainedPixel> pixel{};
+};
+
+/// {"schema": "rakelight.explain/1", "rows": [...]}; docs/explain.md describes the contents.
+RL_API std::string to_json(std::span<const ExplainRow> rows);
 
 }  // namespace rakelight

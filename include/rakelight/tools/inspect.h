@@ -15,6 +15,9 @@
 #include <rakelight/prepare/prepare.h>
 #include <rakelight/render/picture.h>
 #include <rakelight/scene/scene.h>
+#include <rakelight/tools/draw_seams.h>
+#include <rakelight/tools/inspect_check.h>
+#include <rakelight/tools/report_row.h>
 
 namespace rakelight {
 
@@ -235,52 +238,18 @@ RL_API Inspection inspect(const Scene& scene, const InspectOptions& options, Con
 /// A line of text that proposes a border distance. Empty: no proposal.
 RL_API std::string proposal_text(const Inspection& inspection);
 
-/// Quality limits of a model. max_seam_deg needs InspectOptions::borders, all other limits need
-/// InspectOptions::surfaces. Seams along matched borders count like seams at shared positions.
-struct CheckLimits {
-    /// [degrees] Absent: not checked. Allow for the error of 8-bit normals, which is up to half a degree. Below 180, a
-    /// zero or non-finite normal (SeamTotals::missing_normals) violates the limit: no angle can be measured there.
-    std::optional<double> max_seam_deg = 1;
-    /// true: the requirement is checked. Meaning of each: docs/inspect.md.
-    bool no_degenerate = false, no_t_junctions = false, no_non_manifold = false, consistent_winding = false,
-         no_inside_out = false, closed = false, unit_normals = false;
-};
-
-/// The names of the limits that are checked, in the order of CheckLimits: "max-seam", "closed".
-RL_API std::vector<std::string> names_of(const CheckLimits& limits);
-
-/// The limits that are checked, as text: "max-seam 1, closed".
-RL_API std::string to_text(const CheckLimits& limits);
-
-/// A violated limit.
-struct CheckFailure {
-    std::string limit{};    ///< name of the limit: "max-seam", "no-degenerate", ...
-    std::string message{};  ///< one line: the worst place, its value, and the number of other places
-};
-
-/// One entry for each violated limit, in the order of CheckLimits; empty: passed.
-RL_API std::vector<CheckFailure> check_limits(const Inspection& inspection, const CheckLimits& limits);
-
-/// Annotations of a heat map.
-enum class SeamMarks : std::uint8_t {
-    none,
-    /// A color bar, the angle and the objects of the largest seam, and a ring around this seam. Only in pictures of at
-    /// least 240 x 180 pixels.
-    legend
-};
-
-/// Draws the model in plain gray with the normals of `before`. Its seams are lines in the colors of heat_color(), with
-/// a width of 0.6 % of the picture's height. Ignores lights and textures of the scene. Needs Inspection::seam_lines.
-/// @throws Error usage: an invalid camera; bad_file "nothing to draw"
-RL_API Frame draw_seams(const Scene& scene, const Inspection& inspection, const InspectOptions& options,
-                        const ViewRequest& view, const RenderSettings& settings, Context& context,
-                        SeamMarks marks = SeamMarks::none);
-
-/// The color of a seam angle, linear RGB: dark blue for 0.01 degrees, violet for 1, red for 5, orange for 20, light
-/// yellow for 60 and more. Linearly interpolated in between.
-RL_API vec3 heat_color(double seam_deg);
-
 /// A readable table. Lines end with line feeds. Long lists end with "... N more".
 RL_API std::string to_text(const Inspection& inspection);
+
+/// A row of `inspect --json`.
+struct InspectionRow : ReportRow {
+    std::string file{};  ///< as it was named
+    std::optional<Inspection> inspection{};
+    std::optional<std::vector<CheckFailure>> check{};  ///< if limits were checked
+    std::string heat_map{};                            ///< the written picture, or empty
+};
+
+/// {"schema": "rakelight.inspect/1", "rows": [...]}
+RL_API std::string to_json(std::span<const InspectionRow> rows);
 
 }  // namespace rakelight

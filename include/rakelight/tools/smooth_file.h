@@ -14,6 +14,7 @@
 #include <rakelight/render/render.h>
 #include <rakelight/scene/scene.h>
 #include <rakelight/tools/inspect.h>
+#include <rakelight/tools/report_row.h>
 
 namespace rakelight {
 
@@ -127,5 +128,14 @@ RL_API SmoothedFile preview_smooth(const std::string& input, const PreviewPlace&
 RL_API std::string summary(const SmoothedFile& result);
 /// What is counted over all files that were smoothed as one model; empty if nothing is.
 RL_API std::string summary_of_all(const SmoothedFile& result);
+
+/// A row of `smooth --json`.
+struct SmoothedFileRow : ReportRow {
+    std::string file{};  ///< as it was named
+    std::optional<SmoothedFile> result{};
+};
+
+/// {"schema": "rakelight.smooth/1", "rows": [...]}
+RL_API std::string to_json(std::span<const SmoothedFileRow> rows);
 
 }  // namespace rakelight

@@ -9,6 +9,7 @@
 
 #include <rakelight/base/export.h>
 #include <rakelight/render/picture.h>
+#include <rakelight/tools/report_row.h>
 
 namespace rakelight {
 
@@ -33,5 +34,13 @@ enum class StagesForm : std::uint8_t {
 /// @throws Error usage: more than 16 million pixels, impossible settings; failed: the folder has other contents or
 ///         cannot be written; not_found, bad_file
 RL_API StagesResult write_stages(const PictureRequest& request, Context& context, StagesForm form = StagesForm::folder);
+
+/// A row of `stages --json`.
+struct StagesRow : ReportRow {
+    StagesResult result{};  ///< at least `file` and `folder`
+};
+
+/// {"schema": "rakelight.stages/1", "rows": [...]}
+RL_API std::string to_json(std::span<const StagesRow> rows);
 
 }  // namespace rakelight

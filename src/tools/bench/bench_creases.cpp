@@ -8,12 +8,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include <programs/tools/bench.h>
+#include <programs/tools/bench_creases.h>
 #include <rakelight/geometry/creases.h>
 
 #include "math/functions.h"
 #include "math/linear.h"
-#include "tools/creases/crease_model.h"
+#include "tools/creases/model_families.h"
 #include "tools/report_json.h"
 #include "tools/text_table.h"
 

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <programs/tools/bench.h>
+#include <programs/tools/bench_normals.h>
 #include <rakelight/prepare/prepare.h>
 
 #include "math/functions.h"

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Poses against a plain copy of the vertices. What one repetition measures is interleaved over all rows.
-#include <programs/tools/bench.h>
+#include <programs/tools/bench_pose.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <functional>
+
+#include <nlohmann/json.hpp>
 
 #include <rakelight/render/session.h>
 
@@ -19,6 +22,7 @@
 #include "render/prepared_scene.h"
 #include "scene/placement.h"
 #include "tools/bench/bench_rig.h"
+#include "tools/report_json.h"
 
 namespace rakelight {
 namespace {
@@ -233,6 +237,43 @@ PoseBenchReport bench_pose(const PoseBenchOptions& options, Context& context) {
     check(options);
     context.memory().check(options.scene.empty() ? options.triangles * 200 : 0, "the character to measure");
     return PoseBench(options, context).run();
+}
+
+std::string to_json(const PoseBenchReport& report) {
+    Json rows = Json::array();
+    for (const PoseBenchRow& r : report.rows)
+        rows.push_back({{"what", r.what},
+                        {"median_ms", r.median_ms},
+                        {"fastest_ms", r.fastest_ms},
+                        {"slowest_ms", r.slowest_ms},
+                        {"cpu_ms", r.cpu_ms},
+                        {"ns_per_vertex", r.ns_per_vertex},
+                        {"ratio_to_copy", r.ratio_to_copy}});
+    return json_text({{"schema", "rakelight.bench/1"},
+                      {"rows", rows},
+                      {"scene", report.scene},
+                      {"triangles", report.triangles},
+                      {"vertices", report.vertices},
+                      {"objects", report.objects},
+                      {"joints", report.joints},
+                      {"threads", report.threads}});
+}
+
+std::string to_text(const PoseBenchReport& report) {
+    char line[256];
+    const auto format = [&](auto... values) {
+        std::snprintf(line, sizeof line, values...);
+        return std::string(line);
+    };
+    std::string text =
+        format("%s: what moves has %llu triangles, %llu vertices, %u objects, %u joints; %d threads\n",
+               report.scene.c_str(), static_cast<unsigned long long>(report.triangles),
+               static_cast<unsigned long long>(report.vertices), report.objects, report.joints, report.threads);
+    text += "ms                                         median    (fastest  slowest)      CPU  ns/vertex  to copy\n";
+    for (const PoseBenchRow& r : report.rows)
+        text += format("%-40s %8.2f    %9.2f %9.2f %8.2f %10.2f %8.2f\n", r.what.c_str(), r.median_ms, r.fastest_ms,
+                       r.slowest_ms, r.cpu_ms, r.ns_per_vertex, r.ratio_to_copy);
+    return text;
 }
 
 }  // namespace rakelight

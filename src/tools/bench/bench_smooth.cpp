@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // Attributes against the plain loop. What one repetition measures is interleaved over all rows, so that a neighbor's
 // load falls on all of them.
-#include <programs/tools/bench.h>
+#include <programs/tools/bench_smooth.h>
 #include <rakelight/geometry/matching_borders.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <ctime>
 #include <functional>
 #include <memory>
+
+#include <nlohmann/json.hpp>
 
 #include "geometry/input/fast_memory.h"
 #include "math/isa.h"
 #include "tools/bench/bench_baselines.h"
 #include "tools/bench/bench_memory.h"
+#include "tools/report_json.h"
 
 namespace rakelight {
 namespace {
@@ -264,6 +268,51 @@ SmoothBenchReport bench_smooth(const SmoothBenchOptions& options, Context& conte
         options.triangles * (100 + (options.order ? 60 : 0) + (options.borders ? 60 : 0) + (options.weights ? 120 : 0)),
         "the model to measure");
     return SmoothBench(options, context).run();
+}
+
+std::string to_json(const SmoothBenchReport& report) {
+    Json rows = Json::array();
+    for (const BenchRow& r : report.rows)
+        rows.push_back({{"what", r.what},
+                        {"threads", r.threads},
+                        {"ns_per_triangle", r.ns_per_triangle},
+                        {"fastest_ns_per_triangle", r.fastest_ns},
+                        {"slowest_ns_per_triangle", r.slowest_ns},
+                        {"cpu_ns_per_triangle", r.cpu_ns_per_triangle},
+                        {"cold_ns_per_triangle", r.cold_ns_per_triangle},
+                        {"bytes_per_triangle", r.bytes_per_triangle},
+                        {"ratio_to_plain", r.ratio_to_plain},
+                        {"ratio_to_brute_force", r.ratio_to_brute_force}});
+    Json json = {{"schema", "rakelight.bench/1"},
+                 {"rows", rows},
+                 {"triangles", report.triangles},
+                 {"vertices", report.vertices},
+                 {"objects", report.objects},
+                 {"order", report.order},
+                 {"isa", report.isa},
+                 {"huge_pages", report.huge_pages},
+                 {"copy_gb_per_s", report.copy_gb_per_s}};
+    return json_text(json);
+}
+
+std::string to_text(const SmoothBenchReport& report) {
+    char line[256];
+    const auto format = [&](auto... values) {
+        std::snprintf(line, sizeof line, values...);
+        return std::string(line);
+    };
+    std::string text =
+        format("%llu triangles, %llu vertices, %u objects, %s; %s; copying %.1f GB/s\n",
+               static_cast<unsigned long long>(report.triangles), static_cast<unsigned long long>(report.vertices),
+               report.objects, report.order.c_str(), report.isa.c_str(), report.copy_gb_per_s);
+    text +=
+        "ns a triangle                             threads   median    (fastest  slowest)      CPU     cold  bytes  to "
+        "plain\n";
+    for (const BenchRow& r : report.rows)
+        text += format("%-40s %8d %8.2f    %9.2f %9.2f %8.2f %8.2f %6.1f %9.2f\n", r.what.c_str(), r.threads,
+                       r.ns_per_triangle, r.fastest_ns, r.slowest_ns, r.cpu_ns_per_triangle, r.cold_ns_per_triangle,
+                       r.bytes_per_triangle, r.ratio_to_plain);
+    return text;
 }
 
 }  // namespace rakelight

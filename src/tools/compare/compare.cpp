@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <limits>
+
+#include <nlohmann/json.hpp>
 
 #include <programs/base/file_ending.h>
 #include <rakelight/io/image_sources.h>
@@ -19,6 +22,9 @@
 #include "io/pictures/image_io.h"
 #include "io/reader.h"
 #include "tools/compare/compare_components.h"
+#include "tools/compare/compare_numbers.h"
+#include "tools/report_json.h"
+#include "tools/text_table.h"
 
 namespace rakelight {
 namespace {
@@ -81,6 +87,46 @@ Code absolute_code(std::uint32_t a, std::uint32_t b, double gain) {
     return {part(0), part(8), part(16)};
 }
 
+struct Limit {
+    const char* name;
+    std::optional<double> CompareLimits::*limit;
+    bool is_least;
+    const char* unit;
+    double (*value)(const PictureComparison&);
+};
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr Limit all_limits[] = {
+    {"max-error", &CompareLimits::max_error, false, "", [](const PictureComparison& c) { return c.max_error; }},
+    {"max-rmse", &CompareLimits::max_rmse, false, "", [](const PictureComparison& c) { return c.rmse; }},
+    {"min-psnr", &CompareLimits::min_psnr_db, true, " dB", [](const PictureComparison& c) { return c.psnr_db; }},
+    {"min-ssim", &CompareLimits::min_ssim, true, "", [](const PictureComparison& c) { return c.ssim.value_or(none); }},
+    {"max-flip", &CompareLimits::max_flip, false, "", [](const PictureComparison& c) { return c.flip; }},
+    {"max-differing", &CompareLimits::max_differing_share, false, " of the pixels",
+     [](const PictureComparison& c) { return c.differing_share; }},
+};
+
+Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+void add(Json& row, const PictureComparison& c, const ComparisonRow& r) {
+    row["width"] = c.width;
+    row["height"] = c.height;
+    row["equal"] = c.is_equal();  // tells a PSNR without end, null, from a RMSE without end, which is null too
+    row["max_error"] = finite_or_null(c.max_error);
+    row["rmse"] = finite_or_null(c.rmse);
+    row["psnr_db"] = finite_or_null(c.psnr_db);
+    row["ssim"] = c.ssim ? Json(*c.ssim) : Json();
+    row["flip"] = c.flip;
+    row["pixels_per_degree"] = r.options.pixels_per_degree;
+    row["tolerance"] = r.options.tolerance;
+    row["differing_pixels"] = c.differing_pixels;
+    row["differing_share"] = c.differing_share;
+    Json failures = Json::array();
+    for (const CheckFailure& f : r.failures) failures.push_back({{"limit", f.limit}, {"message", f.message}});
+    row["check"] = {{"passed", r.failures.empty()}, {"failures", failures}};
+    if (!r.output.empty()) row["output"] = r.output;
+}
+
 }  // namespace
 
 ComparedPictures::ComparedPictures(Pixels a, Pixels b, const CompareOptions& options, Context& context) {
@@ -132,6 +178,52 @@ bool is_scene(const std::string& name) {
 void save_difference(const ComparedPictures& pictures, DifferenceKind kind, double gain, const std::string& path) {
     const Component component = io::component_for(path) == Component::f32 ? Component::f32 : Component::u8;
     io::write_image(path, pictures.difference(kind, gain, component));
+}
+
+std::vector<CheckFailure> check_limits(const PictureComparison& comparison, const CompareLimits& limits) {
+    std::vector<CheckFailure> failures;
+    for (const Limit& l : all_limits) {
+        if (!(limits.*l.limit)) continue;
+        const double limit = *(limits.*l.limit), value = l.value(comparison);
+        if (value != value)
+            failures.push_back({l.name, "pictures with a side under 11 pixels have none"});
+        else if (l.is_least ? value < limit : value > limit)
+            failures.push_back({l.name, short_digits(value) + l.unit + (l.is_least ? ", less than " : ", more than ") +
+                                            short_digits(limit)});
+    }
+    return failures;
+}
+
+std::string title_of(const std::string& name, const std::string& engine) {
+    return one_line(name) + (engine.empty() ? "" : " (" + one_line(engine, 40) + ")");
+}
+
+std::string to_text(std::span<const ComparisonRow> rows) {
+    std::vector<std::string> head = {"A", "B"};
+    for (const auto& [name, value] : numbers_of({})) head.push_back(">" + name);
+    TextTable table(head);
+    for (const ComparisonRow& r : rows) {
+        if (!r.comparison) continue;
+        std::vector<std::string> cells = {title_of(r.a, r.engine_a), title_of(r.b, r.engine_b)};
+        for (auto& [name, value] : numbers_of(*r.comparison)) cells.push_back(value);
+        table.add(std::move(cells));
+    }
+    return table.empty() ? std::string() : table.text("");
+}
+
+std::string to_json(std::span<const ComparisonRow> rows) {
+    Json list = Json::array();
+    for (const ComparisonRow& r : rows) {
+        Json row = {{"a", r.a}, {"b", r.b}};
+        if (!r.engine_a.empty()) row["engine_a"] = r.engine_a;
+        if (!r.engine_b.empty()) row["engine_b"] = r.engine_b;
+        if (r.error) row["error"] = error_json(*r.error);
+        if (r.comparison) add(row, *r.comparison, r);
+        row["remarks"] = remarks_json(r.remarks);
+        row["remarks_left_out"] = r.remarks_left_out;
+        list.push_back(std::move(row));
+    }
+    return document("rakelight.compare/1", std::move(list));
 }
 
 }  // namespace rakelight

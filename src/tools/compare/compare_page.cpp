@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Comparisons as a page: one file, no script from elsewhere. Without scripts the slider's middle is shown.
+// One file, no script from elsewhere. Without scripts the slider's middle is shown.
+#include <rakelight/tools/compare_page.h>
+
 #include <cstring>
 
 #include <programs/base/file_ending.h>
-#include <rakelight/tools/compare.h>
 
 #include "base/format_text.h"
 #include "io/files/output_file.h"

@@ -25,7 +25,7 @@ constexpr Measure measures[] = {
     {ReferenceMeasure::ssim, "SSIM", "", 0.99, true, &CompareLimits::min_ssim},
 };
 
-/// Rows and words stand at the numbers of their measures: row_of() and picture_json.cpp take them so.
+/// Rows and words stand at the numbers of their measures: row_of() and rows.cpp take them so.
 constexpr bool are_in_order() {
     for (std::size_t i = 0; i < std::size(measures); ++i)
         if (std::size_t(measures[i].measure) != i || reference_measure_words[i].value != measures[i].measure)

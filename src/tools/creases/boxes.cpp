@@ -4,7 +4,7 @@
 
 #include "math/functions.h"
 #include "math/linear.h"
-#include "tools/creases/model_lists.h"
+#include "tools/creases/model_families.h"
 
 namespace rakelight {
 namespace {
@@ -122,8 +122,6 @@ Solid grooved_box() {
     return s;
 }
 
-}  // namespace
-
 void add_boxes(CreaseModels& to) {
     for (const int percent : {5, 15, 30})
         to.push_back(make_model("chamfered box, " + std::to_string(percent) + " %", chamfered_box(percent / 100.0)));
@@ -144,5 +142,9 @@ void add_boxes(CreaseModels& to) {
     to.push_back(make_model("pyramid", pyramid(0.9)));
     to.push_back(make_model("grooved box, turned", grooved_box(), {.digits = 4}));
 }
+
+}  // namespace
+
+const ModelFamily box_models{.add = add_boxes};
 
 }  // namespace rakelight

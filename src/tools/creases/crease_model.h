@@ -50,7 +50,4 @@ struct ModelEdge {
 /// All edges of two triangles, in the order of their first triangle.
 std::vector<ModelEdge> edges_of(const CreaseModel& model);
 
-/// All models: those beside which rules are developed, then the holdout, which nobody tunes a rule by.
-std::vector<CreaseModel> crease_models();
-
 }  // namespace rakelight

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models as several objects, and all models in their order.
+// Models as several objects.
 #include <algorithm>
 
 #include <rakelight/base/error.h>
 
 #include "math/functions.h"
-#include "tools/creases/model_lists.h"
+#include "tools/creases/model_families.h"
 
 namespace rakelight {
 namespace {
@@ -24,8 +24,6 @@ std::uint32_t sector_of(dvec3 p, std::uint32_t count) {
     return std::min(std::uint32_t(turn * count), count - 1);
 }
 
-}  // namespace
-
 void add_cut_models(CreaseModels& to) {
     const auto add = [&](const char* name, const char* how,
                          const std::function<std::uint32_t(dvec3, Surface)>& object_of) {
@@ -42,16 +40,8 @@ void add_cut_models(CreaseModels& to) {
     add("torus of 12 x 8", "six objects", [](dvec3 p, Surface) { return sector_of(p, 6); });
 }
 
-CreaseModels crease_models() {
-    CreaseModels models;
-    for (const auto family :
-         {add_prisms, add_revolved, add_extruded, add_boxes, add_machine_parts, add_freeform, add_cut_models})
-        family(models);
-    const std::size_t first = models.size();
-    for (const auto family : {add_holdout_parts, add_holdout_turned, add_holdout_objects, add_holdout_buildings})
-        family(models);
-    for (std::size_t i = first; i < models.size(); ++i) models[i].is_holdout = true;
-    return models;
-}
+}  // namespace
+
+const ModelFamily cut_models{.add = add_cut_models};
 
 }  // namespace rakelight

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fillets, gears, beams, roofs: outlines drawn along an axis.
 #include "math/functions.h"
-#include "tools/creases/model_lists.h"
+#include "tools/creases/model_families.h"
 
 namespace rakelight {
 namespace {
@@ -125,8 +125,6 @@ void add_fillets(CreaseModels& to) {
             make_model("bracket, fillet of " + std::to_string(strips) + " strips", bracket(strips), {.digits = 4}));
 }
 
-}  // namespace
-
 void add_extruded(CreaseModels& to) {
     add_fillets(to);
     to.push_back(make_model("gear of 12 teeth", gear(12)));
@@ -152,5 +150,9 @@ void add_extruded(CreaseModels& to) {
     to.push_back(make_model("round shaft with a flat", d_shaft(), {.digits = 4}));
     to.push_back(make_model("heart", heart(), {.digits = 4}));
 }
+
+}  // namespace
+
+const ModelFamily extruded_models{.add = add_extruded};
 
 }  // namespace rakelight

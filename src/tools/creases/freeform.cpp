@@ -6,7 +6,7 @@
 #include "math/functions.h"
 #include "math/linear.h"
 #include "tools/bench/normal_shapes.h"
-#include "tools/creases/model_lists.h"
+#include "tools/creases/model_families.h"
 
 namespace rakelight {
 namespace {
@@ -90,8 +90,6 @@ Solid octahedron() {
     return s;
 }
 
-}  // namespace
-
 void add_freeform(CreaseModels& to) {
     to.push_back(make_model("UV sphere of 8 x 6", sphere(8, 6)));
     to.push_back(make_model("UV sphere of 12 x 8", sphere(12, 8), {.digits = 4}));
@@ -115,5 +113,9 @@ void add_freeform(CreaseModels& to) {
                             {.digits = 4, .diagonals = Diagonals::random}));
     to.push_back(make_model("blob on a flat base", cut_blob(), {.digits = 4}));
 }
+
+}  // namespace
+
+const ModelFamily freeform_models{.add = add_freeform};
 
 }  // namespace rakelight

@@ -2,7 +2,7 @@
 // Holdout: buildings and the pieces of a chess board.
 #include <algorithm>
 
-#include "tools/creases/model_lists.h"
+#include "tools/creases/model_families.h"
 
 namespace rakelight {
 namespace {
@@ -111,8 +111,6 @@ Solid pawn() {
     return s;
 }
 
-}  // namespace
-
 void add_holdout_buildings(CreaseModels& to) {
     to.push_back(make_model("house with eaves", house(), {.digits = 3}));
     to.push_back(make_model("house with a hipped roof", hipped_roof(), {.digits = 4}));
@@ -122,5 +120,9 @@ void add_holdout_buildings(CreaseModels& to) {
     to.push_back(make_model("ramp of 14 degrees", ramp(), {.digits = 3}));
     to.push_back(make_model("pawn", pawn(), {.digits = 4}));
 }
+
+}  // namespace
+
+const ModelFamily holdout_buildings{.add = add_holdout_buildings, .is_holdout = true};
 
 }  // namespace rakelight

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "math/functions.h"
-#include "tools/creases/model_lists.h"
+#include "tools/creases/model_families.h"
 
 namespace rakelight {
 namespace {
@@ -182,8 +182,6 @@ Solid wing() {
     return s;
 }
 
-}  // namespace
-
 void add_holdout_objects(CreaseModels& to) {
     to.push_back(make_model("crate with sunken panels", crate(), {.digits = 4}));
     to.push_back(make_model("blade", blade(), {.digits = 4}));
@@ -196,5 +194,9 @@ void add_holdout_objects(CreaseModels& to) {
     to.push_back(make_model("box with round edges and corners", soft_box(), {.digits = 4}));
     to.push_back(make_model("wing", wing(), {.digits = 4}));
 }
+
+}  // namespace
+
+const ModelFamily holdout_objects{.add = add_holdout_objects, .is_holdout = true};
 
 }  // namespace rakelight

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "math/functions.h"
-#include "tools/creases/model_lists.h"
+#include "tools/creases/model_families.h"
 
 namespace rakelight {
 namespace {
@@ -195,8 +195,6 @@ Solid spline_shaft() {
     return s;
 }
 
-}  // namespace
-
 void add_holdout_parts(CreaseModels& to) {
     to.push_back(make_model("socket screw", socket_screw(), {.digits = 4}));
     to.push_back(make_model("flange with six holes", flange(), {.digits = 4}));
@@ -211,5 +209,9 @@ void add_holdout_parts(CreaseModels& to) {
     to.push_back(make_model("plate with three slots", slot_plate(), {.digits = 3}));
     to.push_back(make_model("spline shaft", spline_shaft(), {.digits = 4}));
 }
+
+}  // namespace
+
+const ModelFamily holdout_parts{.add = add_holdout_parts, .is_holdout = true};
 
 }  // namespace rakelight

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "math/functions.h"
-#include "tools/creases/model_lists.h"
+#include "tools/creases/model_families.h"
 
 namespace rakelight {
 namespace {
@@ -162,8 +162,6 @@ Solid fir() {
     return s;
 }
 
-}  // namespace
-
 void add_holdout_turned(CreaseModels& to) {
     to.push_back(make_model("pulley with a V groove", pulley(), {.digits = 4}));
     to.push_back(make_model("bearing ring", bearing_ring(), {.bits = 14}));
@@ -178,5 +176,9 @@ void add_holdout_turned(CreaseModels& to) {
     to.push_back(make_model("bar cut at a slant", slanted_bar(), {.digits = 4}));
     to.push_back(make_model("fir of three skirts", fir(), {.digits = 3}));
 }
+
+}  // namespace
+
+const ModelFamily holdout_turned{.add = add_holdout_turned, .is_holdout = true};
 
 }  // namespace rakelight

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "math/functions.h"
-#include "tools/creases/model_lists.h"
+#include "tools/creases/model_families.h"
 
 namespace rakelight {
 namespace {
@@ -136,8 +136,6 @@ Solid elbow(int along, int sides) {
     return s;
 }
 
-}  // namespace
-
 void add_machine_parts(CreaseModels& to) {
     to.push_back(make_model("hex bolt, shank of 12 sides", bolt(12)));
     to.push_back(make_model("hex bolt, shank of 24 sides, 2 decimals", bolt(24), {.digits = 2}));
@@ -156,5 +154,9 @@ void add_machine_parts(CreaseModels& to) {
     to.push_back(make_model("pipe elbow of 6 x 12, other diagonals", elbow(6, 12),
                             {.digits = 4, .diagonals = Diagonals::second}));
 }
+
+}  // namespace
+
+const ModelFamily machine_part_models{.add = add_machine_parts};
 
 }  // namespace rakelight

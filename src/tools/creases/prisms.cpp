@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nuts, columns of few sides, cylinders.
 #include "tools/bench/normal_shapes.h"
-#include "tools/creases/model_lists.h"
+#include "tools/creases/model_families.h"
 
 namespace rakelight {
 namespace {
@@ -56,8 +56,6 @@ void add_nuts(CreaseModels& to) {
     to.push_back(make_model("hex nut, turned, 14 bits", turned_nut, {.bits = 14}));
 }
 
-}  // namespace
-
 void add_prisms(CreaseModels& to) {
     add_nuts(to);
     for (const int sides : {3, 4, 5, 6})
@@ -76,5 +74,9 @@ void add_prisms(CreaseModels& to) {
     to.push_back(make_model("cylinder of 16 sides and 4 rings", ringed_cylinder(), {.digits = 4}));
     to.push_back(make_model("cylinder of uneven sides", uneven_cylinder(), {.digits = 4}));
 }
+
+}  // namespace
+
+const ModelFamily prism_models{.add = add_prisms};
 
 }  // namespace rakelight

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cones, shafts, vessels and domes: profiles turned around an axis.
 #include "math/functions.h"
-#include "tools/creases/model_lists.h"
+#include "tools/creases/model_families.h"
 
 namespace rakelight {
 namespace {
@@ -88,8 +88,6 @@ Solid flat_cap() {  // a cone of 20 degrees on a wall
     return revolved(Path(0, 0).to(1, 0, 'a').to(1, 0.6, 'b').to(0, 0.964, 'c'), 24);
 }
 
-}  // namespace
-
 void add_revolved(CreaseModels& to) {
     to.push_back(make_model("cone of 16 sides", cone(16, 2)));
     to.push_back(make_model("cone of 8 sides", cone(8, 2), {.is_decidable = false}));
@@ -116,5 +114,9 @@ void add_revolved(CreaseModels& to) {
     to.push_back(make_model("washer", washer(), {.digits = 4}));
     to.push_back(make_model("cap of 20 degrees on a wall", flat_cap(), {.digits = 4}));
 }
+
+}  // namespace
+
+const ModelFamily revolved_models{.add = add_revolved};
 
 }  // namespace rakelight

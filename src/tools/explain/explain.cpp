@@ -1,34 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/scene/validate.h>
-#include <rakelight/tools/explain.h>
+#include "tools/explain/explain.h"
 
 #include <new>
+
+#include <rakelight/scene/validate.h>
 
 #include "base/format_text.h"
 #include "engines/empty_pixel.h"
 #include "engines/raster/inspect/nearest_visible.h"
 #include "engines/raster/visibility/depth_formats.h"
 #include "render/rows.h"
-#include "scene/materials/material_table.h"
-#include "tools/explain/explain.h"
-#include "tools/object_title.h"
+#include "tools/explain/explain_look.h"
 #include "tools/open_engine.h"
 
 namespace rakelight {
 namespace {
-
-using raster::CoveringTriangle;
-using raster::ShadedLayer;
 
 std::vector<std::uint8_t> codes(vec4 color, bool with_alpha, const ToneCurve& tone) {
     const PixelFormat format{.component = Component::u8, .channels = with_alpha ? 4 : 3};
     std::vector<std::uint8_t> out(format.bytes());
     convert_row(&color, 1, format, tone, reinterpret_cast<std::byte*>(out.data()));
     return out;
-}
-
-const shading::Draw& draw_of(const ExplainedPixel& e, const ShadedLayer& layer) {
-    return e.engine->list().draws[e.pixel.triangles[layer.triangle].draw];
 }
 
 using Explained = std::vector<std::shared_ptr<const ExplainedPixel>>;
@@ -114,67 +106,6 @@ std::shared_ptr<const ExplainedPixel> explain(const Scene& scene, const PictureR
 
 std::vector<std::uint8_t> codes_of(const ExplainedPixel& pixel) { return pixel.codes; }
 vec4 color_of(const ExplainedPixel& pixel) { return pixel.pixel.color; }
-
-TriangleNames names_of(const ExplainedPixel& e, const CoveringTriangle& triangle) {
-    const shading::DrawList& list = e.engine->list();
-    const shading::Draw& draw = list.draws[triangle.draw];
-    TriangleNames names;
-    names.node = draw.node;
-    names.mesh_index = draw.mesh;
-    names.material_index = list.materials[draw.material].scene_material;
-    names.object = object_title(list.scene, draw.node);
-    names.mesh = list.scene.meshes[draw.mesh].name;
-    if (names.material_index != no_index) names.material = list.scene.materials[names.material_index].name;
-    return names;
-}
-
-const char* word_for(raster::Fate fate) {
-    switch (fate) {
-        case raster::Fate::visible:
-            return "visible";
-        case raster::Fate::blended:
-            return "blended";
-        case raster::Fate::hidden:
-            return "hidden";
-        case raster::Fate::masked_out:
-            return "masked_out";
-        case raster::Fate::culled_back:
-            return "culled_back";
-        case raster::Fate::culled_front:
-            return "culled_front";
-    }
-    return "";
-}
-
-const char* name_of_map(int map) { return texture_roles()[std::size_t(map)].name; }
-
-std::string picture_of_map(const ExplainedPixel& e, const ShadedLayer& layer, int map) {
-    const shading::DrawList& list = e.engine->list();
-    const std::uint32_t index = list.materials[draw_of(e, layer).material].scene_material;
-    if (index == no_index) return {};
-    const TextureUse& use = texture_roles()[std::size_t(map)].in(list.scene.materials[index]);
-    if (!use) return {};
-    const Texture& texture = list.scene.textures[use.texture];
-    return texture.image && !texture.image->name.empty() ? texture.image->name : texture.name;
-}
-
-const char* material_model(const ExplainedPixel& e, const ShadedLayer& layer) {
-    const shading::MaterialFactors& factors = e.engine->list().material(draw_of(e, layer)).factors;
-    return factors.unlit ? "unlit" : factors.metallic_roughness ? "metallic_roughness" : "classical";
-}
-
-bool has_own_diffuse_normal(const ShadedLayer& layer) {
-    const raster::PixelTrace& t = layer.trace;
-    for (std::size_t c = 0; c < 3; ++c)
-        if (t.diffuse_normal[c] != t.normal[c]) return true;
-    return false;
-}
-
-const char* reflection_model(const ShadedLayer& layer) {
-    static constexpr const char* names[] = {"lambert", "phong", "blinn_phong",    "oren_nayar",
-                                            "ward",    "pbr",   "oren_nayar_full"};
-    return names[layer.reflection_model];
-}
 
 double standard_depth_per_key(const ExplainedPixel& e) {
     const shading::PictureCamera& view = e.engine->view();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last line of an explained pixel: which term makes most of it, and of a dark one what keeps the lights away.
+#include "tools/explain/explain_conclusion.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "shading/lights/luminance.h"
-#include "tools/explain/explain.h"
 #include "tools/explain/explain_values.h"
 #include "tools/material_names.h"
 

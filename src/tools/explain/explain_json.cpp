@@ -4,10 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include <rakelight/scene/words.h>
-#include <rakelight/tools/rows.h>
+#include <rakelight/tools/explain.h>
 
-#include "tools/explain/explain.h"
 #include "tools/explain/explain_factors.h"
+#include "tools/explain/explain_layers.h"
+#include "tools/explain/explain_shaders.h"
+#include "tools/explain/explain_triangles.h"
 #include "tools/material_names.h"
 #include "tools/report_json.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the default look adds to an explained pixel: its choices, and the way from light to codes.
+#include "tools/explain/explain_look.h"
+
 #include <rakelight/scene/words.h>
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 #include "image/tone_curves.h"
 #include "math/color.h"
 #include "render/rows.h"
-#include "tools/explain/explain.h"
 #include "tools/explain/explain_values.h"
 
 namespace rakelight {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What shaders of the user's make of a pixel: the terms that a lighting returns, and those that it declares.
+#include "tools/explain/explain_shaders.h"
+
 #include <nlohmann/json.hpp>
 
 #include <rakelight/base/error.h>
 #include <rakelight/math/linear.h>
 
-#include "tools/explain/explain.h"
 #include "tools/explain/explain_values.h"
 
 namespace rakelight {

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/explain/explain.h"
+#include "tools/explain/explain_conclusion.h"
 #include "tools/explain/explain_factors.h"
+#include "tools/explain/explain_layers.h"
+#include "tools/explain/explain_look.h"
+#include "tools/explain/explain_shaders.h"
+#include "tools/explain/explain_triangles.h"
 #include "tools/material_names.h"
 
 namespace rakelight {
@@ -15,76 +19,6 @@ using raster::ShadedLayer;
 using raster::TracedLight;
 
 using Cells = std::vector<std::string>;
-
-std::string name_or_number(const std::string& name, std::uint32_t index) {
-    if (index == no_index) return "(none)";
-    return name.empty() ? "number " + digits(index) : one_line(name, 60);
-}
-
-std::string fate_text(raster::Fate fate) {
-    switch (fate) {
-        case raster::Fate::visible:
-            return "visible";
-        case raster::Fate::blended:
-            return "blended: laid over the surfaces behind";
-        case raster::Fate::hidden:
-            return "hidden: a nearer one is in front";
-        case raster::Fate::masked_out:
-            return "masked out: alpha below the cutoff";
-        case raster::Fate::culled_back:
-            return "culled: seen from behind";
-        case raster::Fate::culled_front:
-            return "culled: seen from the front";
-    }
-    return {};
-}
-
-std::string triangles_text(const ExplainedPixel& e) {
-    const bool has_samples = e.pixel.samples.size() > 1;
-    Cells head = {">#",   "object",        "mesh",       ">triangle", "material",
-                  "side", ">distance [m]", ">depth key", ">alpha",    "result"};
-    if (has_samples) head.insert(head.end() - 1, "samples");
-    TextTable table(head);
-    for (std::size_t i = 0; i < e.pixel.triangles.size(); ++i) {
-        const CoveringTriangle& t = e.pixel.triangles[i];
-        const TriangleNames n = names_of(e, t);
-        Cells cells = {digits(i),
-                       name_or_number(n.object, n.node),
-                       name_or_number(n.mesh, n.mesh_index),
-                       digits(t.triangle),
-                       name_or_number(n.material, n.material_index),
-                       t.is_back ? "back" : "front",
-                       digits(t.distance),
-                       digits(t.depth_key),
-                       digits(t.alpha),
-                       fate_text(t.fate) + (t.is_clipped ? " (clipped)" : "")};
-        if (has_samples) cells.insert(cells.end() - 1, letters_of_samples(e, t));
-        table.add(std::move(cells));
-    }
-    return "\nTriangles that cover the pixel, nearest first\n" +
-           std::string(has_samples ? "  (numbers are those of the nearest sample; one letter per sample: V visible, B "
-                                     "blended, M masked out, H hidden, C culled, - not covered)\n"
-                                   : "") +
-           table.text("  ");
-}
-
-/// The textbook's incremental depth: from the pixel where the triangle's box begins, by slopes and steps.
-std::string planes_text(const ExplainedPixel& e) {
-    TextTable table({">#", "from pixel", ">key there", ">d key/dx [1/px]", ">d key/dy [1/px]", ">steps", ">by steps",
-                     ">error", ">dz/dx [1/px]", ">dz/dy [1/px]"});
-    const double per_key = standard_depth_per_key(e);
-    for (std::size_t i = 0; i < e.pixel.triangles.size(); ++i) {
-        const raster::DepthPlane& p = e.pixel.triangles[i].plane;
-        table.add({digits(i), digits(p.x) + "," + digits(p.y), digits(p.key), digits(p.slope_x), digits(p.slope_y),
-                   digits(e.pixel.x - p.x) + "," + digits(e.pixel.y - p.y), digits(p.by_steps),
-                   digits(float(double(p.by_steps) - p.exact)), digits(float(per_key * double(p.slope_x))),
-                   digits(float(per_key * double(p.slope_y)))});
-    }
-    return "\nTheir depths by steps from pixel to pixel\n  (key + slopes x steps; the error is against the plane "
-           "through "
-           "the corners in double; z is the textbook's depth, 0 near to 1 far)\n" +
-           table.text("  ");
-}
 
 std::string place_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     const raster::PixelTrace& t = layer.trace;
@@ -345,7 +279,7 @@ std::string to_text(const ExplainedPixel& e) {
     text += "  sRGB code ";
     for (const std::uint8_t code : e.codes) text += " " + digits(int(code));
     text += "\n";
-    if (!p.triangles.empty()) text += triangles_text(e) + planes_text(e);
+    if (!p.triangles.empty()) text += triangles_text(e);
     for (std::size_t i = 0; i < p.layers.size(); ++i) text += layer_text(e, p.layers[i], i);
     if (e.shaded) return text + shaded_text(*e.shaded) + code_text(e);
     if (p.samples.size() > 1 && !p.layers.empty()) text += samples_text(e);

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The heat map: the model in gray, and its seams as lines of even width over it. The lines are drawn into the finished
 // picture by its depths, so that they are as wide on a model of twelve triangles as on one of a million.
-#include <rakelight/scene/validate.h>
-#include <rakelight/tools/inspect.h>
+#include <rakelight/tools/draw_seams.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+
+#include <rakelight/scene/validate.h>
+#include <rakelight/tools/inspect.h>
 
 #include "engines/check_settings.h"
+#include "math/color.h"
 #include "math/functions.h"
 #include "math/linear.h"
 #include "prepare/prepare_scene.h"
@@ -223,6 +227,28 @@ Frame draw_seams(const Scene& scene, const Inspection& inspection, const Inspect
         draw_seam_legend(frame, inspection, largest ? painter.place_of(largest->position) : std::nullopt);
     }
     return frame;
+}
+
+// Grows lighter with the angle, so that colors are in order in gray too.
+vec3 heat_color(double seam_deg) {
+    struct Stop {
+        double deg;
+        std::uint8_t srgb[3];
+    };
+    // Five samples of "plasma" (Nathaniel J. Smith and Stefan van der Walt 2015, CC0).
+    constexpr Stop stops[] = {{continuous_deg, {13, 8, 135}},
+                              {1, {126, 3, 168}},
+                              {5, {204, 71, 120}},
+                              {20, {248, 149, 64}},
+                              {60, {240, 249, 33}}};
+    const auto color = [](const Stop& s) {
+        return vec3{linear_from_srgb8(s.srgb[0]), linear_from_srgb8(s.srgb[1]), linear_from_srgb8(s.srgb[2])};
+    };
+    const Stop* above = std::begin(stops) + 1;
+    while (above + 1 != std::end(stops) && above->deg < seam_deg) ++above;
+    const Stop& below = above[-1];
+    const double t = std::clamp((seam_deg - below.deg) / (above->deg - below.deg), 0.0, 1.0);
+    return color(below) * float(1 - t) + color(*above) * float(t);
 }
 
 }  // namespace rakelight

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether an inspected model keeps to limits.
-#include <rakelight/tools/inspect.h>
+#include <rakelight/tools/inspect_check.h>
 
 #include <cstdio>
 #include <set>
 
+#include <rakelight/tools/inspect.h>
+
 #include "base/format_text.h"
-#include "tools/inspect/inspect_sections.h"
 #include "tools/inspect/largest_seam.h"
+#include "tools/inspect/seam_sections.h"
 #include "tools/inspect/whole_inspection.h"
 #include "tools/object_name.h"
 

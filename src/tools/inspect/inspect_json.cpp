@@ -4,7 +4,6 @@
 
 #include <rakelight/scene/motion.h>
 #include <rakelight/tools/inspect.h>
-#include <rakelight/tools/rows.h>
 
 #include "tools/camera_extent.h"
 #include "tools/inspect/whole_inspection.h"

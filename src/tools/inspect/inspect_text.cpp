@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// An inspection for people.
-#include <rakelight/scene/motion.h>
-#include <rakelight/scene/words.h>
-#include <rakelight/tools/inspect.h>
+#include "tools/inspect/inspect_text.h"
 
 #include <algorithm>
+
+#include <rakelight/scene/motion.h>
+#include <rakelight/scene/words.h>
 
 #include "base/format_text.h"
 #include "shading/choices.h"
 #include "tools/camera_extent.h"
-#include "tools/inspect/inspect_sections.h"
+#include "tools/inspect/seam_sections.h"
 #include "tools/inspect/whole_inspection.h"
 #include "tools/material_names.h"
 #include "tools/object_name.h"

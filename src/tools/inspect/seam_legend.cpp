@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "image/draw_text.h"
-#include "tools/inspect/inspect_sections.h"
+#include "tools/inspect/inspect_text.h"
 #include "tools/inspect/largest_seam.h"
 
 namespace rakelight {

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include <programs/base/file_ending.h>
-#include <rakelight/tools/rows.h>
 
 #include "base/format_text.h"
 #include "io/files/beside.h"

@@ -2,6 +2,7 @@
 // The values of a stage's tables: numbers, texts and lists of them. They spare the stages the JSON library, which is slow to
 // compile.
 #pragma once
+#include <charconv>
 #include <concepts>
 #include <cstdint>
 #include <initializer_list>
@@ -41,5 +42,11 @@ public:
         return emplace_back(name, 0).second;
     }
 };
+
+/// A number for people: at most so many digits.
+inline std::string digits(double value, int most = 7) {
+    char buffer[64];
+    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, most).ptr};
+}
 
 }  // namespace rakelight::stages

@@ -151,9 +151,8 @@ private:
     std::array<Counts, planes> counts_;
 };
 
-}  // namespace
-
-Stage planes_stage(const Sources& of, const Vertices& vertices) {
+Stage make_planes_stage(const Sources& of) {
+    const Vertices vertices(of);
     Stage s{.id = "clip-planes", .title = "Clipping, plane by plane"};
     s.text =
         "The textbook's way: each plane of the frustum in turn cuts every polygon that crosses it; a triangle may "
@@ -187,5 +186,9 @@ Stage planes_stage(const Sources& of, const Vertices& vertices) {
     add_plot(s, of, vertices, "clip-planes", space);
     return s;
 }
+
+}  // namespace
+
+const StageKind clip_planes_stage{make_planes_stage};
 
 }  // namespace rakelight::stages

@@ -12,7 +12,8 @@
 namespace rakelight::stages {
 namespace {
 
-Stage clip_stage(const Sources& of, const Vertices& vertices) {
+Stage make_clip_space_stage(const Sources& of) {
+    const Vertices vertices(of);
     Stage s{.id = "clip-space",
             .title = "Clip space, before the division",
             .text =
@@ -103,7 +104,8 @@ void add_screen_plot(Stage& s, const Sources& of, const Vertices& vertices) {
               .fixed = Fit{}});
 }
 
-Stage clipped_stage(const Sources& of, const Vertices& vertices) {
+Stage make_clipped_stage(const Sources& of) {
+    const Vertices vertices(of);
     Stage s{.id = "clipped", .title = "Clipped polygons"};
     s.text =
         "Triangles that cross the near or the far plane, or leave the guard band (a million pixels around the "
@@ -140,12 +142,6 @@ Stage clipped_stage(const Sources& of, const Vertices& vertices) {
 
 }  // namespace
 
-std::vector<Stage> clip_stages(const Sources& of) {
-    const Vertices vertices(of);
-    std::vector<Stage> stages;
-    for (const auto stage : {clip_stage, clipped_stage, planes_stage, wrap_stage})
-        stages.push_back(stage(of, vertices));
-    return stages;
-}
+const StageKind clip_space_stage{make_clip_space_stage}, clipped_stage{make_clipped_stage};
 
 }  // namespace rakelight::stages

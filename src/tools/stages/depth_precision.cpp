@@ -2,7 +2,6 @@
 // What a z-buffer keeps of a distance with this camera's near and far: the curve, and the size of a step in each
 // format.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "engines/raster/visibility/depth_formats.h"
@@ -32,13 +31,8 @@ constexpr double ln_10 = 2.302585092994046;
 double log10_of(double v) { return math::log(v) / ln_10; }
 double power_of_ten(double e) { return math::exp(e * ln_10); }
 
-std::string text_of(double value, int digits) {
-    char buffer[32];
-    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr};
-}
-
 /// [m] short enough for an axis.
-std::string meters(double v) { return text_of(v >= 100 ? std::floor(v + 0.5) : v, 4); }
+std::string meters(double v) { return digits(v >= 100 ? std::floor(v + 0.5) : v, 4); }
 
 double x_of(double part) { return left + part * (right - left); }
 double y_of(double part) { return bottom - part * (bottom - top); }
@@ -74,7 +68,7 @@ Picture curve_picture(const DepthRange& r) {
     Canvas canvas = framed();
     for (int i = 0; i <= 10; i += 2) {
         label_x(canvas, i / 10.0, meters(r.z_near + i / 10.0 * (r.z_far - r.z_near)));
-        label_y(canvas, i / 10.0, text_of(i / 10.0, 1));
+        label_y(canvas, i / 10.0, digits(i / 10.0, 1));
     }
     const int steps = 4 * (right - left);  // the curve is steep at its beginning
     dvec2 last;
@@ -87,7 +81,7 @@ Picture curve_picture(const DepthRange& r) {
     const double depth = raster::standard_depth(r.z_near + 0.02 * (r.z_far - r.z_near), r);
     canvas.line({x_of(0.02), bottom}, {x_of(0.02), y_of(depth)}, frame);
     canvas.line({x_of(0), y_of(depth)}, {x_of(0.02), y_of(depth)}, frame);
-    label(canvas, int(x_of(0.02)) + 12, int(y_of(depth)) + 12, "2%   " + text_of(100 * depth, 3) + "%", frame);
+    label(canvas, int(x_of(0.02)) + 12, int(y_of(depth)) + 12, "2%   " + digits(100 * depth, 3) + "%", frame);
     return {"depth-curve",
             "The depth that is stored, 0 to 1, over the distance [m]. Orange: the first 2 % of the range.",
             std::move(canvas)};
@@ -124,9 +118,7 @@ Picture step_picture(const DepthRange& r) {
             std::move(canvas)};
 }
 
-}  // namespace
-
-Stage depth_precision_stage(const Sources& of) {
+Stage make_precision_stage(const Sources& of) {
     const DepthRange r = plotted_range(of.engine.view());
     Stage s{
         .id = "depth-precision",
@@ -155,5 +147,9 @@ Stage depth_precision_stage(const Sources& of) {
     s.rows_note = "Steps at distances of the range";
     return s;
 }
+
+}  // namespace
+
+const StageKind depth_precision_stage{make_precision_stage};
 
 }  // namespace rakelight::stages

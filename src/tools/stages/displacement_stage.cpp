@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // What displacement makes of the meshes: the base beside the cut and moved surface, and how far each triangle moved.
-#include "tools/stages/displacement_stage.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -126,17 +124,17 @@ Canvas drawn(const Sources& of, const Scene& scene, const Camera& camera, const 
 
 class DisplacementStage {
 public:
-    DisplacementStage(const Sources& of, const Scene& loaded, const PictureRequest& request, Context& context)
+    explicit DisplacementStage(const Sources& of)
         : of_(of),
           scene_(of.engine.list().scene),
-          fine_request_(request),
-          base_request_(request),
-          context_(context),
+          fine_request_(of.request),
+          base_request_(of.request),
+          context_(of.context),
           quiet_(options()),
-          requested_(requested(loaded)),
+          requested_(requested(of.loaded)),
           base_(without_relief(requested_, base_request_, false, quiet_)) {
-        PictureRequest flat = request;
-        context.throw_if_cancelled();
+        PictureRequest flat = of.request;
+        context_.throw_if_cancelled();
         compare(without_relief(std::move(requested_), flat, true, quiet_).scene);
     }
 
@@ -278,18 +276,17 @@ private:
     Stage stage_;
 };
 
-}  // namespace
-
-bool has_displacement(const Sources& of, const PictureRequest& request) {
+bool has_displacement(const Sources& of) {
     const Scene& scene = of.engine.list().scene;
-    return wants_displacement(scene, options_for(request.prepare, request.settings, scene).displacement);
+    return wants_displacement(scene, options_for(of.request.prepare, of.request.settings, scene).displacement);
 }
 
-Stage displacement_stage(const Sources& of, const Scene& loaded, const PictureRequest& request, Context& context) {
+/// Prepares the scene twice more: without displacement, and cut but not moved.
+Stage make_displacement_stage(const Sources& of) {
     try {
-        return DisplacementStage(of, loaded, request, context).make();
+        return DisplacementStage(of).make();
     } catch (const Error& e) {
-        context.throw_if_cancelled();
+        of.context.throw_if_cancelled();
         if (e.code() != ErrorCode::bad_file) throw;
         Stage none_made;  // the scene as it is was drawn: what fails is the memory for its base beside it
         none_made.id = "displacement";
@@ -298,5 +295,9 @@ Stage displacement_stage(const Sources& of, const Scene& loaded, const PictureRe
         return none_made;
     }
 }
+
+}  // namespace
+
+const StageKind displacement_stage{make_displacement_stage, has_displacement};
 
 }  // namespace rakelight::stages

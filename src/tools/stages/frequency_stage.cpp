@@ -32,9 +32,7 @@ double difference(const Sources& of, const std::vector<vec4>& a, const std::vect
     return a.empty() ? 0 : std::sqrt(sum / (3 * double(a.size())));
 }
 
-}  // namespace
-
-Stage frequency_stage(const Sources& of, Context& context) {
+Stage make_frequency_stage(const Sources& of) {
     Stage s{.id = "shading-frequency", .title = "How often lighting is evaluated"};
     s.text =
         "The sum over the lights can be evaluated per face (flat), per vertex (Gouraud), per pixel (Phong), or not at "
@@ -42,10 +40,10 @@ Stage frequency_stage(const Sources& of, Context& context) {
         "between the vertices are lost. Normal maps, height bumps and shadows act only in Phong shading.";
     s.columns = {"shading", "lighting is evaluated", "evaluations", "difference to phong [1/255]"};
     s.rows_note = "Evaluations, and the root of the mean square difference of the pictures as displayed";
-    const raster::ShadedPicture phong = draw_shaded(of.engine, Shading::phong, context);
+    const raster::ShadedPicture phong = draw_shaded(of.engine, Shading::phong, of.context);
     for (const Frequency& f : frequencies) {
         const raster::ShadedPicture drawn =
-            f.shading == Shading::phong ? phong : draw_shaded(of.engine, f.shading, context);
+            f.shading == Shading::phong ? phong : draw_shaded(of.engine, f.shading, of.context);
         Canvas canvas = paint(of, [&](std::size_t p) { return displayed_code(of, drawn.color[p]); });
         s.rows.push_back(
             {f.name, f.evaluated, drawn.stats.lighting_evaluations, difference(of, drawn.color, phong.color)});
@@ -55,5 +53,9 @@ Stage frequency_stage(const Sources& of, Context& context) {
     }
     return s;
 }
+
+}  // namespace
+
+const StageKind frequency_stage{make_frequency_stage};
 
 }  // namespace rakelight::stages

@@ -80,9 +80,7 @@ std::string lighting_text(const Sources& of) {
     return text;
 }
 
-}  // namespace
-
-Stage lighting_stage(const Sources& of) {
+Stage make_lighting_stage(const Sources& of) {
     Stage s{.id = "lighting", .title = "Lighting, term by term", .text = lighting_text(of)};
     s.columns = {"term", "mean red", "mean green", "mean blue", "largest red", "largest green", "largest blue"};
     if (!is_black(of.pixels.own_color))
@@ -115,7 +113,7 @@ Stage lighting_stage(const Sources& of) {
     return s;
 }
 
-Stage relief_stage(const Sources& of) {
+Stage make_relief_stage(const Sources& of) {
     Stage s{.id = "relief", .title = "Relief: where textures are read"};
     s.text =
         "Parallax techniques treat the surface as a relief of its height map: the view ray is followed to where it "
@@ -149,5 +147,11 @@ Stage relief_stage(const Sources& of) {
                           })});
     return s;
 }
+
+bool has_relief(const Sources& of) { return !of.pixels.relief_shift.empty(); }
+
+}  // namespace
+
+const StageKind relief_stage{make_relief_stage, has_relief}, lighting_stage{make_lighting_stage};
 
 }  // namespace rakelight::stages

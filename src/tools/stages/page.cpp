@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stages as a page and as JSON. The page needs no script and nothing from outside of its folder.
-#include <charconv>
+#include "tools/stages/page.h"
+
 #include <span>
 
 #include <nlohmann/json.hpp>
@@ -8,7 +8,6 @@
 #include "base/format_text.h"
 #include "tools/html.h"
 #include "tools/report_json.h"
-#include "tools/stages/stage.h"
 
 namespace rakelight::stages {
 namespace {
@@ -113,12 +112,6 @@ Json json_of(const Cell& cell) {
 }
 
 }  // namespace
-
-std::string digits(double v) {
-    char buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, v, std::chars_format::general, 7).ptr;
-    return {buffer, end};
-}
 
 std::string table_json(const Stage& stage) {
     Json pictures = Json::array();

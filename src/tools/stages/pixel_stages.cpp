@@ -15,7 +15,7 @@ std::uint64_t count(const std::vector<std::uint16_t>& overdraw) {
     return std::uint64_t(std::count_if(overdraw.begin(), overdraw.end(), [](std::uint16_t n) { return n > 0; }));
 }
 
-Stage culling_stage(const Sources& of) {
+Stage make_culling_stage(const Sources& of) {
     Stage s{.id = "culled",
             .title = "Culling",
             .text =
@@ -63,7 +63,7 @@ std::string coverage_caption(int most) {
            (most > most_shown ? std::to_string(most_shown) + " and more." : std::to_string(most) + ".");
 }
 
-Stage coverage_stage(const Sources& of) {
+Stage make_coverage_stage(const Sources& of) {
     Stage s{.id = "coverage",
             .title = "Coverage",
             .text =
@@ -151,7 +151,7 @@ void add_steps(Stage& s, const Sources& of) {
     s.numbers["largest difference, all visible triangles"] = largest;
 }
 
-Stage depth_stage(const Sources& of) {
+Stage make_depth_stage(const Sources& of) {
     Stage s{.id = "depth",
             .title = "Depth",
             .text =
@@ -172,7 +172,7 @@ Stage depth_stage(const Sources& of) {
     return s;
 }
 
-Stage visibility_stage(const Sources& of) {
+Stage make_visibility_stage(const Sources& of) {
     Stage s{.id = "visibility",
             .title = "Visibility",
             .text =
@@ -205,7 +205,7 @@ Stage visibility_stage(const Sources& of) {
     return s;
 }
 
-Stage normal_stage(const Sources& of) {
+Stage make_normal_stage(const Sources& of) {
     Stage s{.id = "normal",
             .title = "Normals",
             .text =
@@ -236,7 +236,7 @@ Stage normal_stage(const Sources& of) {
     return s;
 }
 
-Stage blending_stage(const Sources& of) {
+Stage make_blending_stage(const Sources& of) {
     Stage s{.id = "blended", .title = "Blended surfaces, layer by layer"};
     s.text =
         "Transparent surfaces are laid over the opaque ones, in each pixel the farthest first: color = alpha * own "
@@ -277,22 +277,8 @@ Stage blending_stage(const Sources& of) {
 
 }  // namespace
 
-std::vector<Stage> pixel_stages(const Sources& of) {
-    std::vector<Stage> stages;
-    stages.push_back(culling_stage(of));
-    stages.push_back(coverage_stage(of));
-    stages.push_back(depth_stage(of));
-    stages.push_back(depth_precision_stage(of));
-    stages.push_back(visibility_stage(of));
-    stages.push_back(normal_stage(of));
-    if (!of.pixels.relief_shift.empty()) stages.push_back(relief_stage(of));
-    if (!of.pixels.seen.empty()) stages.push_back(shadow_stage(of));
-    stages.push_back(lighting_stage(of));
-    stages.push_back(blending_stage(of));
-    if (of.engine.settings().samples > 1) stages.push_back(samples_stage(of));
-    stages.push_back(tone_stage(of));
-    stages.push_back(picture_stage(of));
-    return stages;
-}
+const StageKind culling_stage{make_culling_stage}, coverage_stage{make_coverage_stage}, depth_stage{make_depth_stage};
+const StageKind visibility_stage{make_visibility_stage}, normal_stage{make_normal_stage},
+    blending_stage{make_blending_stage};
 
 }  // namespace rakelight::stages

@@ -91,9 +91,4 @@ using VertexRow = std::function<std::vector<double>(std::size_t draw, std::uint3
 void add_table(Stage& stage, const Vertices& vertices, bool only_transformed, const std::vector<std::string>& columns,
                const VertexRow& values);
 
-/// Clipping by all six planes, one after the other.
-Stage planes_stage(const Sources& of, const Vertices& vertices);
-/// Shows why clipping comes before the division.
-Stage wrap_stage(const Sources& of, const Vertices& vertices);
-
 }  // namespace rakelight::stages

@@ -37,7 +37,8 @@ private:
     const shading::PictureCamera& view_;
 };
 
-Stage frustum_stage(const Sources& of, const Vertices& vertices) {
+Stage make_frustum_stage(const Sources& of) {
+    const Vertices vertices(of);
     const shading::PictureCamera& view = of.engine.view();
     const Normalized normalized(of, vertices);
     Stage s{.id = "normalized-frustum", .title = "Projection 1: the frustum normalized"};
@@ -105,7 +106,8 @@ Fit fit_to(double reach, const Sources& of, const Vertices& vertices, const Norm
     return fit({0, -tall}, {reach, tall}, of.engine.settings().width, of.engine.settings().height);
 }
 
-Stage central_stage(const Sources& of, const Vertices& vertices) {
+Stage make_central_stage(const Sources& of) {
+    const Vertices vertices(of);
     const shading::PictureCamera& view = of.engine.view();
     const Normalized normalized(of, vertices);
     const double nan = std::nan(""), plane = std::max(0.5 * nearest_before(vertices, view.z_near), view.z_near);
@@ -164,7 +166,8 @@ struct DepthRow {
     }
 };
 
-Stage depth_stage(const Sources& of, const Vertices& vertices) {
+Stage make_depth_mapping_stage(const Sources& of) {
+    const Vertices vertices(of);
     const shading::PictureCamera& view = of.engine.view();
     const Normalized normalized(of, vertices);
     const DepthRow from_zero(view, 0), from_minus(view, -1);
@@ -222,11 +225,7 @@ Stage depth_stage(const Sources& of, const Vertices& vertices) {
 
 }  // namespace
 
-std::vector<Stage> projection_stages(const Sources& of) {
-    const Vertices vertices(of);
-    std::vector<Stage> stages;
-    for (const auto stage : {frustum_stage, central_stage, depth_stage}) stages.push_back(stage(of, vertices));
-    return stages;
-}
+const StageKind frustum_stage{make_frustum_stage}, central_stage{make_central_stage},
+    depth_mapping_stage{make_depth_mapping_stage};
 
 }  // namespace rakelight::stages

@@ -60,9 +60,7 @@ Picture enlarged(const Sources& of) {
             std::move(canvas)};
 }
 
-}  // namespace
-
-Stage samples_stage(const Sources& of) {
+Stage make_samples_stage(const Sources& of) {
     const int samples = of.engine.settings().samples;
     const raster::PixelStageData& d = of.pixels;
     Stage s{.id = "samples", .title = "Several samples per pixel, and their mean"};
@@ -106,5 +104,11 @@ Stage samples_stage(const Sources& of) {
     s.pictures.push_back(enlarged(of));
     return s;
 }
+
+bool has_samples(const Sources& of) { return of.engine.settings().samples > 1; }
+
+}  // namespace
+
+const StageKind samples_stage{make_samples_stage, has_samples};
 
 }  // namespace rakelight::stages

@@ -55,9 +55,7 @@ Cell::List seen_cells(const std::vector<float>& seen) {
     return {lit, lit > 0 ? sum / double(lit) : 0, none_of_it, lit - none_of_it - all_of_it, all_of_it};
 }
 
-}  // namespace
-
-Stage shadow_stage(const Sources& of) {
+Stage make_shadow_stage(const Sources& of) {
     Stage s{.id = "shadows", .title = "Shadows"};
     s.text =
         "Before the picture, each light draws a shadow map: the distance of the nearest surface. A pixel compares the "
@@ -93,5 +91,11 @@ Stage shadow_stage(const Sources& of) {
         "the map, for lamps at a distance of 1 m";
     return s;
 }
+
+bool has_shadows(const Sources& of) { return !of.pixels.seen.empty(); }
+
+}  // namespace
+
+const StageKind shadow_stage{make_shadow_stage, has_shadows};
 
 }  // namespace rakelight::stages

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <rakelight/render/picture.h>
+
 #include "engines/empty_pixel.h"
 #include "engines/raster/inspect/inspect_pixels.h"
 #include "image/tone_curves.h"
@@ -31,46 +33,52 @@ struct Stage {
 
 /// What the stages are made of.
 struct Sources {
+    const Scene& loaded;            ///< before it was prepared
+    const PictureRequest& request;  ///< after decide()
+    Context& context;
     const raster::Inspection& engine;
     const raster::Inspection::Geometry& open;  ///< with what culling drops
     const raster::Inspection::Geometry& drawn;
     const raster::PixelStageData& pixels;
-    ToneSettings tone;
+    ToneSettings tone = request.tone;
     ToneCurve curve{tone, laid_behind(engine.settings())}, exposure{{ToneMapping::none, tone.exposure_ev}};
 };
 
-/// Vertices before the projection: model, world, camera.
-std::vector<Stage> space_stages(const Sources& of);
-/// The projection in three steps.
-std::vector<Stage> projection_stages(const Sources& of);
-/// Clip space, the parts that clipping cuts off, and what would happen without it.
-std::vector<Stage> clip_stages(const Sources& of);
-/// Vertices after it: normalized device coordinates, screen.
-std::vector<Stage> screen_stages(const Sources& of);
-/// The precision of the depth that the depth test compares.
-Stage depth_precision_stage(const Sources& of);
-/// The samples of a picture with several per pixel.
-Stage samples_stage(const Sources& of);
-/// How far height maps move texture coordinates; if a material has one.
-Stage relief_stage(const Sources& of);
-/// Where each light is in shadow, and the shadow maps; if something casts shadows.
-Stage shadow_stage(const Sources& of);
-/// Each light's terms.
-Stage lighting_stage(const Sources& of);
-/// Exposure, tone curve, codes.
-Stage tone_stage(const Sources& of);
-/// What `rakelight render` draws.
-Stage picture_stage(const Sources& of);
-/// The picture with each shading frequency.
-Stage frequency_stage(const Sources& of, Context& context);
-/// Pixels: culled faces, coverage, depth, visibility, normals, terms of the lights, the picture.
-std::vector<Stage> pixel_stages(const Sources& of);
+/// How a stage is made: a constant of its source. stages.cpp has all of them in the order of the page.
+struct StageKind {
+    Stage (*make)(const Sources& of);
+    bool (*is_there)(const Sources& of) = nullptr;  ///< null: for every picture
+};
 
-/// For people: at most 7 digits.
-std::string digits(double value);
-/// One stage's table: {"schema": "rakelight.stages/1", "stage": ..., ...}
-std::string table_json(const Stage& stage);
-/// A page. @param is_whole  its pictures and tables are in it, else beside it
-std::string page(const std::string& model, const std::vector<Stage>& stages, bool is_whole, Context& context);
+/// The base meshes beside the displaced ones.
+extern const StageKind displacement_stage;
+/// Vertices before the projection.
+extern const StageKind model_stage, world_stage, camera_stage;
+/// The projection in three steps.
+extern const StageKind frustum_stage, central_stage, depth_mapping_stage;
+/// Clip space, and the parts that clipping cuts off.
+extern const StageKind clip_space_stage, clipped_stage;
+/// Clipping by all six planes, one after the other.
+extern const StageKind clip_planes_stage;
+/// Why clipping comes before the division.
+extern const StageKind wrap_stage;
+/// Vertices after the projection.
+extern const StageKind device_stage, screen_stage;
+/// Pixels: what the engine drops, finds and blends.
+extern const StageKind culling_stage, coverage_stage, depth_stage, visibility_stage, normal_stage, blending_stage;
+/// The precision of the depth that the depth test compares.
+extern const StageKind depth_precision_stage;
+/// How far height maps move texture coordinates.
+extern const StageKind relief_stage;
+/// Where each light is in shadow, and the shadow maps.
+extern const StageKind shadow_stage;
+/// The picture with each shading frequency.
+extern const StageKind frequency_stage;
+/// Each light's terms.
+extern const StageKind lighting_stage;
+/// The samples of a picture with several per pixel.
+extern const StageKind samples_stage;
+/// Exposure, tone curve, codes; and what `rakelight render` draws.
+extern const StageKind tone_stage, picture_stage;
 
 }  // namespace rakelight::stages

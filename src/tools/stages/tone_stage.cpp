@@ -64,9 +64,7 @@ std::uint64_t count_over_one(const Sources& of, const ToneCurve& curve) {
                                        [&](const vec4& c) { return is_over_one(curve(c.xyz())); }));
 }
 
-}  // namespace
-
-Stage tone_stage(const Sources& of) {
+Stage make_tone_stage(const Sources& of) {
     Stage s{.id = "tone", .title = "Exposure, tone curve and codes"};
     s.text =
         "The sums of the terms are light of any brightness. It is multiplied by 2 to the power of the exposure, passes "
@@ -99,7 +97,7 @@ Stage tone_stage(const Sources& of) {
     return s;
 }
 
-Stage picture_stage(const Sources& of) {
+Stage make_picture_stage(const Sources& of) {
     Stage s{.id = "picture", .title = "The picture"};
     s.text =
         "The sums of the terms, blended surfaces laid over them far to near, then exposure, tone curve and sRGB codes "
@@ -109,5 +107,9 @@ Stage picture_stage(const Sources& of) {
         {"picture", "The picture.", paint(of, [&](std::size_t p) { return displayed_code(of, of.pixels.color[p]); })});
     return s;
 }
+
+}  // namespace
+
+const StageKind tone_stage{make_tone_stage}, picture_stage{make_picture_stage};
 
 }  // namespace rakelight::stages

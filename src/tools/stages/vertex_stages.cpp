@@ -13,7 +13,8 @@ using shading::ClipVertex;
 
 std::vector<double> list(dvec3 p) { return {p.x, p.y, p.z}; }
 
-Stage model_stage(const Sources& of, const Vertices& vertices) {
+Stage make_model_stage(const Sources& of) {
+    const Vertices vertices(of);
     Stage s{.id = "model",
             .title = "Model space",
             .text =
@@ -46,7 +47,8 @@ private:
     double cos_ = 1, sin_ = 0;
 };
 
-Stage world_stage(const Sources& of, const Vertices& vertices) {
+Stage make_world_stage(const Sources& of) {
+    const Vertices vertices(of);
     Stage s{.id = "world",
             .title = "World space",
             .text =
@@ -74,7 +76,8 @@ Stage world_stage(const Sources& of, const Vertices& vertices) {
     return s;
 }
 
-Stage camera_stage(const Sources& of, const Vertices& vertices) {
+Stage make_camera_stage(const Sources& of) {
+    const Vertices vertices(of);
     Stage s{.id = "camera",
             .title = "Camera space",
             .text =
@@ -100,7 +103,8 @@ Stage camera_stage(const Sources& of, const Vertices& vertices) {
     return s;
 }
 
-Stage device_stage(const Sources& of, const Vertices& vertices) {
+Stage make_device_stage(const Sources& of) {
+    const Vertices vertices(of);
     Stage s{.id = "device",
             .title = "Normalized device coordinates",
             .text =
@@ -128,7 +132,8 @@ Stage device_stage(const Sources& of, const Vertices& vertices) {
     return s;
 }
 
-Stage screen_stage(const Sources& of, const Vertices& vertices) {
+Stage make_screen_stage(const Sources& of) {
+    const Vertices vertices(of);
     Stage s{.id = "screen",
             .title = "Screen",
             .text =
@@ -162,18 +167,7 @@ Stage screen_stage(const Sources& of, const Vertices& vertices) {
 
 }  // namespace
 
-std::vector<Stage> space_stages(const Sources& of) {
-    const Vertices vertices(of);
-    std::vector<Stage> stages;
-    for (const auto stage : {model_stage, world_stage, camera_stage}) stages.push_back(stage(of, vertices));
-    return stages;
-}
-
-std::vector<Stage> screen_stages(const Sources& of) {
-    const Vertices vertices(of);
-    std::vector<Stage> stages;
-    for (const auto stage : {device_stage, screen_stage}) stages.push_back(stage(of, vertices));
-    return stages;
-}
+const StageKind model_stage{make_model_stage}, world_stage{make_world_stage}, camera_stage{make_camera_stage};
+const StageKind device_stage{make_device_stage}, screen_stage{make_screen_stage};
 
 }  // namespace rakelight::stages

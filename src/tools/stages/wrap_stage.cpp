@@ -157,9 +157,8 @@ void add_model(Stage& s, const Sources& of, const ModelTriangles& triangles, std
                           std::move(right)});
 }
 
-}  // namespace
-
-Stage wrap_stage(const Sources& of, const Vertices& vertices) {
+Stage make_wrap_stage(const Sources& of) {
+    const Vertices vertices(of);
     Stage s{.id = "wrap-round", .title = "What clipping before the division prevents"};
     if (of.engine.view().orthographic) {
         s.text =
@@ -191,5 +190,9 @@ Stage wrap_stage(const Sources& of, const Vertices& vertices) {
     if (crossing == 0) add_example(s);
     return s;
 }
+
+}  // namespace
+
+const StageKind wrap_stage{make_wrap_stage};
 
 }  // namespace rakelight::stages

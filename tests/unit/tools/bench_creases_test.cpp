@@ -9,11 +9,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include <programs/tools/bench.h>
+#include <programs/tools/bench_creases.h>
 
 #include "math/linear.h"
 #include "support/thrown_error.h"
-#include "tools/creases/crease_model.h"
+#include "tools/creases/model_families.h"
 
 namespace rakelight {
 namespace {

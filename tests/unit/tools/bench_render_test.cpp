@@ -2,7 +2,7 @@
 // The scene that pictures are measured with is what its documentation says, and what is measured is reported. No time
 // is judged.
 #include <gtest/gtest.h>
-#include <programs/tools/bench.h>
+#include <programs/tools/bench_render.h>
 #include <rakelight/scene/validate.h>
 
 #include <filesystem>

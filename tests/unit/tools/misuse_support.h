@@ -2,7 +2,7 @@
 // Scenes that are wrong, and every public function that takes one.
 #pragma once
 #include <gtest/gtest.h>
-#include <programs/tools/bench.h>
+#include <programs/tools/bench_render.h>
 #include <rakelight/rakelight.h>
 #include <rakelight/tools/check_scene.h>
 

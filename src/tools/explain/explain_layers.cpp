@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explained pixels: the maps of a layer, the probes and the texels that their values came from.
+#include "tools/explain/explain_layers.h"
+
 #include <algorithm>
 #include <iterator>
 
-#include "tools/explain/explain.h"
+#include "scene/materials/material_table.h"
 #include "tools/material_names.h"
 #include "tools/shortest_digits.h"
 #include "tools/text_table.h"
@@ -13,6 +14,10 @@ namespace {
 
 using raster::ShadedLayer;
 using Cells = std::vector<std::string>;
+
+const shading::Draw& draw_of(const ExplainedPixel& e, const ShadedLayer& layer) {
+    return e.engine->list().draws[e.pixel.triangles[layer.triangle].draw];
+}
 
 void append(Cells& cells, const float (&v)[4]) {
     for (const float f : v) cells.push_back(digits(f));
@@ -61,6 +66,36 @@ std::string slopes_text(const ShadedLayer& layer) {
 }
 
 }  // namespace
+
+const char* material_model(const ExplainedPixel& e, const ShadedLayer& layer) {
+    const shading::MaterialFactors& factors = e.engine->list().material(draw_of(e, layer)).factors;
+    return factors.unlit ? "unlit" : factors.metallic_roughness ? "metallic_roughness" : "classical";
+}
+
+bool has_own_diffuse_normal(const ShadedLayer& layer) {
+    const raster::PixelTrace& t = layer.trace;
+    for (std::size_t c = 0; c < 3; ++c)
+        if (t.diffuse_normal[c] != t.normal[c]) return true;
+    return false;
+}
+
+const char* reflection_model(const ShadedLayer& layer) {
+    static constexpr const char* names[] = {"lambert", "phong", "blinn_phong",    "oren_nayar",
+                                            "ward",    "pbr",   "oren_nayar_full"};
+    return names[layer.reflection_model];
+}
+
+const char* name_of_map(int map) { return texture_roles()[std::size_t(map)].name; }
+
+std::string picture_of_map(const ExplainedPixel& e, const ShadedLayer& layer, int map) {
+    const shading::DrawList& list = e.engine->list();
+    const std::uint32_t index = list.materials[draw_of(e, layer).material].scene_material;
+    if (index == no_index) return {};
+    const TextureUse& use = texture_roles()[std::size_t(map)].in(list.scene.materials[index]);
+    if (!use) return {};
+    const Texture& texture = list.scene.textures[use.texture];
+    return texture.image && !texture.image->name.empty() ? texture.image->name : texture.name;
+}
 
 std::string maps_text(const ExplainedPixel& e, const ShadedLayer& layer) {
     TextTable table(

@@ -1,61 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures as the program's JSON, schema rakelight.render/1: fields are added, never renamed.
+#include <rakelight/tools/rows.h>
+
 #include <cmath>
 
 #include <nlohmann/json.hpp>
 
-#include <rakelight/render/picture.h>
-#include <rakelight/tools/rows.h>
-
 #include "tools/report_json.h"
 
 namespace rakelight {
-
-namespace {
-
-Json passes_json(const RenderStats& s) {
-    Json passes = Json::array();
-    for (const GpuPass& pass : s.gpu_passes) passes.push_back({{"name", pass.name}, {"ms", 1e3 * pass.seconds}});
-    return passes;
-}
-
-}  // namespace
-
-static Json rays_json(const RayStats& r) {
-    return {{"primary", r.primary},
-            {"shadow", r.shadow},
-            {"reflected", r.reflected},
-            {"refracted", r.refracted},
-            {"dropped", r.dropped},
-            {"deepest", r.deepest},
-            {"passes", r.passes},
-            {"samples", r.samples},
-            {"noise", r.noise},
-            {"triangle_tests", r.triangle_tests},
-            {"scene_bytes", r.scene_bytes}};
-}
-
-Json stats_json(const RenderStats& s) {
-    return {{"triangles_in", s.triangles_in},
-            {"culled_back", s.culled_back},
-            {"culled_degenerate", s.culled_degenerate},
-            {"culled_outside", s.culled_outside},
-            {"objects_outside", s.objects_outside},
-            {"clipped", s.clipped},
-            {"drawn", s.drawn},
-            {"pixels_covered", s.pixels_covered},
-            {"samples_covered", s.samples_covered},
-            {"pixels_shaded", s.pixels_shaded},
-            {"lighting_evaluations", s.lighting_evaluations},
-            {"vertices_lit_twice", s.vertices_lit_twice},
-            {"depth_passes", s.depth_passes},
-            {"overdraw", s.overdraw()},
-            {"pixels_marked", s.pixels_marked},
-            {"shadow_maps", s.shadow_maps},
-            {"shadow_bytes", s.shadow_bytes},
-            {"rays", rays_json(s.rays)},
-            {"gpu_passes", passes_json(s)}};
-}
 
 namespace {
 
@@ -81,9 +34,7 @@ void add_result(Json& row, const PictureResult& r) {
     row["stats"] = stats_json(r.stats);
 }
 
-}  // namespace
-
-static Json reference_json(const ReferenceResult& r) {
+Json reference_json(const ReferenceResult& r) {
     Json json = {{"file", r.reference},
                  {"measure", reference_measure_words[std::size_t(r.measure)].name},
                  {"value", r.value && std::isfinite(*r.value) ? Json(*r.value) : Json()},
@@ -92,6 +43,8 @@ static Json reference_json(const ReferenceResult& r) {
     if (!r.difference.empty()) json["difference"] = r.difference;
     return json;
 }
+
+}  // namespace
 
 std::string to_json(std::span<const PictureRow> rows) {
     Json list = Json::array();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
+#include <rakelight/tools/stages.h>
+
 #include <filesystem>
 #include <new>
 #include <utility>
@@ -8,15 +9,13 @@
 
 #include <programs/tools/text_file.h>
 #include <rakelight/base/report.h>
-#include <rakelight/tools/rows.h>
-#include <rakelight/tools/stages.h>
 
 #include "scene/charge_arrays.h"
 #include "scene/placement.h"
 #include "tools/open_engine.h"
 #include "tools/report_json.h"
-#include "tools/stages/displacement_stage.h"
 #include "tools/stages/folder.h"
+#include "tools/stages/page.h"
 #include "tools/stages/stage.h"
 
 namespace rakelight {
@@ -24,6 +23,16 @@ namespace {
 
 constexpr std::int64_t most_pixels = 1 << 24;
 constexpr std::size_t most_lights = 8;
+
+constexpr const stages::StageKind* all_stages[] = {
+    &stages::displacement_stage,    &stages::model_stage,       &stages::world_stage,         &stages::camera_stage,
+    &stages::frustum_stage,         &stages::central_stage,     &stages::depth_mapping_stage, &stages::clip_space_stage,
+    &stages::clipped_stage,         &stages::clip_planes_stage, &stages::wrap_stage,          &stages::device_stage,
+    &stages::screen_stage,          &stages::culling_stage,     &stages::coverage_stage,      &stages::depth_stage,
+    &stages::depth_precision_stage, &stages::visibility_stage,  &stages::normal_stage,        &stages::relief_stage,
+    &stages::shadow_stage,          &stages::frequency_stage,   &stages::lighting_stage,      &stages::blending_stage,
+    &stages::samples_stage,         &stages::tone_stage,        &stages::picture_stage,
+};
 
 void check_size(const RenderSettings& settings) {
     if (std::int64_t(settings.width) * settings.height > most_pixels)
@@ -41,16 +50,10 @@ std::vector<stages::Stage> make_stages(PictureRequest request, Context& context)
     const raster::Inspection::Geometry open(*engine, {}, true, context), drawn(*engine, {}, false, context);
     const raster::PixelStageData pixels = raster::inspect_pixels(*engine, open, drawn, most_lights, context);
     context.progress("stages", 0.5);
-    const stages::Sources sources{*engine, open, drawn, pixels, request.tone};
+    const stages::Sources sources{loaded, request, context, *engine, open, drawn, pixels};
     std::vector<stages::Stage> all;
-    if (stages::has_displacement(sources, request))
-        all.push_back(stages::displacement_stage(sources, loaded, request, context));
-    for (const auto part : {stages::space_stages, stages::projection_stages, stages::clip_stages, stages::screen_stages,
-                            stages::pixel_stages})
-        for (stages::Stage& stage : part(sources)) all.push_back(std::move(stage));
-    const auto lighting =
-        std::find_if(all.begin(), all.end(), [](const stages::Stage& stage) { return stage.id == "lighting"; });
-    all.insert(lighting, stages::frequency_stage(sources, context));
+    for (const stages::StageKind* kind : all_stages)
+        if (!kind->is_there || kind->is_there(sources)) all.push_back(kind->make(sources));
     return all;
 }
 

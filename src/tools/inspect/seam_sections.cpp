@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seams and faults of an inspection for people.
-#include "tools/inspect/inspect_sections.h"
+#include "tools/inspect/seam_sections.h"
 
 #include <algorithm>
 #include <numeric>
 
 #include "base/format_text.h"
+#include "tools/inspect/largest_seam.h"
 #include "tools/object_name.h"
 
 namespace rakelight {
@@ -42,6 +42,10 @@ std::string crease_text(const Inspection& i) {
     if (s.creases_are_automatic) return "with automatic creases";
     return "at " + number(s.crease_angle_deg) +
            (s.crease_angle_max_deg > s.crease_angle_deg ? " to " + number(s.crease_angle_max_deg) : "") + " degrees";
+}
+
+std::string angles_text(const CurveAngles& a) {
+    return "max " + degrees_text(a.max_deg) + ", mean " + degrees_text(a.mean_deg) + ", 95% " + degrees_text(a.p95_deg);
 }
 
 }  // namespace
@@ -170,6 +174,53 @@ Section borders_section(const Inspection& i) {
                 count_or_dash(b.inconsistent_edges)};
         },
         i.borders_left_out);
+}
+
+std::string proposal_text(const Inspection& i) {
+    const BorderProposal& p = i.proposal;
+    if (!(p.distance > 0)) return {};
+    return "open borders of different meshes run along each other (" + number(p.matched_length, "%.3g") + " of " +
+           number(p.open_length, "%.3g") + " " + i.unit + ", gaps up to " + number(p.gap_max, "%.3g") + ", seams to " +
+           degrees_text(p.seam_deg) + " degrees): 'border-distance' " + number(p.distance) + " measures and joins them";
+}
+
+std::vector<std::string> matched_lines(const Inspection& i) {
+    const MatchedSeams& m = i.matched;
+    if (const std::string text = proposal_text(i); !text.empty()) return {text};
+    if (!(m.distance > 0)) return {};
+    std::vector<std::string> lines = {"open borders " + number(m.open_length, "%.4g") + " " + i.unit + ": " +
+                                      number(m.matched_length, "%.4g") + " run along another within " +
+                                      number(m.distance) + ", " + number(m.unmatched_length(), "%.4g") + " do not"};
+    if (!m.pairs.empty()) {
+        const MatchedPair& worst = m.pairs.front();
+        lines[0] += "; gap max " + number(m.gap_max, "%.3g") + ", mean " + number(m.gap_mean, "%.3g");
+        lines.push_back("seam along them " + angles_text(m.before) + " degrees; smoothed and joined " +
+                        angles_text(m.after) + "; largest " + between_text(i, worst.object_a, worst.object_b) + " at " +
+                        position_text(worst.seam_position));
+        if (!(m.seam_deg > continuous_deg) && m.before.max_deg > continuous_deg)
+            lines.push_back(
+                "no seam: the angles are less than a quarter of the angle between normals along the edges there");
+    }
+    if (m.edges_not_searched > 0)
+        lines.push_back(counted(m.edges_not_searched, "open edge") +
+                        " not fully searched: too many borders are too close together");
+    return lines;
+}
+
+Section matched_section(const Inspection& i) {
+    return section(
+        matched_title,
+        {"object", "object", ">length", ">gap max", ">mean", ">seam max", ">mean", ">95%", ">joined max", ">mean",
+         ">95%", "largest at"},
+        i.matched.pairs,
+        [&](const MatchedPair& p, std::size_t) {
+            return std::vector<std::string>{
+                name_or_number(i, p.object_a),   name_or_number(i, p.object_b),  number(p.length, "%.4g"),
+                number(p.gap_max, "%.3g"),       number(p.gap_mean, "%.3g"),     degrees_text(p.before.max_deg),
+                degrees_text(p.before.mean_deg), degrees_text(p.before.p95_deg), degrees_text(p.after.max_deg),
+                degrees_text(p.after.mean_deg),  degrees_text(p.after.p95_deg),  position_text(p.seam_position)};
+        },
+        i.matched.pairs_left_out);
 }
 
 }  // namespace rakelight

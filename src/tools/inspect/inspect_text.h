@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sections of an inspection for people.
+// An inspection for people: lines, then sections with a table each.
 #pragma once
 #include <cstdio>
 #include <string>
@@ -46,24 +46,7 @@ Section section(const char* title, std::vector<std::string> head, const List& li
 
 /// The lines above all tables: "3 objects, ...", bounds, "300 positions shared by meshes, ..."; without line ends.
 std::vector<std::string> summary_lines(const Inspection& inspection);
-/// One line on automatic creases, or none.
-std::vector<std::string> crease_lines(const Inspection& inspection);
-/// What decides normals.
-std::vector<std::string> choice_lines(const Inspection& inspection);
-std::vector<std::string> seams_lines(const Inspection& inspection);
 /// All tables, those that are empty left out.
 std::vector<Section> sections_of(const Inspection& inspection);
-/// "closed body of 960 triangles: 'shell' and 13 more objects"
-std::string inside_out_text(const Inspection& inspection, const InsideOutBody& body);
-/// Edges, faces and normals of each object, worst first.
-Section surfaces_section(const Inspection& inspection);
-Section t_junctions_section(const Inspection& inspection);
-Section inside_out_section(const Inspection& inspection);
-/// Pairs of objects, worst first.
-Section borders_section(const Inspection& inspection);
-/// Borders that run along each other: the matched ones and their seams; or, if not requested, that there are some.
-std::vector<std::string> matched_lines(const Inspection& inspection);
-inline constexpr const char* matched_title = "borders that run along each other (degrees)";
-Section matched_section(const Inspection& inspection);
 
 }  // namespace rakelight
