@@ -2,7 +2,7 @@
 #
 #   rl_add_module(NAME geometry
 #     SOURCES weld.cpp ...          relative to the module's folder
-#     ISA_SOURCES kernel.cpp ...    compiled once per instruction set (design: section "The same bits everywhere")
+#     ISA_SOURCES kernel.cpp ...    compiled once per instruction set (docs/untrusted-files.md: the same bits)
 #     DEPENDS math base             modules below it
 #     EXTERNAL TBB::tbb             libraries of this module alone, never in include/
 #     TESTS weld_test.cpp ...)      in tests/unit/<name>/

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <numeric>
 
+#include <programs/base/text.h>
+
 #include "base/format_text.h"
 #include "io/cloud_material.h"
 #include "io/files/plain_text.h"
@@ -160,8 +162,8 @@ Scene read_xyz_text(std::string_view bytes, const std::string& path, Context& co
     if (s.points >= no_index) throw Error(ErrorCode::bad_file, "more than 4294967294 points are not supported");
     if (s.longer > 0)
         context.report().add(Remark::dropped, path, "",
-                             format_text("{}{} more than {} numbers; further ones are left out", s.longer,
-                                         s.longer == 1 ? " line holds" : " lines hold", s.columns));
+                             format_text("{} more than {} numbers; further ones are left out",
+                                         counted(s.longer, "line holds", "lines hold"), s.columns));
     VertexTable table(s.points, context);
     fill(text, s, table, context);
     Scene scene;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <programs/base/text.h>
 #include <rakelight/base/report.h>
 
 #include "io/position_origin.h"
@@ -34,8 +35,8 @@ constexpr KnownName known_names[] = {
     {"texture_t", Role::texcoord, 1},
 };
 
-const KnownName* find_name(std::string name) {
-    for (char& c : name) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+const KnownName* find_name(const std::string& written) {
+    const std::string name = lower_case(written);
     for (const KnownName& known : known_names)
         if (known.name == name) return &known;
     return nullptr;

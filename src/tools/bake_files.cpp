@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <programs/base/text.h>
 #include <rakelight/base/report.h>
 #include <rakelight/tools/bake_files.h>
 
@@ -137,8 +138,8 @@ BakeFilesResult bake_files(const BakeRequest& request, Context& context) {
 std::string summary(const BakeFilesResult& result) {
     const BakeReport& r = result.report;
     char text[320];
-    std::snprintf(text, sizeof text, "%zu map%s of %d x %d pixels, %llu texels in %u charts; cage at %.4g m%s",
-                  result.files.size(), result.files.size() == 1 ? "" : "s", result.width, result.height,
+    std::snprintf(text, sizeof text, "%s of %d x %d pixels, %llu texels in %u charts; cage at %.4g m%s",
+                  counted(result.files.size(), "map").c_str(), result.width, result.height,
                   static_cast<unsigned long long>(r.texels), r.charts, r.distance, r.is_proposed ? " (proposed)" : "");
     std::string line = one_line(result.low, 80) + ": " + text;
     for (const BakedFile& file : result.files)

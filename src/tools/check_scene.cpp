@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
+#include <programs/base/text.h>
 #include <rakelight/io/world.h>
 #include <rakelight/scene/validate.h>
 #include <rakelight/scene/words.h>
@@ -40,8 +41,6 @@ std::vector<std::string> quoted(const std::vector<std::string>& names) {
     for (const std::string& name : names) result.push_back(quoted(name));
     return result;
 }
-
-std::string counted(std::uint64_t n, const char* what) { return format_text("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <programs/base/file_ending.h>
+#include <programs/base/text.h>
 #include <programs/tools/radiosity_file.h>
 
 #include <cstdio>
@@ -82,8 +83,8 @@ std::string summary(const RadiosityFile& result) {
                   r.seconds);
     std::string line = result.output + text;
     if (!result.lightmap) return line;
-    std::snprintf(text, sizeof text, "; lightmap of %u chart%s, %.4g pixels a meter", result.lightmap->charts,
-                  result.lightmap->charts == 1 ? "" : "s", result.lightmap->texels_per_meter);
+    std::snprintf(text, sizeof text, "; lightmap of %s, %.4g pixels a meter",
+                  counted(result.lightmap->charts, "chart").c_str(), result.lightmap->texels_per_meter);
     return line + text;
 }
 

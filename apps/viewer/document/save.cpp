@@ -6,6 +6,7 @@
 #include <set>
 
 #include <programs/base/file_ending.h>
+#include <programs/base/text.h>
 
 #include "../motion/recorded_keys.h"
 #include "material_sections.h"
@@ -209,10 +210,9 @@ std::string not_saved(const Look& look) {
         off = std::ranges::count(*look.lights, false, &LightItem::is_on);
         following = std::ranges::count(*look.lights, true, &LightItem::follows_camera);
     }
-    if (off > 0) add(std::to_string(off) + (off == 1 ? " light that is off" : " lights that are off"));
+    if (off > 0) add(counted(std::uint64_t(off), "light that is off", "lights that are off"));
     if (following > 0)
-        add("that " + std::to_string(following) + (following == 1 ? " light follows" : " lights follow") +
-            " the camera");
+        add("that " + counted(std::uint64_t(following), "light follows", "lights follow") + " the camera");
     if (look.channel) add("the data channel shown");
     return text;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include <programs/base/text.h>
 #include <rakelight/render/picture.h>
 
 #include "../document/display_path.h"
@@ -61,18 +62,19 @@ void draw_mouse_help(bool is_blender, float scale) {
     ImGui::TextUnformatted("drop: model (Ctrl: add), .hdr: environment,\npicture on an object: its texture");
 }
 
-std::string counted(int samples) { return std::to_string(samples) + (samples == 1 ? " sample" : " samples"); }
+std::string count_of_samples(int samples) { return counted(std::uint64_t(samples), "sample"); }
 
 /// How far it has come.
 std::string refinement_text(const Painting& painting) {
     if (!painting.is_whole) return "  (coarse)";
     const RayStats& rays = painting.stats.rays;
     const int wanted = painting.request.settings.samples;
-    if (!painting.is_final) return "  (" + std::to_string(std::max(rays.samples, 1)) + " of " + counted(wanted) + ")";
+    if (!painting.is_final)
+        return "  (" + std::to_string(std::max(rays.samples, 1)) + " of " + count_of_samples(wanted) + ")";
     if (rays.passes == 0) return "";
     char noise[40] = "";
     if (rays.noise > 0) std::snprintf(noise, sizeof noise, ", error %.2g %%", 100 * rays.noise);
-    return "  (" + counted(rays.samples) + noise + ")";
+    return "  (" + count_of_samples(rays.samples) + noise + ")";
 }
 
 std::string time_text(const Painting& painting) {

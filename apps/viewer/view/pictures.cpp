@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <programs/base/text.h>
+
 #include "../document/commands.h"
 #include "../document/feedback.h"
 #include "../document/materials.h"
@@ -17,8 +19,7 @@ std::string count_of_remarks(const Model& model) {
     std::size_t count = 0;
     for (const ReportEntry& entry : model.remarks) count += entry.remark != Remark::note;
     if (count == 0) return {};
-    return std::to_string(count) + (count == 1 ? " remark" : " remarks") +
-           " about the file: see the panel Statistics (F8)";
+    return counted(count, "remark") + " about the file: see the panel Statistics (F8)";
 }
 
 double seconds(Pictures::Clock::duration d) { return std::chrono::duration<double>(d).count(); }

@@ -13,6 +13,8 @@
 #include <system_error>
 #include <utility>
 
+#include <programs/base/text.h>
+
 #include "io/files/descriptor.h"
 
 namespace rakelight::io {
@@ -73,9 +75,8 @@ void read_all(const std::string& path, int fd, std::vector<std::byte>& bytes) {
 bool has_scheme(const std::string& reference) {
     const std::size_t colon = reference.find(':');
     if (colon == std::string::npos || colon == 0 || !is_ascii_letter(reference[0])) return false;
-    std::string scheme = reference.substr(0, colon);
-    for (char& c : scheme) {
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    const std::string scheme = lower_case(reference.substr(0, colon));
+    for (const char c : scheme) {
         if (!is_ascii_letter(c) && !(c >= '0' && c <= '9') && c != '+' && c != '-' && c != '.') return false;
     }
     static constexpr std::array known{"http", "https", "ftp", "ftps", "file", "data"};

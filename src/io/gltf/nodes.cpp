@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <programs/base/text.h>
+
 #include "base/format_text.h"
 #include "io/gltf/transform.h"
 #include "scene/charge_arrays.h"
@@ -81,8 +83,8 @@ void Nodes::say_what_other_scenes_show() const {
     }
     if (unplaced > 0)
         document().remark(Remark::dropped, {},
-                          format_text("only the default scene is read: {} node{} with a mesh {} in other scenes alone",
-                                      unplaced, unplaced == 1 ? "" : "s", unplaced == 1 ? "is" : "are"));
+                          format_text("only the default scene is read: {} with a mesh {} in other scenes alone",
+                                      counted(unplaced, "node"), unplaced == 1 ? "is" : "are"));
 }
 
 void Nodes::place(const Waiting& waiting, std::vector<Waiting>& stack) {

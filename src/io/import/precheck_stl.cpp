@@ -4,6 +4,8 @@
 #include <cstring>
 #include <string_view>
 
+#include <programs/base/text.h>
+
 #include "base/format_text.h"
 #include "io/import/precheck.h"
 
@@ -25,8 +27,7 @@ std::uint64_t count_of(std::string_view text, std::string_view word) {
 
 void check_ascii_stl(const Suspect& s) {
     const std::string_view text = text_of(s);
-    std::string lower(text);  // some writers use capitals
-    for (char& c : lower) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    const std::string lower = lower_case(text);  // some writers use capitals
     const std::uint64_t vertices = count_of(lower, "vertex"), loops = count_of(lower, "outer");
     if (loops == 0) throw Error(ErrorCode::bad_file, "nothing to draw: the file holds no facet");
     if (vertices != loops * 3)

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <programs/base/text.h>
+
 #include "base/format_text.h"
 #include "io/files/file.h"
 #include "io/pictures/image_io.h"
@@ -17,11 +19,6 @@ using import_stream::TextureLink;
 using import_stream::WrapMode;
 
 constexpr std::size_t most_entries = 20000;  // of a folder that is searched
-
-std::string lower(std::string text) {
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-    return text;
-}
 
 std::string bare_name(const std::string& reference) {
     const std::size_t slash = reference.find_last_of("/\\");
@@ -47,14 +44,14 @@ std::optional<std::string> in_any_case(const std::string& model, const std::stri
     for (fs::directory_iterator it(folder, problem), end; !problem && it != end && seen < most_entries;
          it.increment(problem), ++seen) {
         std::string entry = it->path().filename().string();
-        if (lower(entry) == lower(name)) found.push_back(std::move(entry));
+        if (lower_case(entry) == lower_case(name)) found.push_back(std::move(entry));
     }
     if (found.empty()) return std::nullopt;
     return *std::min_element(found.begin(), found.end());
 }
 
 std::string mime_of(const Picture& p) {
-    const std::string hint = lower(p.hint);
+    const std::string hint = lower_case(p.hint);
     if (hint == "png") return "image/png";
     if (hint == "jpg" || hint == "jpeg") return "image/jpeg";
     if (hint == "webp") return "image/webp";

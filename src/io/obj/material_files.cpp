@@ -5,6 +5,8 @@
 #include <array>
 #include <set>
 
+#include <programs/base/text.h>
+
 #include "io/files/file.h"
 #include "io/obj/mtl_file.h"
 #include "io/obj/obj_lines.h"
@@ -61,7 +63,7 @@ private:
         Remarks quiet(found.path);  // made when the model was read
         LineReader lines(text);
         for (Line line; lines.next(line);) {
-            if (!names_a_picture(ascii_lower(line.keyword.text))) continue;
+            if (!names_a_picture(lower_case(line.keyword.text))) continue;
             const auto map = parse_map(text, line.keyword.end(), line.end, line.number, quiet);
             if (!map) continue;
             if (const auto picture = finder_.find(map->file, folder)) add(*picture);

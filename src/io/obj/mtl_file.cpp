@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <programs/base/text.h>
+
 #include "io/obj/obj_lines.h"
 #include "io/obj/obj_numbers.h"
 
@@ -51,7 +53,7 @@ public:
 
 private:
     void statement(const Line& line, Tokens words) {
-        const std::string key = canonical(ascii_lower(line.keyword.text));
+        const std::string key = canonical(lower_case(line.keyword.text));
         line_ = line.number;
         if (key == "newmtl") {
             context_.memory().check((materials_.size() + 1) * sizeof(MtlMaterial), "the materials of an MTL file");

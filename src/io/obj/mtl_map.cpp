@@ -4,6 +4,8 @@
 #include <cmath>
 #include <initializer_list>
 
+#include <programs/base/text.h>
+
 #include "io/obj/obj_lines.h"
 #include "io/obj/obj_numbers.h"
 
@@ -53,7 +55,7 @@ private:
 
     /// @return false when the word is no option (a file name that begins with '-')
     bool option(const Token& word) {
-        const std::string name = ascii_lower(word.text);
+        const std::string name = lower_case(word.text);
         const std::size_t before = at_;
         at_ = word.end();
         if (name == "-bm")
@@ -133,7 +135,7 @@ private:
 
     bool is_on() {
         Token value;
-        return take(value) && ascii_lower(value.text) == "on";
+        return take(value) && lower_case(value.text) == "on";
     }
 
     void trailing_multiplier() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/obj/mtl_materials.h"
 
+#include <programs/base/text.h>
 #include <rakelight/base/report.h>
 
 #include <algorithm>
@@ -57,7 +58,7 @@ bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
 }  // namespace
 
 bool is_normal_map_name(const std::string& file) {
-    std::string stem = ascii_lower(ReferenceFinder::bare_name(file));
+    std::string stem = lower_case(ReferenceFinder::bare_name(file));
     if (const std::size_t dot = stem.rfind('.'); dot != std::string::npos && dot > 0) stem.resize(dot);
     if (stem.find("normal") != std::string::npos || stem.find("nrm") != std::string::npos) return true;
     for (std::size_t i = 0; i < stem.size();) {

@@ -128,11 +128,4 @@ std::string name_text(std::string_view file, std::size_t begin, std::size_t end)
     return name;
 }
 
-std::string ascii_lower(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    return lower;
-}
-
 }  // namespace rakelight::io::obj

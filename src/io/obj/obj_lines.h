@@ -90,7 +90,4 @@ private:
 /// each, inner blanks kept ("Material name with many, many spaces", "texture 01.png").
 std::string name_text(std::string_view file, std::size_t begin, std::size_t end);
 
-/// Lower case of ASCII letters; other bytes stay.
-std::string ascii_lower(std::string_view text);
-
 }  // namespace rakelight::io::obj

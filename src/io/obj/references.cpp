@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include <programs/base/text.h>
 #include <rakelight/base/error.h>
 
 #include "io/files/file.h"
@@ -51,7 +52,7 @@ const std::map<std::string, std::string>& ReferenceFinder::listing(const std::st
          i.increment(error)) {
         const std::string name = i->path().filename().string();
         // Of names that differ in case only the first in byte order counts, on every file system.
-        const auto [known, is_first] = entry->second.try_emplace(ascii_lower(name), name);
+        const auto [known, is_first] = entry->second.try_emplace(lower_case(name), name);
         if (!is_first && name < known->second) known->second = name;
     }
     return entry->second;
@@ -63,7 +64,7 @@ std::optional<std::string> ReferenceFinder::other_case(const std::string& refere
         const std::string name = part.string();
         if (name == ".." || name.empty() || part.is_absolute()) return std::nullopt;
         const auto& names = listing(folder);
-        const auto known = names.find(ascii_lower(name));
+        const auto known = names.find(lower_case(name));
         if (known == names.end()) return std::nullopt;
         folder += (folder.empty() ? "" : "/") + known->second;
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <programs/base/text.h>
+
 #include "base/format_text.h"
 #include "io/files/file.h"
 #include "io/world/material_keys.h"
@@ -87,8 +89,7 @@ bool is_world_file(std::string_view path) {
     constexpr std::string_view ending = ".scene.toml";
     if (path.size() <= ending.size()) return false;
     path.remove_prefix(path.size() - ending.size());
-    return std::equal(path.begin(), path.end(), ending.begin(),
-                      [](char a, char b) { return (a >= 'A' && a <= 'Z' ? char(a - 'A' + 'a') : a) == b; });
+    return lower_case(path) == ending;
 }
 
 WorldFile parse_world(std::string_view text) {

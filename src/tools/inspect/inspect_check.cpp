@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <programs/base/text.h>
 #include <rakelight/tools/inspect_check.h>
 
 #include <cstdio>
@@ -28,7 +29,7 @@ std::string text_of(dvec3 p) { return text_of(p.x) + " " + text_of(p.y) + " " + 
 /// "; so have 3 more PAIRS" or nothing.
 std::string more(std::uint64_t count, const char* thing) {
     if (count == 0) return {};
-    return format_text("; {} more {}{}", count, thing, count == 1 ? "" : "s");
+    return "; " + counted(count, std::string("more ") + thing);
 }
 
 std::string seam_failure(const Inspection& i, double limit_deg) {
@@ -58,7 +59,7 @@ std::string count_failure(const Inspection& i, std::initializer_list<Count> coun
         if (sum > most) most = sum, worst = o;
     }
     if (most == 0) return {};
-    return format_text("{} {}{} in {}{}", most, thing, most == 1 ? "" : "s", quoted_name(i, std::uint32_t(worst)),
+    return format_text("{} in {}{}", counted(most, thing), quoted_name(i, std::uint32_t(worst)),
                        more(others - 1, "object"));
 }
 
@@ -91,7 +92,7 @@ std::string inside_out_failure(const Inspection& i) {
     if (i.inside_out.empty()) return {};
     const std::size_t others = i.inside_out.size() - 1;
     return inside_out_text(i, i.inside_out.front()) +
-           (others == 0 ? "" : format_text("; {} more {}", others, others == 1 ? "body" : "bodies"));
+           (others == 0 ? "" : "; " + counted(others, "more body", "more bodies"));
 }
 
 std::string winding_failure(const Inspection& i) {

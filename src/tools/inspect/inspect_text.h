@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <programs/base/text.h>
 #include <rakelight/tools/inspect.h>
 
 #include "tools/text_table.h"
@@ -17,10 +18,6 @@ inline std::string number(double value, const char* format = "%.6g") {
     char text[40];
     std::snprintf(text, sizeof text, format, value);
     return text;
-}
-
-inline std::string counted(std::uint64_t count, const char* thing) {
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
 inline std::string position_text(dvec3 p) { return number(p.x) + " " + number(p.y) + " " + number(p.z); }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <programs/base/text.h>
 #include <rakelight/tools/convert_file.h>
 
 #include <nlohmann/json.hpp>
@@ -71,7 +72,7 @@ ConvertedFile convert_file(const std::string& input, const std::string& output, 
 
 std::string summary(const ConvertedFile& result) {
     if (result.is_copy) return result.output + ": the same format, copied";
-    return format_text("{}: {} mesh{} written", result.output, result.meshes, result.meshes == 1 ? "" : "es");
+    return result.output + ": " + counted(result.meshes, "mesh", "meshes") + " written";
 }
 
 std::string to_json(std::span<const ConvertedFileRow> rows) {

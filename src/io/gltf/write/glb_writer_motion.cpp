@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <programs/base/text.h>
 #include <rakelight/base/error.h>
 
 #include "base/format_text.h"
@@ -197,9 +198,9 @@ bool MotionWriter::animations(const std::vector<std::size_t>& mesh_node, Pointer
     }
     if (left_out > 0)
         context_.report().add(Remark::dropped, scene_.source, {},
-                              format_text("{}{} nothing that glTF can store", left_out,
-                                          left_out == 1 ? " animation channel was left out: it animates"
-                                                        : " animation channels were left out: they animate"));
+                              counted(left_out, "animation channel was left out: it animates",
+                                      "animation channels were left out: they animate") +
+                                  " nothing that glTF can store");
     return uses_pointers;
 }
 
