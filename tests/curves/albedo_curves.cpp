@@ -14,7 +14,7 @@
 #include "albedo_reads.h"
 #include "furnace.h"
 #include "io/pictures/image_io.h"
-#include "tools/stages/label.h"
+#include "tools/stages/canvas.h"
 
 using namespace rakelight;
 using namespace rakelight::lighting_test;
@@ -90,7 +90,7 @@ void draw_plot(Canvas& canvas, int left, const std::vector<Curve>& curves, int l
     const auto text_at = [&](double x, double y, const char* format, double value) {
         char text[16];
         const int size = std::snprintf(text, sizeof text, format, value);
-        label(canvas, int(x) - label_advance * size / 2, int(y), {text, std::size_t(size)}, words);
+        canvas.write(int(x), int(y), {text, std::size_t(size)}, words, Align::center);
     };
     for (int degrees_in = 0; degrees_in <= 90; degrees_in += 15) {
         canvas.line({x_of(degrees_in), top}, {x_of(degrees_in), bottom}, grid);
@@ -99,7 +99,7 @@ void draw_plot(Canvas& canvas, int left, const std::vector<Curve>& curves, int l
     for (int i = 0; i <= 7; ++i) {
         canvas.line({double(left), y_of(0.2 * i)}, {double(left + plot_width), y_of(0.2 * i)},
                     i == 5 ? unit_line : grid);
-        text_at(left - 22, y_of(0.2 * i) - label_height / 2, "%.1f", 0.2 * i);
+        text_at(left - 24, y_of(0.2 * i) - letter_height / 2, "%.1f", 0.2 * i);
     }
     for (const Curve& curve : curves) {
         dvec2 last;
@@ -112,8 +112,8 @@ void draw_plot(Canvas& canvas, int left, const std::vector<Curve>& curves, int l
             last = p;
             if (share > highest) break;
         }
-        label(canvas, legend_x, legend_y, curve.name, curve.color);
-        legend_y += label_height + 6;
+        canvas.write(legend_x, legend_y, curve.name, curve.color);
+        legend_y += letter_height + 2;
     }
 }
 
@@ -187,7 +187,7 @@ int main(int argc, char** argv) try {
     }
     Canvas canvas(width, height, ground);
     draw_plot(canvas, 48, ward_curves(), 60, 220);
-    draw_plot(canvas, 448, other_curves(), 460, 157);
+    draw_plot(canvas, 448, other_curves(), 460, 18);
     rakelight::io::write_image(argv[1], canvas.pixels());
     print_numbers(ward_curves());
     print_numbers(other_curves());

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "image/draw_text.h"
+
 namespace rakelight::stages {
 namespace {
 
@@ -83,6 +85,12 @@ void Canvas::fill(dvec2 a, dvec2 b, dvec2 c, Code color) {
         right = std::min(right, double(pixels_.width));
         for (int x = int(std::ceil(left - 0.5)); x + 0.5 < right; ++x) set(x, y, color);
     }
+}
+
+void Canvas::write(int x, int y, std::string_view text, Code color, Align align) {
+    const int width = text_width(text, letter_dot);
+    const int left = align == Align::left ? x : align == Align::center ? x - width / 2 : x - width;
+    draw_text(pixels_, left, y, text, {.color = color, .scale = letter_dot});
 }
 
 LineCounts::LineCounts(int width, int height)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture to draw lines into, and colors for numbers.
+// A picture to draw lines and words into, and colors for numbers.
 #pragma once
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include <rakelight/image/image.h>
@@ -12,6 +13,11 @@
 namespace rakelight::stages {
 
 using rakelight::Code;
+
+inline constexpr int letter_dot = 2, letter_height = 7 * letter_dot;  ///< [px] a dot of a letter; a capital or digit
+
+/// Which end of a text a place is.
+enum class Align : std::uint8_t { left, center, right };
 
 class Canvas {
 public:
@@ -25,6 +31,8 @@ public:
     void line(dvec2 a, dvec2 b, Code color);
     /// [px] the pixels whose centers lie in the triangle, either way round; nothing where a corner is not finite.
     void fill(dvec2 a, dvec2 b, dvec2 c, Code color);
+    /// [px] `y` is the top of capitals.
+    void write(int x, int y, std::string_view text, Code color, Align align = Align::left);
     const Pixels& pixels() const { return pixels_; }
 
 private:

@@ -6,7 +6,6 @@
 
 #include "engines/raster/visibility/depth_formats.h"
 #include "math/functions.h"
-#include "tools/stages/label.h"
 #include "tools/stages/plot.h"
 
 namespace rakelight::stages {
@@ -31,8 +30,11 @@ constexpr double ln_10 = 2.302585092994046;
 double log10_of(double v) { return math::log(v) / ln_10; }
 double power_of_ten(double e) { return math::exp(e * ln_10); }
 
-/// [m] short enough for an axis.
-std::string meters(double v) { return digits(v >= 100 ? std::floor(v + 0.5) : v, 4); }
+/// [m] short enough for an axis: "1.234e+04" would touch its neighbors.
+std::string meters(double v) {
+    const std::string text = digits(v >= 100 ? std::floor(v + 0.5) : v, 4);
+    return text.size() > 8 ? digits(v, 3) : text;
+}
 
 double x_of(double part) { return left + part * (right - left); }
 double y_of(double part) { return bottom - part * (bottom - top); }
@@ -46,11 +48,11 @@ Canvas framed() {
 
 void label_x(Canvas& canvas, double part, const std::string& text) {
     canvas.line({x_of(part), top}, {x_of(part), bottom}, grid);
-    label(canvas, int(x_of(part)) - label_advance * int(text.size()) / 2, bottom + 8, text, words);
+    canvas.write(int(x_of(part)), bottom + 8, text, words, Align::center);
 }
 void label_y(Canvas& canvas, double part, const std::string& text) {
     canvas.line({left, y_of(part)}, {right, y_of(part)}, grid);
-    label(canvas, left - 8 - label_advance * int(text.size()), int(y_of(part)) - label_height / 2, text, words);
+    canvas.write(left - 6, int(y_of(part)) - letter_height / 2, text, words, Align::right);
 }
 
 /// The camera's; a far plane without end is shown to ten thousand times near.
@@ -81,7 +83,7 @@ Picture curve_picture(const DepthRange& r) {
     const double depth = raster::standard_depth(r.z_near + 0.02 * (r.z_far - r.z_near), r);
     canvas.line({x_of(0.02), bottom}, {x_of(0.02), y_of(depth)}, frame);
     canvas.line({x_of(0), y_of(depth)}, {x_of(0.02), y_of(depth)}, frame);
-    label(canvas, int(x_of(0.02)) + 12, int(y_of(depth)) + 12, "2%   " + digits(100 * depth, 3) + "%", frame);
+    canvas.write(int(x_of(0.02)) + 12, int(y_of(depth)) + 12, "2%   " + digits(100 * depth, 3) + "%", frame);
     return {"depth-curve",
             "The depth that is stored, 0 to 1, over the distance [m]. Orange: the first 2 % of the range.",
             std::move(canvas)};
@@ -109,8 +111,8 @@ Picture step_picture(const DepthRange& r) {
     }
     int y = top + 8;
     for (const Format& f : formats) {
-        label(canvas, left + 12, y, f.name, f.color);
-        y += label_height + 6;
+        canvas.write(left + 12, y, f.name, f.color);
+        y += letter_height + 6;
     }
     return {"depth-steps",
             "The size of one step of the stored number [m] over the distance [m], both by powers of ten: z16, z24, "

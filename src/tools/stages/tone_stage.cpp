@@ -6,7 +6,6 @@
 #include <rakelight/scene/words.h>
 
 #include "math/functions.h"
-#include "tools/stages/label.h"
 #include "tools/stages/paint.h"
 
 namespace rakelight::stages {
@@ -42,12 +41,12 @@ Picture curve_picture(const Sources& of) {
     for (int ev = int(low_ev); ev <= int(high_ev); ev += 2) {
         const std::string text = (ev > 0 ? "+" : "") + std::to_string(ev);
         canvas.line({x_of(ev), top}, {x_of(ev), bottom}, grid);
-        label(canvas, int(x_of(ev)) - label_advance * int(text.size()) / 2, bottom + 8, text, words);
+        canvas.write(int(x_of(ev)), bottom + 8, text, words, Align::center);
     }
     for (const int code : {0, 64, 128, 192, 255}) {
         const std::string text = std::to_string(code);
         canvas.line({left, y_of(code)}, {right, y_of(code)}, grid);
-        label(canvas, left - 8 - label_advance * int(text.size()), int(y_of(code)) - label_height / 2, text, words);
+        canvas.write(left - 6, int(y_of(code)) - letter_height / 2, text, words, Align::right);
     }
     draw_curve(canvas, ToneCurve(), plain_color);
     draw_curve(canvas, of.curve, curve_color);
