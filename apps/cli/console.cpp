@@ -56,8 +56,8 @@ std::string text_of(const ReportEntry& r) {
     return text;
 }
 
-/// Where not all are shown: what the world file or the command line asks for and does not get, then what was lost, then
-/// the rest, each in its order.
+/// The order if not all are shown: first what the world file or the command line asks for and does not get, then what
+/// was lost, then the rest. Each group keeps its order.
 void most_important_first(std::vector<ReportEntry>& remarks) {
     const auto rank = [](const ReportEntry& r) {
         const bool is_asked = is_world_file(r.file) || r.file.empty();

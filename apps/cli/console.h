@@ -16,13 +16,13 @@ namespace rakelight::cli {
 
 enum class Loudness { quiet, normal, verbose };
 
-/// What takes the text of a terminal's line away.
+/// Clears the current line of a terminal.
 inline constexpr const char* wipe_line = "\r\033[K";
 
 /// The text with the settings that it quotes, 'camera-index', as options: --camera-index.
 std::string with_options(std::string text, const std::vector<std::string>& settings);
 
-/// What an error says; settings are called by their options: "--crease-angle: ...".
+/// The text of an error. Settings are called by their options: "--crease-angle: ...".
 std::string text_of(const Error& error);
 
 /// The line of print_error(), with what wipes a progress line on a terminal: for who may not call print_error().

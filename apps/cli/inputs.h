@@ -9,7 +9,7 @@
 
 namespace rakelight::cli {
 
-/// Where a model lies.
+/// The folder of a model.
 struct InputFolder {
     /// {dir}: below the folder that was named, else as the file was written; "." where there is none.
     std::string as_written;

@@ -88,7 +88,7 @@ void walk(std::string_view pattern, const Text& text, const Part& part) {
     }
 }
 
-/// Of a template, in which single braces are placeholders.
+/// A text with its braces doubled, for a template, in which single braces are placeholders.
 std::string doubled_braces(std::string_view text) {
     std::string doubled;
     for (const char c : text) doubled.append(c == '{' || c == '}' ? 2 : 1, c);

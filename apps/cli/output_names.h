@@ -10,7 +10,7 @@ namespace rakelight::cli {
 
 struct Run;
 
-/// What a template is filled in with.
+/// The values that replace the placeholders of a template.
 struct OutputParts {
     std::string camera = "default";  ///< camera or side
     std::optional<int> frame =

@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 
 constexpr auto between_looks = 10ms;
 
-/// Of one thread; empty where the kernel does not tell.
+/// The child processes of one thread; empty if the kernel does not report them.
 std::vector<pid_t> children(pid_t thread) {
     std::ifstream list("/proc/self/task/" + std::to_string(thread) + "/children");
     std::vector<pid_t> out;
@@ -31,14 +31,14 @@ std::vector<pid_t> children(pid_t thread) {
 
 double seconds_of(timespec time) { return double(time.tv_sec) + double(time.tv_nsec) * 1e-9; }
 
-/// Of a process that runs; 0: there is none.
+/// The processor time of a running process; 0: there is none.
 double cpu_seconds_of(pid_t process) {
     clockid_t clock{};
     timespec time{};
     return clock_getcpuclockid(process, &clock) == 0 && clock_gettime(clock, &time) == 0 ? seconds_of(time) : 0;
 }
 
-/// Of the children that have ended.
+/// The processor time of the children that have ended.
 double ended_cpu_seconds() {
     rusage use{};
     getrusage(RUSAGE_CHILDREN, &use);

@@ -17,10 +17,10 @@ struct Limits {
     std::uint64_t bytes;  ///< of memory in use, with the programs that this one has started
 };
 
-/// While it lives, a thread looks every 10 ms at what this process takes. Past a limit, of processor time shortly before
-/// it, it removes unfinished outputs, says which limit it was in a line on standard error, and ends the process with
-/// exit code 1. Memory has a hard limit of the same size beside that, for what asks for much at once: then the program
-/// says that there is no memory, and the thread, where it gets none itself, that the limit is passed.
+/// While it lives, a thread looks every 10 ms at what this process takes. Past a limit, of processor time shortly
+/// before it, it removes unfinished outputs, says which limit it was in a line on standard error, and ends the process
+/// with exit code 1. Memory also has a hard limit of the same size, for large requests at once. Then the program says
+/// that there is no memory. The thread, if it gets none itself, says that the limit is passed.
 class ProcessLimits {
 public:
     /// @param file  for the line

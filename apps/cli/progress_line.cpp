@@ -40,7 +40,7 @@ std::string duration_text(double seconds) {
     return text;
 }
 
-/// What is left when a share of the work took so long; empty as long as little is known.
+/// The remaining time when a share of the work took so long; empty as long as little is known.
 std::string time_left(double elapsed_s, double share) {
     constexpr double least_known_s = 1, least_share = 0.01, least_said_s = 1;
     if (elapsed_s < least_known_s || share < least_share) return {};

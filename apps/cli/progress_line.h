@@ -13,15 +13,15 @@
 
 namespace rakelight::cli {
 
-/// What the progress lines of one run know of each other.
+/// The state that the progress lines of one run share.
 struct FileCount {
     std::size_t of = 1;     ///< files that there are to work on
     std::size_t begun = 0;  ///< with the one that is worked on
     double start_s = 0;     ///< when the first began; 0: none has
 };
 
-/// What a progress line says: which file of how many, the stage and how much of it is done, how long it takes already and is
-/// likely to take still.
+/// The content of a progress line: which file of how many, the stage and how much of it is done, the time so far and
+/// the likely remaining time.
 struct ProgressText {
     std::string file{}, stage{};
     double fraction = 0;                        ///< of the stage, 0..1; 0: not known

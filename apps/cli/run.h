@@ -43,7 +43,7 @@ struct Run {
 /// @throws Error usage, one line
 Run run_of(const Command& command, apps::CommandLine line);
 
-/// What is to be done with one input, or why nothing can be.
+/// The work to do for one input, or why nothing can be done.
 struct InputRequest {
     PictureRequest picture;
     std::optional<Error> error;

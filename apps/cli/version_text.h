@@ -4,7 +4,7 @@
 
 namespace rakelight::cli {
 
-/// What --version says. @throws Error usage when RAKELIGHT_ISA cannot be had
+/// The text of --version. @throws Error usage when RAKELIGHT_ISA cannot be had
 std::string version_text();
 
 }  // namespace rakelight::cli

@@ -12,7 +12,6 @@
 #include "view/drop.h"
 #include "view/pick.h"
 
-
 namespace rakelight::viewer {
 namespace {
 
@@ -136,7 +135,7 @@ void App::poll() {
     files_.reload_changed();
 }
 
-/// What has been loaded.
+/// Shows a model that has been loaded.
 void App::show(const ModelFiles::Arrival& arrival) {
     analysis_.forget_seams();
     pictures_.show(files_.model(), arrival.keeps_look);
@@ -230,7 +229,7 @@ void App::execute(Command command) {
     }
 }
 
-/// What follows from a change of the window's state.
+/// Adapts the window to a change of its state.
 void App::adapt_window(Command command) {
     window_->set_theme(ui_.is_dark);
     if (command == Command::walk) window_->catch_pointer(ui_.is_walking), navigation_.begin_walk();
@@ -289,7 +288,7 @@ std::vector<const Background*> App::works() const {
 
 bool App::has_background_work() const { return std::ranges::any_of(works(), &Background::is_running); }
 
-/// What runs, for people.
+/// The works that run, for people.
 std::vector<std::string> App::work_texts() const {
     std::vector<std::string> texts;
     for (const Background* work : works())

@@ -9,11 +9,14 @@
 // d_st  = ((c_s - c_t)^2 - (v_s + min(v_s, v_t))) / (k^2 (v_s + v_t)),   k = 0.6
 // F_pq  = the greatest distance of a feature (below)
 //
-// c is the illumination: color / max(albedo, 0.02), so that textures are not filtered and stay sharp. v is the variance
-// of c, averaged over 5 x 5 pixels by exp(-F), because variances of few samples are noisy. Differences from the paper:
-// one candidate instead of three; features with constant bandwidth and without prefiltering, |n_p - n_q| / 0.3 and |a_p
-// - a_q| / 0.5 (squared); instead of depth, the distance of q's position from the plane of p over the distance of q
-// from p, or the same with p and q exchanged if less, divided by 0.15 (squared).
+// The illumination c is color / max(albedo, 0.02), so that textures are not filtered and stay sharp. Its variance v is
+// averaged over 5 x 5 pixels by exp(-F), because variances of few samples are noisy.
+//
+// Differences from the paper:
+// - one candidate instead of three
+// - features with constant bandwidth and without prefiltering: |n_p - n_q| / 0.3 and |a_p - a_q| / 0.5 (squared)
+// - instead of depth, the distance of q's position from the plane of p over the distance of q from p, or the same with
+//   p and q exchanged if less, divided by 0.15 (squared)
 #pragma once
 #include <span>
 

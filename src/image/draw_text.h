@@ -32,9 +32,9 @@ int text_scale_for(int picture_height);
 /// Whether a dot of a character is set: column 0..4, row 0..7. Non-ASCII characters are question marks.
 bool is_dot(char character, int column, int row);
 
-/// Draws into a picture of any component and of 1 to 4 channels (gray takes the luminance of the color; alpha becomes
-/// opaque; floats get linear light). (x, y) [px] is the top left corner of the first line; clipped to the picture. Each
-/// UTF-8 character beyond ASCII becomes a question mark.
+/// Draws into a picture of any component and of 1 to 4 channels. Gray takes the luminance of the color, alpha becomes
+/// opaque, and floats get linear light. The top left corner of the first line is (x, y) [px]; text is clipped to the
+/// picture. Each UTF-8 character beyond ASCII becomes a question mark.
 void draw_text(Pixels& picture, int x, int y, std::string_view text, const TextStyle& style);
 
 /// Fills a rectangle, clipped to the picture, with a color.

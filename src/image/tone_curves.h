@@ -13,13 +13,14 @@ inline constexpr double max_exposure_ev = 32;
 
 /// Exposure and curve. Bit-identical on every machine: + - * / and tables computed with math/functions.h.
 ///
-/// none the light times 2^exposure; the encoder clamps values above 1 reinhard Reinhard et al. 2002, "Photographic Tone
-/// Reproduction for Digital Images", eq. 3: the luminance (Rec. 709
-///            weights) becomes L / (1 + L), hue and saturation stay; saturated colors may still pass 1 in a component
-/// neutral    Khronos PBR Neutral, specification of 2024: base colors under 0.8 stay as they are up to the Fresnel offset
-/// aces       Hill's fit of the ACES 1.0 reference and output transforms for sRGB displays (in Pettineo's "Baking Lab")
-/// agx        Sobotka's AgX, base look: inset matrix, log2 from 10 EV under to 6.5 EV over 0.18, sigmoid, outset matrix,
-/// then the display's power 2.2 taken off again, because what follows encodes as sRGB
+/// - none: the light times 2^exposure; the encoder clamps values above 1
+/// - reinhard: Reinhard et al. 2002, "Photographic Tone Reproduction for Digital Images", eq. 3. The luminance (Rec.
+///   709 weights) becomes L / (1 + L), hue and saturation stay; saturated colors may still pass 1 in a component
+/// - neutral: Khronos PBR Neutral, specification of 2024: base colors under 0.8 stay as they are up to the Fresnel
+///   offset
+/// - aces: Hill's fit of the ACES 1.0 reference and output transforms for sRGB displays (in Pettineo's "Baking Lab")
+/// - agx: Sobotka's AgX, base look: inset matrix, log2 from 10 EV under to 6.5 EV over 0.18, sigmoid, outset matrix.
+///   Then the display's power 2.2 is taken off again, because what follows encodes as sRGB
 ///
 /// Negative light and NaN count as 0; values are clamped to a million.
 class ToneCurve {

@@ -33,9 +33,12 @@ struct ColumnKind {
     ColorScale color = ColorScale::by_value;
 };
 
-/// Vertices while they are read. Names are those that writers of scans use: x y z; nx ny nz, normal_x ...; red green blue alpha,
-/// diffuse_red ..., r g b a, rgb and rgba (packed 0xaarrggbb, as PCL writes them), f_dc_0 ... (Gaussian splats); s t, u v,
-/// texture_u texture_v. Case does not matter. All others are arrays.
+/// Vertices while they are read. Names are those that writers of scans use; case does not matter, and all others are
+/// arrays:
+/// - x y z; nx ny nz, normal_x ...
+/// - red green blue alpha, diffuse_red ..., r g b a, rgb and rgba (packed 0xaarrggbb, as PCL writes them), f_dc_0 ...
+///   (Gaussian splats)
+/// - s t, u v, texture_u texture_v
 class VertexTable {
 public:
     VertexTable(std::uint64_t count, Context& context);

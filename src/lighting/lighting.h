@@ -17,10 +17,12 @@
 // beside it, as far as they are needed.
 //
 // A pixel: Surface s {n, v, k_a, k_d, k_s, exponent, lobe_scale}; Reflection r {RL_BLINN_PHONG, RL_TEXTBOOK, 1};
-//          vec3 sum = emission; for each light in the scene's order: sum = add_light(sum, s, sample_light(light, p),
-// r); n and v are unit vectors and point away from the surface. n is on the viewer's side: the caller flips it for
-// back faces of double-sided materials. position is in the space of the lights. Degenerate vectors give black or a
-// fallback, never NaN, as long as colors are finite. Model, form and light kind are uniform: one run of pixels of one
+//          vec3 sum = emission; for each light in the scene's order:
+//              sum = add_light(sum, s, sample_light(light, p), r);
+//
+// The unit vectors n and v point away from the surface. The normal n is on the viewer's side: the caller flips it for
+// back faces of double-sided materials. The position p is in the space of the lights. Degenerate vectors give black or
+// a fallback, never NaN, as long as colors are finite. Model, form and light kind are uniform: one run of pixels of one
 // material.
 #pragma once
 #include "lighting/light_parameters.h"

@@ -5,9 +5,10 @@
 // What the program binds:
 // - heights in 16 bits or more (filters of 8-bit texels give whole codes), with mip levels mixed and linear filters, also where they are
 //   magnified; wrapped as the texture says;
-// - the octahedral environment as one picture, its levels beside each other, each with a border of one texel that continues across its
-//   edges as the sphere does (bordered_texel() of image/maps/environment.h): no way to wrap does that, and its levels do not halve; linear
-//   filter, no mip levels; 16-bit floats do, bright suns ending at their greatest number;
+// - the octahedral environment as one picture, its levels beside each other, each with a border of one texel that
+//   continues across its edges as the sphere does (bordered_texel() of image/maps/environment.h). No way to wrap does
+//   that, and its levels do not halve. It has a linear filter and no mip levels; 16-bit floats are enough, bright suns
+//   ending at their greatest number;
 // - the sky repeated along u and ended along v, with mip levels mixed;
 // - the shadow maps of all lights in one picture of two 32-bit whole numbers per texel: the bits of the nearness, and the codes of the
 //   slopes along x and (above them) down y. Of a cube's faces three stand below each other, the other three to the right of them.

@@ -2,12 +2,13 @@
 // Texture coordinates by projection, for models without any: box, sphere or cylinder around the world bounding box.
 //
 // Each corner gets coordinates; vertices whose corners differ (box edge, back seam, pole) are split. In all three
-// projections the texture is upright and not mirrored seen from outside, and v points down. box each triangle from the
-// side that its normal faces most (+X, -X, ... ; the first of equals), square texels:
-//             1 is the longest edge of the bounding box
-// sphere    u = 1/2 + longitude / 2 pi, 1/2 in front (+Z) and the seam behind; v = angle from +Y / pi
-// cylinder  u as the sphere, v from the top to the bottom of the box; triangles that face up or down (within 45 degrees)
-// lie flat in the texture as the box has them, else the caps would have no area in it
+// projections the texture is upright and not mirrored seen from outside, and v points down.
+// - box: each triangle from the side that its normal faces most (+X, -X, ... ; the first of equals), square texels: 1
+//   is the longest edge of the bounding box
+// - sphere: u = 1/2 + longitude / 2 pi, 1/2 in front (+Z) and the seam behind; v = angle from +Y / pi
+// - cylinder: u as the sphere, v from the top to the bottom of the box. Triangles that face up or down (within 45
+//   degrees) lie flat in the texture as the box has them, else the caps would have no area in it
+//
 // A triangle across the seam is unwrapped: its u continue beyond 1. A corner on the axis takes the mean u of the others.
 #include <algorithm>
 #include <cmath>

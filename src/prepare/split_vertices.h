@@ -13,9 +13,9 @@ namespace rakelight {
 /// [bytes] of one vertex in all arrays of the mesh.
 std::uint64_t vertex_bytes(const Mesh& mesh);
 
-/// Appends one vertex for each entry of `source_vertex` [each < V], a copy of that vertex in all arrays of the mesh
-/// (normals, tangents, texture coordinates, colors, influences and morph targets too), and replaces the indices by
-/// `indices`. No effect if both are empty. The memory is checked against the budget.
+/// Appends one vertex for each entry of `source_vertex` [each < V], and replaces the indices by `indices`. The new
+/// vertex is a copy in all arrays of the mesh (normals, tangents, texture coordinates, colors, influences and morph
+/// targets too). No effect if both are empty. The memory is checked against the budget.
 void split_vertices(Mesh& mesh, std::vector<std::uint32_t> indices, std::span<const std::uint32_t> source_vertex,
                     Context& context);
 

@@ -8,7 +8,7 @@
 
 namespace rakelight {
 
-/// Never fails because OpenGL does: whatever the engine gl cannot do, or no longer (a lost context, no memory on the
+/// Never fails because OpenGL does. Whatever the engine gl cannot do, or no longer (a lost context, no memory on the
 /// GPU, a driver that refuses a shader), engine soft does, with a remark in the report.
 std::unique_ptr<Engine> make_auto_engine();
 /// The same with a given engine on the GPU. @param gpu  null: there is none. @param why  then the reason

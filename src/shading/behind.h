@@ -16,8 +16,8 @@ bool needs_behind(const DrawList& list, const RenderSettings& settings);
 /// Whether the picture of what is behind has a draw: opaque and masked ones that are not transmissive.
 bool is_behind(const DrawList& list, const Draw& draw, const RenderSettings& settings);
 
-/// The whole view, whatever the window: sides are the powers of two next to the picture's, 2048 at most, so that the smaller
-/// versions lie exactly and windows of a picture have the bits of the whole.
+/// The whole view, whatever the window. Its sides are the powers of two next to the picture's, 2048 at most. So the
+/// smaller versions lie exactly, and windows of a picture have the bits of the whole.
 PictureCamera camera_behind(const PictureCamera& view);
 /// What the picture is drawn with: colors alone, of the surfaces and the scene's own lines and points, over an opaque background.
 RenderSettings settings_behind(const RenderSettings& settings, const PictureCamera& behind);

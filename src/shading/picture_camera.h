@@ -54,9 +54,9 @@ struct DrawList;
 /// they are there to show.
 PictureCamera picture_camera_of(const DrawList& list, const Camera& camera, const RenderSettings& settings);
 
-/// Moves near and far in towards the scene where they stand so far apart that float depth keys could not tell its
-/// surfaces apart: near below 1e-30 of the farthest distance in perspective (what lies between is lost), a range above
-/// 256 times the scene's diagonal in parallel views (nothing is).
+/// Moves near and far in towards the scene where they are so far apart that float depth keys could not distinguish its
+/// surfaces. In perspective that is a near below 1e-30 of the farthest distance (what lies between is lost). In
+/// parallel views it is a range above 256 times the scene's diagonal (nothing is lost).
 /// @param drawn  of everything that is drawn, in the world
 void narrow_depths(PictureCamera& view, const Bounds& drawn);
 

@@ -121,8 +121,8 @@ std::vector<Missing*> by_size(std::vector<Missing*> measured) {
     return measured;
 }
 
-/// Which are left out where memory is short depends on their order, never on threads: what is kept is charged in order,
-/// before anything is decoded, and what decoding takes beside is refused only where it does not fit alone.
+/// Which are left out where memory is short depends on their order, never on threads. What is kept is charged in order,
+/// before anything is decoded. The memory for decoding itself is refused only where it does not fit alone.
 void load_all(std::vector<Missing>& missing, const TexturePacker& packer, Context& context) {
     context.parallel_for(missing.size(), [&](std::size_t i) { measure(missing[i], context); });
     for (Missing& m : missing) charge(m, packer, context);

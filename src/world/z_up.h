@@ -47,8 +47,8 @@ Scene with_y_up(Scene scene, const std::string& file, Report& report);
 /// Warns that a PLY file keeps the coordinates of a model with Z up. @param file  that is written
 void warn_of_z_up(const std::string& file, Report& report);
 
-/// One up axis for two scenes that are laid beside each other. If Z is up in one of them, it counts as up in the other one too if the format of that one
-/// leaves the axis open; beside a scene with Y up, the one with Z up is turned.
+/// One up axis for two scenes that are laid beside each other. If Z is up in one of them, it counts as up in the other
+/// one too if the format of that one leaves the axis open. Beside a scene with Y up, the one with Z up is turned.
 /// @param a,b  as loaded
 /// @return the axis that is up in both; absent: their axes were the same
 std::optional<UpAxis> share_up_axis(Scene& a, Scene& b, Report& report);

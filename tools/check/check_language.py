@@ -5,7 +5,10 @@
   check_language.py [--root FOLDER] [--words 35] [FILE ...]
 
 - no sentence of README.md, CONTRIBUTING.md, CHANGELOG.md, docs/**/*.md or of a comment in include/**/*.h has more than 35 words;
-- none of them uses a phrase of PHRASES, which lists private phrases with the usual term for each.
+- the same holds for comments of *.h, *.cpp and *.glsl in src, apps and python/src, except sentences with a formula: those that
+  contain '=', '^', '->', '*' or the word pi;
+- none of them uses a phrase of PHRASES, which lists private phrases with the usual term for each;
+- no comment in apps/viewer and apps/cli begins with a word of FRAGMENT, which makes a fragment instead of a sentence.
 
 Only prose is checked: code blocks, tables, headings, list items that begin with code (descriptions of options) and lines that
 name a source are left out, and so is docs/command-line.md, which the program writes. Code, links and formulas count as one word.
@@ -43,6 +46,11 @@ COMPILED = {re.compile(pattern.replace(" ", r"\s+"), re.I): term for pattern, te
 # Abbreviations whose full stop ends no sentence.
 ABBREVIATION = re.compile(r"\b(e\.g|i\.e|etc|vs|eq|eqs|Eq|Fig|fig|sec|pp|p|al|cf|approx|No|no)\.(?=\s+[a-z0-9(])|\b(e\.g|i\.e|Fig|Eq|al)\.(?=\s)")
 END = re.compile(r"(?<=[.!?])(?<!\.\.\.)[)\"'*_\]]*\s+(?=[\"'(*_\[]*[A-Z0-9`~\x00])")
+FORMULA = re.compile(r"[=^*]|->|\bpi\b")
+FRAGMENT = re.compile(r"(?:(What|Of|Where) |(Likewise)\b)")
+CODE_SUFFIXES = {".h", ".cpp", ".glsl"}
+CODE_FOLDERS = ("src", "apps", "python/src")
+PLAIN_FOLDERS = ("apps/viewer", "apps/cli")
 SOURCE = re.compile(r"\s*(?:@see\b|@copyright|Sources?:|SPDX)")
 
 
@@ -110,7 +118,7 @@ def markdown_texts(lines):
 
 
 def comment_texts(lines):
-    """Runs of prose of a header: comments on lines of their own, and those behind code."""
+    """Runs of prose of a source or header: comments on lines of their own, and those behind code."""
     text, is_behind = Text(), False
     for number, line in enumerate(lines, 1):
         match = re.match(r"(.*?)(?:^|\s)//[/!]?(<?)( ?.*)$", line)
@@ -126,10 +134,14 @@ def comment_texts(lines):
     yield text
 
 
-def findings(path, limit):
-    """(line, message) of each fault."""
+def is_in(name, folders):
+    return any(name.startswith(folder + "/") for folder in folders)
+
+
+def findings(path, limit, name):
+    """(line, message) of each fault; `name` is the path from the root."""
     lines = path.read_text(encoding="utf-8").splitlines()
-    for text in (comment_texts if path.suffix == ".h" else markdown_texts)(lines):
+    for text in (comment_texts if path.suffix in CODE_SUFFIXES else markdown_texts)(lines):
         if not text.text.strip() or SOURCE.match(text.text):
             continue
         for pattern, term in COMPILED.items():
@@ -137,9 +149,12 @@ def findings(path, limit):
                 yield text.lines[match.start()], f"\"{' '.join(match.group().split())}\": the usual term is {term}"
         if path.suffix == ".md" and re.match(r"\**`", text.text):
             continue  # the description of an option, a key or a file
+        fragment = FRAGMENT.match(text.text)
+        if fragment and is_in(name, PLAIN_FOLDERS):
+            yield text.lines[0], f"a comment that begins with \"{fragment.group(1) or fragment.group(2)}\": {text.text[:60].strip()} ..."
         for line, sentence in text.sentences():
             count = len(words(sentence))
-            if count > limit and not SOURCE.match(sentence):
+            if count > limit and not SOURCE.match(sentence) and not (is_in(name, CODE_FOLDERS) and FORMULA.search(sentence)):
                 yield line, f"a sentence of {count} words: {sentence[:60]} ..."
 
 
@@ -147,6 +162,8 @@ def checked_files(root):
     pages = [root / "README.md", root / "CONTRIBUTING.md", root / "CHANGELOG.md", *sorted((root / "docs").rglob("*.md"))]
     yield from (page for page in pages if page.exists() and page.relative_to(root).as_posix() not in GENERATED)
     yield from sorted((root / "include").rglob("*.h"))
+    for folder in CODE_FOLDERS:
+        yield from sorted(file for file in (root / folder).rglob("*") if file.suffix in CODE_SUFFIXES)
 
 
 def main():
@@ -158,8 +175,8 @@ def main():
     root, faults = options.root.resolve(), []
     files = [file.resolve() for file in options.files] or list(checked_files(root))
     for file in files:
-        name = file.relative_to(root) if file.is_relative_to(root) else file
-        faults += [f"{name}:{line}: {message}" for line, message in sorted(findings(file, options.words))]
+        name = (file.relative_to(root) if file.is_relative_to(root) else file).as_posix()
+        faults += [f"{name}:{line}: {message}" for line, message in sorted(findings(file, options.words, name))]
     for fault in faults:
         print(fault, file=sys.stderr)
     print(f"language: {len(files)} files, {len(faults)} findings")

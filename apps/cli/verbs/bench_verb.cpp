@@ -244,7 +244,7 @@ PoseBenchOptions pose_options(const Run& run) {
     return o;
 }
 
-/// What the program's own models may ask for: no file does.
+/// The memory limit for the program's own models; 0, the usual limit, for scenes of files.
 std::uint64_t memory_for(const SmoothBenchOptions& o) { return o.triangles * (o.order ? 500 : 400) + (1u << 30); }
 std::uint64_t memory_for(const NormalBenchOptions&) { return 1u << 30; }
 std::uint64_t memory_for(const CreaseBenchOptions&) { return 1u << 30; }
@@ -258,7 +258,8 @@ template <class Options, class Bench>
 void measure(const Run& run, const Options& options, const Bench& bench, Loudness remarks) {
     run.files->of = 1;  // its first word is no file
     ProgressLine progress("bench", run.loudness, *run.files);
-    // What the machine has not is refused, for a model that is too large is not told so by the system: the process is ended.
+    // More memory than the machine has is refused here. The system does not report a model that is too large: it ends
+    // the process.
     const std::uint64_t memory =
         run.max_memory != 0 ? run.max_memory : std::min(memory_for(options), memory_of_machine());
     Context context({.threads = run.threads, .max_memory = memory, .progress = progress.callback()});
@@ -271,7 +272,7 @@ void measure(const Run& run, const Options& options, const Bench& bench, Loudnes
 
 void measure_smooth(const Run& run) { measure(run, smooth_options(run), bench_smooth, Loudness::quiet); }
 void measure_render(const Run& run) { measure(run, render_options(run), bench_render, run.loudness); }
-/// Of a measurement that makes its own models and takes no settings.
+/// Refuses all settings, for a measurement that makes its own models and takes none.
 void refuse_all(const Run& run, const char* what) {
     if (run.inputs.size() > 1) throw Error(ErrorCode::usage, std::string("bench ") + what + " takes no scene");
     refuse(run.given, what,

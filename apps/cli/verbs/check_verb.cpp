@@ -24,7 +24,7 @@ Command check_command() {
             apps::joined({{schema}, apps::input_options(), apps::common_options()})};
 }
 
-/// Reads [render] of a world, and holds it against the loaded scene; nothing for other files. @throws Error bad_file
+/// Reads [render] of a world, and checks it against the loaded scene; nothing for other files. @throws Error bad_file
 void check_render(const Run& run, const std::string& input, const Scene& scene, Context& context) {
     if (!is_world_file(input)) return;
     const auto takes = [](std::string_view key) { return apps::refuse_options_of_the_run(key), true; };

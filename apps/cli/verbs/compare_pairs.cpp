@@ -98,7 +98,7 @@ std::vector<ComparedPair> pairs_of_inputs(const Run& run) {
     return {{side_of(run, a), side_of(run, b), {}, {}}};
 }
 
-/// What would be refused only after the first picture was drawn.
+/// Refuses early what would otherwise be refused only after the first picture was drawn.
 void check_drawn(const Run& run, std::vector<ComparedPair>& pairs) {
     bool draws = false;
     for (ComparedPair& pair : pairs)

@@ -22,8 +22,8 @@ struct ComparedPair {
     std::optional<Error> error;  ///< there is nothing to compare
 };
 
-/// The pairs of the command line: two files or scenes; pictures of equal names in two folders, in the order of their
-/// names; or each scene drawn by the first engine of --engines and by each other one.
+/// The pairs of the command line: two files or scenes, or pictures of equal names in two folders, in the order of their
+/// names. With --engines, each scene drawn by the first engine of them and by each other one.
 /// @throws Error usage, not_found
 std::vector<ComparedPair> compared_pairs(const Run& run);
 

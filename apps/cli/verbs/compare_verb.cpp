@@ -171,7 +171,8 @@ std::pair<Pixels, Pixels> pixels_of(const Run& run, const ComparedPair& pair, Co
     return {std::move(a), std::move(b)};
 }
 
-/// What stands above two pictures of a page: names without folders, which are nobody else's business, unless these distinguish them.
+/// The titles above two pictures of a page: names without folders, which are private, unless only the folders
+/// distinguish them.
 PageTitles titles_of(const ComparisonRow& row) {
     const std::string file_a = std::filesystem::path(row.a).filename().string(),
                       file_b = std::filesystem::path(row.b).filename().string();

@@ -28,7 +28,7 @@ Command explain_command() {
                            .type = "FILE",
                            .help = "Write to this file instead of standard output: .json as JSON, else as text",
                            .letter = 'o'};
-    // What is about files and parts of pictures has no meaning here.
+    // Options about files and parts of pictures have no meaning here.
     std::vector<Option> options = apps::without(
         apps::picture_options(),
         {"window", "channels", "channel-files", "exr-colors", "engine", "line-width", "point-size", "line-color"});

@@ -126,7 +126,7 @@ std::optional<CheckLimits> limits_of(const Given& given, bool is_checked) {
     return limits;
 }
 
-/// What is written of all models.
+/// The files for reports of all models.
 struct Reports {
     std::vector<std::string> pages, junit;
     bool is_any() const { return !pages.empty() || !junit.empty(); }
@@ -179,7 +179,7 @@ InspectOptions options_of(const Run& run) {
     return options;
 }
 
-/// What is done with each file.
+/// The work to do for each file.
 struct Task {
     InspectOptions options;
     std::optional<CheckLimits> limits;

@@ -14,7 +14,7 @@
 namespace rakelight::cli {
 namespace {
 
-/// What of a picture's settings decides on the light of surfaces.
+/// Those settings of a picture that affect the light of surfaces.
 std::vector<Option> light_options() {
     std::vector<Option> out;
     for (const Option& option : apps::picture_options()) {

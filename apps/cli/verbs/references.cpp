@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 constexpr const char* group = "Reference (exit code 5 beyond the threshold)";
 
-/// What was given by one of two names.
+/// The value that was given by one of two names.
 std::string_view given_name(const Run& run, const char* name, const char* other) {
     return run.given.first_of({name, other});
 }

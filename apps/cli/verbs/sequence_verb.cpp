@@ -42,7 +42,7 @@ namespace fs = std::filesystem;
 
 constexpr double least_fps = 0.01;  ///< of movies
 
-/// What one input becomes.
+/// The sequence of one input, and its outputs.
 struct Job {
     InputRequest input;
     SequenceRequest sequence;
@@ -159,7 +159,7 @@ std::unique_ptr<FolderLock> lock_frames(const Run& run, const Job& job) {
     }
 }
 
-/// What one job made.
+/// The pictures and movies of one job.
 struct Made {
     std::vector<PictureRow> pictures, movies;
 };

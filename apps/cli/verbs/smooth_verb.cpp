@@ -18,7 +18,7 @@
 namespace rakelight::cli {
 namespace {
 
-/// What --normals does with the normals of a file.
+/// The meaning of a word of --normals: how the normals of a file are used.
 struct Way {
     AuthoredNormals authored;
     Scope scope;
@@ -214,7 +214,7 @@ int preview_as_one(const Run& run, const Inputs& inputs, const FileGroup& group,
     return smooth_alone(run, all, rows[group.members.front()]);
 }
 
-/// What a group of several inputs gives; `why` says why it cannot be smoothed as one model, where nobody asked for that.
+/// Smooths a group of several inputs as one model. `why` says why that is impossible, where it was not asked for.
 int smooth_together(const Run& run, const Inputs& inputs, const FileGroup& group, SmoothedFileRow& all,
                     std::vector<SmoothedFile>& results, std::string& why) {
     std::vector<FileToSmooth> files;
@@ -262,7 +262,7 @@ int smooth_as_one(const Run& run, const Inputs& inputs, const FileGroup& group, 
     return code;
 }
 
-/// What is smoothed, and what of it together.
+/// The inputs to be smoothed, and which of them belong together.
 struct Work {
     Inputs inputs;
     std::vector<FileGroup> groups;

@@ -29,7 +29,7 @@ public:
     std::shared_ptr<const Seams> seams(const std::shared_ptr<const Model>& model) const {
         return seams_model_ == model ? seams_ : nullptr;
     }
-    /// Likewise; null also if normals were computed in another way.
+    /// The same ones; null also if normals were computed in another way.
     std::shared_ptr<const Seams> seams(const std::shared_ptr<const Model>& model, const PrepareOptions& prepare) const {
         return seams_prepare_ == prepare ? seams(model) : nullptr;
     }

@@ -48,7 +48,7 @@ public:
     void queue(const std::string& title, Work work, Failed failed);
     /// In the window's thread: finishes what is done, and begins what comes next.
     void poll();
-    /// What runs ends with the error "cancelled"; what waits for its turn never begins. @return how many waited
+    /// The running work ends with the error "cancelled"; waiting work never begins. @return how many waited
     std::size_t cancel();
     /// Cancels, and waits until nothing runs: `wake` is called no more.
     void end();

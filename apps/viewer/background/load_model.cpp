@@ -40,7 +40,7 @@ std::vector<ClipTime> wanted_clips(const Scene& scene, PictureRequest& request, 
     }
 }
 
-/// What was read, and the pictures, which are read when they are drawn.
+/// The files that were read, and those of the pictures, which are read when they are drawn.
 std::vector<std::string> files_of(const Model& model, const Context& context) {
     std::vector<std::string> files = context.files();
     const auto add = [&](const ImageHandle& image) {
@@ -63,7 +63,7 @@ void count(Model& model) {
     }
 }
 
-/// What the look chooses.
+/// Takes over the settings that the look chooses.
 void decide(const std::shared_ptr<Model>& model, Context& context) {
     PictureRequest& request = model->request;
     const std::shared_ptr<const Scene> scene(model, &model->scene);

@@ -10,7 +10,7 @@
 
 namespace rakelight::viewer {
 
-/// What the command line says of every file.
+/// The settings of the command line, which apply to every file.
 struct Start {
     std::vector<std::string> files;
     std::vector<WorldValue> settings;

@@ -14,7 +14,7 @@ void choose_method(RayMethod method, Look& look);
 /// Another engine, by its plain method. Rays have shadows by nature, as where `engine` is said; another engine then has those of before.
 void choose_engine(const std::string& name, Look& look);
 
-/// What a command does to a look; false: it is not about looks. @throws Error usage
+/// Applies a command to a look; false: it is not about looks. @throws Error usage
 bool apply(Command command, Look& look, const Model& model, int width, int height);
 
 /// A light of the list follows the camera from now on, or stays where it is. @return what was done, for people

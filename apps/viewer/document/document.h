@@ -30,7 +30,7 @@ struct Model {
     double load_ms = 0;
 };
 
-/// Where a light stands at a moment.
+/// The place of a light at a moment.
 struct LightKey {
     double time_s = 0;
     dvec3 position, direction;
@@ -53,14 +53,14 @@ struct MaterialEdit {
     bool operator==(const MaterialEdit&) const = default;
 };
 
-/// Where the eye is at a moment.
+/// The place of the eye at a moment.
 struct EyeKey {
     double time_s = 0;
     Eye eye;
     bool operator==(const EyeKey&) const = default;
 };
 
-/// What is drawn of a model.
+/// All that determines how a model is drawn.
 struct Look {
     PictureRequest request;  ///< its size, view and lights are those of the members below where they say so
     dvec3 world_up{0, 1, 0};
@@ -71,7 +71,8 @@ struct Look {
     std::vector<EyeKey> keys;      ///< of the camera, in the order of their times
     std::uint32_t channel = 0;     ///< shown instead of the colors; 0: colors
 
-    // What engines have by nature stands in `request` while they are chosen. The settings that it stands for come back with the next engine.
+    // Properties that every picture of an engine has are in `request` while that engine is chosen. The settings that
+    // they replace are kept here, and come back with the next engine.
     std::optional<int> other_samples;  ///< of paths while none are followed, else of the rest; absent: the usual number
     bool shadows_by_nature = false;    ///< rays have them, the document has none
     std::optional<RayMethod> ray_method;  ///< of rays, while another engine draws or paths are followed
@@ -82,14 +83,14 @@ struct Look {
 PictureRequest request_of(const Look& look, int width, int height);
 /// The clips that it shows, at their moments.
 std::vector<ClipTime> clips_of(const Look& look, const Model& model);
-/// Where its camera stands. @throws Error usage, as choose_camera()
+/// The camera of a look. @throws Error usage, as choose_camera()
 Camera camera_of(const Look& look, const Model& model, int width, int height);
-/// Likewise for the window's thread: at once while clips play, but then with the depths of the scene at rest.
+/// The same for the window's thread: at once while clips play, but then with the depths of the scene at rest.
 Camera quick_camera_of(const Look& look, const Model& model, int width, int height);
 
 /// The eye of the camera that is seen now. @throws Error usage, as choose_camera()
 Eye seen_eye(const Look& look, const Model& model, int width, int height);
-/// Likewise, to be moved: from now on the look has an eye of its own.
+/// The same eye, to be moved: from now on the look has an eye of its own.
 Eye& moving_eye(Look& look, const Model& model, int width, int height);
 /// Moves the eye there, if a camera can stand there. @return false: it cannot, and nothing is changed
 bool set_eye(Look& look, const Eye& eye, const Model& model, int width, int height);

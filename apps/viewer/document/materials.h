@@ -7,7 +7,7 @@ namespace rakelight::viewer {
 
 /// Sets a key of [[material]], as "roughness=0.5" says it. @throws Error usage
 void set_material(Look& look, const MaterialTarget& target, const std::string& key_and_value);
-/// What was set for a target; null: nothing.
+/// The values that were set for a target; null: none.
 const std::vector<WorldValue>* edited_values(const Look& look, const MaterialTarget& target);
 void forget_material(Look& look, const MaterialTarget& target);
 
@@ -16,7 +16,8 @@ Scene with_edits(Scene scene, const std::vector<MaterialEdit>& edits, Context& c
 
 /// The name by which [[material]] knows a material; empty: it has none.
 std::string material_name(const Scene& scene, std::uint32_t material);
-/// Of which of the file's materials a material of a picture is: edited objects have copies behind those of the file.
+/// The material of the file that a material of a picture comes from: edited objects have copies behind those of the
+/// file.
 /// @param material  as channel_material gives it, in a picture with these edits
 std::uint32_t source_material(const Scene& scene, const std::vector<MaterialEdit>& edits, std::uint32_t material);
 

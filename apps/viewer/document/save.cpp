@@ -134,7 +134,7 @@ std::vector<WorldValue> render_of(const PictureRequest& request, const fs::path&
 
 bool is_flag(const RenderKey& key) { return key.kind == RenderKey::Kind::flag || key.kind == RenderKey::Kind::on_off; }
 
-/// What [render] of the model's world sets and the look does not: it is at its default again.
+/// Settings that [render] of the model's world has and the look does not: they are at their defaults again.
 std::vector<WorldValue> taken_back(const Model& model, const std::vector<WorldValue>& written) {
     const auto is_listed = [&](const WorldValue& value) {
         const bool is_place = places_camera(value.key);

@@ -7,12 +7,12 @@
 
 namespace rakelight::viewer {
 
-/// What a world file at `path` says so that its picture is this look's. Names of files are from the world's folder. Cameras
-/// of another world file come with the rounding of one look_at(), see to_toml().
+/// The content of a world file at `path` whose picture is this look's. Names of files are from the world's folder.
+/// Cameras of another world file come with the rounding of one look_at(), see to_toml().
 /// @throws Error usage: a look that no world file can say; and as read_world()
 WorldFile world_of(const Look& look, const Model& model, int width, int height, const std::string& path);
 
-/// What of the look no world file says, for people: "1 light that is off, ..."; empty: nothing.
+/// Parts of the look that no world file can hold, for people: "1 light that is off, ..."; empty: none.
 std::string not_saved(const Look& look);
 
 /// "rakelight render MODEL -o picture.png --resolution 640,480 ...", each word quoted for a shell where it must be, except for

@@ -7,7 +7,7 @@
 
 namespace rakelight::viewer {
 
-/// What the setting is now; words of a list as shells write them. Empty: its default.
+/// The current value of the setting; words of a list as shells write them. Empty: its default.
 std::string setting_text(const PictureRequest& request, const std::string& key);
 
 /// Sets it as if the file had said so; an empty text sets its default. The engine and the method are chosen as by choose_engine()

@@ -58,7 +58,7 @@ struct UiState {
     void report(const Error& error);    ///< what could not be done
 };
 
-/// What a command does to the window's state alone; false: it is not about that.
+/// Applies a command that changes the window's state alone; false: it does not.
 bool apply(Command command, UiState& ui);
 
 }  // namespace rakelight::viewer

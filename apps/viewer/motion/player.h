@@ -47,9 +47,9 @@ std::optional<int> chosen_clip(const Look& look, const Model& model);
 /// Continues by so much of the clock's time. @return false: it has come to its end, and nothing is left to be played
 bool advance(Look& look, const Model& model, const Player& player, int width, int height, double elapsed_s);
 
-/// What a command does to the player and to the look that it plays; false: it is not about that.
+/// Applies a command to the player and to the look that it plays; false: it is not about them.
 bool apply(Command command, Player& player, Look& look, const Model& model, int width, int height);
-/// What it has done, for people; empty where that is seen.
+/// The effect of the command, for people; empty if the effect is visible anyway.
 std::string effect_of(Command command, const Player& player, const Look& look, const Model& model);
 
 /// "2: walk, 1.33 s", "all clips", "at rest"

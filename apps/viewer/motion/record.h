@@ -11,7 +11,7 @@ namespace rakelight::viewer {
 /// The look with its camera turned about the model, to the right; lights that follow the camera go with it.
 Look turned(const Look& look, const Model& model, int width, int height, double angle_rad);
 
-/// What was recorded.
+/// The result of a recording.
 struct Turn {
     int written = 0, count = 0;  ///< pictures; fewer where it was cancelled
 };

@@ -16,7 +16,7 @@ inline constexpr double same_moment_s = 1e-3;
 void set_key(Look& look, const Model& model, int width, int height, double time_s);
 /// @return false: there was none
 bool delete_key(Look& look, double time_s);
-/// Of the camera and of lights, ascending.
+/// The times of the keys of the camera and of lights, ascending.
 std::vector<double> key_times(const Look& look);
 
 /// A camera in the world's origin whose up is the world's: recorded eyes keep the horizon level.

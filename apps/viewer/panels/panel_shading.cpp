@@ -136,7 +136,8 @@ void draw_setting(PanelView& view, const apps::Option& option) {
         }
 }
 
-/// Of the view, the picture's size and its files the window decides; lights have a panel of their own.
+/// Whether a setting has no field here. The window decides the view, the picture's size and its files; lights have a
+/// panel of their own.
 bool is_left_out(const std::string& name) {
     constexpr const char* names[] = {"resolution", "window", "channels", "channel-files",
                                      "exr-colors", "light",  "material"};

@@ -29,7 +29,7 @@ void draw_painting(const Painting& p) {
     row("frame time", ms(p.ms));
     row("front end", ms(1e3 * s.times.front_end));
     row("tiles", ms(1e3 * s.times.tiles));
-    // What an engine does not count is left out.
+    // Numbers that an engine does not count are left out.
     const auto count = [](const char* what, std::uint64_t number) {
         if (number > 0) row(what, std::to_string(number));
     };

@@ -12,7 +12,7 @@
 
 namespace rakelight::viewer {
 
-/// What the panels see of the viewer, and what they want of it.
+/// The state of the viewer as the panels read it, and their requests to it.
 struct PanelView {
     const Model* model = nullptr;  ///< null: nothing is loaded; then `look` is not read
     Look& look;

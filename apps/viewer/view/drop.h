@@ -6,7 +6,7 @@
 
 namespace rakelight::viewer {
 
-/// What is to be done with the files of one drop.
+/// The actions for the files of one drop.
 struct DropPlan {
     std::vector<std::string> models;   ///< to be stepped through; where there are any, the files beside them are theirs
     std::string environment, picture;  ///< empty: none

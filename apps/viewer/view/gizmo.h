@@ -27,7 +27,7 @@ Handle handle_at(dvec2 pixel, const Light& light, const GizmoView& view);
 /// The light after its handle was dragged. @param start  as it was when the drag began, at pixel `from`
 Light dragged(const Light& start, Handle handle, dvec2 from, dvec2 to, const GizmoView& view);
 
-/// What a pixel sees: the half line from `origin` along the unit `direction`. The way back of pixel_of().
+/// The ray of a pixel: the half line from `origin` along the unit `direction`. The inverse of pixel_of().
 struct Ray {
     dvec3 origin, direction;
 };

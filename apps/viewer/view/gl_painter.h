@@ -23,7 +23,7 @@ public:
 
     /// Takes a scene up for so long; until it is whole, draw() draws the one before. @return true: it is whole
     bool upload(const std::shared_ptr<const PreparedScene>& scene, double milliseconds, Context& context);
-    /// What draw() draws; null: nothing yet.
+    /// The scene that draw() draws; null: none yet.
     const std::shared_ptr<const PreparedScene>& scene() const { return scene_; }
 
     struct Drawn {
@@ -34,7 +34,7 @@ public:
     Drawn draw(const Shot& shot, const ToneSettings& tone, std::span<const Line> lines, Context& context);
 
 private:
-    /// What programs depend on.
+    /// The settings that programs depend on.
     struct Warmed {
         RenderSettings settings;
         ToneMapping tone;

@@ -6,7 +6,7 @@
 
 namespace rakelight::viewer {
 
-/// Where a picture lies in the window. [px] y down.
+/// Position and size of a picture in the window. [px] y down.
 struct PixelBox {
     int x = 0, y = 0, width = 0, height = 0;
     bool holds(double px, double py) const { return px >= x && py >= y && px < x + width && py < y + height; }

@@ -8,7 +8,7 @@
 
 namespace rakelight::viewer {
 
-/// Of the active picture. Pointers in pixels of the window; `scale` is that of the display.
+/// The handles of lights in the active picture. Pointers are in pixels of the window; `scale` is that of the display.
 class LightHandles {
 public:
     LightHandles(Pictures& pictures, UiState& ui) : pictures_(pictures), ui_(ui) {}

@@ -176,7 +176,8 @@ std::vector<Line> vertex_lines(const Scene& prepared, VertexVector which, const 
 PrepareOptions seam_options(const Scene& scene, PrepareOptions of_picture) {
     const bool is_as_file =
         std::ranges::all_of(scene.meshes, [](const Mesh& mesh) { return mesh.normals.empty() && !mesh.normal_choice; });
-    // Where a file has no normals inspect() shows those that each object would have alone; here those of the picture count.
+    // If a file has no normals, inspect() shows those that each object would have alone; here those of the picture
+    // count.
     if (of_picture.normals == NormalSource::automatic && is_as_file)
         of_picture.normals = scene.missing_normals_are_flat ? NormalSource::flat : NormalSource::model;
     return of_picture;

@@ -15,7 +15,8 @@ namespace rakelight::viewer {
 
 std::vector<Line> grid_lines(const Bounds& bounds, dvec3 world_up);
 std::vector<Line> axis_lines(const Bounds& bounds);
-/// Where a light is seen: a lamp at its place, a directional light at its arrow's middle. Ambient light is nowhere.
+/// Position at which a light is displayed: a lamp at its place, a directional light at its arrow's middle. Ambient
+/// light has none.
 std::optional<dvec3> place_of(const Light& light, const Bounds& bounds);
 /// [px] of a picture of that size, y down; none: behind the camera.
 std::optional<dvec2> pixel_of(dvec3 place, const Camera& camera, int width, int height);

@@ -6,7 +6,8 @@ namespace rakelight::viewer {
 
 class Pace {
 public:
-    /// What a picture took. @param front_ms  whatever its size  @param pixels_ms  for its pixels  @param pixels  how many it has
+    /// Takes the measured times of a picture.
+    /// @param front_ms  whatever its size  @param pixels_ms  for its pixels  @param pixels  how many it has
     void measured(double front_ms, double pixels_ms, double pixels);
     /// By how much a picture in motion is smaller along each side: 1/16..1. Where the vertices alone take the time, pixels
     /// get half as much on top of it.

@@ -217,7 +217,7 @@ void Painter::work(const PaintJob& job) {
 }
 
 bool Painter::paint_pass(const PaintJob& job, double scale, int samples, bool is_final) {
-    // What is shown in motion always comes to its end: else nothing would be shown while new jobs come.
+    // A picture in motion is always drawn to its end. Otherwise nothing would be shown while new jobs come.
     const bool is_refinement = !job.is_moving && scale == 1;
     const std::shared_ptr<Context> context = new_context(is_refinement);
     const auto begin = std::chrono::steady_clock::now();
@@ -283,7 +283,7 @@ void Painter::draw_by_session(const PaintJob& job, const PictureRequest& request
     to.depth = std::move(frame.depth);
 }
 
-/// What GlView cannot do is left to a session, which says so where it cannot either.
+/// Draws with GlView. What that cannot do is left to a session, which reports what it cannot do either.
 Painter::Outcome Painter::draw_by_gl(const PaintJob& job, const PictureRequest& request, double scale, Painting& to,
                                      Context& context) {
     if (!job.gl || job.look.channel) return Outcome::cannot;

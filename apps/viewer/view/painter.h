@@ -19,7 +19,7 @@
 
 namespace rakelight::viewer {
 
-/// What is to be painted.
+/// A picture to be painted.
 struct PaintJob {
     std::shared_ptr<const Model> model;
     Look look;
@@ -74,7 +74,7 @@ public:
     void cancel();
     const Progress& progress() const { return progress_; }
 
-    /// What is at a pixel of a painting, from the scene that it was painted of. Runs in the painter's thread.
+    /// The surface at a pixel of a painting, from the scene that was painted. Found in the painter's thread.
     struct Hit {
         dvec3 position{};
         std::uint32_t object = no_index, material = no_index;

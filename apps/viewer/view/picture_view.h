@@ -10,7 +10,7 @@
 
 namespace rakelight::viewer {
 
-/// What is wanted of a picture besides its look.
+/// Requirements of a picture besides its look.
 struct Demand {
     bool is_moving = false;   ///< a coarse picture is enough
     bool is_playing = false;  ///< PaintJob::is_playing
@@ -47,13 +47,13 @@ public:
     bool is_open() const { return bool(painter_); }
     bool is_painting() const { return is_painting_; }
     std::uint64_t number() const { return number_; }  ///< of the last request
-    /// What runs before a picture can be drawn, as "normals 40 %"; empty: nothing.
+    /// The work that runs before a picture can be drawn, as "normals 40 %"; empty: none.
     std::string preparation() const;
     /// Painter::look_at_pixel(). Only while is_open().
     void look_at_pixel(int x, int y, std::function<void(std::optional<Painter::Hit>)> done);
     const std::shared_ptr<const Painting>& displayed() const { return displayed_; }  ///< null: nothing yet
     const Camera& camera() const { return camera_; }                                 ///< of the last request
-    /// Of the last request; null: none.
+    /// The model of the last request; null: none.
     const std::shared_ptr<const Model>& requested_model() const { return requested_.model; }
 
 private:

@@ -50,7 +50,8 @@ void Pictures::show(const std::shared_ptr<const Model>& model, bool keeps_looks)
     ui_.redraw();
 }
 
-/// What is known of objects by their numbers, for the file as it is now. @return what is to be said of it
+/// Adapts all that refers to objects by their numbers to the file as it is now. @return a message for people; empty:
+/// none
 std::string Pictures::carry_edits_to(const Model& model) {
     std::vector<std::string> gone;
     for (PictureView& view : views_)
@@ -63,7 +64,7 @@ std::string Pictures::carry_edits_to(const Model& model) {
     return gone.size() > 5 ? text + ", ..." : text;
 }
 
-/// Of a model that has just come.
+/// Sets up the playback of a model that has just been loaded.
 void Pictures::take_motion(bool keeps_looks) {
     if (!keeps_looks) {
         ui_.player.is_playing = model_->request.motion.autoplay;

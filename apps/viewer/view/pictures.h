@@ -41,7 +41,8 @@ public:
     void activate_at(double x, double y);
     /// The second picture begins with the look of the first, unless it has one of this file.
     void begin_split();
-    /// What a command does to the active look and to what plays, with its effect said. @return false: it is not about them
+    /// Applies a command to the active look and to what plays, and reports its effect. @return false: it is not about
+    /// them
     bool change_look(Command command);
     /// Reads the files of shaders again if they have changed. To be called now and then.
     void read_changed_shaders();

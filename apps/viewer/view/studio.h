@@ -21,7 +21,7 @@ public:
     /// @param wished  Channel bits that are given, too, where the engine has them
     RenderStats draw(Shot shot, std::uint32_t wished, Sink& sink, Context& context);
 
-    /// What was drawn or prepared last.
+    /// The scene that was drawn or prepared last.
     const std::shared_ptr<const PreparedScene>& prepared() const { return prepared_; }
 
 private:

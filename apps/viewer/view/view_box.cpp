@@ -48,7 +48,7 @@ std::vector<std::uint32_t> add_carriers(Scene& to, const Scene& from) {
     return number;
 }
 
-/// What moves those nodes, the cameras and the lights.
+/// The animation of those nodes, the cameras and the lights.
 std::vector<Animation> motion_of(const Scene& scene, std::span<const std::uint32_t> number) {
     std::vector<Animation> motion;
     for (const Animation& animation : scene.animations) {
@@ -66,7 +66,8 @@ std::vector<Animation> motion_of(const Scene& scene, std::span<const std::uint32
     return motion;
 }
 
-/// Of a scene at its pose. Normals and tangents of its meshes would be turned for nothing, and its clips checked.
+/// The camera chooser of a scene at its pose. It drops normals, tangents and clips: they would be turned or checked for
+/// nothing.
 CameraChooser chooser_of(Scene scene) {
     scene.animations.clear();
     for (Mesh& mesh : scene.meshes) mesh.normals = {}, mesh.tangents = {};

@@ -26,12 +26,13 @@ public:
     const Bounds& bounds() const { return bounds_; }
     const std::vector<std::string>& cameras() const { return cameras_; }  ///< a title each
     std::size_t node_count() const { return stand_in_.nodes.size(); }     ///< that are looked at for a camera
-    /// What choose_camera() gives for scene_at(scene, clips), to the bit; at once for the scene at rest and for the last moment.
+    /// The same camera as choose_camera() gives for scene_at(scene, clips), to the bit. It is there at once for the
+    /// scene at rest and for the last moment.
     /// @param scene  that the box was made of. @throws Error as choose_camera()
     Camera camera(const Scene& scene, const ViewRequest& view, double aspect, std::span<const ClipTime> clips = {},
                   Visibility visibility = Visibility::z_reversed) const;
-    /// Likewise, where the view names the camera's place or one of the scene: at once for every moment, but with the depths of
-    /// the scene at rest.
+    /// The same, if the view names the camera's place or one of the scene: at once for every moment, but with the
+    /// depths of the scene at rest.
     Camera quick_camera(const Scene& scene, const ViewRequest& view, double aspect, std::span<const ClipTime> clips,
                         Visibility visibility = Visibility::z_reversed) const;
     /// The scene's own at a moment, placed in the world.

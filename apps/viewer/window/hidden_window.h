@@ -10,7 +10,7 @@ struct GLFWwindow;
 
 namespace rakelight::viewer {
 
-/// What GLFW says went wrong last in this thread, in one line.
+/// The last error message of GLFW in this thread, in one line.
 std::string last_glfw_error();
 
 /// OpenGL as windows ask for it that are made from now on.

@@ -23,7 +23,7 @@ struct Event {
     bool is_for_panels = false;  ///< it happened over a panel, or a text field has the keyboard
 };
 
-/// What the pointer does while a button is down.
+/// The action of the pointer while a button is down.
 enum class Drag { none, orbit, pan, zoom, roll, look, wipe, light };
 
 /// F3D's buttons: left orbits, with Shift pans, with Control rolls; middle pans, right zooms. Blender's: middle orbits, with Shift

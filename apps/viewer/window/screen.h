@@ -31,7 +31,7 @@ private:
         std::shared_ptr<const Painting> shown;  ///< that `gl` holds
         MarkLines lines;
     };
-    /// What is shown of two pictures over each other.
+    /// The picture that is shown of two over each other.
     struct Wipe {
         std::shared_ptr<const Painting> a, b;
         int line = 0, width = 0, height = 0;

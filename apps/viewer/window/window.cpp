@@ -35,7 +35,7 @@ F* gl(const char* name) {
 constexpr float text_px = 16;
 std::atomic<bool> is_open{false};  // GLFW has no events before
 
-/// Where distributions have legible fonts.
+/// Places of legible fonts in distributions.
 constexpr const char* fonts[] = {
     "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
     "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
@@ -102,7 +102,8 @@ struct Callbacks {
         glfwGetWindowSize(window, &w, &h);
         if (w > 0 && h > 0) x *= double(of(window).width_) / w, y *= double(of(window).height_) / h;
     }
-    /// Where the events have brought the pointer: by now, and so by glfwGetCursorPos(), it may be elsewhere.
+    /// An event at the place where the events have brought the pointer: by now, and so by glfwGetCursorPos(), it may be
+    /// elsewhere.
     static Event at_pointer(GLFWwindow* window, Event::Kind kind) {
         Event event{.kind = kind, .x = of(window).pointer_x_, .y = of(window).pointer_y_};
         event.is_for_panels = !of(window).is_caught_ && ImGui::GetIO().WantCaptureMouse;
@@ -201,7 +202,7 @@ GlfwWindow::~GlfwWindow() {
     glfwTerminate();
 }
 
-/// Where it is without an event that says so.
+/// Reads the place of the pointer when no event reports it.
 void GlfwWindow::find_pointer() {
     glfwGetCursorPos(window_, &pointer_x_, &pointer_y_);
     Callbacks::to_pixels(window_, pointer_x_, pointer_y_);

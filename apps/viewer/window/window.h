@@ -49,9 +49,9 @@ public:
     void abandon_panels();
     /// Between them: shows a picture below the panels. @param to  where all of it would lie  @param clip  what of that is seen
     void show(const GlPicture& picture, const PixelBox& to, const PixelBox& clip);
-    /// Likewise. @param color  sRGB, R in the low byte, A in the highest
+    /// Between them: fills a box below the panels. @param color  sRGB, R in the low byte, A in the highest
     void fill(const PixelBox& box, std::uint32_t color);
-    /// Likewise: a short word, its upper left corner at a pixel.
+    /// Between them: shows a short word below the panels, its upper left corner at a pixel.
     void label(int x, int y, const char* text, bool is_highlighted);
     /// Drop-down lists of panels. False: none was open.
     bool close_lists();

@@ -4,13 +4,15 @@
 // fog. Per instruction set.
 //
 // The engine brings a Source of points, all of one draw:
-//   place(k, point)                the k-th vector's position; then, as far as the job asks for them,
-//   texcoords(k, set, texcoords)   texture coordinates,
-//   color(k), normal(k), tangent(k), openness(k) where the job has it
-//   of(k)                          with corners() and interpolate(a, b, c): CornerFrames of its triangles; and
-//                                  from_viewer(position): the vector from where it is seen, the eye or the surface that mirrors it
-//   is_lit_at_corners(), corner_light(k): LightTerms that are interpolated (flat and Gouraud shading), or false
-// and a functor seen(k, i, light): 0..1, how much of light i arrives; shadow maps, or rays. It may color the light.
+// - place(k, point): the k-th vector's position
+// - texcoords(k, set, texcoords): texture coordinates, as far as the job asks for them
+// - color(k), normal(k), tangent(k), openness(k): where the job has it
+// - of(k): has corners() and interpolate(a, b, c), the CornerFrames of its triangles, and from_viewer(position), the
+//   vector from where it is seen, the eye or the surface that mirrors it
+// - is_lit_at_corners(), corner_light(k): LightTerms that are interpolated (flat and Gouraud shading), or false
+//
+// It also brings a functor seen(k, i, light): 0..1, how much of light i arrives; shadow maps, or rays. It may color the
+// light.
 #pragma once
 #include "cpu_shading/kernels/fog.h"
 #include "cpu_shading/kernels/light_around.h"

@@ -7,8 +7,10 @@
 
 namespace rakelight::raytrace {
 
-/// Same bits for any number of threads and any window on one instruction set; from set to set Embree may find another triangle at an
-/// edge. @throws Error failed: Embree is not installed; usage: RAKELIGHT_ISA names an unknown set or one that this processor lacks
+/// Same bits for any number of threads and any window on one instruction set. From set to set Embree may find another
+/// triangle at an edge.
+/// @throws Error failed: Embree is not installed; usage: RAKELIGHT_ISA names an unknown set or one that this processor
+/// lacks
 std::unique_ptr<Engine> make_engine();
 
 }  // namespace rakelight::raytrace

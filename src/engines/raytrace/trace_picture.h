@@ -79,7 +79,7 @@ public:
     const std::uint64_t number;  ///< of all pictures, from 1
     const cpu_shading::DrawList& list;
     const RayScene& rays;
-    const NaiveScan* naive = nullptr;  ///< every ray is held against every triangle
+    const NaiveScan* naive = nullptr;  ///< every ray is tested against every triangle
     const shading::PictureCamera& view;
     const RenderSettings& settings;
     const Kernels& kernels;

@@ -21,8 +21,9 @@ struct MeantPlanes {
 /// - they are less than a tenth of its area, or
 /// - rounding may turn the faces of three quarters of its area so far that nothing is known of their planes, or
 /// - they are there by chance. Rounding turns most faces by less than a third of what it may turn at most. A shape that
-///   was rounded, as a scan, does not stop there: more edges bend by a third to twice of it than by less, and for more
-///   than a third of the faces this is the least bend. A fine shape of true planes may have the first, not the second.
+///   was rounded, as a scan, does not stop there. More of its edges bend by a third to twice of it than by less, and
+///   for more than a third of its faces this is the least bend. A fine shape of true planes may have the first, not the
+///   second.
 /// A pair of triangles is there by chance if it meets more single triangles than planes, up to the bends of `hard_deg`:
 /// surfaces cut out of tetrahedra consist of such. In a small surface, as a roof, it must meet no plane at all.
 MeantPlanes find_meant_planes(const BentEdges& bent, double hard_deg);

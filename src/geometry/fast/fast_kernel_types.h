@@ -7,10 +7,11 @@
 
 namespace rakelight::geometry {
 
-/// Sum over the faces of one vertex, in object space: with tangents 8 floats { n.x, n.y, n.z, hand, t.x, t.y, t.z,
-/// weight }, without 4 { n.x, n.y, n.z, weight } hand: sum of +-weight; exactly +-weight if all faces have one
-/// handedness, because both lanes then add equal numbers. weight 0: no face votes. weight < 0: the general path handles
-/// the place.
+/// Sum over the faces of one vertex, in object space. With tangents it has 8 floats { n.x, n.y, n.z, hand, t.x, t.y,
+/// t.z, weight }, without them 4 { n.x, n.y, n.z, weight }.
+/// - hand: sum of +-weight; exactly +-weight if all faces have one handedness, because both lanes then add equal
+///   numbers
+/// - weight: 0 if no face votes; negative if the general path handles the place
 constexpr int tangent_row_floats = 8, normal_row_floats = 4;
 
 /// A vote for a vertex that another piece of the mesh owns.

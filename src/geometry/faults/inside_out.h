@@ -17,9 +17,10 @@ struct InsideOutBody {
 
 /// Bodies without open edges and with negative signed volume (divergence theorem; Zhang & Chen 2001, "Efficient Feature
 /// Extraction for 2D/3D Objects in Mesh Representation"). Excluded are inconsistently oriented bodies (nonzero sum of
-/// area vectors, so the volume depends on the origin), thin ones (two sheets back to back), and bodies in the bounding
-/// box of another closed body, because inner surfaces of hollow bodies face inwards. In the order of their smallest
-/// place, at most 1000. O(n log n), plus at most 30 million box tests; bodies beyond that are not reported.
+/// area vectors, so the volume depends on the origin) and thin ones (two sheets back to back). Bodies in the bounding
+/// box of another closed body are excluded too, because inner surfaces of hollow bodies face inwards. In the order of
+/// their smallest place, at most 1000. O(n log n), plus at most 30 million box tests; bodies beyond that are not
+/// reported.
 /// @param open_corners  EdgeCensus::open_corners
 std::vector<InsideOutBody> find_inside_out(const PlacedMeshes& placed, std::span<const std::uint32_t> open_corners,
                                            const Context& context);

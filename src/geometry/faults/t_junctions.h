@@ -23,8 +23,8 @@ struct TJunctions {
 };
 
 /// A place is on an edge when it is off by at most 1e-5 of the edge's length, or 4 float ulps of the open borders'
-/// diagonal where that is more, and farther than that from its ends. A k-d tree: unlike a grid it has no cell size that
-/// fits neither the short nor the long edges. Expected O(n log n).
+/// diagonal where that is more. It is also farther than that from the edge's ends. A k-d tree: unlike a grid it has no
+/// cell size that fits neither the short nor the long edges. Expected O(n log n).
 /// @param open_corners edges of one face only (EdgeCensus::open_corners); only their ends are examined
 /// @param max_places maximum length of `places`
 /// @param visits_per_edge bound of the work: average number of visited boxes, with an allowance for small models; real

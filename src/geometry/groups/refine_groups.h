@@ -6,7 +6,7 @@
 namespace rakelight::geometry {
 
 /// A degenerate face follows the first voting face of its vertex (else of its mesh there, else of its place), so it
-/// never splits anything; a vertex that no face uses follows the first of its place.
+/// never splits anything. A vertex that no face uses follows the first of its place.
 /// @param bins the corners of each group to examine
 /// @param scratch  source of memory; null: allocate
 /// @return whether normals may cancel in a group that was made: two of its faces look away from each other by 89 degrees or more

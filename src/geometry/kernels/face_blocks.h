@@ -24,7 +24,7 @@ struct RowOf<8> {
 };
 
 // Float is safe where sums of squares neither overflow nor come near the denormals, and where the edges are not nearly
-// parallel: an angle between 0.9 and 179.1 degrees loses at most six bits of the cross product.
+// parallel. An angle between 0.9 and 179.1 degrees loses at most six bits of the cross product.
 static inline mask is_safe(real cross_square, real square1, real square2) {
     return cross_square >= square1 * square2 * real(1.0f / 4096) && cross_square > real(1e-34f) &&
            cross_square < real(1e34f);

@@ -93,8 +93,8 @@ private:
         return is_clear && sector.count < 3 ? towards(normal, facets) : facets;
     }
 
-    /// With more faces on one side of a crease the largest eigenvalues (after 1) are both of the inside: the surface
-    /// has no tangent plane there that holds the crease (Biermann, Levin & Zorin 2000, section 3).
+    /// With more faces on one side of a crease the largest eigenvalues (after 1) are both of the inside. Then the
+    /// surface has no tangent plane there that holds the crease (Biermann, Levin & Zorin 2000, section 3).
     static int max_with_tangents(Scheme scheme) { return scheme == Scheme::loop ? 5 : 3; }
 
     static dvec3 towards(dvec3 normal, dvec3 way) { return dot(normal, way) < 0 ? -normal : normal; }

@@ -6,10 +6,10 @@
 
 namespace rakelight {
 
-/// With p and q the slopes of the height along u and upwards, dp/dy and dq/dx are both the mixed derivative of one
-/// height field where green points up; with green down one has the other's sign. Agreement is 2 sum(dp/dy dq/dx) over
-/// sum((dp/dy)^2 + (dq/dx)^2): 1 where they are equal, -1 where one is the other's negative. A correlation would be
-/// fooled by rounding next to large slopes, as in painted bricks.
+/// Let p and q be the slopes of the height along u and upwards. Where green points up, dp/dy and dq/dx are both the
+/// mixed derivative of one height field; with green down one is the other's negative. Agreement is 2 sum(dp/dy dq/dx)
+/// over sum((dp/dy)^2 + (dq/dx)^2): 1 where they are equal, -1 where one is the other's negative. A correlation would
+/// be fooled by rounding next to large slopes, as in painted bricks.
 struct GreenDirection {
     double fine = 0, coarse = 0;  ///< -1..1: agreement of neighboring texels, and of the means of 2 x 2; 0: no relief
     int parts = 0;                ///< number of the map's 8 x 8 parts with relief

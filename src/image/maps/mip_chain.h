@@ -26,9 +26,9 @@ struct MipChain {
 };
 
 /// 8-bit pictures keep their codes in level 0 and have rgba8 levels; 16-bit and float pictures become linear floats.
-/// Each level is an exact box filter of the previous one, also for odd sizes (three taps with position-dependent
-/// weights: Guthe & Heckbert 2005, "Non-Power-of-Two Mipmapping"), so nothing shifts. sRGB colors are averaged in
-/// linear light and rounded once, from unrounded averages, at each level. Alpha is straight and colors are averaged
+/// Each level is an exact box filter of the previous one, so nothing shifts. This holds for odd sizes too: three taps
+/// with position-dependent weights (Guthe & Heckbert 2005, "Non-Power-of-Two Mipmapping"). Colors in sRGB are averaged
+/// in linear light and rounded once, from unrounded averages, at each level. Alpha is straight and colors are averaged
 /// without it as weight (as glTF renderers and GPUs do); hidden colors may bleed in at cut-outs. Bit-identical for any
 /// number of threads.
 /// @return no level for a picture without pixels

@@ -22,18 +22,22 @@ bool is_normal_map_name(const std::string& file);
 
 /// Materials of one model: reads its MTL files, fills Scene::materials and Scene::textures.
 ///
-/// Colors are display values and become linear. k_a is Ka, or k_d without Ka. Values outside 0..1 are clamped, but Ke
-/// over 1 keeps its strength: the color over its largest component becomes linear and is multiplied by it. illum 0 is
-/// unlit (color only); illum 1 has no specular term; others and none have it when Ks is there. Ns is at least 1. Alpha
-/// is d, else 1 - Tr; Tr 1 alone would hide the object and is a known exporter fault: it counts as opaque, `guessed`.
-/// With Pr, Pm, map_Pr or map_Pm the model is metallic-roughness. metallic is Pm (0 without it). roughness is Pr;
-/// without it sqrt(sqrt(2 / (Ns + 2))) (Walter et al. 2007, section 5.2: the GGX width of a Phong exponent; roughness
-/// squared); without both 1. One picture for both is packed (G roughness, B metallic); a single map_Pr works as a gray
-/// picture if Pm is 0. `norm` is a normal map, `map_Bump` one by name (is_normal_map_name, `guessed`), else a height
-/// map; `disp` is the height map where no bump map is. map_Kd's alpha is used when map_d names the same file. illum 3
-/// to 7: k_s reflects, with 5 and 7 more at grazing angles. With 4, 6 and 7 Tf is transmitted (without Tf, white where
-/// alpha is below 1), with 6 and 7 refracted by Ni. map_Ka is not supported; no remark is made if it names the file of
-/// map_Kd, since base color textures multiply the ambient term too.
+/// Colors are display values and become linear. The ambient factor k_a is Ka, or k_d without Ka. Values outside 0..1
+/// are clamped, but Ke over 1 keeps its strength: the color over its largest component becomes linear and is multiplied
+/// by it. With illum 0 the material is unlit (color only); illum 1 has no specular term; others and none have it when
+/// Ks is there. Ns is at least 1. Alpha is d, else 1 - Tr; Tr 1 alone would hide the object and is a known exporter
+/// fault: it counts as opaque, `guessed`.
+///
+/// With Pr, Pm, map_Pr or map_Pm the model is metallic-roughness. Its metallic factor is Pm (0 without it). Its
+/// roughness is Pr; without it sqrt(sqrt(2 / (Ns + 2))) (Walter et al. 2007, section 5.2: the GGX width of a Phong
+/// exponent; roughness squared); without both 1. One picture for both is packed (G roughness, B metallic); a single
+/// map_Pr works as a gray picture if Pm is 0.
+///
+/// A texture of `norm` is a normal map. One of `map_Bump` is a normal map by its name (is_normal_map_name, `guessed`),
+/// else a height map; `disp` is the height map where no bump map is. The alpha of map_Kd is used when map_d names the
+/// same file. With illum 3 to 7, k_s reflects, with 5 and 7 more at grazing angles. With 4, 6 and 7 Tf is transmitted
+/// (without Tf, white where alpha is below 1). With 6 and 7 it is also refracted by Ni. A map_Ka is not supported; no
+/// remark is made if it names the file of map_Kd, since base color textures multiply the ambient term too.
 class MaterialLibrary {
 public:
     MaterialLibrary(Scene& scene, std::string model_path, bool allow_outside, Context& context)

@@ -86,8 +86,8 @@ private:
     std::uint64_t number_ = 1;
 };
 
-/// The text of [begin, end) as a name: blanks at both ends dropped, a joined line end and NUL bytes read as one blank
-/// each, inner blanks kept ("Material name with many, many spaces", "texture 01.png").
+/// The text of [begin, end) as a name. Blanks at both ends are dropped, and a joined line end and NUL bytes read as one
+/// blank each. Inner blanks are kept ("Material name with many, many spaces", "texture 01.png").
 std::string name_text(std::string_view file, std::size_t begin, std::size_t end);
 
 }  // namespace rakelight::io::obj

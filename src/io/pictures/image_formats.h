@@ -22,11 +22,11 @@ struct ReadableFormat {
     /// Null: the means of blocks of the whole picture. @param factor  a power of 2
     Pixels (*read_reduced)(std::span<const std::byte> bytes, int factor, Context& context) = nullptr;
 
-    /// [pixels] What decoding costs at 1/factor of the size, as decoding_work() counts. Null: a third of a pixel for each
-    /// value, a whole one for values of 16 bits. Measured with 2048 x 2048 pixels of a smooth picture with noise (AMD EPYC
-    /// with AVX-512), where a pixel of the PNG file with 3 x 8 bits takes 16 ns: PNG with 16 bits 0.6 to 1 a value, WebP 0.6
-    /// and 1.4 (lossless) a pixel, HDR 1.5, TGA and BMP 0.7 to 1, JPEG 0.1 to 0.2 (one scan) and 0.5 (several), EXR with zip
-    /// or piz 0.6 to 1.3 a half and 2.2 to 2.6 a float.
+    /// [pixels] What decoding costs at 1/factor of the size, as decoding_work() counts. Null: a third of a pixel for
+    /// each value, a whole one for values of 16 bits. Measured with 2048 x 2048 pixels of a smooth picture with noise
+    /// (AMD EPYC with AVX-512), where a pixel of the PNG file with 3 x 8 bits takes 16 ns. PNG with 16 bits costs 0.6
+    /// to 1 a value, WebP 0.6 and 1.4 (lossless) a pixel. HDR costs 1.5 a pixel, TGA and BMP 0.7 to 1, JPEG 0.1 to 0.2
+    /// (one scan) and 0.5 (several). EXR with zip or piz costs 0.6 to 1.3 a half and 2.2 to 2.6 a float.
     std::uint64_t (*work)(const Pixels& header, std::span<const std::byte> bytes, int factor,
                           Context& context) = nullptr;
 

@@ -27,9 +27,9 @@ Bytes bytes_of(const EncodedImage& image, Context& context, bool is_told);
 /// An error in these bytes, with the names of the picture and its file.
 Error named(const Error& error, const EncodedImage& image);
 
-/// Decodes by content (not by name). The size in the header is held against the memory budget before pixels are asked
-/// for; at most 32768 pixels per side. Colors that EXR holds multiplied by alpha are divided by it (and multiplied on
-/// writing).
+/// Decodes by content (not by name). The size in the header is checked against the memory budget before pixels are
+/// allocated; at most 32768 pixels per side. Colors that EXR holds multiplied by alpha are divided by it (and
+/// multiplied on writing).
 /// @throws Error bad_file: not a picture, broken, cut short, too large. The error carries no file name; the caller adds
 /// it.
 Pixels decode_image(std::span<const std::byte> bytes, Context& context);

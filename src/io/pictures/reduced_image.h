@@ -14,10 +14,10 @@ namespace rakelight::io {
 /// come from a file is returned as it is.
 ImageHandle reduced_image(const ImageHandle& image, int most_side);
 
-/// [pixels] What reduced_image() costs, in pixels of a PNG file with 3 x 8 bits a pixel that take about as long to decode:
-/// those of the whole picture by its format, and those of the reduced one once more for its mip levels. A JPEG file with
-/// one scan counts as a quarter, as its blocks are decoded at the reduced size; 16 bits, lossless WebP, HDR and EXR count
-/// as more. 0: it cannot be read, or did not come from a file.
+/// [pixels] The cost of reduced_image(), in pixels of a PNG file with 3 x 8 bits a pixel that take about as long to
+/// decode. These are the pixels of the whole picture by its format, and those of the reduced one once more for its mip
+/// levels. A JPEG file with one scan counts as a quarter, as its blocks are decoded at the reduced size; 16 bits,
+/// lossless WebP, HDR and EXR count as more. 0: it cannot be read, or did not come from a file.
 std::uint64_t decoding_work(const EncodedImage& image, int most_side, Context& context);
 
 /// Whether the picture has an alpha channel; false where it cannot be read.

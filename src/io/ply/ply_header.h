@@ -36,7 +36,7 @@ struct Header {
     std::vector<std::string> textures{};  ///< names after "comment TextureFile"
 };
 
-/// Every count is held against the size of the file. @throws Error bad_file
+/// Every count is checked against the size of the file. @throws Error bad_file
 Header read_header(std::string_view file);
 
 }  // namespace rakelight::io::ply

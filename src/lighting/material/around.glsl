@@ -34,8 +34,9 @@ RL_FN real film_thickness(real least, real greatest_thickness, vec4 texel)
     return mix(least, greatest_thickness, texel.y);
 }
 
-// A film over the surface, by the f0 whose Schlick term is the film's reflectance towards v: so all that follows takes it as it
-// takes any other. strength, thickness [nm], index: those of the film. Once n and v are known.
+// A film over the surface, by the f0 whose Schlick term is the film's reflectance towards v. So all that follows takes
+// it as it takes any other. The arguments strength, thickness [nm] and index are those of the film. To be called once n
+// and v are known.
 RL_FN void set_iridescence(RL_INOUT(MaterialSurface) s, real strength, real thickness, real index)
 {
     real cosine = dot(s.base.n, s.base.v);

@@ -122,9 +122,9 @@ RL_FN vec3 scattering_color(vec3 f0, vec3 f90, real albedo_mean)
     return f * f * albedo_mean / max(rest, vec3(1e-6f));
 }
 
-// v mirrored on a facet, of those that v sees evenly by the area that it sees of them. Dupuy & Benyoub 2023, "Sampling Visible GGX
-// Normals with Spherical Caps": in the space stretched by the alphas h is the sum of v and a point of the unit sphere
-// above the height of -v. n.v < 0 counts as 0.
+// Mirrors v on a facet, of those that v sees evenly by the area that it sees of them (Dupuy & Benyoub 2023, "Sampling
+// Visible GGX Normals with Spherical Caps"). In the space stretched by the alphas, h is the sum of v and a point of the
+// unit sphere above the height of -v. A negative n.v counts as 0.
 RL_FN vec3 sample_ggx(vec3 n, vec3 t, vec3 b, vec3 v, real alpha_x, real alpha_y, vec2 u)
 {
     vec3 stretched = vec3(alpha_x * dot(v, t), alpha_y * dot(v, b), max(dot(v, n), 0.0f));

@@ -48,9 +48,10 @@ RL_FN real sheen_rest(vec3 color, real albedo_l, real albedo_v)
     return clamp(1.0f - greatest * max(albedo_l, albedo_v), 0.0f, 1.0f);
 }
 
-// Evenly over the hemisphere. The weight, BRDF n.l over density, is at most 5 times its mean from alpha 0.05 on (10 times at 30
-// degrees there), 6 to 100 times with the cosine's density, which vanishes at the horizon where sheen is bright. Halfway directions by
-// the distribution mirror v below the horizon for the most part (deviation of the weights 1.5 to 60 times their mean, evenly 0.2 to 2.2).
+// Evenly over the hemisphere. The weight, BRDF n.l over density, is at most 5 times its mean from alpha 0.05 on (10
+// times at 30 degrees there). It would be 6 to 100 times with the cosine's density, which vanishes at the horizon where
+// sheen is bright. Halfway directions by the distribution mirror v below the horizon for the most part (deviation of
+// the weights 1.5 to 60 times their mean, evenly 0.2 to 2.2).
 RL_FN vec3 sample_sheen(vec3 n, vec2 u)
 {
     real cosine = max(1.0f - u.x, 0.0f);

@@ -155,8 +155,8 @@ RL_FN real occlusion_angle(real cosine)
     return select(cosine < 0.0f, 3.14159265f - angle, angle);
 }
 
-// Light of half a slice, from v to a horizon that rises over the tangent plane by an angle of sine `rise`: equation 7 of the paper. cos_n, sin_n: of the angle
-// from v to the normal in the slice, towards this side.
+// Light of half a slice, from v to a horizon that rises over the tangent plane by an angle of sine `rise`: equation 7
+// of the paper. The arguments cos_n and sin_n are of the angle from v to the normal in the slice, towards this side.
 RL_FN real occlusion_arc(real rise, real cos_n, real sin_n)
 {
     real flat_part = safe_sqrt(1.0f - rise * rise);

@@ -5,10 +5,11 @@
 // pushed out along its normal by a part of a texel; towards a light at a grazing angle this grows with the plane's
 // slope. How far planes are extended is bounded by what the texels around the point show: a rule of our own.
 //
-// A map holds how near to the light the nearest surface is. Parallel: minus the distance along the way it shines; else
-// 1 / the distance along the axis of the map, 0: nothing. Linear over the map for a plane. fetch_nearness(maps,
-// column, row) reads it: row 0 is on top, the faces of a cube are below each other. fetch_slopes(maps, column, row)
-// reads the change of depth along x and down y per width of a texel, at most RL_STEEPEST_SLOPE.
+// A map holds how near to the light the nearest surface is. For parallel light this is minus the distance along the way
+// it shines; else it is 1 / the distance along the axis of the map, 0: nothing. Over the map it is linear for a plane.
+// It is read by fetch_nearness(maps, column, row): row 0 is on top, the faces of a cube are below each other. The
+// change of depth along x and down y per width of a texel, at most RL_STEEPEST_SLOPE, is read by fetch_slopes(maps,
+// column, row).
 #define RL_STEEPEST_SLOPE 8.0f
 
 // Where slopes are kept as whole numbers of 16 bits: (slope + RL_STEEPEST_SLOPE) RL_SLOPE_CODES.
@@ -19,9 +20,9 @@ RL_FN vec2 decode_slopes(vec2 codes)
     return codes * (1.0f / RL_SLOPE_CODES) - vec2(RL_STEEPEST_SLOPE);
 }
 
-// Normal of a triangle's plane, unit, on the side that is seen, from the plane of 1 / w (parallel views: of the distance) over the
-// screen: dx, dy per pixel, `at` at the first pixel. ray_x, ray_y, ray_first: the pixels' rays likewise. `otherwise` where the plane is
-// seen from its edge.
+// Normal of a triangle's plane, unit, on the side that is seen. It follows from the plane of 1 / w (parallel views: of
+// the distance) over the screen: dx, dy per pixel, `at` at the first pixel. In the same way ray_x, ray_y and ray_first
+// are the pixels' rays. The result is `otherwise` where the plane is seen from its edge.
 RL_FN vec3 plane_normal(vec3 ray_x, vec3 ray_y, vec3 ray_first, real dx, real dy, real at, vec3 otherwise)
 {
     vec3 across = cross(ray_y, ray_first);

@@ -30,9 +30,9 @@ struct PrimitiveRequest {
 };
 
 /// One mesh per object, with a gray material, exact unit normals (sharp rims of cylinder and cone) and texture
-/// coordinates: u once around, from -Z over -X, +Z, +X, v from top to bottom (torus: from the inside over the top);
-/// caps and plane show the picture upright with -Z up, seen from above. Vertices lie on the surface up to float
-/// rounding, and common corners are bit-equal, so solids are closed.
+/// coordinates. Their u goes once around, from -Z over -X, +Z, +X, and v from top to bottom (torus: from the inside
+/// over the top). Caps and plane show the picture upright with -Z up, seen from above. Vertices lie on the surface up
+/// to float rounding, and common corners are bit-equal, so solids are closed.
 /// @param memory charged for the arrays before they are created; may be null
 /// @throws Error usage: a length, count or tolerance out of range, or more than 4 million triangles; bad_file: over the
 ///         memory budget

@@ -19,8 +19,8 @@ public:
 
     /// Whether there are so many lights that end that lists are worth their making.
     bool is_worth_it() const { return ending_ > most_without_lists; }
-    /// Lights that may reach a pixel of a square of the picture (px), in the order of the scene: those whose spheres are not outside of the
-    /// pyramid (of the beam, in parallel views) of its pixels.
+    /// Lights that may reach a pixel of a square of the picture (px), in the order of the scene. Their spheres are not
+    /// outside of the pyramid (of the beam, in parallel views) of its pixels.
     void in_square(const PictureCamera& view, int left, int top, int size, std::vector<std::uint32_t>& to) const;
     /// Those of `among` that may reach a box; all of them where `among` is null.
     void in_box(const LightBox& box, const std::vector<std::uint32_t>* among,

@@ -12,10 +12,13 @@
 
 namespace rakelight::shading {
 
-/// Looks once at each normal map of a scene that is prepared (image/normal_map_check.h): warnings of maps that look
-/// green-down (or green-up where the material says down), that look or are tagged sRGB, and of texels that point into
-/// the surface, where they are a thousandth of all or more; fewer of those are a note; of a gray one, that it is a
-/// height map. Maps of 8 bits. The place is that in the world file which names the map, else the material.
+/// Looks once at each normal map of 8 bits of a scene that is prepared (image/normal_map_check.h). It warns of
+/// - maps that look green-down (or green-up where the material says down)
+/// - maps that look or are tagged sRGB
+/// - texels that point into the surface, where they are a thousandth of all or more; fewer of those are a note
+/// - gray maps: they are height maps
+///
+/// The place is that in the world file which names the map, else the material.
 class NormalMapRemarks {
 public:
     NormalMapRemarks(const Scene& scene, Report& report) : scene_(scene), report_(report) {}

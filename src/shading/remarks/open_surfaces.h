@@ -34,8 +34,8 @@ private:
         const Draw* begin;
         const Draw* end;
     };
-    /// [m] in object space: how far apart vertices may be of what was one place before it was rounded: 4 float ulps of
-    /// the largest coordinate, or half the diagonal of a step's cube of quantized positions if that is more.
+    /// [m] in object space: how far apart vertices may be of what was one place before it was rounded. It is 4 float
+    /// ulps of the largest coordinate, or half the diagonal of a step's cube of quantized positions if that is more.
     static double weld_tolerance(const DrawList& list, Part object);
     /// Edges of one triangle only.
     std::uint64_t count(const DrawList& list, Part object, Context& context) const;

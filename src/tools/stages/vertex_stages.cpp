@@ -28,8 +28,8 @@ Stage make_model_stage(const Sources& of) {
     return s;
 }
 
-/// Rotates the world about its vertical axis so that the camera looks to the right in the oblique view, a little into
-/// the picture: seen along its own axis, a frustum would look like a frame.
+/// Rotates the world about its vertical axis. The camera then looks to the right in the oblique view, a little into the
+/// picture: seen along its own axis, a frustum would look like a frame.
 class SeenFromAside {
 public:
     explicit SeenFromAside(const shading::PictureCamera& view) {

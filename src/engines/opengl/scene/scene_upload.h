@@ -29,7 +29,9 @@ struct GivenScene {
     std::shared_ptr<const geometry::MeshPoses> poses{};  ///< as Engine::prepare_unposed() has them
 };
 
-/// From any thread. @param poses_here  the poses are taken by the processor, for a driver that would be slower. @param before  what was decoded for the scene before: what is used again is not decoded again
+/// From any thread.
+/// @param poses_here  the poses are taken by the processor, for a driver that would be slower
+/// @param before  what was decoded for the scene before: what is used again is not decoded again
 /// @throws Error failed: cancelled
 TakenScene take_scene(GivenScene given, bool poses_here, shading::TextureCache cache,
                       shading::EnvironmentCache environments, Context& context);

@@ -18,8 +18,8 @@ struct Place {
     double x, y, w, distance;
 };
 
-/// An end of a line with what is affine along it: in clip space x, y, w, distance, part; on the screen x, y (px), the
-/// depth key and part / w; part: 0 at the line's first end, 1 at its second.
+/// An end of a line, with what is affine along it. In clip space this is x, y, w, distance, part; on the screen x, y
+/// (px), the depth key and part / w. The part is 0 at the line's first end, 1 at its second.
 using ClipEnd = std::array<double, 5>;
 using ScreenEnd = std::array<double, 4>;
 

@@ -6,9 +6,10 @@
 
 namespace rakelight::raster {
 
-/// Which of two points per pixel shows that both cover: that whose paraboloid is nearer. It opens away from the eye, with its
-/// vertex at the point, and is a radius deep at the border, so that points at equal depth part at their bisector (Schuetz & Wimmer
-/// 2015, "High-Quality Point-Based Rendering Using Fast Single-Pass Interpolation", section 3).
+/// Decides which of two points shows in a pixel that both cover: that whose paraboloid is nearer. The paraboloid opens
+/// away from the eye, with its vertex at the point. It is a radius deep at the border, so that points at equal depth
+/// part at their bisector (Schuetz & Wimmer 2015, "High-Quality Point-Based Rendering Using Fast Single-Pass
+/// Interpolation", section 3).
 class PointParaboloid {
 public:
     /// @param half  [px] the radius of points

@@ -12,8 +12,8 @@ struct LayerPlace {
     std::uint32_t number;  ///< of its triangle in the order of the scene
 };
 
-/// [1] Depth keys that differ by less, as a share of the greater one, are equal: surfaces in one plane keep the order of
-/// the scene at all their pixels, whatever rounding makes of their triangles.
+/// [1] Depth keys that differ by less, as a share of the greater one, are equal. So surfaces in one plane keep the
+/// order of the scene at all their pixels, whatever rounding makes of their triangles.
 inline constexpr float equal_depths = 0x1p-19f;
 
 /// The farther one is; of equal ones the first of the scene.

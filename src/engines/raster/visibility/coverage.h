@@ -14,10 +14,11 @@ struct KeyPlane {
     float depth_low, depth_high;  ///< of its corners
 };
 
-/// A triangle in one tile: which pixels may be covered, in px from the tile's corner, and what decides it. Fixed-point edge
-/// functions with the top-left rule (Pineda 1988): a pixel center that lies exactly on an edge belongs to the triangle whose top or left
-/// edge it is, so that triangles which share an edge cover each pixel exactly once. From pixel to pixel an edge function
-/// changes by multiples of 256, so only the integer part of its 256th counts: floor(e / 256) >= 0 where e >= 0.
+/// A triangle in one tile: which pixels may be covered, in px from the tile's corner, and what decides it. Fixed-point
+/// edge functions with the top-left rule (Pineda 1988): a pixel center that lies exactly on an edge belongs to the
+/// triangle whose top or left edge it is. So triangles that share an edge cover each pixel exactly once. From pixel to
+/// pixel an edge function changes by multiples of 256, so only the integer part of its 256th counts: floor(e / 256) >=
+/// 0 where e >= 0.
 struct Coverage : KeyPlane {
     int left, top, right, bottom;                ///< inclusive
     std::int64_t edge[3], step_x[3], step_y[3];  ///< at (left, top), and its change per pixel; 0 where all pixels pass

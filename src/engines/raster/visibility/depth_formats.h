@@ -28,9 +28,8 @@ double standard_of_reversed(double reversed, const DepthRange& range);
 /// numbers 0 to 2^bits - 1, rounded; the float of the standard depth; minus the float of the reversed one.
 double stored_depth(Visibility format, double reversed, const DepthRange& range);
 
-/// [m] How far apart two surfaces at this distance must be to differ by one step of the stored number: one whole
-/// number, or the last bit of a float, over the derivative of the depth. What rounding in the arithmetic adds is not
-/// in it.
+/// [m] How far apart two surfaces at this distance must be to differ by one step of the stored number. It is one whole
+/// number, or the last bit of a float, over the derivative of the depth. Rounding in the arithmetic is not included.
 double depth_step(Visibility format, double distance, const DepthRange& range);
 
 }  // namespace rakelight::raster

@@ -50,8 +50,9 @@ struct Hits {
         return q - along * (dot(normal, q) * per_cosine);
     }
     vec3 interpolate(vec3 a, vec3 b, vec3 c) const { return a + (b - a) * b1 + (c - a) * b2; }
-    /// [m] by which rays begin off the surface: some rounding errors of its place and of its plane, as the ray's and Embree's
-    /// coordinates have them; off splats their radius. @param n  unit normal of the plane
+    /// [m] The distance off the surface at which rays begin. It is some rounding errors of the surface's place and of
+    /// its plane, as the ray's and Embree's coordinates have them. For splats it is their radius. @param n  unit normal
+    /// of the plane
     real offset(const HitJob& job, vec3 n) const {
         const vec3 size(abs(n.x), abs(n.y), abs(n.z));
         const auto off_plane = [&](vec3 v) { return dot(size, vec3(abs(v.x), abs(v.y), abs(v.z))); };

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes a glTF file back with new normals and tangents; everything else in it is kept.
 //
-// Only these change: NORMAL and TANGENT of drawn triangle primitives; indices and the other attributes where a vertex
-// was split (elements are copied as they are); Draco primitives, which are decompressed; nodes whose placement needs
-// different normals, which get a copy of their mesh. New data goes to the end of the binary chunk (GLB) or to a new
-// buffer file.
+// Only these change:
+// - NORMAL and TANGENT of drawn triangle primitives
+// - indices and the other attributes where a vertex was split (elements are copied as they are)
+// - Draco primitives, which are decompressed
+// - nodes whose placement needs different normals, which get a copy of their mesh
+//
+// New data goes to the end of the binary chunk (GLB) or to a new buffer file.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -23,8 +23,8 @@ std::vector<std::byte> stored_bytes(std::span<const float> numbers, std::uint32_
 /// Which type the new normals and tangents of each primitive get, so that equal vectors at a border stay equal.
 ///
 /// 16 bits are kept: a step is 0.002 degrees. 8 bits (a step is 0.5 degrees, which is visible) are kept where all that
-/// meet have the same codes: all drawn primitives store 8 bits, and no object is rotated or scaled relative to
-/// another. Else float.
+/// meet have the same codes. That is so if all drawn primitives store 8 bits, and no object is rotated or scaled
+/// relative to another. Else float.
 class DirectionStorage {
 public:
     DirectionStorage(const Accessors& accessors, const Scene& scene);
