@@ -10,7 +10,7 @@ import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DATA = ROOT / "data"
-sys.path[:0] = [str(ROOT / "tests" / "cli"), str(ROOT / "tools" / "pictures"), str(ROOT / "tools" / "package")]
+sys.path[:0] = [str(ROOT / "tests" / "cli" / "support"), str(ROOT / "tools" / "pictures"), str(ROOT / "tools" / "package")]
 
 import exr  # noqa: E402
 import png8  # noqa: E402
