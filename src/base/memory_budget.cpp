@@ -66,7 +66,6 @@ void MemoryBudget::Account::give_back(std::uint64_t bytes) noexcept {
 
 MemoryBudget::MemoryBudget(std::uint64_t max_bytes) : account_(std::make_shared<Account>(max_bytes)) {}
 
-void MemoryBudget::note_read(std::uint64_t bytes) noexcept { account_->read_bytes += bytes; }
 void MemoryBudget::check(std::uint64_t bytes, std::string_view what) const {
     account_->require(account_->charged, bytes, what);
 }

@@ -36,18 +36,4 @@ void to_srgb8(std::span<const vec4> linear, int channels, std::span<std::uint8_t
     }
 }
 
-void to_srgb16(std::span<const vec4> linear, int channels, std::span<std::uint16_t> out) {
-    RL_ASSERT((channels == 3 || channels == 4) && out.size() == linear.size() * std::size_t(channels),
-              "wrong size of a row");
-    const auto code = [](float v) { return std::uint16_t(v * 65535.0f + 0.5f); };
-    std::uint16_t* to = out.data();
-    for (const vec4& color : linear) {
-        to[0] = code(srgb_from_linear(color.x));
-        to[1] = code(srgb_from_linear(color.y));
-        to[2] = code(srgb_from_linear(color.z));
-        if (channels == 4) to[3] = code(clamp_unit(color.w));
-        to += channels;
-    }
-}
-
 }  // namespace rakelight

@@ -15,7 +15,4 @@ namespace rakelight {
 /// @param out       [n * channels]
 void to_srgb8(std::span<const vec4> linear, int channels, std::span<std::uint8_t> out);
 
-/// The same with 16 bits per component, code value 65535 for 1. Native byte order.
-void to_srgb16(std::span<const vec4> linear, int channels, std::span<std::uint16_t> out);
-
 }  // namespace rakelight

@@ -119,12 +119,6 @@ Scene with_material_changes(Scene scene, std::span<const MaterialChanges> change
     return scene;
 }
 
-Scene with_material_values(Scene scene, const std::string& name, const std::vector<WorldValue>& values,
-                           Context& context) {
-    const MaterialChanges changes[] = {{{.name = name}, values}};
-    return with_material_changes(std::move(scene), changes, context);
-}
-
 Scene valid::override_materials(Scene scene, const MaterialOverrides& overrides, Context& context) {
     if (overrides == MaterialOverrides{}) return scene;
     name_default_material(scene);

@@ -55,10 +55,6 @@ public:
     void section(const std::string& header) { text_ += (text_.empty() ? "" : "\n") + header + "\n"; }
     void lines(const std::string& whole) { text_ += whole; }
     void put(const std::string& key, const std::string& value) { text_ += key + " = " + value + "\n"; }
-    template <class T, class Text>
-    void put_unless(const std::string& key, const T& value, const T& usual, const Text& text) {
-        if (!(value == usual)) put(key, text(value));
-    }
     void put_text(const std::string& key, const std::string& value, const std::string& usual = {}) {
         if (value != usual) put(key, quoted(value));
     }

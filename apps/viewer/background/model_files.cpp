@@ -25,7 +25,7 @@ void ModelFiles::load(bool keeps_look) {
     const auto work = [this, file, start = start_, keeps_look](Context& context) -> Background::Finish {
         const auto model = load_model(file, start, context);
         return [this, model, keeps_look] {
-            arrival_ = Arrival{model_, keeps_look && model_ && model_->file == model->file};
+            arrival_ = Arrival{keeps_look && model_ && model_->file == model->file};
             model_ = model;
             watched_.take(model->files);
             before_drop_.reset();

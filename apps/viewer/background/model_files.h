@@ -32,8 +32,7 @@ public:
     void cancel() { loader_.cancel(); }
 
     struct Arrival {
-        std::shared_ptr<const Model> before;  ///< null: none was shown
-        bool keeps_look = false;              ///< the same file as before, read again
+        bool keeps_look = false;  ///< the same file as before, read again
     };
     /// Takes what is loaded. @return there is another model() now
     std::optional<Arrival> poll();

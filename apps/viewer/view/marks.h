@@ -22,7 +22,6 @@ struct Marks {
     bool operator==(const Marks&) const = default;
 
     /// Some that surfaces hide.
-    bool has_hidden() const { return grid || vectors[0] || vectors[1] || vectors[2] || seams; }
 };
 
 /// Keeps what takes long to find.

@@ -17,9 +17,6 @@ public:
     MemoryBudget(const MemoryBudget&) = delete;
     MemoryBudget& operator=(const MemoryBudget&) = delete;
 
-    /// Records bytes read from files. They raise the default limit until all charges have ended. If the bytes stay in
-    /// memory and must be charged, use MemoryCharge::of_file() instead.
-    void note_read(std::uint64_t bytes) noexcept;
     /// Checks that `bytes` are available now, without a charge. For short-lived buffers.
     /// @throws Error bad_file, as the constructor of MemoryCharge
     void check(std::uint64_t bytes, std::string_view what) const;
@@ -44,7 +41,7 @@ public:
     /// Charges `bytes`. Create the charge before an allocation whose size comes from a file.
     /// @throws Error bad_file "WHAT: N bytes beside U in use, more than the limit of M". Then nothing is charged.
     MemoryCharge(MemoryBudget& budget, std::uint64_t bytes, std::string_view what);
-    /// A charge for bytes read from a file. First the bytes raise the limit, as with MemoryBudget::note_read().
+    /// A charge for bytes read from a file. First the bytes raise the default limit, until all charges have ended.
     /// @throws Error bad_file, as the constructor
     static MemoryCharge of_file(MemoryBudget& budget, std::uint64_t bytes, std::string_view what);
     MemoryCharge(MemoryCharge&& from) noexcept;

@@ -129,12 +129,4 @@ struct BorderMeasure {
 RL_API BorderMeasure measure_borders(std::span<const AttributeMesh> meshes, const MatchOptions& options,
                                      Context& context);
 
-/// Proposes MatchOptions::distance from the gaps of a model. It uses open edges that match one other mesh over their
-/// whole length. The gap must be at most half the length of the edge, and must vary by at most a quarter of this
-/// length. The result is slightly more than the 98th percentile of the gaps, weighted by length and rounded to two
-/// digits. It is 0 if there are no such edges. At most 4096 open edges are examined, evenly distributed.
-/// @param options  `distance` is not read
-RL_API double proposed_border_distance(std::span<const AttributeMesh> meshes, const MatchOptions& options,
-                                       Context& context);
-
 }  // namespace rakelight

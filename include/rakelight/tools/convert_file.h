@@ -20,9 +20,6 @@ struct ConvertedFile {
     std::uint64_t without_normals = 0;  ///< how many of them have no normals, in the output too
 };
 
-/// Whether convert_file() can write a file of this name: .glb, .gltf, .obj or .ply, in any case.
-RL_API bool is_model_output(std::string_view path);
-
 /// Reads `input` (a model, a world or a built-in shape) and writes `output`. Nothing is computed: positions, normals and
 /// tangents stay as they are, and meshes without normals stay without. From glTF to GLB and back all data of the file is
 /// kept. Other conversions write materials, textures, skins and clips as far as the format can express them, and the

@@ -146,7 +146,7 @@ struct RL_API MatchedSeams {
     std::uint64_t edges_not_searched = 0;  ///< BorderMeasure::edges_not_searched
 };
 
-/// A proposed border distance if none was given: proposed_border_distance().
+/// A proposed border distance if none was given: MatchOptions::distance.
 struct BorderProposal {
     double distance = 0;        ///< [m] 0: no adjacent borders, or their normals agree within 1 degree
     double open_length = 0;     ///< [m] length of all open borders

@@ -53,8 +53,4 @@ struct MaterialChanges {
 /// @throws Error usage; bad_file: an invalid scene (see validate()); not_found, bad_file: a picture
 RL_API Scene with_material_changes(Scene scene, std::span<const MaterialChanges> changes, Context& context);
 
-/// The same for all materials of a name.
-RL_API Scene with_material_values(Scene scene, const std::string& name, const std::vector<WorldValue>& values,
-                                  Context& context);
-
 }  // namespace rakelight

@@ -127,8 +127,4 @@ ProposedDistance propose_distance(std::span<const AttributeMesh> meshes, const M
 
 }  // namespace geometry
 
-double proposed_border_distance(std::span<const AttributeMesh> meshes, const MatchOptions& options, Context& context) {
-    return geometry::propose_distance(meshes, options, context).distance;
-}
-
 }  // namespace rakelight

@@ -40,11 +40,6 @@ void count(const Scene& scene, ConvertedFile& result) {
 
 }  // namespace
 
-bool is_model_output(std::string_view path) {
-    const std::string ending = file_ending(path);
-    return ending == "glb" || ending == "gltf" || ending == "obj" || ending == "ply";
-}
-
 ConvertedFile convert_file(const std::string& input, const std::string& output, const LoadOptions& options,
                            Context& context) {
     const ModelRewrite model = begin_rewrite(input, output, options, context);

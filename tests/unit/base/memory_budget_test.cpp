@@ -14,7 +14,7 @@ TEST(MemoryBudget, AllowsTwoGibOrSixtyFourBytesAByteRead) {
     EXPECT_THROW(MemoryCharge(m, (2ull << 30) + 1, "accessor 0"), Error);
     const MemoryCharge a(m, 1ull << 30, "a"), b(m, 1ull << 30, "b");
     EXPECT_THROW(MemoryCharge(m, 1, "c"), Error);
-    m.note_read(1ull << 26);
+    const MemoryCharge file = MemoryCharge::of_file(m, 1ull << 26, "the file");
     EXPECT_EQ(m.limit(), 1ull << 32);
     EXPECT_NO_THROW(MemoryCharge(m, 1, "c"));
     EXPECT_THROW(MemoryCharge(m, ~0ull, "d"), Error) << "no overflow";
@@ -50,7 +50,7 @@ TEST(MemoryBudget, AFileThatTheUsersLimitRefusesIsNotCharged) {
 
 TEST(MemoryBudget, TheUsersLimitReplacesTheRule) {
     MemoryBudget m(1000);
-    m.note_read(1 << 20);
+    EXPECT_THROW(MemoryCharge::of_file(m, 1 << 20, "the file"), Error);
     EXPECT_THROW(m.check(1001, "x"), Error);
     EXPECT_NO_THROW(m.check(1000, "x"));
 }

@@ -55,12 +55,5 @@ TEST(ToSrgb8, EncodesColorsAndKeepsAlphaLinear) {
     to_srgb8({}, 4, {});
 }
 
-TEST(ToSrgb16, AgreesWithTheTransferFunction) {
-    const std::vector<vec4> row{{0.5f, 0, 1, 0.25f}, {nan, -1, 7, nan}};
-    std::vector<std::uint16_t> out(8);
-    to_srgb16(row, 4, out);
-    EXPECT_EQ(out, (std::vector<std::uint16_t>{48192, 0, 65535, 16384, 0, 0, 65535, 0}));
-}
-
 }  // namespace
 }  // namespace rakelight

@@ -21,7 +21,6 @@ public:
     std::size_t buffer() const { return buffer_; }         ///< the buffer that new data is appended to
     std::uint64_t offset() const { return base_.size(); }  ///< its bytes so far, a multiple of 4
     std::span<std::byte> binary() { return base_; }        ///< its bytes so far, to be overwritten in part
-    bool repacked() const { return repacked_; }  ///< the container is not the source's: nothing can be copied as it is
 
     /// Writes everything, the model file last. `unchanged`: the source's bytes are the model file. `keep_unused`: of a GLB the
     /// bytes of views that nothing refers to stay.

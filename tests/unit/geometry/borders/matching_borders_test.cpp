@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 
+#include "geometry/borders/border_proposal.h"
 #include "unit/geometry/borders/border_shapes.h"
 
 namespace rakelight::test {
@@ -353,12 +354,12 @@ TEST(MatchingBorders, TheProposedDistanceFindsTheGap) {
     for (const double gap : {0.05, 0.1, 0.3}) {
         const CutSurface model = cut_surface(torus(), {.times = 3, .gap = gap});
         const std::vector<Shape> made = smoothed(model.halves);
-        const double d = proposed_border_distance(views(made), {}, context);
+        const double d = geometry::propose_distance(views(made), {}, context).distance;
         EXPECT_GT(d, gap * model.edge);
         EXPECT_LT(d, 1.6 * gap * model.edge + 0.1 * model.edge);
         EXPECT_LT(join(made, {.distance = d}).after.seam.mean_deg, 0.3);
     }
-    EXPECT_EQ(proposed_border_distance(views(smoothed({make_cube()})), {}, context), 0);
+    EXPECT_EQ(geometry::propose_distance(views(smoothed({make_cube()})), {}, context).distance, 0);
 }
 
 /// Random triangles of several meshes crowded in a small box, some of them side by side.
