@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/io/world.h>
+#include <rakelight_internal/base/file_ending.h>
 
 namespace rakelight::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include <programs/base/text.h>
 #include <rakelight/base/error.h>
+#include <rakelight_internal/base/text.h>
 
 namespace rakelight::cli {
 namespace {

@@ -2,7 +2,7 @@
 // The program `rakelight`. What the commands do is the library's; here are files in, messages out and the exit code.
 #include <algorithm>
 
-#include <programs/base/exit_code.h>
+#include <rakelight_internal/base/exit_code.h>
 
 #include "../common/completion.h"
 #include "../common/interrupt.h"

@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <string_view>
 
-#include <programs/base/file_ending.h>
-#include <programs/base/text.h>
 #include <rakelight/io/movie.h>
 #include <rakelight/tools/compare.h>
 #include <rakelight/world/values.h>
+#include <rakelight_internal/base/file_ending.h>
+#include <rakelight_internal/base/text.h>
 
 #include "inputs.h"
 #include "run.h"

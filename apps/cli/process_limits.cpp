@@ -10,7 +10,7 @@
 #include <new>
 #include <vector>
 
-#include <programs/io/unfinished_outputs.h>
+#include <rakelight_internal/io/unfinished_outputs.h>
 
 #include "console.h"
 

@@ -6,6 +6,7 @@
 #include <rakelight/world/render_keys.h>
 #include <rakelight/world/values.h>
 #include <rakelight/world/world_request.h>
+#include <rakelight_internal/world/settings_file.h>
 
 #include "../common/view_command.h"
 #include "file_uri.h"

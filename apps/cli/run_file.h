@@ -3,9 +3,9 @@
 #pragma once
 #include <functional>
 
-#include <programs/base/exit_code.h>
 #include <rakelight/base/current_error.h>
 #include <rakelight/world/world_request.h>
+#include <rakelight_internal/base/exit_code.h>
 #include <string>
 
 #include "../common/interrupt.h"

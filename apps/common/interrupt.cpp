@@ -11,7 +11,7 @@
 #include <atomic>
 #include <utility>
 
-#include <programs/io/unfinished_outputs.h>
+#include <rakelight_internal/io/unfinished_outputs.h>
 
 #ifdef __GLIBC__
 /// Mesa lowers its thread that writes the cache of shaders to nice 19. A process is gone only when each of its threads

@@ -20,8 +20,8 @@
 #include <iterator>
 #include <stdexcept>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/base/current_error.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "../common/helper_limits.h"
 #include "convert_mesh.h"

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include <programs/base/file_ending.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "io/import/stream_format.h"
 

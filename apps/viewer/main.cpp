@@ -2,10 +2,10 @@
 // The program `rakelight-view`: a window in which to live with a model. `rakelight view` starts it.
 #include <cstdio>
 
-#include <programs/base/exit_code.h>
 #include <rakelight/base/current_error.h>
 #include <rakelight/world/render_keys.h>
 #include <rakelight/world/values.h>
+#include <rakelight_internal/base/exit_code.h>
 
 #include "../common/command_line.h"
 #include "../common/interrupt.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <programs/base/file_ending.h>
-#include <programs/base/text.h>
+#include <rakelight_internal/base/file_ending.h>
+#include <rakelight_internal/base/text.h>
 
 namespace rakelight {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <programs/base/text.h>
 #include <rakelight/base/error.h>
 #include <rakelight/scene/words.h>
+#include <rakelight_internal/base/text.h>
 
 #include "base/format_text.h"
 #include "engines/shader_text.h"

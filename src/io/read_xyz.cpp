@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <numeric>
 
-#include <programs/base/text.h>
+#include <rakelight_internal/base/text.h>
 
 #include "base/format_text.h"
 #include "io/cloud_material.h"
@@ -191,6 +191,6 @@ Scene read_bytes(const std::string& path, Bytes bytes, const ReadOptions&, Conte
 
 }  // namespace
 
-const ModelReader xyz_reader = {.read_bytes = read_bytes};
+constinit const ModelReader xyz_reader = {.read_bytes = read_bytes};
 
 }  // namespace rakelight::io

@@ -11,9 +11,9 @@
 #include <string_view>
 #include <utility>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/base/report.h>
 #include <rakelight/scene/validate.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "base/left_out.h"
 #include "io/content_kind.h"

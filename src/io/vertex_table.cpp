@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include <programs/base/text.h>
 #include <rakelight/base/report.h>
+#include <rakelight_internal/base/text.h>
 
 #include "io/position_origin.h"
 #include "io/stray_vertices.h"

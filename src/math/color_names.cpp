@@ -3,7 +3,7 @@
 
 #include <charconv>
 
-#include <programs/base/text.h>
+#include <rakelight_internal/base/text.h>
 
 namespace rakelight {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stages: parts of the scene -> patches -> shots -> elements, refined at shadow boundaries -> lit scene.
-#include <programs/base/text.h>
 #include <rakelight/base/report.h>
 #include <rakelight/radiosity/radiosity.h>
+#include <rakelight_internal/base/text.h>
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <programs/render/draw_alike.h>
 #include <rakelight/base/report.h>
+#include <rakelight_internal/render/draw_alike.h>
 
 #include <cmath>
 

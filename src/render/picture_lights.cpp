@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/picture_lights.h"
 
-#include <programs/base/text.h>
 #include <rakelight/base/report.h>
 #include <rakelight/math/linear.h>
 #include <rakelight/render/shot.h>
 #include <rakelight/scene/scene_queries.h>
+#include <rakelight_internal/base/text.h>
 
 #include "base/format_text.h"
 #include "render/prepared_scene.h"

@@ -2,10 +2,10 @@
 // Facade: smooth, render, save.
 #include <algorithm>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/render/picture.h>
 #include <rakelight/render/session.h>
 #include <rakelight/scene/validate.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"

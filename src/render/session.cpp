@@ -3,12 +3,12 @@
 #include <atomic>
 #include <utility>
 
-#include <programs/base/text.h>
 #include <rakelight/base/report.h>
 #include <rakelight/render/render.h>
 #include <rakelight/render/session.h>
 #include <rakelight/scene/scene_queries.h>
 #include <rakelight/scene/validate.h>
+#include <rakelight_internal/base/text.h>
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"
@@ -55,8 +55,8 @@ void remark_missing_rays(const Scene& scene, const Engine& engine, Report& repor
                        " shows the opaque surfaces behind the nearest one, 'engine' trace follows rays",
                    {"engine"});
     if (mirrors > 0)
-        report.add(Remark::note, scene.source, "",
-                   counted(mirrors, "material") + (mirrors == 1 ? " mirrors" : " mirror") + tail, {"engine"});
+        report.add(Remark::note, scene.source, "", counted(mirrors, "material mirrors", "materials mirror") + tail,
+                   {"engine"});
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <limits>
 
-#include <programs/base/text.h>
 #include <rakelight/scene/light_limits.h>
+#include <rakelight_internal/base/text.h>
 
 #include "base/format_text.h"
 

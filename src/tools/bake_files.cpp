@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <programs/base/text.h>
 #include <rakelight/base/report.h>
 #include <rakelight/tools/bake_files.h>
+#include <rakelight_internal/base/text.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -17,7 +17,7 @@
 #include "tools/report_json.h"
 #include "world/z_up.h"
 
-#include <programs/base/file_ending.h>
+#include <rakelight_internal/base/file_ending.h>
 
 namespace rakelight {
 namespace {

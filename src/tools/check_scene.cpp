@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
-#include <programs/base/text.h>
 #include <rakelight/io/world.h>
 #include <rakelight/scene/validate.h>
 #include <rakelight/scene/words.h>
 #include <rakelight/tools/check_scene.h>
+#include <rakelight_internal/base/text.h>
 
 #include <rakelight/render/shot.h>
 #include "base/format_text.h"

@@ -12,7 +12,7 @@
 #include "tools/report_json.h"
 #include "tools/window_bands.h"
 
-#include <programs/tools/join_windows.h>
+#include <rakelight_internal/tools/join_windows.h>
 
 namespace rakelight {
 namespace {

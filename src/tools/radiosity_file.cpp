@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <programs/base/file_ending.h>
-#include <programs/base/text.h>
-#include <programs/tools/radiosity_file.h>
+#include <rakelight_internal/base/file_ending.h>
+#include <rakelight_internal/base/text.h>
+#include <rakelight_internal/tools/radiosity_file.h>
 
 #include <cstdio>
 

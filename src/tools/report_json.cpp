@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <programs/base/exit_code.h>
+#include <rakelight_internal/base/exit_code.h>
 
 namespace rakelight {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <programs/tools/text_file.h>
+#include <rakelight_internal/tools/text_file.h>
 
 #include <filesystem>
 #include <system_error>

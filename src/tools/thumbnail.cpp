@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <programs/tools/thumbnail.h>
+#include <rakelight_internal/tools/thumbnail.h>
 
 #include <algorithm>
 

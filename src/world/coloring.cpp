@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <limits>
 
-#include <programs/base/text.h>
 #include <rakelight/scene/words.h>
+#include <rakelight_internal/base/text.h>
 
 #include "base/format_text.h"
 #include "math/color.h"

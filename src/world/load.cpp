@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loading of scenes by name.
-#include <programs/base/file_ending.h>
 #include <rakelight/io/world_words.h>
 #include <rakelight/world/load.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include <algorithm>
 #include <cstring>

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/base/report.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "math/linear.h"
 #include "scene/placement.h"

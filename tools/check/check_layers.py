@@ -122,7 +122,7 @@ def sources(*folders):
 
 
 def owner_of(header):
-    """The module of rakelight/MODULE/NAME.h or programs/MODULE/NAME.h."""
+    """The module of rakelight/MODULE/NAME.h or rakelight_internal/MODULE/NAME.h."""
     parts = pathlib.PurePath(header).parts
     if len(parts) == 2:
         return ROOT_HEADERS.get(pathlib.PurePath(header).stem)
@@ -132,10 +132,10 @@ def owner_of(header):
 def check_public_include(where, module, name, wrong):
     owner = owner_of(name)
     if owner is None or not (ROOT / "include" / name).exists() and name != "rakelight/version.h":
-        wrong.append(f"{where}: <{name}> does not exist; public headers are rakelight/MODULE/NAME.h, those of the programs programs/MODULE/NAME.h")
+        wrong.append(f"{where}: <{name}> does not exist; public headers are rakelight/MODULE/NAME.h, those of the programs rakelight_internal/MODULE/NAME.h")
     elif module and owner not in closure(module):
         wrong.append(f"{where}: {module} may not include <{name}>, which belongs to {owner}")
-    if where.startswith("include/rakelight/") and name.startswith("programs/"):
+    if where.startswith("include/rakelight/") and name.startswith("rakelight_internal/"):
         wrong.append(f"{where}: <{name}> is not installed")
 
 
@@ -175,7 +175,7 @@ def check_file(path, wrong):
         return
     for bracket, name in INCLUDE.findall(text):
         where = f"{relative}"
-        if name.startswith(("rakelight/", "programs/")):
+        if name.startswith(("rakelight/", "rakelight_internal/")):
             check_public_include(where, module if module in BELOW else None, name, wrong)
         elif bracket == "<":
             check_library(where, module, name, wrong)

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cstdint>
 
-#include <programs/tools/bench_creases.h>
-#include <programs/tools/bench_normals.h>
-#include <programs/tools/bench_pose.h>
-#include <programs/tools/bench_render.h>
-#include <programs/tools/bench_smooth.h>
 #include <rakelight/world/render_keys.h>
 #include <rakelight/world/values.h>
 #include <rakelight/world/world_request.h>
+#include <rakelight_internal/tools/bench_creases.h>
+#include <rakelight_internal/tools/bench_normals.h>
+#include <rakelight_internal/tools/bench_pose.h>
+#include <rakelight_internal/tools/bench_render.h>
+#include <rakelight_internal/tools/bench_smooth.h>
 
 #include "../../common/interrupt.h"
 #include "../../common/picture_options.h"

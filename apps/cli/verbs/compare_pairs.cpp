@@ -8,6 +8,7 @@
 #include <rakelight/tools/compare.h>
 #include <rakelight/world/values.h>
 #include <rakelight/world/world_request.h>
+#include <rakelight_internal/tools/compare_page.h>
 
 #include "../inputs.h"
 #include "../output_names.h"

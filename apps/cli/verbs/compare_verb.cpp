@@ -2,12 +2,13 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <programs/base/file_ending.h>
-#include <programs/render/draw_alike.h>
 #include <rakelight/tools/compare.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/world/values.h>
 #include <rakelight/world/world_request.h>
+#include <rakelight_internal/base/file_ending.h>
+#include <rakelight_internal/render/draw_alike.h>
+#include <rakelight_internal/tools/compare_page.h>
 
 #include "../../common/interrupt.h"
 #include "../../common/picture_options.h"

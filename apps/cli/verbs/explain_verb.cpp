@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include <programs/base/file_ending.h>
-#include <programs/tools/text_file.h>
 #include <rakelight/tools/compare.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/world/values.h>
+#include <rakelight_internal/base/file_ending.h>
+#include <rakelight_internal/tools/text_file.h>
 
 #include "../../common/interrupt.h"
 #include "../../common/picture_options.h"

@@ -2,9 +2,9 @@
 #include <charconv>
 #include <filesystem>
 
-#include <programs/tools/join_windows.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/world/values.h>
+#include <rakelight_internal/tools/join_windows.h>
 
 #include "../../common/picture_options.h"
 #include "../run_file.h"

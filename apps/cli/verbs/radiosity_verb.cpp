@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include <programs/tools/radiosity_file.h>
+#include <rakelight_internal/tools/radiosity_file.h>
 
 #include "../../common/interrupt.h"
 #include "../../common/picture_options.h"

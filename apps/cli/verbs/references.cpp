@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <programs/base/exit_code.h>
-#include <programs/base/text.h>
 #include <rakelight/world/values.h>
+#include <rakelight_internal/base/exit_code.h>
+#include <rakelight_internal/base/text.h>
+#include <rakelight_internal/tools/compare_page.h>
+#include <rakelight_internal/tools/reference.h>
 
 #include "../inputs.h"
 #include "../output_names.h"

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include <rakelight/tools/reference.h>
 #include <rakelight/tools/rows.h>
+#include <rakelight_internal/tools/compare_page.h>
+#include <rakelight_internal/tools/reference.h>
 
 #include "../run.h"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include <programs/base/text.h>
 #include <rakelight/tools/rows.h>
+#include <rakelight_internal/base/text.h>
 
 #include "../../common/interrupt.h"
 #include "../../common/picture_options.h"

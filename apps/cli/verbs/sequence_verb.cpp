@@ -7,12 +7,12 @@
 #include <memory>
 #include <set>
 
-#include <programs/base/file_ending.h>
-#include <programs/io/folder_lock.h>
 #include <rakelight/io/movie.h>
 #include <rakelight/render/sequence.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/world/values.h>
+#include <rakelight_internal/base/file_ending.h>
+#include <rakelight_internal/io/folder_lock.h>
 
 #include "../../common/interrupt.h"
 #include "../output_names.h"

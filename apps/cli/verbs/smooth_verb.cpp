@@ -7,6 +7,7 @@
 #include <rakelight/tools/compare.h>
 #include <rakelight/tools/rows.h>
 #include <rakelight/world/values.h>
+#include <rakelight_internal/tools/compare_page.h>
 
 #include "../../common/interrupt.h"
 #include "../../common/picture_options.h"

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <system_error>
 
-#include <programs/tools/text_file.h>
-#include <programs/tools/thumbnail.h>
 #include <rakelight/base/current_error.h>
 #include <rakelight/world/render_keys.h>
 #include <rakelight/world/values.h>
+#include <rakelight_internal/tools/text_file.h>
+#include <rakelight_internal/tools/thumbnail.h>
 
 #include "../../common/picture_options.h"
 #include "../file_uri.h"

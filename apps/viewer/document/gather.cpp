@@ -7,9 +7,9 @@
 #include <map>
 #include <vector>
 
-#include <programs/tools/text_file.h>
 #include <rakelight/base/error.h>
 #include <rakelight/world/render_keys.h>
+#include <rakelight_internal/tools/text_file.h>
 
 namespace rakelight::viewer {
 namespace {

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <set>
 
-#include <programs/base/file_ending.h>
-#include <programs/base/text.h>
+#include <rakelight_internal/base/file_ending.h>
+#include <rakelight_internal/base/text.h>
 
 #include "../motion/recorded_keys.h"
 #include "material_sections.h"

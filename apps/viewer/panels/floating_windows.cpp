@@ -3,8 +3,8 @@
 
 #include <cstdio>
 
-#include <programs/base/text.h>
 #include <rakelight/render/picture.h>
+#include <rakelight_internal/base/text.h>
 
 #include "../document/display_path.h"
 #include "widgets.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/io/world.h>
+#include <rakelight_internal/base/file_ending.h>
 
 namespace rakelight::viewer {
 namespace {

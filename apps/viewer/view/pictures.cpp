@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <programs/base/text.h>
+#include <rakelight_internal/base/text.h>
 
 #include "../document/commands.h"
 #include "../document/feedback.h"

@@ -11,7 +11,6 @@
 #include <rakelight/base/context.h>
 #include <rakelight/base/export.h>
 #include <rakelight/image/image.h>
-#include <rakelight/tools/compare_page.h>
 #include <rakelight/tools/inspect.h>
 #include <rakelight/tools/report_row.h>
 

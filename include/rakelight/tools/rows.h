@@ -14,10 +14,9 @@
 #include <rakelight/tools/convert_file.h>
 #include <rakelight/tools/explain.h>
 #include <rakelight/tools/inspect.h>
-#include <rakelight/tools/reference.h>
+#include <rakelight/tools/reference_result.h>
 #include <rakelight/tools/report_row.h>
 #include <rakelight/tools/smooth_file.h>
-#include <rakelight/tools/stages.h>
 
 namespace rakelight {
 

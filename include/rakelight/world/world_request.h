@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The picture that a file of settings asks for: [render] of a world file, or a TOML file with only that section.
+// The picture that a world file asks for: its [render], and settings that override it.
 #pragma once
 #include <functional>
 #include <span>
@@ -39,18 +39,5 @@ RL_API PictureRequest request_of_world(const std::string& path, const LoadOption
 
 /// The error with the line and column of its setting, if it is about a setting of the file. Otherwise the same error.
 RL_API Error at_world_value(const Error& error, const WorldRequest& world);
-
-/// Reads a configuration file like read_world_request(). In the result, `applied` has the settings of the file that
-/// `overrides` do not replace. at_world_value() adds the place of such a setting to an error.
-/// @throws Error not_found; bad_file, with file, line and column; usage: as read_world_request()
-RL_API WorldRequest read_settings_file(const std::string& path, const LoadOptions& options,
-                                       const RenderOverrides& overrides, Context& context);
-
-/// Whether settings contain the key "preset". If such settings override those of a world file, all keys of
-/// is_preset_key() in the file are ignored.
-RL_API bool sets_preset(std::span<const WorldValue> settings);
-/// Whether settings define the shading of the whole picture. If such settings override those of a world file, the
-/// shading of its materials and parts is ignored (RenderSettings::material_shading).
-RL_API bool sets_shading(std::span<const WorldValue> settings);
 
 }  // namespace rakelight

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <programs/base/text.h>
+#include <rakelight_internal/base/text.h>
 
 #include "bake/low/charts.h"
 #include "bake/low/shelf_packing.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include <programs/base/text.h>
+#include <rakelight_internal/base/text.h>
 
 #include "base/format_text.h"
 #include "cpu_shading/environment_maps.h"

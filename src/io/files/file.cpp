@@ -13,7 +13,7 @@
 #include <system_error>
 #include <utility>
 
-#include <programs/base/text.h>
+#include <rakelight_internal/base/text.h>
 
 #include "io/files/descriptor.h"
 

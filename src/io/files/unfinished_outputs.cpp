@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/files/unfinished_outputs.h"
 
-#include <programs/io/unfinished_outputs.h>
+#include <rakelight_internal/io/unfinished_outputs.h>
 
 #include <unistd.h>
 

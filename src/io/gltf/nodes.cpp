@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <programs/base/text.h>
+#include <rakelight_internal/base/text.h>
 
 #include "base/format_text.h"
 #include "io/gltf/transform.h"

@@ -58,6 +58,6 @@ Scene read_gltf_bytes(const std::string& path, Bytes file, const ReadOptions& op
 
 }  // namespace gltf
 
-const ModelReader gltf_reader = {.read_bytes = gltf::read_gltf_bytes};
+constinit const ModelReader gltf_reader = {.read_bytes = gltf::read_gltf_bytes};
 
 }  // namespace rakelight::io

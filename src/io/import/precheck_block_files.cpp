@@ -238,8 +238,8 @@ void check_blend(const Suspect& s) {
 
 }  // namespace
 
-const Precheck fbx_precheck = {"fbx", check_fbx};
-const Precheck precheck_3ds = {"3ds", check_3ds};
-const Precheck blend_precheck = {"blend", check_blend};
+constinit const Precheck fbx_precheck = {"fbx", check_fbx};
+constinit const Precheck precheck_3ds = {"3ds", check_3ds};
+constinit const Precheck blend_precheck = {"blend", check_blend};
 
 }  // namespace rakelight::io

@@ -51,6 +51,6 @@ void check_collada(const Suspect& s) {
 
 }  // namespace
 
-const Precheck collada_precheck = {"dae", check_collada};
+constinit const Precheck collada_precheck = {"dae", check_collada};
 
 }  // namespace rakelight::io

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <string_view>
 
-#include <programs/base/text.h>
+#include <rakelight_internal/base/text.h>
 
 #include "base/format_text.h"
 #include "io/import/precheck.h"
@@ -67,6 +67,6 @@ void check_stl(const Suspect& s) {
 
 }  // namespace
 
-const Precheck stl_precheck = {"stl", check_stl};
+constinit const Precheck stl_precheck = {"stl", check_stl};
 
 }  // namespace rakelight::io

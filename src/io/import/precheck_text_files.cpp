@@ -69,7 +69,7 @@ void check_x(const Suspect& s) {
 
 }  // namespace
 
-const Precheck ase_precheck = {"ase", check_ase};
-const Precheck x_precheck = {"x", check_x};
+constinit const Precheck ase_precheck = {"ase", check_ase};
+constinit const Precheck x_precheck = {"x", check_x};
 
 }  // namespace rakelight::io

@@ -3,8 +3,8 @@
 #include <map>
 #include <span>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/scene/validate.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "io/files/file.h"
 #include "io/import/collada_cameras.h"
@@ -82,6 +82,6 @@ Scene read_bytes(const std::string& path, Bytes bytes, const ReadOptions& option
 
 }  // namespace
 
-const ModelReader import_reader = {.read_bytes = read_bytes, .read_file = read};
+constinit const ModelReader import_reader = {.read_bytes = read_bytes, .read_file = read};
 
 }  // namespace rakelight::io

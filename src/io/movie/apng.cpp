@@ -76,6 +76,6 @@ void write_apng(const std::string& path, const MoviePictures& pictures, Context&
 
 }  // namespace
 
-const MovieFormat apng_movie = {.ending = "apng", .most_side = 65536, .write = write_apng};
+constinit const MovieFormat apng_movie = {.ending = "apng", .most_side = 65536, .write = write_apng};
 
 }  // namespace rakelight::io

@@ -128,9 +128,10 @@ void write_webm(const std::string& path, const MoviePictures& pictures, Context&
 
 }  // namespace
 
-const MovieFormat gif_movie = {.ending = "gif", .most_side = 65535, .write = write_gif, .is_by_ffmpeg = true};
-const MovieFormat mp4_movie = {
+constinit const MovieFormat gif_movie = {.ending = "gif", .most_side = 65535, .write = write_gif, .is_by_ffmpeg = true};
+constinit const MovieFormat mp4_movie = {
     .ending = "mp4", .most_side = 16384, .write = write_mp4, .has_alpha = false, .is_by_ffmpeg = true};
-const MovieFormat webm_movie = {.ending = "webm", .most_side = 16384, .write = write_webm, .is_by_ffmpeg = true};
+constinit const MovieFormat webm_movie = {
+    .ending = "webm", .most_side = 16384, .write = write_webm, .is_by_ffmpeg = true};
 
 }  // namespace rakelight::io

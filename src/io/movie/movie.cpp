@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/io/movie.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "base/format_text.h"
 #include "io/files/made_folders.h"

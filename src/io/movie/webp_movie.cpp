@@ -100,6 +100,6 @@ void write_webp_movie(const std::string& path, const MoviePictures& pictures, Co
 
 }  // namespace
 
-const MovieFormat webp_movie = {.ending = "webp", .most_side = 16383, .write = write_webp_movie};
+constinit const MovieFormat webp_movie = {.ending = "webp", .most_side = 16383, .write = write_webp_movie};
 
 }  // namespace rakelight::io

@@ -5,7 +5,7 @@
 #include <array>
 #include <set>
 
-#include <programs/base/text.h>
+#include <rakelight_internal/base/text.h>
 
 #include "io/files/file.h"
 #include "io/obj/mtl_file.h"

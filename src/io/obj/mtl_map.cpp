@@ -4,7 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 
-#include <programs/base/text.h>
+#include <rakelight_internal/base/text.h>
 
 #include "io/obj/obj_lines.h"
 #include "io/obj/obj_numbers.h"

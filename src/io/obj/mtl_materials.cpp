@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/obj/mtl_materials.h"
 
-#include <programs/base/text.h>
 #include <rakelight/base/report.h>
+#include <rakelight_internal/base/text.h>
 
 #include <algorithm>
 #include <array>

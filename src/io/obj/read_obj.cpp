@@ -129,6 +129,6 @@ Scene read_obj_bytes(const std::string& path, Bytes bytes, const ReadOptions& op
 
 }  // namespace
 
-const ModelReader obj_reader = {.read_bytes = read_obj_bytes, .read_file = read_obj};
+constinit const ModelReader obj_reader = {.read_bytes = read_obj_bytes, .read_file = read_obj};
 
 }  // namespace rakelight::io

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include <programs/base/text.h>
 #include <rakelight/base/error.h>
+#include <rakelight_internal/base/text.h>
 
 #include "io/files/file.h"
 #include "io/obj/obj_lines.h"

@@ -306,6 +306,6 @@ std::unique_ptr<RowReader> read_exr_rows(std::unique_ptr<InputFile> file, Contex
 
 }  // namespace
 
-const ReadableFormat readable_exr = {.read = read_exr, .work = work_of_exr, .read_rows = read_exr_rows};
+constinit const ReadableFormat readable_exr = {.read = read_exr, .work = work_of_exr, .read_rows = read_exr_rows};
 
 }  // namespace rakelight::io::codec

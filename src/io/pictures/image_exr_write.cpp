@@ -137,7 +137,7 @@ std::unique_ptr<ImageWriter> write_exr_channels(const OutputTarget& target, int 
 
 }  // namespace
 
-const WritableFormat writable_exr = {
+constinit const WritableFormat writable_exr = {
     .component = Component::f32, .write = write_exr, .write_channels = write_exr_channels};
 
 }  // namespace rakelight::io::codec

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include <programs/base/file_ending.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "base/format_text.h"
 

@@ -179,7 +179,7 @@ std::unique_ptr<RowReader> read_hdr_rows(std::unique_ptr<InputFile> file, Contex
 
 }  // namespace
 
-const ReadableFormat readable_hdr = {.read = read_hdr, .work = work_of_hdr, .read_rows = read_hdr_rows};
-const WritableFormat writable_hdr = {.component = Component::f32, .write = write_hdr};
+constinit const ReadableFormat readable_hdr = {.read = read_hdr, .work = work_of_hdr, .read_rows = read_hdr_rows};
+constinit const WritableFormat writable_hdr = {.component = Component::f32, .write = write_hdr};
 
 }  // namespace rakelight::io::codec

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <programs/base/file_ending.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "base/format_text.h"
 #include "io/pictures/image_formats.h"

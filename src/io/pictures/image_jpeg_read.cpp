@@ -168,6 +168,7 @@ Pixels read_reduced_jpeg(std::span<const std::byte> bytes, int factor, Context& 
 
 }  // namespace
 
-const ReadableFormat readable_jpeg = {.read = read_jpeg, .read_reduced = read_reduced_jpeg, .work = work_of_jpeg};
+constinit const ReadableFormat readable_jpeg = {
+    .read = read_jpeg, .read_reduced = read_reduced_jpeg, .work = work_of_jpeg};
 
 }  // namespace rakelight::io::codec

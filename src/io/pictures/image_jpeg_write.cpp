@@ -111,6 +111,6 @@ std::unique_ptr<ImageWriter> write_jpeg(const OutputTarget& target, int width, i
 
 }  // namespace
 
-const WritableFormat writable_jpeg = {.write = write_jpeg};
+constinit const WritableFormat writable_jpeg = {.write = write_jpeg};
 
 }  // namespace rakelight::io::codec

@@ -215,6 +215,7 @@ std::unique_ptr<RowReader> read_png_rows(std::unique_ptr<InputFile> file, Contex
 
 }  // namespace
 
-const ReadableFormat readable_png = {.read = read_png, .read_reduced = read_reduced_png, .read_rows = read_png_rows};
+constinit const ReadableFormat readable_png = {
+    .read = read_png, .read_reduced = read_reduced_png, .read_rows = read_png_rows};
 
 }  // namespace rakelight::io::codec

@@ -107,6 +107,6 @@ std::unique_ptr<ImageWriter> write_png(const OutputTarget& target, int width, in
 
 }  // namespace
 
-const WritableFormat writable_png = {.takes_u16 = true, .write = write_png};
+constinit const WritableFormat writable_png = {.takes_u16 = true, .write = write_png};
 
 }  // namespace rakelight::io::codec

@@ -52,6 +52,6 @@ std::unique_ptr<ImageWriter> write_ppm(const OutputTarget& target, int width, in
 
 }  // namespace
 
-const WritableFormat writable_ppm = {.write = write_ppm};
+constinit const WritableFormat writable_ppm = {.write = write_ppm};
 
 }  // namespace rakelight::io::codec

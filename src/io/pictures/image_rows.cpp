@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include <programs/base/file_ending.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "base/format_text.h"
 #include "io/pictures/image_formats.h"

@@ -137,7 +137,7 @@ Pixels read_bmp(std::span<const std::byte> bytes, Want want, Context& context) {
 
 }  // namespace
 
-const ReadableFormat readable_tga = {.read = read_tga, .may_be = may_be_tga};
-const ReadableFormat readable_bmp = {.read = read_bmp};
+constinit const ReadableFormat readable_tga = {.read = read_tga, .may_be = may_be_tga};
+constinit const ReadableFormat readable_bmp = {.read = read_bmp};
 
 }  // namespace rakelight::io::codec

@@ -127,7 +127,7 @@ std::unique_ptr<ImageWriter> write_webp(const OutputTarget& target, int width, i
 
 }  // namespace
 
-const ReadableFormat readable_webp = {.read = read_webp, .work = work_of_webp};
-const WritableFormat writable_webp = {.write = write_webp};
+constinit const ReadableFormat readable_webp = {.read = read_webp, .work = work_of_webp};
+constinit const WritableFormat writable_webp = {.write = write_webp};
 
 }  // namespace rakelight::io::codec

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include <programs/base/file_ending.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "io/files/file.h"
 #include "io/pictures/image_rows.h"

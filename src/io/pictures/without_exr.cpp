@@ -22,8 +22,8 @@ std::unique_ptr<ImageWriter> write_exr_channels(const OutputTarget& target, int,
 
 }  // namespace
 
-const ReadableFormat readable_exr = {.read = read_exr, .read_rows = read_exr_rows};
-const WritableFormat writable_exr = {
+constinit const ReadableFormat readable_exr = {.read = read_exr, .read_rows = read_exr_rows};
+constinit const WritableFormat writable_exr = {
     .component = Component::f32, .write = write_exr, .write_channels = write_exr_channels};
 
 }  // namespace rakelight::io::codec

@@ -25,6 +25,6 @@ void write_webp_movie(const std::string& path, const MoviePictures&, Context&) {
 
 const codec::ReadableFormat codec::readable_webp = {.read = read_webp};
 const codec::WritableFormat codec::writable_webp = {.write = write_webp};
-const MovieFormat webp_movie = {.ending = "webp", .most_side = 16383, .write = write_webp_movie};
+constinit const MovieFormat webp_movie = {.ending = "webp", .most_side = 16383, .write = write_webp_movie};
 
 }  // namespace rakelight::io

@@ -289,6 +289,6 @@ Scene read_bytes(const std::string& path, Bytes bytes, const ReadOptions&, Conte
 
 }  // namespace
 
-const ModelReader off_reader = {.read_bytes = read_bytes};
+constinit const ModelReader off_reader = {.read_bytes = read_bytes};
 
 }  // namespace rakelight::io

@@ -115,6 +115,6 @@ Scene read_bytes(const std::string& path, Bytes bytes, const ReadOptions& option
 
 }  // namespace
 
-const ModelReader ply_reader = {.read_bytes = read_bytes};
+constinit const ModelReader ply_reader = {.read_bytes = read_bytes};
 
 }  // namespace rakelight::io

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/scene/scene_queries.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "math/linear.h"
 #include "scene/drawn_vertices.h"

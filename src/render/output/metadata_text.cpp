@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/scene/scene_queries.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "render/output/overlay.h"
 #include "scene/drawn_vertices.h"

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include <programs/base/file_ending.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "render/channel_view.h"
 

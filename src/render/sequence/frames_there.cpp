@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/render/sequence.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "io/files/file.h"
 #include "io/pictures/whole_picture.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <new>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/render/shot.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "render/draw_shot.h"
 #include "render/prepared_scene.h"

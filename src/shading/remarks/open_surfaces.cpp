@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include <programs/base/text.h>
+#include <rakelight_internal/base/text.h>
 
 #include "base/format_text.h"
 #include "geometry/faults/edge_census.h"

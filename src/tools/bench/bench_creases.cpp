@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <programs/tools/bench_creases.h>
 #include <rakelight/geometry/creases.h>
+#include <rakelight_internal/tools/bench_creases.h>
 
 #include "math/functions.h"
 #include "math/linear.h"

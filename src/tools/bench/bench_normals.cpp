@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <programs/tools/bench_normals.h>
 #include <rakelight/prepare/prepare.h>
+#include <rakelight_internal/tools/bench_normals.h>
 
 #include "math/functions.h"
 #include "math/linear.h"

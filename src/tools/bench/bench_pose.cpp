@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Poses against a plain copy of the vertices. What one repetition measures is interleaved over all rows.
-#include <programs/tools/bench_pose.h>
+#include <rakelight_internal/tools/bench_pose.h>
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures against the clock. Pictures of all engines are interleaved, so that a neighbor's load falls on all of them.
-#include <programs/tools/bench_render.h>
+#include <rakelight_internal/tools/bench_render.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/render/picture.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "base/format_text.h"
 #include "engines/check_settings.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Attributes against the plain loop. What one repetition measures is interleaved over all rows, so that a neighbor's
 // load falls on all of them.
-#include <programs/tools/bench_smooth.h>
 #include <rakelight/geometry/matching_borders.h>
+#include <rakelight_internal/tools/bench_smooth.h>
 
 #include <algorithm>
 #include <chrono>

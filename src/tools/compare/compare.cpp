@@ -9,9 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/io/image_sources.h>
 #include <rakelight/io/world.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "base/format_text.h"
 #include "image/compare/compare.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // One file, no script from elsewhere. Without scripts the slider's middle is shown.
-#include <rakelight/tools/compare_page.h>
+#include <rakelight_internal/tools/compare_page.h>
 
 #include <cstring>
 
-#include <programs/base/file_ending.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "base/format_text.h"
 #include "io/files/output_file.h"

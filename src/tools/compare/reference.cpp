@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/tools/reference.h>
+#include <rakelight_internal/tools/compare_page.h>
+#include <rakelight_internal/tools/reference.h>
 
 #include <filesystem>
 #include <iterator>

@@ -145,6 +145,6 @@ void add_boxes(CreaseModels& to) {
 
 }  // namespace
 
-const ModelFamily box_models{.add = add_boxes};
+constinit const ModelFamily box_models{.add = add_boxes};
 
 }  // namespace rakelight

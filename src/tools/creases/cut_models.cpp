@@ -42,6 +42,6 @@ void add_cut_models(CreaseModels& to) {
 
 }  // namespace
 
-const ModelFamily cut_models{.add = add_cut_models};
+constinit const ModelFamily cut_models{.add = add_cut_models};
 
 }  // namespace rakelight

@@ -153,6 +153,6 @@ void add_extruded(CreaseModels& to) {
 
 }  // namespace
 
-const ModelFamily extruded_models{.add = add_extruded};
+constinit const ModelFamily extruded_models{.add = add_extruded};
 
 }  // namespace rakelight

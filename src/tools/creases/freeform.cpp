@@ -116,6 +116,6 @@ void add_freeform(CreaseModels& to) {
 
 }  // namespace
 
-const ModelFamily freeform_models{.add = add_freeform};
+constinit const ModelFamily freeform_models{.add = add_freeform};
 
 }  // namespace rakelight

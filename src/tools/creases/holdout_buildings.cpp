@@ -123,6 +123,6 @@ void add_holdout_buildings(CreaseModels& to) {
 
 }  // namespace
 
-const ModelFamily holdout_buildings{.add = add_holdout_buildings, .is_holdout = true};
+constinit const ModelFamily holdout_buildings{.add = add_holdout_buildings, .is_holdout = true};
 
 }  // namespace rakelight

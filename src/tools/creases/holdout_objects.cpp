@@ -197,6 +197,6 @@ void add_holdout_objects(CreaseModels& to) {
 
 }  // namespace
 
-const ModelFamily holdout_objects{.add = add_holdout_objects, .is_holdout = true};
+constinit const ModelFamily holdout_objects{.add = add_holdout_objects, .is_holdout = true};
 
 }  // namespace rakelight

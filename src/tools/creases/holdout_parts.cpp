@@ -212,6 +212,6 @@ void add_holdout_parts(CreaseModels& to) {
 
 }  // namespace
 
-const ModelFamily holdout_parts{.add = add_holdout_parts, .is_holdout = true};
+constinit const ModelFamily holdout_parts{.add = add_holdout_parts, .is_holdout = true};
 
 }  // namespace rakelight

@@ -179,6 +179,6 @@ void add_holdout_turned(CreaseModels& to) {
 
 }  // namespace
 
-const ModelFamily holdout_turned{.add = add_holdout_turned, .is_holdout = true};
+constinit const ModelFamily holdout_turned{.add = add_holdout_turned, .is_holdout = true};
 
 }  // namespace rakelight

@@ -157,6 +157,6 @@ void add_machine_parts(CreaseModels& to) {
 
 }  // namespace
 
-const ModelFamily machine_part_models{.add = add_machine_parts};
+constinit const ModelFamily machine_part_models{.add = add_machine_parts};
 
 }  // namespace rakelight

@@ -77,6 +77,6 @@ void add_prisms(CreaseModels& to) {
 
 }  // namespace
 
-const ModelFamily prism_models{.add = add_prisms};
+constinit const ModelFamily prism_models{.add = add_prisms};
 
 }  // namespace rakelight

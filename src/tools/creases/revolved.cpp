@@ -117,6 +117,6 @@ void add_revolved(CreaseModels& to) {
 
 }  // namespace
 
-const ModelFamily revolved_models{.add = add_revolved};
+constinit const ModelFamily revolved_models{.add = add_revolved};
 
 }  // namespace rakelight

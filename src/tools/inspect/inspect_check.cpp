@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <programs/base/text.h>
 #include <rakelight/tools/inspect_check.h>
+#include <rakelight_internal/base/text.h>
 
 #include <cstdio>
 #include <set>

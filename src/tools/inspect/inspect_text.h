@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <programs/base/text.h>
 #include <rakelight/tools/inspect.h>
+#include <rakelight_internal/base/text.h>
 
 #include "tools/text_table.h"
 

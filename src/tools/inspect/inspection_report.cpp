@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page has the worst first: exceeded limits, heat maps, seams, faults.
-#include <programs/tools/inspection_report.h>
+#include <rakelight_internal/tools/inspection_report.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include <programs/tools/text_file.h>
+#include <rakelight_internal/tools/text_file.h>
 
 #include "base/format_text.h"
 #include "render/rows.h"

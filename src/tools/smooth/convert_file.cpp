@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <programs/base/text.h>
 #include <rakelight/tools/convert_file.h>
+#include <rakelight_internal/base/text.h>
 
 #include <nlohmann/json.hpp>
 
-#include <programs/base/file_ending.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "base/format_text.h"
 #include "io/files/beside.h"

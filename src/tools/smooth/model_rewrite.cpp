@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/io/world.h>
 #include <rakelight/world/world_request.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "io/files/beside.h"
 #include "io/files/file.h"

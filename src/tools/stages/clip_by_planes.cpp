@@ -189,6 +189,6 @@ Stage make_planes_stage(const Sources& of) {
 
 }  // namespace
 
-const StageKind clip_planes_stage{make_planes_stage};
+constinit const StageKind clip_planes_stage{make_planes_stage};
 
 }  // namespace rakelight::stages

@@ -142,6 +142,6 @@ Stage make_clipped_stage(const Sources& of) {
 
 }  // namespace
 
-const StageKind clip_space_stage{make_clip_space_stage}, clipped_stage{make_clipped_stage};
+constinit const StageKind clip_space_stage{make_clip_space_stage}, clipped_stage{make_clipped_stage};
 
 }  // namespace rakelight::stages

@@ -152,6 +152,6 @@ Stage make_precision_stage(const Sources& of) {
 
 }  // namespace
 
-const StageKind depth_precision_stage{make_precision_stage};
+constinit const StageKind depth_precision_stage{make_precision_stage};
 
 }  // namespace rakelight::stages

@@ -298,6 +298,6 @@ Stage make_displacement_stage(const Sources& of) {
 
 }  // namespace
 
-const StageKind displacement_stage{make_displacement_stage, has_displacement};
+constinit const StageKind displacement_stage{make_displacement_stage, has_displacement};
 
 }  // namespace rakelight::stages

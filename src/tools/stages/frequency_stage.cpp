@@ -56,6 +56,6 @@ Stage make_frequency_stage(const Sources& of) {
 
 }  // namespace
 
-const StageKind frequency_stage{make_frequency_stage};
+constinit const StageKind frequency_stage{make_frequency_stage};
 
 }  // namespace rakelight::stages

@@ -152,6 +152,6 @@ bool has_relief(const Sources& of) { return !of.pixels.relief_shift.empty(); }
 
 }  // namespace
 
-const StageKind relief_stage{make_relief_stage, has_relief}, lighting_stage{make_lighting_stage};
+constinit const StageKind relief_stage{make_relief_stage, has_relief}, lighting_stage{make_lighting_stage};
 
 }  // namespace rakelight::stages

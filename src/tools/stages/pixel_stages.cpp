@@ -277,8 +277,9 @@ Stage make_blending_stage(const Sources& of) {
 
 }  // namespace
 
-const StageKind culling_stage{make_culling_stage}, coverage_stage{make_coverage_stage}, depth_stage{make_depth_stage};
-const StageKind visibility_stage{make_visibility_stage}, normal_stage{make_normal_stage},
+constinit const StageKind culling_stage{make_culling_stage}, coverage_stage{make_coverage_stage},
+    depth_stage{make_depth_stage};
+constinit const StageKind visibility_stage{make_visibility_stage}, normal_stage{make_normal_stage},
     blending_stage{make_blending_stage};
 
 }  // namespace rakelight::stages

@@ -225,7 +225,7 @@ Stage make_depth_mapping_stage(const Sources& of) {
 
 }  // namespace
 
-const StageKind frustum_stage{make_frustum_stage}, central_stage{make_central_stage},
+constinit const StageKind frustum_stage{make_frustum_stage}, central_stage{make_central_stage},
     depth_mapping_stage{make_depth_mapping_stage};
 
 }  // namespace rakelight::stages

@@ -109,6 +109,6 @@ bool has_samples(const Sources& of) { return of.engine.settings().samples > 1; }
 
 }  // namespace
 
-const StageKind samples_stage{make_samples_stage, has_samples};
+constinit const StageKind samples_stage{make_samples_stage, has_samples};
 
 }  // namespace rakelight::stages

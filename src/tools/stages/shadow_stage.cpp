@@ -96,6 +96,6 @@ bool has_shadows(const Sources& of) { return !of.pixels.seen.empty(); }
 
 }  // namespace
 
-const StageKind shadow_stage{make_shadow_stage, has_shadows};
+constinit const StageKind shadow_stage{make_shadow_stage, has_shadows};
 
 }  // namespace rakelight::stages

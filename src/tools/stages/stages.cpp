@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <rakelight/tools/stages.h>
+#include <rakelight_internal/tools/stages.h>
 
 #include <filesystem>
 #include <new>
@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <programs/tools/text_file.h>
 #include <rakelight/base/report.h>
+#include <rakelight_internal/tools/text_file.h>
 
 #include "scene/charge_arrays.h"
 #include "scene/placement.h"

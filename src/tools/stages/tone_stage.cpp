@@ -109,6 +109,6 @@ Stage make_picture_stage(const Sources& of) {
 
 }  // namespace
 
-const StageKind tone_stage{make_tone_stage}, picture_stage{make_picture_stage};
+constinit const StageKind tone_stage{make_tone_stage}, picture_stage{make_picture_stage};
 
 }  // namespace rakelight::stages

@@ -167,7 +167,7 @@ Stage make_screen_stage(const Sources& of) {
 
 }  // namespace
 
-const StageKind model_stage{make_model_stage}, world_stage{make_world_stage}, camera_stage{make_camera_stage};
-const StageKind device_stage{make_device_stage}, screen_stage{make_screen_stage};
+constinit const StageKind model_stage{make_model_stage}, world_stage{make_world_stage}, camera_stage{make_camera_stage};
+constinit const StageKind device_stage{make_device_stage}, screen_stage{make_screen_stage};
 
 }  // namespace rakelight::stages

@@ -193,6 +193,6 @@ Stage make_wrap_stage(const Sources& of) {
 
 }  // namespace
 
-const StageKind wrap_stage{make_wrap_stage};
+constinit const StageKind wrap_stage{make_wrap_stage};
 
 }  // namespace rakelight::stages

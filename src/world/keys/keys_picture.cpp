@@ -2,7 +2,7 @@
 // Keys of the picture: size, samples, data channels, engine, shading frequency, visibility, lines and points.
 #include "base/format_text.h"
 
-#include <programs/base/text.h>
+#include <rakelight_internal/base/text.h>
 #include "world/keys/channel_info.h"
 #include "world/keys/fixed_function.h"
 #include "world/keys/key_fields.h"

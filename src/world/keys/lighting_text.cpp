@@ -5,9 +5,9 @@
 #include <fstream>
 #include <iterator>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/base/error.h>
 #include <rakelight/engines/engine.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "base/format_text.h"
 

@@ -6,6 +6,7 @@
 #include <rakelight/scene/words.h>
 #include <rakelight/world/render_keys.h>
 #include <rakelight/world/world_request.h>
+#include <rakelight_internal/world/settings_file.h>
 
 #include "io/world/read_settings.h"
 #include "world/keys/lighting_text.h"

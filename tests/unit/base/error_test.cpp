@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <programs/base/exit_code.h>
 #include <rakelight/base/error.h>
+#include <rakelight_internal/base/exit_code.h>
 
 using namespace rakelight;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <programs/base/file_ending.h>
+#include <rakelight_internal/base/file_ending.h>
 
 using rakelight::file_ending;
 

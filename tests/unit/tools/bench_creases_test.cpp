@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <programs/tools/bench_creases.h>
+#include <rakelight_internal/tools/bench_creases.h>
 
 #include "math/linear.h"
 #include "support/thrown_error.h"

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <programs/tools/bench_normals.h>
+#include <rakelight_internal/tools/bench_normals.h>
 
 #include "support/thrown_error.h"
 

@@ -2,8 +2,8 @@
 // The scene that pictures are measured with is what its documentation says, and what is measured is reported. No time
 // is judged.
 #include <gtest/gtest.h>
-#include <programs/tools/bench_render.h>
 #include <rakelight/scene/validate.h>
+#include <rakelight_internal/tools/bench_render.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 // What the measurement measures: the right model, all rows, and results that are what they should be. No time is
 // judged.
 #include <gtest/gtest.h>
-#include <programs/tools/bench_smooth.h>
+#include <rakelight_internal/tools/bench_smooth.h>
 
 #include <map>
 #include <nlohmann/json.hpp>

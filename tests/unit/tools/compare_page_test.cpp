@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page of a comparison: its pictures are in it, and nothing of it is elsewhere.
 #include <rakelight/tools/compare.h>
+#include <rakelight_internal/tools/compare_page.h>
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 
 #include <rakelight/render/picture.h>
 #include <rakelight/tools/rows.h>
+#include <rakelight_internal/tools/compare_page.h>
 
 #include <cmath>
 #include <filesystem>

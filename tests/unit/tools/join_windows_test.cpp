@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Windows put together: which window gives which columns, and what is refused.
 #include <gtest/gtest.h>
-#include <programs/tools/join_windows.h>
+#include <rakelight_internal/tools/join_windows.h>
 
 #include "io/pictures/image_io.h"
 #include "support/thrown_error.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Borders that run along each other, as inspections say them: two halves of a cylinder of which one is finer.
-#include <programs/tools/inspection_report.h>
 #include <rakelight/tools/inspect.h>
 #include <rakelight/tools/rows.h>
+#include <rakelight_internal/tools/inspection_report.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -8,8 +8,8 @@
 #include <initializer_list>
 #include <limits>
 
-#include <programs/tools/inspection_report.h>
 #include <rakelight/tools/convert_file.h>
+#include <rakelight_internal/tools/inspection_report.h>
 
 #include "base/format_text.h"
 #include "io/gltf/write/glb_writer.h"

@@ -2,9 +2,9 @@
 // Scenes that are wrong, and every public function that takes one.
 #pragma once
 #include <gtest/gtest.h>
-#include <programs/tools/bench_render.h>
 #include <rakelight/rakelight.h>
 #include <rakelight/tools/check_scene.h>
+#include <rakelight_internal/tools/bench_render.h>
 
 #include <cmath>
 #include <functional>

@@ -3,7 +3,7 @@
 #include "tools/stages/folder.h"
 
 #include <gtest/gtest.h>
-#include <programs/io/unfinished_outputs.h>
+#include <rakelight_internal/io/unfinished_outputs.h>
 
 #include <fstream>
 

@@ -2,8 +2,8 @@
 #include "tools/thumbnail_textures.h"
 
 #include <gtest/gtest.h>
-#include <programs/tools/thumbnail.h>
 #include <rakelight/io/image_sources.h>
+#include <rakelight_internal/tools/thumbnail.h>
 
 #include <limits>
 

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstring>
 
-#include <programs/render/draw_alike.h>
-#include <programs/tools/radiosity_file.h>
 #include <rakelight/base/report.h>
 #include <rakelight/scene/scene_queries.h>
 #include <rakelight/tools/bake_files.h>
@@ -14,6 +12,8 @@
 #include <rakelight/tools/convert_file.h>
 #include <rakelight/world/render_keys.h>
 #include <rakelight/world/world_request.h>
+#include <rakelight_internal/render/draw_alike.h>
+#include <rakelight_internal/tools/radiosity_file.h>
 
 #include "base/format_text.h"
 #include "math/linear.h"

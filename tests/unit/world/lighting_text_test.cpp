@@ -8,6 +8,7 @@
 
 #include <rakelight/world/render_keys.h>
 #include <rakelight/world/world_request.h>
+#include <rakelight_internal/world/settings_file.h>
 
 #include "support/temporary_folder.h"
 #include "support/thrown_error.h"

@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <programs/base/file_ending.h>
 #include <rakelight/base/report.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "io/files/output_file.h"
 #include "io/gltf/write/glb_writer_materials.h"

@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <programs/base/text.h>
 #include <rakelight/base/error.h>
+#include <rakelight_internal/base/text.h>
 
 #include "base/format_text.h"
 #include "math/linear.h"

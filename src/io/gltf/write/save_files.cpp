@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <programs/base/file_ending.h>
+#include <rakelight_internal/base/file_ending.h>
 
 #include "io/files/beside.h"
 #include "io/files/file.h"

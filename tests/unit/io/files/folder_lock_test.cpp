@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <programs/io/folder_lock.h>
+#include <rakelight_internal/io/folder_lock.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "io/files/unfinished_outputs.h"
 
 #include <gtest/gtest.h>
-#include <programs/io/unfinished_outputs.h>
+#include <rakelight_internal/io/unfinished_outputs.h>
 
 #include <filesystem>
 #include <memory>

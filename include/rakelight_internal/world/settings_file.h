@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Configuration files: TOML files with only the section [render], for any model.
+#pragma once
+#include <string>
+
+#include <rakelight/base/export.h>
+#include <rakelight/world/world_request.h>
+
+namespace rakelight {
+
+/// Reads a configuration file like read_world_request(). In the result, `applied` has the settings of the file that
+/// `overrides` do not replace. at_world_value() adds the place of such a setting to an error.
+/// @throws Error not_found; bad_file, with file, line and column; usage: as read_world_request()
+RL_API WorldRequest read_settings_file(const std::string& path, const LoadOptions& options,
+                                       const RenderOverrides& overrides, Context& context);
+
+/// Whether settings contain the key "preset". If such settings override those of a world file, all keys of
+/// is_preset_key() in the file are ignored.
+RL_API bool sets_preset(std::span<const WorldValue> settings);
+/// Whether settings define the shading of the whole picture. If such settings override those of a world file, the
+/// shading of its materials and parts is ignored (RenderSettings::material_shading).
+RL_API bool sets_shading(std::span<const WorldValue> settings);
+
+}  // namespace rakelight
