@@ -72,32 +72,69 @@ std::string cell(const std::string& text) {
 /// Rows of commands before, and the first command that has each.
 using Shown = std::map<std::string, std::string>;
 
-/// Links to the options that commands before have alike.
-std::string markdown_links(const std::vector<std::pair<std::string, std::string>>& alike) {
-    std::string out, command;
-    for (const auto& [name, option] : alike) {
-        out += name == command ? ", " : "\n\n**As in [" + name + "](#" + name + ")**: ";
-        out += "`" + option + "`";
-        command = name;
+/// Options that an earlier command has alike, by command: names of whole groups, then of single options.
+struct Alike {
+    std::vector<std::string> groups, options;
+};
+
+/// Links to them: "As in render: all of Camera, Materials; --threads, --json".
+std::string markdown_links(const std::map<std::string, Alike>& alike) {
+    std::string out;
+    for (const auto& [command, names] : alike) {
+        std::string groups, options;
+        for (const std::string& name : names.groups) groups += (groups.empty() ? "all of " : ", ") + name;
+        for (const std::string& name : names.options) options += (options.empty() ? "" : ", ") + ("`--" + name + "`");
+        out += "\n**As in [" + command + "](#" + command + ")**: " + groups +
+               (groups.empty() || options.empty() ? "" : "; ") + options + "\n";
     }
-    return out.empty() ? out : out.substr(1) + "\n";
+    return out;
 }
 
-/// An option stands once: commands after the first one that has it name it alone.
-std::string markdown_rows(const Command& command, Shown& shown) {
-    std::string out, title;
-    std::vector<std::pair<std::string, std::string>> alike;  // command, option
+/// The options of a command in a group that are not hidden.
+std::size_t count_in_group(const Command& command, std::string_view group) {
+    return std::size_t(std::ranges::count_if(
+        command.options, [group](const Option& option) { return !option.is_hidden && option.group == group; }));
+}
+
+/// The rows of one group that no command before has; the others go to `alike`.
+std::string markdown_group(const Program& program, const Command& command, const std::string& group, Shown& shown,
+                           std::map<std::string, Alike>& alike) {
+    std::string out;
+    std::map<std::string, std::vector<std::string>> known;  // command -> its options
+    for (const Option& option : command.options) {
+        if (option.is_hidden || group != option.group) continue;
+        const std::string row =
+            "| `" + replaced(written(option), "|", "\\|") + "` | " + cell(option.help + remark(option)) + " |\n";
+        const auto [first, is_new] = shown.emplace(row, command.name);
+        if (is_new)
+            out += row;
+        else
+            known[first->second].push_back(option.name);
+    }
+    for (const auto& [name, options] : known) {
+        const auto other = std::ranges::find(program.commands, name, &Command::name);
+        const bool is_whole = count_in_group(*other, group) == options.size();
+        auto& to = is_whole ? alike[name].groups : alike[name].options;
+        if (is_whole)
+            to.push_back(group);
+        else
+            to.insert(to.end(), options.begin(), options.end());
+    }
+    return out;
+}
+
+/// An option is described once: commands after the first one that has it name it alone.
+std::string markdown_rows(const Program& program, const Command& command, Shown& shown) {
+    std::string out;
+    std::map<std::string, Alike> alike;
     walk(
         command,
-        [&](const char* group) { title = "\n**" + std::string(group) + "**\n\n| option | meaning |\n| --- | --- |\n"; },
-        [&](const Option& option) {
-            const std::string row =
-                "| `" + replaced(written(option), "|", "\\|") + "` | " + cell(option.help + remark(option)) + " |\n";
-            const auto [first, is_new] = shown.emplace(row, command.name);
-            if (!is_new) return alike.emplace_back(first->second, std::string("--") + option.name), void();
-            out += std::exchange(title, {}) + row;
-        });
-    std::ranges::stable_sort(alike, {}, [](const auto& entry) { return entry.first; });
+        [&](const char* group) {
+            const std::string rows = markdown_group(program, command, group, shown, alike);
+            if (!rows.empty())
+                out += "\n**" + std::string(group) + "**\n\n| option | meaning |\n| --- | --- |\n" + rows;
+        },
+        [](const Option&) {});
     return out + markdown_links(alike);
 }
 
@@ -133,7 +170,7 @@ std::string markdown_page(const Program& program) {
         if (!command.positionals.empty()) out += "\n";
         for (const Positional& p : command.positionals)
             out += "- `" + std::string(p.name) + "`: " + replaced(p.help, "*", "\\*") + "\n";
-        out += markdown_rows(command, shown);
+        out += markdown_rows(program, command, shown);
         if (command.footer) out += "\n```\n" + std::string(command.footer) + "\n```\n";
     }
     return out;
