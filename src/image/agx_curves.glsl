@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The AgX curves in GLSL, equal to AgxTables of tone_curves.cpp: Sobotka's sigmoid over the logarithm of light from 10
+// The AgX curves in GLSL, equal to AgxCurves of tone_kernel.h: Sobotka's sigmoid over the logarithm of light from 10
 // EV below to 6.5 EV above 0.18, with slope 2 at the pivot; and the display's power.
 
 float agx_contrast(Maps maps, float light)

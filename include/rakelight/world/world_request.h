@@ -40,4 +40,11 @@ RL_API PictureRequest request_of_world(const std::string& path, const LoadOption
 /// The error with the line and column of its setting, if it is about a setting of the file. Otherwise the same error.
 RL_API Error at_world_value(const Error& error, const WorldRequest& world);
 
+/// Whether settings contain the key "preset". If such settings override those of a world file, all keys of
+/// is_preset_key() in the file are ignored.
+RL_API bool sets_preset(std::span<const WorldValue> settings);
+/// Whether settings define the shading of the whole picture. If such settings override those of a world file, the
+/// shading of its materials and parts is ignored (RenderSettings::material_shading).
+RL_API bool sets_shading(std::span<const WorldValue> settings);
+
 }  // namespace rakelight

@@ -14,11 +14,4 @@ namespace rakelight {
 RL_API WorldRequest read_settings_file(const std::string& path, const LoadOptions& options,
                                        const RenderOverrides& overrides, Context& context);
 
-/// Whether settings contain the key "preset". If such settings override those of a world file, all keys of
-/// is_preset_key() in the file are ignored.
-RL_API bool sets_preset(std::span<const WorldValue> settings);
-/// Whether settings define the shading of the whole picture. If such settings override those of a world file, the
-/// shading of its materials and parts is ignored (RenderSettings::material_shading).
-RL_API bool sets_shading(std::span<const WorldValue> settings);
-
 }  // namespace rakelight

@@ -189,24 +189,28 @@ class Completion(program.Case):
         self.in_all_shells(check)
 
     def test_every_option_is_offered(self):
-        """The table is the source: what --markdown says of a verb, bash offers."""
-        verb, listed = "", {}
-        for line in self.fine("--markdown").out.splitlines():
-            verb = line[3:] if line.startswith("## ") else verb
-            if line.startswith("| `-"):
-                listed.setdefault(verb, set()).update(re.findall(r"--[a-z][-a-z0-9]*", line.split("` |")[0]))
+        """The table is the source: what the manual says of a verb, bash offers."""
+        listed = {}
+        for verb, row in self.option_rows():
+            listed.setdefault(verb, set()).update(re.findall(r"--[a-z][-a-z0-9]*", row))
         self.assertGreater(len(listed), 10)
         for name, options in listed.items():
             self.assertLessEqual(options, set(self.offers_bash(name, "--")), name)
 
-    def options_with_types(self):
-        """(verb, "--option", type) of each option that takes a value, as --markdown says."""
+    def option_rows(self):
+        """(verb, "-o, --output FILE") of each option of each verb, as the man page has them."""
         verb = ""
-        for line in self.fine("--markdown").out.splitlines():
-            verb = line[3:] if line.startswith("## ") else verb
-            row = re.match(r"\| `(?:-\w, )?(--[-a-z0-9]+)(?:, --[-a-z0-9]+)? ([^ `\[]+)` \|", line)
+        for line in self.fine("--man").out.replace("\\-", "-").splitlines():
+            verb = line.removeprefix(".SH rakelight ") if line.startswith(".SH ") else verb
+            if line.startswith(".B -"):
+                yield verb, line[3:]
+
+    def options_with_types(self):
+        """(verb, "--option", type) of each option that takes a value, as the man page says."""
+        for verb, text in self.option_rows():
+            row = re.fullmatch(r"(?:-\w, )?(--[-a-z0-9]+)(?:, --[-a-z0-9]+)? ([^ \[]+)", text)
             if row:
-                yield verb, row[1], row[2].replace("\\|", "|")
+                yield verb, row[1], row[2]
 
     def words_of_options(self):
         """{(verb, option): words that bash offers}"""
