@@ -94,7 +94,7 @@ foreach(name library=librakelight attributes=librakelight-attributes)
 endforeach()
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 # What the archives call, for those who link them.
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libtbb-dev, libsleef-dev, libspng-dev, libjpeg-dev, libexpat1-dev, libopenexr-dev, libwebp-dev, libepoxy-dev, libdraco-dev, libmeshoptimizer-dev, libosd-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libtbb-dev, libspng-dev, libjpeg-dev, libexpat1-dev, libopenexr-dev, libwebp-dev, libepoxy-dev, libdraco-dev, libmeshoptimizer-dev, libosd-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS pkg-config)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SHLIBDEPS OFF)

@@ -32,7 +32,7 @@ function(rl_external_of out)
 endfunction()
 
 # rl_add_library(NAME KIND OBJECTS LIBRARIES): KIND is static or shared; target rakelight_NAME_KIND. No name in it is a path of this
-# machine once it is installed: pkg-config's targets have a prefix there (RakelightConfig.cmake.in), SLEEF is found by the linker.
+# machine once it is installed: pkg-config's targets have a prefix there (RakelightConfig.cmake.in).
 function(rl_add_library name kind objects libraries)
   set(target rakelight_${name}_${kind})
   string(TOUPPER ${kind} type)
@@ -53,7 +53,6 @@ function(rl_add_library name kind objects libraries)
   else()
     set(installed ${libraries})
     list(TRANSFORM installed REPLACE "^PkgConfig::" "PkgConfig::Rakelight_")
-    list(TRANSFORM installed REPLACE "^.*/libsleef.*$" "sleef")
     foreach(library IN LISTS libraries)
       target_link_libraries(${target} INTERFACE $<BUILD_INTERFACE:$<LINK_ONLY:${library}>>)
     endforeach()
@@ -93,7 +92,7 @@ get_property(modules GLOBAL PROPERTY RL_MODULES)
 rl_objects_of(objects ${modules})
 rl_external_of(libraries ${modules})
 rl_objects_of(attribute_objects rakelight_geometry rakelight_base)
-list(APPEND attribute_objects "$<FILTER:$<TARGET_OBJECTS:rakelight_math>,INCLUDE,/(angles|isa|linear)[.]cpp>")
+list(APPEND attribute_objects "$<FILTER:$<TARGET_OBJECTS:rakelight_math>,INCLUDE,/(inverse_trigonometric|isa|linear|reduce_angle|trigonometric)[.]cpp>")
 set(attribute_libraries TBB::tbb)
 
 set(kinds static)
@@ -139,7 +138,7 @@ install(FILES ${PROJECT_BINARY_DIR}/RakelightConfig.cmake ${PROJECT_BINARY_DIR}/
 
 # What a shared library needs is its own affair; who links the archive needs it too.
 set(pc_modules spng libjpeg expat)
-set(pc_flags -lsleef -ltbb)
+set(pc_flags -ltbb)
 foreach(part OPENEXR=OpenEXR "WEBP=libwebp libwebpmux" OPENGL=epoxy)
   string(REGEX MATCH "^([A-Z]+)=(.*)$" matched ${part})
   if(RAKELIGHT_${CMAKE_MATCH_1})

@@ -12,7 +12,7 @@ cd "$(dirname "$(readlink -f "$0")")/../.."
 
 program=$(readlink -f "${1:-build/release/rakelight}")
 tree=${RAKELIGHT_ARM64_TREE:-$PWD/build/arm64}
-packages=libc6-dev,libstdc++-12-dev,libtbb-dev,libexpat1-dev,libspng-dev,libjpeg62-turbo-dev,libsleef-dev,libfmt-dev,nlohmann-json3-dev,libxsimd-dev,libcli11-dev,libtomlplusplus-dev,libstb-dev,libgtest-dev
+packages=libc6-dev,libstdc++-12-dev,libtbb-dev,libexpat1-dev,libspng-dev,libjpeg62-turbo-dev,libfmt-dev,nlohmann-json3-dev,libxsimd-dev,libcli11-dev,libtomlplusplus-dev,libstb-dev,libgtest-dev,libmpfr-dev
 
 skip() { echo "skipped: $*"; exit 77; }
 [ -x "$program" ] || { echo "aarch64.sh: no program at $program" >&2; exit 2; }

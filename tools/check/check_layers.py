@@ -68,7 +68,6 @@ ROOT_HEADERS = {"version": "render", "rakelight": "tools"}
 LIBRARIES = {
     r"(tbb|oneapi)/": ["base"],
     r"xsimd/": ["math"],
-    r"sleef\.h": ["math"],
     r"spng\.h|jpeglib\.h|webp/|Imath|OpenEXR|Imf|stb": ["io"],
     r"expat\.h": ["src/io/import/xml_events.cpp"],
     r"draco/|meshoptimizer\.h": ["io"],

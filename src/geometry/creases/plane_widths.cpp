@@ -8,7 +8,7 @@
 #include <span>
 
 #include "geometry/input/face_vote.h"
-#include "math/angles.h"
+#include "math/functions.h"
 
 namespace rakelight::geometry {
 namespace {
@@ -66,8 +66,7 @@ public:
         make_frame();
         for (std::uint32_t i = 0; i < looks; ++i) {
             const double a = 2 * pi * i / looks;
-            look_[i] = x_ * math::cosine(a > pi ? a - 2 * pi : a) +
-                       y_ * math::cosine(a > 1.5 * pi ? a - 2.5 * pi : a - 0.5 * pi);
+            look_[i] = x_ * math::cos(a) + y_ * math::sin(a);
         }
         corners_.fill(0);
         for (std::uint32_t b = 0; b < borders.size(); ++b) see(b);
@@ -106,7 +105,7 @@ private:
     }
 
     std::uint32_t turn_of(dvec3 d, std::uint32_t count, double circle) const {
-        double a = math::arc_tangent(dot(d, y_), dot(d, x_));
+        double a = math::atan2(dot(d, y_), dot(d, x_) + 0.0);  // 0 for no direction: no zero is negative then
         while (a < 0) a += circle;
         return std::uint32_t(a / circle * count + 0.5) % count;
     }

@@ -6,7 +6,7 @@
 #include "geometry/fast/marked_vertices.h"
 #include "geometry/groups/join_rules.h"
 #include "geometry/input/face_vote.h"
-#include "math/angles.h"
+#include "math/functions.h"
 
 namespace rakelight::geometry {
 namespace {
@@ -24,7 +24,7 @@ public:
           ranks_(marks_),
           open_(open),
           place_of_(open.size()),
-          least_cosine_(float(math::cosine(state.crease_rad)) + slack) {}
+          least_cosine_(float(math::cos(state.crease_rad)) + slack) {}
 
     ~Fans() {
         GeneralScratch& scratch = state_.scratch.general;

@@ -3,7 +3,7 @@
 
 #include "geometry/fast/fast_scatter.h"
 #include "geometry/fits/fitted_places.h"
-#include "math/angles.h"
+#include "math/functions.h"
 
 namespace rakelight::geometry {
 namespace {
@@ -34,7 +34,7 @@ private:
     /// Faces within it of a normal are joined with each other: half the crease angle, but for the rounding of float.
     static float hard_cosine(double crease_rad) {
         constexpr double slack_rad = radians(0.05), most_rad = radians(60);
-        return float(math::cosine(std::min(0.5 * crease_rad - slack_rad, most_rad)));
+        return float(math::cos(std::min(0.5 * crease_rad - slack_rad, most_rad)));
     }
 
     /// Every face is bent for CornerWeight::fit, and none where nothing is fitted.

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "geometry/input/face_vote.h"
-#include "math/angles.h"
+#include "math/functions.h"
 #include "math/linear.h"
 
 namespace rakelight::geometry {
@@ -53,7 +53,7 @@ inline bool are_authored_flat(std::span<const dvec3> corners, dvec3 face, dvec3 
                                 all([&](dvec3 n) { return are_one_normal(n, corners[0]); })));
 }
 
-/// [rad] 0..pi; accurate for small angles.
-inline double angle_between(dvec3 a, dvec3 b) { return math::arc_tangent(length(cross(a, b)), dot(a, b)); }
+/// [rad] 0..pi; accurate for small angles. 0 where one has no length: adding 0 makes a product of -0 positive.
+inline double angle_between(dvec3 a, dvec3 b) { return math::atan2(length(cross(a, b)), dot(a, b) + 0.0); }
 
 }  // namespace rakelight::geometry

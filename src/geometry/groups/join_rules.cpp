@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "geometry/input/circular_order.h"
-#include "math/angles.h"
+#include "math/functions.h"
 
 namespace rakelight::geometry {
 namespace {
@@ -25,7 +25,7 @@ bool is_grouped(const AttributeMesh& mesh) { return !mesh.smoothing.empty() && m
 
 double crease_cosine(double crease_angle_rad) {
     const double limit = crease_angle_rad + crease_slack;
-    return limit >= pi ? -2 : math::cosine(limit);
+    return limit >= pi ? -2 : math::cos(limit);
 }
 
 JoinRules::JoinRules(const AttributeInput& input, const Topology& topology, const AttributeOptions& options,

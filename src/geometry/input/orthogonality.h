@@ -7,7 +7,7 @@
 
 #include <rakelight/geometry/attributes.h>
 
-#include "math/angles.h"
+#include "math/functions.h"
 #include "math/linear.h"
 
 namespace rakelight::geometry {
@@ -16,7 +16,7 @@ inline dvec3 times_transposed(const dmat3& m, dvec3 v) { return {dot(m[0], v), d
 
 /// [degrees] 0..90 between a unit vector and the plane of a unit normal.
 inline double skew_deg(dvec3 normal, dvec3 tangent) {
-    return 90 - degrees(math::arc_cosine(std::min(1.0, std::fabs(dot(normal, tangent)))));
+    return 90 - degrees(math::acos(std::min(1.0, std::fabs(dot(normal, tangent)))));
 }
 
 struct OrthogonalityLoss {

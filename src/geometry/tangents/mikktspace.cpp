@@ -16,7 +16,7 @@
 #include <tuple>
 
 #include "geometry/input/face_vote.h"
-#include "math/angles.h"
+#include "math/functions.h"
 
 namespace rakelight::geometry {
 namespace {
@@ -204,7 +204,7 @@ private:
             m.t = across(face.t);
             const vec3 p = position(face, m.corner);
             const vec3 a = across(position(face, before(m.corner)) - p), b = across(position(face, next(m.corner)) - p);
-            m.angle = float(math::arc_cosine(double(std::clamp(dot(a, b), -1.0f, 1.0f))));
+            m.angle = float(math::acos(double(std::clamp(dot(a, b), -1.0f, 1.0f))));
         }
     }
 
