@@ -27,7 +27,12 @@ target_compile_features(rl_flags INTERFACE cxx_std_20)
 target_compile_options(rl_flags INTERFACE -Wall -Wextra $<IF:$<CXX_COMPILER_ID:GNU>,-Wshadow=local,-Wshadow> -Wno-missing-field-initializers
   -ffp-contract=off -fno-math-errno -fno-strict-aliasing
   # Only what has RL_API (include/rakelight/base/export.h) is seen outside of a shared library, and nobody puts another in its place.
-  -fvisibility=hidden -fvisibility-inlines-hidden -fno-semantic-interposition)
+  -fvisibility=hidden -fvisibility-inlines-hidden $<$<NOT:$<BOOL:${EMSCRIPTEN}>>:-fno-semantic-interposition>)
+if(EMSCRIPTEN)  # units of several sources shadow each other's names
+  target_compile_options(rl_flags INTERFACE -fwasm-exceptions -Wno-shadow -Wno-deprecated-declarations
+    "SHELL:-include ${PROJECT_SOURCE_DIR}/web/no_threads.h")
+  target_link_options(rl_flags INTERFACE -fwasm-exceptions)
+endif()
 if(RAKELIGHT_WERROR)
   target_compile_options(rl_flags INTERFACE -Werror)
 endif()
@@ -46,17 +51,23 @@ endif()
 if(RAKELIGHT_FUZZ)
   target_compile_options(rl_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
+target_compile_definitions(rl_flags INTERFACE RL_THREADS=$<BOOL:${RAKELIGHT_THREADS}> RL_PROCESSES=$<BOOL:${RAKELIGHT_PROCESSES}>)
 target_compile_definitions(rl_flags INTERFACE $<$<OR:$<CONFIG:Debug>,$<BOOL:${RAKELIGHT_TESTS}>>:RL_ASSERTIONS=1>)
 set_property(TARGET rl_flags PROPERTY INTERFACE_POSITION_INDEPENDENT_CODE ON)
 
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
   set(RL_ISAS scalar sse2 avx2 avx512)
+elseif(EMSCRIPTEN)  # every engine has its vectors of 128 bits, which it makes of SSE2's intrinsics
+  set(RL_ISAS sse2)
 else()  # the same bits, one pixel at a time; char is signed as there
   set(RL_ISAS scalar)
   target_compile_options(rl_flags INTERFACE -fsigned-char)
 endif()
 set(RL_ISA_FLAGS_scalar "")
 set(RL_ISA_FLAGS_sse2 "-msse2")
+if(EMSCRIPTEN)
+  set(RL_ISA_FLAGS_sse2 "-msimd128;-msse2")
+endif()
 set(RL_ISA_FLAGS_avx2 "-mavx2;-mno-fma")
 set(RL_ISA_FLAGS_avx512 "-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl;-mavx512cd;-mprefer-vector-width=512")
 

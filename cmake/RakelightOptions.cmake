@@ -15,8 +15,23 @@ option(RAKELIGHT_OPENGL "Build the engine gl (libepoxy)" ON)
 option(RAKELIGHT_TRACE "Build the engine trace (headers of Embree 3; the library is loaded when it is asked for)" ON)
 option(RAKELIGHT_VIEWER "Build rakelight-view (GLFW, Dear ImGui)" ON)
 option(RAKELIGHT_PYTHON "Build the Python module (pybind11)" OFF)
+option(RAKELIGHT_THREADS "Work on all cores (oneTBB)" ON)
+option(RAKELIGHT_PROCESSES "Start other programs: ffmpeg for movies" ON)
 option(RAKELIGHT_WERROR "Warnings are errors" OFF)
 set(RAKELIGHT_SANITIZE "" CACHE STRING "Sanitizers, for example address,undefined")
+
+# WebAssembly: no other programs, and threads only on pages with headers that static hosts do not send.
+if(EMSCRIPTEN)
+  foreach(option THREADS PROCESSES IMPORT OPENGL TRACE VIEWER PYTHON TESTS)
+    if(RAKELIGHT_${option})
+      message(FATAL_ERROR "RAKELIGHT_${option} is not for WebAssembly: configure with the preset web")
+    endif()
+  endforeach()
+endif()
+
+if(NOT RAKELIGHT_PROCESSES AND (RAKELIGHT_IMPORT OR RAKELIGHT_OPENGL))
+  message(FATAL_ERROR "RAKELIGHT_IMPORT and RAKELIGHT_OPENGL start helper programs: they need RAKELIGHT_PROCESSES")
+endif()
 
 set(RL_LEFT_OUT "")
 foreach(part DRACO=draco MESHOPT=meshopt SUBDIVISION=subdivision OPENEXR=exr WEBP=webp IMPORT=import OPENGL=gl TRACE=trace)

@@ -26,7 +26,10 @@ int run(int argc, const char* const* argv) {
                           stages_verb,    compare_verb,
                           check_verb,     join_windows_verb,
                           bake_verb,      radiosity_verb,
-                          thumbnail_verb, {apps::view_command, nullptr}};
+#if RL_PROCESSES
+                          thumbnail_verb,
+#endif
+                          {apps::view_command, nullptr}};
     std::vector<Command> commands;
     for (const Verb& verb : verbs) commands.push_back(verb.command());
     const apps::Program program{"rakelight", "Renders 3D models made of many parts: bumps show, seams do not.",

@@ -90,7 +90,9 @@ ProgressLine::ProgressLine(const std::string& file, Loudness loudness, FileCount
     if (files.start_s == 0) files.start_s = start_s_;
     text_.file = short_name(file), text_.files = files;
     stage_start_s_ = start_s_, run_start_s_ = files.start_s;
+#if RL_THREADS
     if (is_enabled_) thread_ = std::thread([this] { keep_shown(); });
+#endif
 }
 
 void ProgressLine::wipe() {
@@ -99,7 +101,9 @@ void ProgressLine::wipe() {
         is_done_ = true;
     }
     done_.notify_all();
+#if RL_THREADS
     if (thread_.joinable()) thread_.join();
+#endif
     if (is_shown_) std::fputs(wipe_line, stderr);
     is_shown_ = false;
 }

@@ -55,7 +55,9 @@ private:
     bool is_enabled_ = false, is_shown_ = false, is_done_ = false;
     std::mutex mutex_;
     std::condition_variable done_;
+#if RL_THREADS
     std::thread thread_;
+#endif
 };
 
 }  // namespace rakelight::cli

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#if RL_THREADS
 namespace rakelight::apps {
 namespace {
 
@@ -50,3 +51,6 @@ int with_enough_stack(const std::function<int()>& work) {
 }
 
 }  // namespace rakelight::apps
+#else
+int rakelight::apps::with_enough_stack(const std::function<int()>& work) { return work(); }
+#endif

@@ -10,6 +10,7 @@
 
 #include <rakelight/base/error.h>
 
+#include "base/apart.h"
 #include "base/format_text.h"
 #include "engines/opengl/picture/line_pass.h"
 #include "engines/opengl/picture/screen.h"
@@ -53,9 +54,9 @@ struct WindowView::State::Incoming {
     Incoming(GivenScene given, std::uint64_t its_number, const Renderer& renderer, const Context& context)
         : number(its_number),
           own({.threads = context.threads()}),
-          taken(std::async(std::launch::async, [this, given = std::move(given), cache = renderer.decoded(),
-                                                poses_here = !renderer.driver().poses_meshes,
-                                                environments = renderer.decoded_environment()]() mutable {
+          taken(start_apart([this, given = std::move(given), cache = renderer.decoded(),
+                             poses_here = !renderer.driver().poses_meshes,
+                             environments = renderer.decoded_environment()]() mutable {
               return take_scene(std::move(given), poses_here, std::move(cache), std::move(environments), own);
           })) {}
     ~Incoming() { own.cancel(); }

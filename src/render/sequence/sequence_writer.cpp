@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/apart.h"
 #include "io/pictures/image_io.h"
 #include "render/output/picture_files.h"
 #include "render/stopwatch.h"
@@ -33,7 +34,7 @@ void SequenceWriter::write(SequenceFrame frame, Pixels pixels, const RenderSetti
         io::write_image(target, *pixels);
         return watch.ms();
     };
-    pending_.push_back({std::move(frame), std::async(std::launch::async, std::move(work))});
+    pending_.push_back({std::move(frame), start_apart(std::move(work))});
     while (pending_.size() > most_) take_first();
 }
 
