@@ -8,6 +8,7 @@
 #include <rakelight/base/error.h>
 
 #include "base/format_text.h"
+#include "base/from_chars.h"
 #include "engines/shader_arrays.h"
 #include "engines/shader_macros.h"
 #include "engines/shader_tokens.h"
@@ -143,7 +144,7 @@ private:
         if (text.ends_with('f') || text.ends_with('F')) text.pop_back();
         float value = 0;
         const char* const begin = text.data();
-        const auto [end, fault] = std::from_chars(begin, begin + text.size(), value);
+        const auto [end, fault] = from_chars(begin, begin + text.size(), value);
         if (fault != std::errc() || end != begin + text.size() || !std::isfinite(value))
             refuse_shader(name_, v.line, "the value of '" + v.name + "' must be a number, or " + v.type + "(numbers)");
         return is_negative ? -value : value;

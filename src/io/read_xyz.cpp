@@ -10,6 +10,7 @@
 #include <rakelight_internal/base/text.h>
 
 #include "base/format_text.h"
+#include "base/from_chars.h"
 #include "io/cloud_material.h"
 #include "io/files/plain_text.h"
 #include "io/model_readers.h"
@@ -54,7 +55,7 @@ std::size_t read_line(std::string_view line, double (&values)[most_columns], boo
         while (at != end && separates(*at)) ++at;
         if (has_more) *has_more = at != end;
         if (at == end || count == most_columns) return count;
-        const auto [after, problem] = std::from_chars(at + (*at == '+' ? 1 : 0), end, values[count]);
+        const auto [after, problem] = from_chars(at + (*at == '+' ? 1 : 0), end, values[count]);
         if (problem == std::errc::invalid_argument || (after != end && !separates(*after))) return most_columns + 1;
         if (problem == std::errc::result_out_of_range && std::fabs(values[count]) < 1) values[count] = 0;
         ++count;

@@ -8,6 +8,7 @@
 #include <rakelight/math/linear.h>
 
 #include "base/enumerators.h"
+#include "base/from_chars.h"
 #include "io/files/beside.h"
 #include "io/world/material_keys.h"
 #include "world/keys/key_fields.h"
@@ -191,7 +192,7 @@ void write_camera(Writer& to, const Camera& camera) {
 /// A number if the word is its canonical form, else a string.
 std::string bare_or_quoted(const std::string& word) {
     double number = 0;
-    const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
+    const auto [end, fault] = from_chars(word.data(), word.data() + word.size(), number);
     const bool is_number = fault == std::errc() && end == word.data() + word.size() && std::isfinite(number);
     return is_number && text_of(number) == word ? word : quoted(word);
 }

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <tuple>
 
+#include "base/atomic_ref.h"
 #include "base/hash_key.h"
 
 namespace rakelight::geometry {
@@ -51,7 +52,7 @@ private:
                                        edges.hash(face.corner[2])};
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint64_t next = h[(k + 1) % 3], previous = h[(k + 2) % 3];
-                std::atomic_ref(edges.left_over_[face.corner[k]])
+                atomic_ref(edges.left_over_[face.corner[k]])
                     .fetch_add(flip < 0 ? previous - next : next - previous, std::memory_order_relaxed);
             }
         }

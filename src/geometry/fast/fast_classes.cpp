@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/atomic_ref.h"
+
 namespace rakelight::geometry {
 namespace {
 
@@ -57,8 +59,7 @@ private:
     void count_isolated() const {
         for (const std::uint32_t v : members_)
             if (state_.row(v)[state_.floats() - 1] == 0)
-                std::atomic_ref(state_.isolated[state_.input.mesh_of_vertex(v)])
-                    .fetch_add(1, std::memory_order_relaxed);
+                atomic_ref(state_.isolated[state_.input.mesh_of_vertex(v)]).fetch_add(1, std::memory_order_relaxed);
     }
 
     // False: undecidable in float.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/fast/fast_stages.h"
 
+#include "base/atomic_ref.h"
+
 namespace rakelight::geometry {
 namespace {
 
@@ -24,7 +26,7 @@ void finish_range(FastState& state, const AttributeBuffers& out, std::uint32_t m
         for (std::uint32_t i = 0; i < job.odd_count; ++i) odd.push_back(base + job.odd[i]);
     }
     if (job.isolated != 0 && !keeps_normals)
-        std::atomic_ref(state.isolated[m]).fetch_add(job.isolated, std::memory_order_relaxed);
+        atomic_ref(state.isolated[m]).fetch_add(job.isolated, std::memory_order_relaxed);
 }
 
 std::vector<std::uint32_t> finish(FastState& state, bool keeps_normals) {

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstring>
 
+#include "base/atomic_ref.h"
 #include "geometry/fast/fast_stages.h"
 
 namespace rakelight::geometry {
@@ -169,7 +170,7 @@ private:
         }
         make_ready(lane, m, job.ready_end, job.own_end);
         if (degenerate != 0 && Rows::counts_degenerate)
-            std::atomic_ref(state_.degenerate[m]).fetch_add(degenerate, std::memory_order_relaxed);
+            atomic_ref(state_.degenerate[m]).fetch_add(degenerate, std::memory_order_relaxed);
         return true;
     }
 

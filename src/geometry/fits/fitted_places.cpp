@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "base/atomic_ref.h"
+
 namespace rakelight::geometry {
 namespace {
 
@@ -52,8 +54,7 @@ private:
             is_near |= from_.spread[vertex[k]] != Spread::mild;
         }
         if (!is_near) return;
-        for (const std::uint32_t v : vertex)
-            std::atomic_ref(marks[topology_.group[v]]).store(1, std::memory_order_relaxed);
+        for (const std::uint32_t v : vertex) atomic_ref(marks[topology_.group[v]]).store(1, std::memory_order_relaxed);
     }
 
     /// Faces, rings and planes.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "base/atomic_ref.h"
 #include "geometry/input/face_vote.h"
 
 namespace rakelight::geometry {
@@ -43,7 +44,7 @@ void split_mirrored(Topology& topology, const AttributeInput& input, bool keep_n
     std::vector<std::uint8_t> hands(topology.group.size(), 0);
     const std::vector<Chunk> chunks = make_chunks(input.triangle_base, triangles_per_chunk);
     for_each_hand(input, keep_normals, chunks, context, [&](std::uint32_t m, std::uint32_t corner, double hand) {
-        const std::atomic_ref<std::uint8_t> seen(hands[topology.vertex_of(input, m, corner)]);
+        const atomic_ref<std::uint8_t> seen(hands[topology.vertex_of(input, m, corner)]);
         const std::uint8_t bit = hand > 0 ? right : left;
         if ((seen.load(std::memory_order_relaxed) & bit) == 0) seen.fetch_or(bit, std::memory_order_relaxed);
     });

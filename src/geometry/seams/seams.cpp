@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "base/atomic_ref.h"
 #include "geometry/corners/corner_bins.h"
 #include "geometry/faults/place_classes.h"
 #include "geometry/groups/authored_normals.h"
@@ -94,7 +95,7 @@ private:
                 chunks[c], input_.triangle_base, [&](std::uint32_t m, std::uint32_t first, std::uint32_t last) {
                     const std::uint32_t* const index = input_.meshes[m].indices.data();
                     for (std::size_t k = 3 * std::size_t(first); k != 3 * std::size_t(last); ++k)
-                        std::atomic_ref(used[input_.vertex_base[m] + index[k]]).store(1, std::memory_order_relaxed);
+                        atomic_ref(used[input_.vertex_base[m] + index[k]]).store(1, std::memory_order_relaxed);
                 });
         });
     }
@@ -104,14 +105,14 @@ private:
         std::vector<std::uint32_t> owner(used.size(), nobody);
         for_each_vertex([&](std::uint32_t m, std::uint32_t v) {
             if (used[v] == 0) return;
-            std::atomic_ref least(owner[placed_.place[v]]);
+            atomic_ref least(owner[placed_.place[v]]);
             std::uint32_t known = least.load(std::memory_order_relaxed);
             while (m < known && !least.compare_exchange_weak(known, m, std::memory_order_relaxed)) {
             }
         });
         for_each_vertex([&](std::uint32_t m, std::uint32_t v) {
             if (used[v] != 0 && owner[placed_.place[v]] != m)
-                std::atomic_ref(shared_[placed_.place[v]]).store(1, std::memory_order_relaxed);
+                atomic_ref(shared_[placed_.place[v]]).store(1, std::memory_order_relaxed);
         });
     }
 

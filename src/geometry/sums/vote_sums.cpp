@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/sums/vote_sums.h"
 
+#include "base/atomic_ref.h"
 #include "geometry/input/face_vote.h"
 #include "geometry/input/vote_kernel_types.h"
 #include "geometry/sums/tangent_groups.h"
@@ -205,8 +206,7 @@ private:
                     }
             }
         }
-        if (degenerate != 0)
-            std::atomic_ref(sums_.degenerate_faces[m]).fetch_add(degenerate, std::memory_order_relaxed);
+        if (degenerate != 0) atomic_ref(sums_.degenerate_faces[m]).fetch_add(degenerate, std::memory_order_relaxed);
     }
 
     static VoteJob job_of(const AttributeMesh& mesh, const Placement& placement, bool tangents, VoteWeight weight) {
@@ -256,8 +256,7 @@ private:
             const Owned own = owned_by(chunk, m);
             std::uint32_t isolated = 0;
             for (std::uint32_t row = own.begin; row != own.end; ++row) isolated += normals[row].weight > 0 ? 0 : 1;
-            if (isolated != 0)
-                std::atomic_ref(sums_.isolated_vertices[m]).fetch_add(isolated, std::memory_order_relaxed);
+            if (isolated != 0) atomic_ref(sums_.isolated_vertices[m]).fetch_add(isolated, std::memory_order_relaxed);
         }
     }
 

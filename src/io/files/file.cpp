@@ -152,7 +152,7 @@ Bytes read_file(const std::string& path, Context& context, bool is_told) {
     try {
         MemoryCharge charge = is_told ? MemoryCharge(context.memory(), size, "the file")
                                       : MemoryCharge::of_file(context.memory(), size, "the file");
-        std::vector<std::byte> bytes(std::size_t{size});
+        std::vector<std::byte> bytes(static_cast<std::size_t>(size));
         read_all(path, file.fd, bytes);
         return charged_bytes(std::move(bytes), std::move(charge));
     } catch (const Error& error) {

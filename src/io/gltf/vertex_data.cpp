@@ -152,7 +152,7 @@ std::vector<std::uint32_t> VertexData::corners(MemoryCharge& charge) {
     }
     if (!primitive_.has("indices")) {
         charge.grow(vertex_count() * sizeof(std::uint32_t), "indices");
-        std::vector<std::uint32_t> each_once(std::size_t{vertex_count()});
+        std::vector<std::uint32_t> each_once(static_cast<std::size_t>(vertex_count()));
         std::iota(each_once.begin(), each_once.end(), 0u);
         return each_once;
     }

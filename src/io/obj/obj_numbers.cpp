@@ -6,6 +6,8 @@
 #include <limits>
 #include <system_error>
 
+#include "base/from_chars.h"
+
 namespace rakelight::io::obj {
 namespace {
 
@@ -89,7 +91,7 @@ const char* take_plain_corner(const char* at, const char* end, FaceToken& token)
 std::optional<double> parse_number(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, error] = from_chars(text.data(), text.data() + text.size(), value);
     if (end != text.data() + text.size() || error == std::errc::invalid_argument) return std::nullopt;
     if (error == std::errc::result_out_of_range) return is_overflow(text) ? nan : 0.0;
     return std::isfinite(value) ? value : nan;

@@ -11,6 +11,7 @@
 #include <rakelight/base/error.h>
 
 #include "base/format_text.h"
+#include "base/from_chars.h"
 
 namespace rakelight::io::ply {
 namespace {
@@ -67,7 +68,7 @@ double Cursor::word() {
     const char* const first = file_.data() + at_ + (file_[at_] == '+' ? 1 : 0);
     const char* const last = file_.data() + file_.size();
     double value = 0;
-    const auto [end, problem] = std::from_chars(first, last, value);
+    const auto [end, problem] = from_chars(first, last, value);
     at_ = std::size_t(end - file_.data());
     if (problem == std::errc() && (end == last || is_blank(*end))) return value;
     while (at_ < file_.size() && !is_blank(file_[at_])) ++at_;

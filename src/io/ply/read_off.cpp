@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/format_text.h"
+#include "base/from_chars.h"
 #include "io/cloud_material.h"
 #include "io/files/file.h"
 #include "io/files/plain_text.h"
@@ -63,7 +64,7 @@ std::optional<double> next_number(std::string_view& line, const OffLines& lines)
     if (word.empty()) return {};
     double value = 0;
     const char* const end = word.data() + word.size();
-    const auto [after, problem] = std::from_chars(word.data() + (word[0] == '+' ? 1 : 0), end, value);
+    const auto [after, problem] = from_chars(word.data() + (word[0] == '+' ? 1 : 0), end, value);
     if (problem == std::errc::invalid_argument || after != end)
         throw Error(ErrorCode::bad_file, "'" + one_line(std::string(word), 40) + "' is not a number", lines.place());
     return problem == std::errc::result_out_of_range && std::fabs(value) < 1 ? 0 : value;

@@ -6,6 +6,7 @@
 
 #include <rakelight/scene/words.h>
 
+#include "base/from_chars.h"
 #include "math/color_names.h"
 
 namespace rakelight::io::world {
@@ -22,7 +23,7 @@ TomlNode text_node(std::string_view text) {
 TomlNode number_node(std::string_view text) {
     double value = 0;
     const char* const end = text.data() + text.size();
-    const auto [stop, fault] = std::from_chars(text.data(), end, value);
+    const auto [stop, fault] = from_chars(text.data(), end, value);
     if (fault != std::errc() || stop != end) return text_node(text);
     TomlNode node;
     node.kind = TomlNode::Kind::number;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/from_chars.h"
 #include "math/color.h"
 #include "world/keys/fixed_function.h"
 #include "world/keys/key_fields.h"
@@ -24,7 +25,7 @@ std::string rounded(double number, const IsSame& is_same) {
         char text[40];
         const char* const end = std::to_chars(text, text + sizeof text, number, std::chars_format::general, digits).ptr;
         double back = 0;
-        std::from_chars(text, end, back);
+        from_chars(text, end, back);
         if (is_same(back)) return shortest(back);
     }
     return shortest(number);

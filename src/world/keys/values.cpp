@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "base/format_text.h"
+#include "base/from_chars.h"
 #include "math/color.h"
 #include "math/color_names.h"
 #include "world/light_properties.h"
@@ -25,7 +26,7 @@ namespace {
 template <class T>
 bool parse(std::string_view text, T& value) {
     if (text.starts_with('+')) text.remove_prefix(1);  // from_chars takes none
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, fault] = from_chars(text.data(), text.data() + text.size(), value);
     return fault == std::errc() && end == text.data() + text.size();
 }
 

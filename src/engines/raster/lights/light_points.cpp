@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "base/atomic_ref.h"
 #include "cpu_shading/make_material_job.h"
 #include "engines/raster/lights/tile_lights.h"
 #include "engines/raster/material_jobs.h"
@@ -41,7 +42,7 @@ void clear(FrontEnd& front, LightPoints& points) {
 
 /// From any thread.
 void set_bit(std::uint8_t& byte, std::uint8_t bit) {
-    const std::atomic_ref<std::uint8_t> shared(byte);
+    const atomic_ref<std::uint8_t> shared(byte);
     if ((shared.load(std::memory_order_relaxed) & bit) == 0) shared.fetch_or(bit, std::memory_order_relaxed);
 }
 
