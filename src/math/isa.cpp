@@ -17,12 +17,12 @@ const char* name(Isa isa) {
     return names[static_cast<int>(isa)];
 }
 
+#if defined(__x86_64__)
 bool is_available(Isa isa) {
     // The builtins use CPUID and XGETBV, so they also check that the operating system saves the wide registers.
     switch (isa) {
         case Isa::scalar:
             return true;
-#if defined(__x86_64__)
         case Isa::sse2:
             return __builtin_cpu_supports("sse2");
         case Isa::avx2:
@@ -31,13 +31,14 @@ bool is_available(Isa isa) {
             return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                    __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
                    __builtin_cpu_supports("avx512cd");
-#else
-        default:
-            break;
-#endif
     }
     return false;
 }
+#elif defined(__EMSCRIPTEN__)
+bool is_available(Isa isa) { return isa == Isa::sse2; }
+#else
+bool is_available(Isa isa) { return isa == Isa::scalar; }
+#endif
 
 Isa best_isa() {
     Isa best = Isa::scalar;

@@ -7,7 +7,8 @@ namespace rakelight {
 enum class Isa { scalar, sse2, avx2, avx512 };
 
 /// RL_BY_ISA(isa, kernels()) is avx2::kernels() for Isa::avx2, and so on: the same expression in the namespace of each
-/// instruction set. Processors other than x86-64 have the scalar kernels alone.
+/// instruction set. WebAssembly has the SSE2 kernels alone, other
+/// processors the scalar ones.
 #if defined(__x86_64__)
 #define RL_BY_ISA(isa, expression)                      \
     ([](::rakelight::Isa set) {                         \
@@ -17,8 +18,17 @@ enum class Isa { scalar, sse2, avx2, avx512 };
                : set == Isa::sse2 ? sse2::expression    \
                                   : scalar::expression; \
     }(isa))
+#elif defined(__EMSCRIPTEN__)
+#define RL_BY_ISA(isa, expression) ([](::rakelight::Isa) { return sse2::expression; }(isa))
 #else
 #define RL_BY_ISA(isa, expression) ([](::rakelight::Isa) { return scalar::expression; }(isa))
+#endif
+
+/// The namespace of the kernels that every machine of this build can run.
+#if defined(__EMSCRIPTEN__)
+#define RL_COMMON_ISA sse2
+#else
+#define RL_COMMON_ISA scalar
 #endif
 
 /// "scalar", "sse2", "avx2", "avx512"

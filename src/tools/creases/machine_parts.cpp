@@ -21,7 +21,7 @@ Solid bolt(int sides) {
 }
 
 /// A thread of trapezoids with flat ends across it.
-Solid thread(int sides, double turns, double pitch) {
+Solid screw_thread(int sides, double turns, double pitch) {
     struct Break {
         double at, radius;
     };
@@ -139,8 +139,8 @@ Solid elbow(int along, int sides) {
 void add_machine_parts(CreaseModels& to) {
     to.push_back(make_model("hex bolt, shank of 12 sides", bolt(12)));
     to.push_back(make_model("hex bolt, shank of 24 sides, 2 decimals", bolt(24), {.digits = 2}));
-    to.push_back(make_model("thread with flat ends", thread(24, 4, 0.35), {.digits = 4}));
-    to.push_back(make_model("thread with flat ends, 14 bits", thread(32, 3, 0.3), {.bits = 14}));
+    to.push_back(make_model("thread with flat ends", screw_thread(24, 4, 0.35), {.digits = 4}));
+    to.push_back(make_model("thread with flat ends, 14 bits", screw_thread(32, 3, 0.3), {.bits = 14}));
     for (const int sides : {8, 16, 32})
         to.push_back(make_model("countersunk hole of " + std::to_string(sides) + " sides",
                                 countersunk_plate(sides, sides == 32 ? 0.1 : 0.15), {.digits = 4}));

@@ -23,6 +23,7 @@
 #include "engines/raster/visibility/coverage.h"
 #include "engines/raster/visibility/visibility_methods.h"
 #include "math/flush_denormals.h"
+#include "math/isa.h"
 #include "shading/choices.h"
 
 namespace rakelight::raster {
@@ -68,7 +69,7 @@ private:
                 .binned = g.binned,
                 .grid = g.grid,
                 .lights = of_.lights(),
-                .kernels = *scalar::kernels(),
+                .kernels = *RL_COMMON_ISA::kernels(),
                 .has_blended = true,
                 .points = g.points,
                 .whole_records = true,

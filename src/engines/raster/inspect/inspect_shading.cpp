@@ -6,6 +6,7 @@
 #include "engines/raster/shade/blend_tile.h"
 #include "engines/raster/shade/shade_tile.h"
 #include "math/flush_denormals.h"
+#include "math/isa.h"
 
 namespace rakelight::raster {
 
@@ -19,7 +20,7 @@ ShadedPicture draw_shaded(const Inspection& inspection, Shading shading, Context
                       .binned = geometry.binned,
                       .grid = geometry.grid,
                       .lights = of.lights(),
-                      .kernels = *scalar::kernels(),
+                      .kernels = *RL_COMMON_ISA::kernels(),
                       .has_blended = true,
                       .points = geometry.points,
                       .context = &context,

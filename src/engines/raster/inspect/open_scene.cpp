@@ -4,6 +4,7 @@
 #include "engines/raster/material_jobs.h"
 #include "engines/raster/occlusion/occlusion.h"
 #include "engines/raster/visibility/visibility_methods.h"
+#include "math/isa.h"
 #include "scene/charge_arrays.h"
 #include "shading/draw_choices.h"
 #include "shading/lights/lights.h"
@@ -22,13 +23,13 @@ struct OpenScene::Depths {
           front{.list = of.list(),
                 .view = of.view(),
                 .settings = of.settings(),
-                .kernels = *scalar::geometry_kernels(),
+                .kernels = *RL_COMMON_ISA::geometry_kernels(),
                 .memory = PictureMemory(context.memory())} {
         transform_draws(front, context);
         binned = set_up_and_bin(front, grid, {}, context);
         front.shading.assign(of.list().draws.size(), Shading::phong);
         make_material_jobs(front, {});
-        occlusion.emplace(front, binned, grid, *scalar::kernels(), context);
+        occlusion.emplace(front, binned, grid, *RL_COMMON_ISA::kernels(), context);
         occlusion->draw_depths(grid.window, context);
     }
 };
@@ -46,9 +47,11 @@ OpenScene::OpenScene(const Scene& scene, const Camera& camera, const RenderSetti
     view_ = picture_camera_of(list_, camera, settings_);
     const dvec3 eye = view_.camera_to_world[3].xyz();
     lights_ = shading::make_lights(list_.scene, list_.node_to_world, eye);
-    shadows_.update(list_, settings_, *scalar::kernels(), *scalar::geometry_kernels(), eye, lights_, context);
-    behind_ = picture_behind(
-        {list_, view_, settings_, lights_, shadows_.data(), *scalar::kernels(), *scalar::geometry_kernels()}, context);
+    shadows_.update(list_, settings_, *RL_COMMON_ISA::kernels(), *RL_COMMON_ISA::geometry_kernels(), eye, lights_,
+                    context);
+    behind_ = picture_behind({list_, view_, settings_, lights_, shadows_.data(), *RL_COMMON_ISA::kernels(),
+                              *RL_COMMON_ISA::geometry_kernels()},
+                             context);
     if (settings_.ambient_occlusion) depths_ = std::make_unique<const Depths>(*this, context);
 }
 
@@ -76,12 +79,12 @@ OpenGeometry::OpenGeometry(const OpenScene& of, Window window, bool with_culled,
       front{.list = of.list(),
             .view = of.view(),
             .settings = settings,
-            .kernels = *scalar::geometry_kernels(),
+            .kernels = *RL_COMMON_ISA::geometry_kernels(),
             .memory = PictureMemory(context.memory())} {
     transform_draws(front, context);
     binned = set_up_and_bin(front, grid, {}, context);
     make_material_jobs(front, of.effects());
-    points = light_points(front, binned, of.lights(), *scalar::kernels(), {}, context);
+    points = light_points(front, binned, of.lights(), *RL_COMMON_ISA::kernels(), {}, context);
     marks = make_marks(front, grid, context);
 }
 
@@ -90,7 +93,7 @@ TileJob tile_job(const OpenScene& of, const OpenGeometry& drawn) {
             .binned = drawn.binned,
             .grid = drawn.grid,
             .lights = of.lights(),
-            .kernels = *scalar::kernels(),
+            .kernels = *RL_COMMON_ISA::kernels(),
             .has_blended = true,
             .points = drawn.points,
             .whole_records = true,
