@@ -10,7 +10,7 @@ option(RAKELIGHT_MESHOPT "Read buffers compressed by meshopt (meshoptimizer)" ON
 option(RAKELIGHT_SUBDIVISION "Subdivision surfaces (OpenSubdiv)" ON)
 option(RAKELIGHT_OPENEXR "Read and write EXR pictures (OpenEXR)" ON)
 option(RAKELIGHT_WEBP "Read and write WebP pictures (libwebp)" ON)
-option(RAKELIGHT_IMPORT "Build rakelight-import (Assimp: FBX, DAE, 3DS, ASE, Blend, STL, OFF, X)" ON)
+option(RAKELIGHT_IMPORT "Build rakelight-import (Assimp: FBX, DAE, 3DS, ASE, Blend, X)" ON)
 option(RAKELIGHT_OPENGL "Build the engine gl (libepoxy)" ON)
 option(RAKELIGHT_TRACE "Build the engine trace (headers of Embree 3; the library is loaded when it is asked for)" ON)
 option(RAKELIGHT_VIEWER "Build rakelight-view (GLFW, Dear ImGui)" ON)

@@ -78,7 +78,7 @@ std::uint32_t color(const aiMaterial& m, const char* key, unsigned type, unsigne
     return bit;
 }
 
-Surface to_surface(const aiMaterial& m, const Format& format) {
+Surface to_surface(const aiMaterial& m) {
     Surface s;
     aiString name;
     m.Get(AI_MATKEY_NAME, name);
@@ -101,10 +101,7 @@ Surface to_surface(const aiMaterial& m, const Format& format) {
     s.unlit = shading == aiShadingMode_NoShading;
     const bool lambert = shading == aiShadingMode_Gouraud ||
                          shading == aiShadingMode_Flat;  // what Assimp calls materials without highlight
-    const bool invented =
-        format.ending == "stl" || format.ending == "off";  // formats without materials: only a color is the file's
-    if (lambert || invented) s.specular = {0, 0, 0};
-    if (invented) s.has &= Surface::has_diffuse;
+    if (lambert) s.specular = {0, 0, 0};
     return s;
 }
 
@@ -135,7 +132,7 @@ Picture to_picture(const aiTexture& texture) {
 void convert_surfaces(const aiScene& scene, const Format& format, Document& out) {
     for (unsigned i = 0; i < scene.mNumTextures; ++i) out.pictures.push_back(to_picture(*scene.mTextures[i]));
     for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
-        Surface surface = to_surface(*scene.mMaterials[i], format);
+        Surface surface = to_surface(*scene.mMaterials[i]);
         convert_links(scene, *scene.mMaterials[i], format, surface, out);
         out.surfaces.push_back(std::move(surface));
     }

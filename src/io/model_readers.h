@@ -22,9 +22,9 @@ struct ModelReader {
 };
 extern const ModelReader gltf_reader;  ///< glTF and GLB
 extern const ModelReader obj_reader;   ///< OBJ with MTL
-extern const ModelReader ply_reader, off_reader;
+extern const ModelReader ply_reader, off_reader, stl_reader;
 extern const ModelReader xyz_reader;  ///< XYZ and PTS
-/// FBX, DAE, 3DS, ASE, Blend, STL, X through the helper executable `rakelight-import` (Assimp), found beside the running
+/// FBX, DAE, 3DS, ASE, Blend, X through the helper executable `rakelight-import` (Assimp), found beside the running
 /// program or by RAKELIGHT_IMPORT; limited in memory and time. The helper reads files: bytes in memory go into a temporary
 /// one.
 extern const ModelReader import_reader;

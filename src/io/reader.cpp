@@ -32,13 +32,12 @@ struct Format {
 constexpr Format formats[] = {
     {"gltf", "glTF 2.0", &gltf_reader, true}, {"glb", "GLB", &gltf_reader, true},
     {"obj", "OBJ", &obj_reader, false},       {"ply", "PLY", &ply_reader, false},
-    {"off", "OFF", &off_reader, false},       {"xyz", "XYZ", &xyz_reader, false},
-    {"pts", "PTS", &xyz_reader, false},
+    {"off", "OFF", &off_reader, false},       {"stl", "STL", &stl_reader, false},
+    {"xyz", "XYZ", &xyz_reader, false},       {"pts", "PTS", &xyz_reader, false},
 #if RL_IMPORT
     {"fbx", "FBX", &import_reader, true},     {"dae", "DAE", &import_reader, true},
     {"3ds", "3DS", &import_reader, false},    {"ase", "ASE", &import_reader, false},
-    {"blend", "Blend", &import_reader, true}, {"stl", "STL", &import_reader, false},
-    {"x", "X", &import_reader, false},
+    {"blend", "Blend", &import_reader, true}, {"x", "X", &import_reader, false},
 #endif
 };
 
@@ -78,7 +77,7 @@ bool may_hold(const Format& format, const ContentKind& kind) {
 
 /// Endings of formats that the import helper would read.
 bool is_left_out(const std::string& ending) {
-    constexpr std::array<std::string_view, 7> endings{"fbx", "dae", "3ds", "ase", "blend", "stl", "x"};
+    constexpr std::array<std::string_view, 6> endings{"fbx", "dae", "3ds", "ase", "blend", "x"};
     return !RL_IMPORT && std::ranges::find(endings, ending) != endings.end();
 }
 

@@ -18,7 +18,7 @@ COMMANDS = (  # exit code, arguments, environment
     (2, "spot.glb", {}),
     (1, "view spot.glb", {}),
     (3, "missing.glb -o x.png", {}),
-    (1, "part.stl -o x.png", {"ALONE": "yes"}),
+    (1, "part.dae -o x.png", {"ALONE": "yes"}),
     (2, "spot.glb -o x.png --resolutio 3,4", {}),
     (2, "spot.glb -o x.png", {"RAKELIGHT_ISA": "avx9"}),
     (4, "cut.glb -o x.png", {}),
@@ -56,7 +56,7 @@ class Troubleshooting(unittest.TestCase):
         self.folder = pathlib.Path(temporary.name)
         spot = (ROOT / "data/spot/spot_slab5.glb").read_bytes()
         for name, content in {"spot.glb": spot, "cut.glb": spot[:1000], "text.glb": b"<html>not found</html>\n", "model.txt": b"hello\n", "empty.obj": b"v 0 0 0\n",
-                              "model.obj": b"mtllib no.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n", "part.stl": stl().encode(), "part.obj": obj().encode()}.items():
+                              "model.obj": b"mtllib no.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n", "part.stl": stl().encode(), "part.dae": b"<COLLADA><asset/></COLLADA>", "part.obj": obj().encode()}.items():
             (self.folder / name).write_bytes(content)
 
     def run_command(self, arguments, settings):

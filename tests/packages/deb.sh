@@ -53,9 +53,9 @@ quietly apt-get install "$GIVEN"/packages/rakelight-view_*.deb
 cp "$GIVEN/spot_slab5.glb" .
 rakelight spot_slab5.glb -o spot.png --resolution 200,200
 is_png spot.png
-printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n' >a.stl
-rakelight a.stl -o stl.png --resolution 64,64  # by the helper
-is_png stl.png
+printf 'xof 0303txt 0032\nMesh a {\n3;\n0.0;0.0;0.0;,\n1.0;0.0;0.0;,\n0.0;1.0;0.0;;\n1;\n3;0,1,2;;\n}\n' >a.x
+rakelight a.x -o x.png --resolution 64,64  # by the helper
+is_png x.png
 [ "$(rakelight-view --help | head -n 1)" ]
 if rakelight-view spot_slab5.glb 2>/dev/null; then echo "the window opened without a display"; exit 1; fi
 
@@ -76,7 +76,7 @@ for file in /usr/share/man/man1/rakelight.1.gz /usr/share/man/man1/rakelight-vie
     [ -s "$file" ] || { echo "$file is missing"; exit 1; }
 done
 
-# Python: draws, and reads STL by the helper of the package rakelight.
+# Python: draws, and reads X by the helper of the package rakelight.
 quietly apt-get install "$GIVEN"/packages/python3-rakelight_*.deb
 module=/usr/lib/python3/dist-packages/rakelight
 [ -s $module/__pycache__/__init__.cpython-311.pyc ]
@@ -86,7 +86,7 @@ import sys
 import rakelight
 assert importlib.metadata.version("rakelight") + "-1" == sys.argv[1]
 rakelight.render_file("spot_slab5.glb", "python.png", resolution=(200, 200))
-print("Python:", rakelight.load("a.stl"))
+print("Python:", rakelight.load("a.x"))
 TEXT
 is_png python.png
 cmp spot.png python.png

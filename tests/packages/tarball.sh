@@ -33,13 +33,13 @@ mv '/tmp/a place'/rakelight-* '/tmp/a place/moved'
 program='/tmp/a place/moved/bin/rakelight'
 "$program" --version
 cp "$GIVEN/spot_slab5.glb" .
-printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n' >a.stl
+printf 'xof 0303txt 0032\nMesh a {\n3;\n0.0;0.0;0.0;,\n1.0;0.0;0.0;,\n0.0;1.0;0.0;;\n1;\n3;0,1,2;;\n}\n' >a.x
 chmod 777 .
 as_nobody() { setpriv --reuid=65534 --regid=65534 --clear-groups env HOME=/nowhere "$@"; }
 as_nobody "$program" spot_slab5.glb -o spot.png --resolution 100,100
-as_nobody "$program" a.stl -o stl.png --resolution 64,64
+as_nobody "$program" a.x -o x.png --resolution 64,64
 as_nobody "$program" spot_slab5.glb -o traced.png --resolution 64,64 --engine trace
-for file in spot.png stl.png traced.png; do [ "$(head -c 4 "$file" | tail -c 3)" = PNG ]; done
+for file in spot.png x.png traced.png; do [ "$(head -c 4 "$file" | tail -c 3)" = PNG ]; done
 for file in '/tmp/a place/moved'/bin/rakelight '/tmp/a place/moved'/libexec/rakelight/*; do
     foreign=$(ldd "$file" | grep -v -E '/tmp/a place|linux-vdso|ld-linux|lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s)\.so' || true)
     [ -z "$foreign" ] || { echo "$file loads $foreign"; exit 1; }

@@ -25,12 +25,12 @@ environment/bin/pip install --no-index "$GIVEN"/rakelight-*.whl
 python=environment/bin/python
 examples=$GIVEN/examples
 
-# The helper: STL is read by it alone.
-printf 'solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n' >triangle.stl
+# The helper: X is read by it alone.
+printf 'xof 0303txt 0032\nMesh a {\n3;\n0.0;0.0;0.0;,\n1.0;0.0;0.0;,\n0.0;1.0;0.0;;\n1;\n3;0,1,2;;\n}\n' >triangle.x
 $python - <<'TEXT'
 import rakelight
 print(rakelight.build_info())
-print(rakelight.load("triangle.stl"))
+print(rakelight.load("triangle.x"))
 assert rakelight.render("builtin:teapot", resolution=(64, 48))["image"].std() > 10
 TEXT
 

@@ -27,7 +27,7 @@ struct ContextOptions {
     std::function<void(std::string_view stage, double fraction)> progress{};
     /// Canceling the parent also cancels this context. The parent must outlive this context.
     const Context* parent = nullptr;
-    /// Path of the program rakelight-import, which reads FBX, DAE, STL and other formats. If the path is empty, these
+    /// Path of the program rakelight-import, which reads FBX, DAE and other formats. If the path is empty, these
     /// places are tried in order: the path of the parent, the environment variable RAKELIGHT_IMPORT, the folder of the
     /// running program, the folder where the library is installed.
     std::string import_helper{};

@@ -19,7 +19,7 @@ long long open_braces(std::span<const std::byte> text) {
 }
 
 void check_before_import(const std::string& ending, const Suspect& s) {
-    static constexpr std::array prechecks{&stl_precheck,     &precheck_3ds, &ase_precheck, &blend_precheck,
+    static constexpr std::array prechecks{&precheck_3ds,     &ase_precheck, &blend_precheck,
                                           &collada_precheck, &fbx_precheck, &x_precheck};
     if (s.bytes.empty()) throw Error(ErrorCode::bad_file, "the file is empty");
     for (const Precheck* const precheck : prechecks)

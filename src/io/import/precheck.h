@@ -24,8 +24,7 @@ struct Precheck {
     std::string_view ending;  ///< of the file's name, lower case, no dot
     void (*check)(const Suspect& s);
 };
-extern const Precheck stl_precheck, precheck_3ds, ase_precheck, blend_precheck, collada_precheck, fbx_precheck,
-    x_precheck;
+extern const Precheck precheck_3ds, ase_precheck, blend_precheck, collada_precheck, fbx_precheck, x_precheck;
 
 /// The check of the format that `ending` (lower case, no dot) names. @throws Error bad_file for an unknown one too.
 void check_before_import(const std::string& ending, const Suspect& s);

@@ -132,11 +132,10 @@ void add_notes(const Document& d, const std::string& path, Report& report) {
         report.add(kinds[n.kind < 4 ? n.kind : 2], path, one_line(n.place, 120), one_line(n.message));
 }
 
-/// The color of formats without materials is Assimp's, and that of what it calls by this name.
-std::vector<bool> have_invented_color(const Document& d, const std::string& ending) {
+/// The color of what Assimp calls by this name is its own.
+std::vector<bool> have_invented_color(const Document& d) {
     std::vector<bool> out;
-    for (const import_stream::Surface& s : d.surfaces)
-        out.push_back(ending == "off" || ending == "stl" || s.name == "DefaultMaterial");
+    for (const import_stream::Surface& s : d.surfaces) out.push_back(s.name == "DefaultMaterial");
     return out;
 }
 
@@ -169,7 +168,7 @@ Scene scene_from_import(Import&& import, const std::string& path, const std::str
     add_notes(import.document, path, context.report());
     detail::add_meshes(import, path, scene, context);
     detail::add_materials(import, path, ending, options.allow_outside, scene, context);
-    show_vertex_colors(scene, have_invented_color(import.document, ending), context);
+    show_vertex_colors(scene, have_invented_color(import.document), context);
     add_nodes(import.document, scene);
     add_skin(import.document, scene);
     add_morph_weights(scene);

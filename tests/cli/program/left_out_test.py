@@ -15,7 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import program
 
 SMALL = ("--resolution", "32,24")
-STL = ("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n")
+X = "xof 0303txt 0032\nMesh m {\n 3;\n 0.0;0.0;0.0;,\n 1.0;0.0;0.0;,\n 0.0;1.0;0.0;;\n 1;\n 3;0,1,2;;\n}\n"
 
 
 def packed_model(extension):
@@ -72,8 +72,8 @@ class LeftOut(program.Case):
         self.check("exr", "-DRAKELIGHT_OPENEXR=ON", ["render", "builtin:teapot", "-o", "a.png", "--channels", "depth", *SMALL])
 
     def test_import(self):
-        self.write("a.stl", STL)
-        self.check("import", "-DRAKELIGHT_IMPORT=ON", ["a.stl", "-o", "a.png", *SMALL])
+        self.write("a.x", X)
+        self.check("import", "-DRAKELIGHT_IMPORT=ON", ["a.x", "-o", "a.png", *SMALL])
 
     def test_engines(self):
         result = self.run_program("render", "builtin:teapot", "-o", "a.png", "--engine", "trace", *SMALL)

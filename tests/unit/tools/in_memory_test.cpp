@@ -56,10 +56,9 @@ TEST_F(InMemory, AFileGivesTheSameSceneByItsBytes) {
 
 TEST_F(InMemory, FormatsOfTheImportHelperTakeBytesAndLeaveNoFile) {
     if (!has_helper) GTEST_SKIP() << "this build has no import helper";
-    const std::string path = folder.write("t.stl",
-                                          "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex "
-                                          "0 1 0\nendloop\nendfacet\nendsolid t\n");
-    expect_as_file(path);
+    expect_as_file(folder.write("t.x",
+                                "xof 0303txt 0032\nMesh m {\n 3;\n 0.0;0.0;0.0;,\n 1.0;0.0;0.0;,\n 0.0;1.0;0.0;;\n "
+                                "1;\n 3;0,1,2;;\n}\n"));
 }
 
 TEST_F(InMemory, WhatAModelNamesIsLookedForInItsFolder) {

@@ -60,10 +60,7 @@ Difference between(const Pixels& a, const Pixels& b) {
 
 class ZUpFiles : public testing::Test {
 protected:
-    void SetUp() override {
-        if (!use_import_helper()) GTEST_SKIP() << "this build has no import helper";
-        stl_ = folder_.write("wedge.stl", wedge_stl());
-    }
+    void SetUp() override { stl_ = folder_.write("wedge.stl", wedge_stl()); }
     /// In the default look, with what formats store in different ways, or not at all: the color and its highlight.
     PictureRequest request(const std::string& file) {
         PictureRequest request{.input = file, .look = Look::standard};

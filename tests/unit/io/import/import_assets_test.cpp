@@ -53,7 +53,7 @@ std::vector<Row> index_rows() {
         if (cells.size() < 4) continue;
         std::string ending = std::filesystem::path(cells[0]).extension().string();
         for (char& c : ending) c = char(std::tolower(c));
-        if (std::string(" .fbx .dae .3ds .ase .blend .stl .x ").find(" " + ending + " ") == std::string::npos ||
+        if (std::string(" .fbx .dae .3ds .ase .blend .x ").find(" " + ending + " ") == std::string::npos ||
             ending.empty())
             continue;
         Row row{folder + "/" + cells[0], 0, 0, cells[3].find("cannot") != std::string::npos};
@@ -219,8 +219,7 @@ TEST_F(ImportAssets, BinaryFbx6100IsRefusedWithAdvice) {
 
 TEST_F(ImportAssets, MadeUpNormalsAreNoNormals) {
     RL_NEEDS_SHARED("assets");
-    for (const char* name : {"stl/Spider_ascii.stl", "stl/Spider_binary.stl", "blend/SmoothVsSolidCube_248.blend",
-                             "fbx/assimp/boxWithCompressedCTypeArray.FBX"})
+    for (const char* name : {"blend/SmoothVsSolidCube_248.blend", "fbx/assimp/boxWithCompressedCTypeArray.FBX"})
         for (const Mesh& mesh : read(name).meshes)
             EXPECT_TRUE(mesh.normals.empty() && mesh.smoothing_hint.empty()) << name;
     for (const char* name : {"3ds/fels.3ds", "ase/ThreeCubesGreen.ASE"})
@@ -243,7 +242,6 @@ TEST_F(ImportAssets, QuadsOfAnFbxFileAreThoseOfTheObjFileOfTheSameModel) {
     }
     EXPECT_EQ(quads, 936u);  // as blender_282_suzanne_and_transform.obj has them, and 64 triangles
     EXPECT_EQ(triangles, 2 * 936u + 64u);
-    for (const Mesh& mesh : read("stl/Spider_ascii.stl").meshes) EXPECT_TRUE(mesh.polygons.empty());
 }
 
 TEST_F(ImportAssets, MirroredNodesKeepTheirNegativeDeterminant) {
@@ -297,14 +295,6 @@ TEST_F(ImportAssets, EmbeddedPicturesDecode) {
         EXPECT_GT(pixels.width, 0);
         EXPECT_EQ(pixels.bytes.size(), pixels.row_bytes() * std::size_t(pixels.height));
     }
-}
-
-TEST_F(ImportAssets, AsciiAndBinaryStlGiveTheSameTriangles) {
-    RL_NEEDS_SHARED("assets");
-    const std::vector<Corner> ascii = corners_of(read("stl/Spider_ascii.stl")),
-                              binary = corners_of(read("stl/Spider_binary.stl"));
-    ASSERT_EQ(ascii.size(), binary.size());
-    for (std::size_t i = 0; i < ascii.size(); ++i) ASSERT_LT(length(ascii[i].position - binary[i].position), 1e-5) << i;
 }
 
 }  // namespace

@@ -11,12 +11,12 @@ bool is_ours(const std::string& name) {
     std::string ending = std::filesystem::path(name).extension().string();
     for (char& c : ending) c = char(std::tolower(c));
     return !ending.empty() &&
-           std::string(" .fbx .dae .3ds .ase .blend .stl .x ").find(" " + ending + " ") != std::string::npos;
+           std::string(" .fbx .dae .3ds .ase .blend .x ").find(" " + ending + " ") != std::string::npos;
 }
 
 bool is_generated(const std::string& name) {
     return name.starts_with("truncated/") || name.starts_with("flipped/") || name.starts_with("mangled/") ||
-           name.starts_with("stl/") || name.starts_with("dae/");
+           name.starts_with("dae/");
 }
 
 using ImportHostile = ImportTest;
@@ -45,7 +45,7 @@ TEST_F(ImportHostile, EveryFileKeepsItsVerdict) {
         EXPECT_TRUE(verdict != "either" || !is_generated(name) || outcome.error || remarked)
             << "accepted without a word";
     }
-    EXPECT_GT(seen, 80u);
+    EXPECT_GT(seen, 70u);
 }
 
 }  // namespace

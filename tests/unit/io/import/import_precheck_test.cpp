@@ -34,13 +34,8 @@ std::string raw(T value) {
     return bytes;
 }
 
-std::string binary_stl(std::uint32_t promised, std::size_t present, std::string header = "") {
-    header.resize(80, ' ');
-    return header + raw(promised) + std::string(present * 50, '\0');
-}
-
 TEST(ImportPrecheck, EmptyFilesAndUnknownEndingsAreRefused) {
-    for (const char* ending : {"stl", "3ds", "ase", "blend", "dae", "fbx", "x"})
+    for (const char* ending : {"3ds", "ase", "blend", "dae", "fbx", "x"})
         EXPECT_NE(check(ending, "").error, "") << ending;
     EXPECT_NE(check("txt", "text").error, "");
 }
@@ -49,32 +44,9 @@ TEST(ImportPrecheck, EveryPrefixOfGarbageIsRefusedWithoutACrash) {
     std::string noise;
     std::uint32_t state = 1;
     for (int i = 0; i < 300; ++i) noise += char((state = state * 1664525u + 1013904223u) >> 24);
-    for (const char* ending : {"stl", "3ds", "ase", "blend", "dae", "fbx", "x"})
+    for (const char* ending : {"3ds", "ase", "blend", "dae", "fbx", "x"})
         for (std::size_t size = 0; size <= noise.size(); ++size)
             EXPECT_NE(check(ending, noise.substr(0, size)).error, "") << ending << " " << size;
-}
-
-TEST(ImportPrecheck, BinaryStlIsHeldAgainstItsSize) {
-    EXPECT_EQ(check("stl", binary_stl(2, 2)).error, "");
-    EXPECT_NE(check("stl", binary_stl(3, 2)).error, "");
-    EXPECT_NE(check("stl", binary_stl(0xFFFFFFFF, 1)).error, "");
-    EXPECT_NE(check("stl", binary_stl(1, 2)).error, "");
-    EXPECT_NE(check("stl", binary_stl(0, 0)).error, "");
-    EXPECT_EQ(check("stl", binary_stl(2, 2, "solid but binary")).warnings, 1u);
-}
-
-TEST(ImportPrecheck, AsciiStlFacetsHaveThreeVertices) {
-    const std::string facet =
-        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
-    EXPECT_EQ(check("stl", "solid a\n" + facet + "endsolid a\n").error, "");
-    EXPECT_EQ(check("stl", "solid a\n" + facet + "endsolid a\n").warnings, 0u);
-    EXPECT_EQ(check("stl", "solid a\n" + facet).warnings, 1u);
-    EXPECT_NE(
-        check("stl",
-              "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid a\n")
-            .error,
-        "");
-    EXPECT_NE(check("stl", "solid nothing\nendsolid nothing\n").error, "");
 }
 
 TEST(ImportPrecheck, CountsOfAnAseAreHeldAgainstItsSize) {

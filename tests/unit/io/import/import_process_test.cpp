@@ -17,12 +17,11 @@ namespace rakelight::io::import_test {
 namespace {
 
 constexpr const char* triangle =
-    "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid "
-    "s\n";
+    "xof 0303txt 0032\nMesh m {\n 3;\n 0.0;0.0;0.0;,\n 1.0;0.0;0.0;,\n 0.0;1.0;0.0;;\n 1;\n 3;0,1,2;;\n}\n";
 
 class ImportProcess : public ::testing::Test {
 protected:
-    void SetUp() override { model_ = folder_.write("model.stl", triangle); }
+    void SetUp() override { model_ = folder_.write("model.x", triangle); }
     std::string script(const std::string& body) {
         const std::string path = folder_.write("helper.sh", "#!/bin/sh\n" + body + "\n");
         ::chmod(path.c_str(), 0755);
@@ -41,7 +40,7 @@ TEST_F(ImportProcess, ACrashIsABadFileAndNamesTheSignal) {
     ASSERT_TRUE(outcome.error);
     EXPECT_EQ(outcome.error->code(), ErrorCode::bad_file);
     EXPECT_NE(outcome.what().find("crashed (signal 11, SIGSEGV)"), std::string::npos) << outcome.what();
-    EXPECT_NE(outcome.what().find("model.stl"), std::string::npos);
+    EXPECT_NE(outcome.what().find("model.x"), std::string::npos);
 }
 
 TEST_F(ImportProcess, TheHelperOfTheContextGoesBeforeThatOfTheEnvironment) {
@@ -157,7 +156,7 @@ int files_left_open_by_a_failed_pipe() {
     const int before = open_files(limit);
     Context context({.threads = 1});
     try {
-        HelperProcess("/bin/true", "model.stl", {}, context);
+        HelperProcess("/bin/true", "model.x", {}, context);
     } catch (const Error&) {
         return open_files(limit) - before;
     }
@@ -181,11 +180,11 @@ TEST_F(ImportProcess, ACancelledRunEndsTheHelper) {
 
 TEST_F(ImportProcess, AMissingOrEmptyFileNeedsNoHelper) {
     const EnvironmentVariable helper("RAKELIGHT_IMPORT", script("exit 0"));
-    const Outcome missing = read_import((folder_ / "no.stl").string());
+    const Outcome missing = read_import((folder_ / "no.x").string());
     ASSERT_TRUE(missing.error);
     EXPECT_EQ(missing.error->code(), ErrorCode::not_found);
-    std::ofstream(folder_ / "empty.stl").flush();
-    const Outcome empty = read_import((folder_ / "empty.stl").string());
+    std::ofstream(folder_ / "empty.x").flush();
+    const Outcome empty = read_import((folder_ / "empty.x").string());
     ASSERT_TRUE(empty.error);
     EXPECT_EQ(empty.error->code(), ErrorCode::bad_file);
     const Outcome unknown = read_import((folder_ / "helper.sh").string());
