@@ -2,6 +2,7 @@
 // Ambient occlusion against what the hemisphere really sees, and where it acts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -232,6 +233,18 @@ TEST(AmbientOcclusion, HasTheSameBitsForAnyThreadsAndInstructionSet) {
             EXPECT_TRUE(same_bits(f, expected)) << name(isa);
             EXPECT_TRUE(same_bits(f.ambient_occlusion, expected.ambient_occlusion)) << name(isa);
         }
+    }
+}
+
+/// It draws depths before there is any light of faces and vertices.
+TEST(AmbientOcclusion, MasksOfFlatAndGouraudShadingHaveNoLightYet) {
+    Scene scene = corner(20);
+    scene.materials[0].alpha_mode = AlphaMode::mask;
+    for (const Shading shading : {Shading::flat, Shading::gouraud}) {
+        RenderSettings s = occluded(60, 40, 0.5, 32);
+        s.shading = shading;
+        const Frame f = draw(scene, looking({0, 3, 15}, {0, 0.5, 0}, 0.58), s);
+        EXPECT_LT(*std::ranges::min_element(f.ambient_occlusion), 1);
     }
 }
 

@@ -160,7 +160,7 @@ void make_records(const TileJob& job, std::uint32_t draw, std::span<const Screen
         s.frames.resize(triangles.size());
         for (std::size_t i = 0; i < triangles.size(); ++i) s.frames[i] = corner_frame(d, *triangles[i]);
     }
-    if (!is_lit_at_corners(job.front, draw)) return;
+    if (!is_lit_at_corners(job.front, draw) || job.points.draws.empty()) return;  // depths alone need no light
     s.lit.resize(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i)
         make_lit_triangle(job.front, job.points, *triangles[i], s.triangles[i], s.lit[i]);
