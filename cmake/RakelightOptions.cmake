@@ -17,6 +17,7 @@ option(RAKELIGHT_VIEWER "Build rakelight-view (GLFW, Dear ImGui)" ON)
 option(RAKELIGHT_PYTHON "Build the Python module (pybind11)" OFF)
 option(RAKELIGHT_THREADS "Work on all cores (oneTBB)" ON)
 option(RAKELIGHT_PROCESSES "Start other programs: ffmpeg for movies" ON)
+option(RAKELIGHT_ALL_VERBS "The program has bench, stages, join-windows, bake and radiosity, too" ON)
 option(RAKELIGHT_WERROR "Warnings are errors" OFF)
 set(RAKELIGHT_SANITIZE "" CACHE STRING "Sanitizers, for example address,undefined")
 

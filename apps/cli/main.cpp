@@ -20,16 +20,30 @@ namespace rakelight::cli {
 namespace {
 
 int run(int argc, const char* const* argv) {
-    const Verb verbs[] = {render_verb,    inspect_verb,
-                          smooth_verb,    convert_verb,
-                          bench_verb,     explain_verb,
-                          stages_verb,    compare_verb,
-                          check_verb,     join_windows_verb,
-                          bake_verb,      radiosity_verb,
-#if RL_PROCESSES
-                          thumbnail_verb,
+    const Verb verbs[] = {
+        render_verb,
+        inspect_verb,
+        smooth_verb,
+        convert_verb,
+#if RL_ALL_VERBS
+        bench_verb,
 #endif
-                          {apps::view_command, nullptr}};
+        explain_verb,
+#if RL_ALL_VERBS
+        stages_verb,
+#endif
+        compare_verb,
+        check_verb,
+#if RL_ALL_VERBS
+        join_windows_verb,
+        bake_verb,
+        radiosity_verb,
+#endif
+#if RL_PROCESSES
+        thumbnail_verb,
+#endif
+        {apps::view_command, nullptr},
+    };
     std::vector<Command> commands;
     for (const Verb& verb : verbs) commands.push_back(verb.command());
     const apps::Program program{"rakelight", "Renders 3D models made of many parts: bumps show, seams do not.",
