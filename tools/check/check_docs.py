@@ -40,13 +40,13 @@ SOURCE = re.compile(r"(?:`(?:\w+::)*(\w+)\(\)`(?: \(|\s+in\s+))?`((?:[\w-]+/)*[\
 
 # A function in backticks: `name()`, `Class::name()`, `module.name()`.
 FUNCTION = re.compile(r"`(?:::)?((?:\w+(?:::|\.))*)(\w+)\(\)`")
-DEFINED_IN = ("src", "include", "apps", "python", "tools", "blender", "examples", "cmake")
+DEFINED_IN = ("src", "include", "apps", "web", "python", "tools", "blender", "examples", "cmake")
 # What defines or declares a name: a function after its type, a class, a function of Python, one that pybind11 binds, a macro, a function of CMake or the shell,
 # an operator of Blender.
 DEFINITION = re.compile(r"^[ \t]*(?!(?:return|else|throw|case|delete|new|using|goto)\b)(?:[&*]*[\w:\[][\w:<>,&*\[\]]*[ \t]+)+[&*]*(?:\w+::)*(\w+)[ \t]*\("
                         r"|\b(?:class|struct|namespace)[ \t]+(?:RL_\w+[ \t]+)?(?:\w+::)*(\w+)|\bdef[ \t]+(\w+)[ \t]*\(|\.def\w*\(\s*\"(\w+)\""
                         r"|^[ \t]*#[ \t]*define[ \t]+(\w+)\(|^[ \t]*(?:function|macro)\([ \t]*(\w+)|^(\w+)[ \t]*\(|std::function<[^;\n]*>[ \t]+(\w+)|\bbl_idname = \"\w+\.(\w+)\"", re.M)
-SOURCES = {".h", ".hpp", ".cpp", ".inc", ".glsl", ".py", ".cmake", ".sh"}
+SOURCES = {".h", ".hpp", ".cpp", ".inc", ".glsl", ".py", ".cmake", ".sh", ".js"}
 FOREIGN = {"find_package": "CMake", "add_subdirectory": "CMake", "getVertexPosition": "three.js"}
 
 

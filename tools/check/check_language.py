@@ -49,7 +49,7 @@ END = re.compile(r"(?<=[.!?])(?<!\.\.\.)[)\"'*_\]]*\s+(?=[\"'(*_\[]*[A-Z0-9`~\x0
 FORMULA = re.compile(r"[=^*]|->|\bpi\b")
 FRAGMENT = re.compile(r"(?:(What|Of|Where) |(Likewise)\b)")
 CODE_SUFFIXES = {".h", ".cpp", ".glsl"}
-CODE_FOLDERS = ("src", "apps", "python/src")
+CODE_FOLDERS = ("src", "apps", "python/src", "web")
 PLAIN_FOLDERS = ("apps/viewer", "apps/cli")
 SOURCE = re.compile(r"\s*(?:@see\b|@copyright|Sources?:|SPDX)")
 

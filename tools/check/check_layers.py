@@ -73,6 +73,7 @@ LIBRARIES = {
     r"draco/|meshoptimizer\.h": ["io"],
     r"nlohmann/": ["io", "tools", "render", "apps/cli"],
     r"fmt/": ["base"],
+    r"fast_float/": ["src/base/from_chars.h"],
     r"assimp/": ["apps/import"],
     r"CLI/": ["apps/common"],
     r"opensubdiv/": ["geometry"],

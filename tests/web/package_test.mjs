@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// The package's functions of bytes, and its program, on models of data/.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import test from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+const npm = process.env.RAKELIGHT_NPM;
+const { RakelightError, compare, explain, inspect, render, smooth } = await import(pathToFileURL(`${npm}/index.js`));
+
+/** Two halves of a bent sheet as two objects, each smooth in itself: there is a seam between them. */
+const sheet = name => {
+    const lines = ['# two parts'];
+    const rows = 6;
+    for (let part = 0; part < 2; ++part) {
+        lines.push(`o part${part}`);
+        for (let i = 0; i <= 4; ++i)
+            for (let j = 0; j <= rows; ++j) {
+                const a = (part * 4 + i) / 8 * Math.PI;
+                lines.push(`v ${Math.cos(a).toFixed(6)} ${(j / rows).toFixed(6)} ${Math.sin(a).toFixed(6)}`);
+            }
+        // The normals of each part lean away at its border.
+        for (let i = 0; i <= 4; ++i) {
+            const a = (part * 4 + i) / 8 * Math.PI + (part ? 1 : -1) * (i === (part ? 0 : 4) ? 0.15 : 0);
+            lines.push(`vn ${Math.cos(a).toFixed(6)} 0 ${Math.sin(a).toFixed(6)}`);
+        }
+        const v = (i, j) => part * 5 * (rows + 1) + i * (rows + 1) + j + 1, n = i => part * 5 + i + 1;
+        for (let i = 0; i < 4; ++i)
+            for (let j = 0; j < rows; ++j)
+                lines.push(`f ${v(i, j)}//${n(i)} ${v(i, j + 1)}//${n(i)} ${v(i + 1, j + 1)}//${n(i + 1)} ${v(i + 1, j)}//${n(i + 1)}`);
+    }
+    return { name, bytes: new TextEncoder().encode(lines.join('\n') + '\n') };
+};
+
+test('a seam is found, fixed, and then not found', async () => {
+    const model = sheet('sheet.obj');
+    const before = await inspect(model, { check: true, maxSeam: 2 });
+    assert.equal(before.passed, false);
+    assert.equal(before.schema, 'rakelight.inspect/1');
+    const fixed = await smooth(model);
+    assert.match(fixed.report.schema, /^rakelight.smooth\//);
+    assert.equal((await inspect({ name: 'fixed.obj', bytes: fixed.bytes, files: fixed.files }, { check: true, maxSeam: 2 })).passed, true);
+    const glb = await smooth(model, { format: 'glb' });
+    assert.equal((await inspect(glb.bytes, { check: true, maxSeam: 2 })).passed, true);
+});
+
+test('pictures are compared, and a pixel is explained', async () => {
+    const model = sheet('sheet.obj'), picture = await render(model, { resolution: [160, 120] });
+    assert.deepEqual([...picture.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
+    assert.equal((await compare(picture.bytes, picture.bytes, { maxError: 0 })).passed, true);
+    const other = await render(model, { resolution: [160, 120], normals: 'flat' });
+    assert.equal((await compare(picture.bytes, other.bytes, { maxError: 0 })).passed, false);
+    const { schema } = await explain(model, { resolution: [160, 120], pixel: [80, 60] });
+    assert.match(schema, /^rakelight.explain\//);
+});
+
+test('errors are those of the program', async () => {
+    await assert.rejects(inspect(new Uint8Array([103, 108, 84, 70, 2, 0, 0, 0])), fault => fault instanceof RakelightError && fault.exitCode === 4);
+    await assert.rejects(render(sheet('sheet.obj'), { resolution: 'large' }), fault => fault.exitCode === 2 && /resolution/.test(fault.message));
+    await assert.rejects(inspect(new Uint8Array([1, 2, 3])), /name/);
+    await assert.rejects(inspect({ name: 'a.fbx', bytes: new Uint8Array([1, 2, 3]) }), fault => fault.exitCode === 4);
+});
+
+test('the program reads and writes files here, and ends with its codes', async () => {
+    const folder = await mkdtemp(join(tmpdir(), 'rakelight '));
+    const run = (...words) => spawnSync(process.execPath, [fileURLToPath(pathToFileURL(`${npm}/cli.js`)), ...words], { cwd: folder, encoding: 'utf8' });
+    try {
+        const model = sheet('sheet.obj');
+        await writeFile(join(folder, model.name), model.bytes);
+        assert.equal(run('inspect', 'sheet.obj', '--check', '--max-seam', '2').status, 5);
+        assert.equal(run('smooth', 'sheet.obj', '-o', 'fixed.obj').status, 0);
+        assert.equal(run('inspect', join(folder, 'fixed.obj'), '--check', '--max-seam', '2').status, 0);
+        assert.deepEqual(new Uint8Array(await readFile(join(folder, 'fixed.obj'))), (await smooth(model)).bytes);
+        const missing = run('inspect', 'none.obj');
+        assert.equal(missing.status, 3);
+        assert.match(missing.stderr, /^rakelight: error: none.obj: /);
+        assert.equal(run('inspect', '--wrong').status, 2);
+        assert.match(run('--version').stdout, /^rakelight \d/);
+    } finally {
+        await rm(folder, { recursive: true });
+    }
+});
