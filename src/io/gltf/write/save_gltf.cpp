@@ -2,7 +2,6 @@
 #include "io/gltf/write/save_gltf.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include <nlohmann/json.hpp>
@@ -10,16 +9,49 @@
 #include "base/format_text.h"
 #include "io/files/file.h"
 #include "io/gltf/container.h"
+#include "io/gltf/write/save_changes.h"
 #include "io/gltf/write/save_files.h"
-#include "io/gltf/write/save_placements.h"
 #include "io/gltf/write/save_primitive.h"
-#include "io/same_attributes.h"
 
 namespace rakelight::io {
 namespace gltf {
 namespace {
 
 constexpr const char* draco_name = "KHR_draco_mesh_compression";
+
+/// The primitive that a mesh was read from.
+Value primitive_of(const Document& document, const Mesh& mesh) {
+    const Value owner = document.element(mesh_kind, mesh.source_mesh, document.root());
+    return owner.list("primitives")
+        .element(mesh.source_primitive, format_text("{}, primitive {}", owner.place(), mesh.source_primitive));
+}
+
+/// @param attributes  of a primitive or of a morph target
+DirectionTypes stored_types(const Accessors& accessors, const Value& attributes) {
+    DirectionTypes types;
+    for (const Direction direction : all_directions) {
+        const char* const name = name_of(direction);
+        if (!attributes.has(name)) continue;
+        const Elements e = accessors.description(attributes.required_index(name),
+                                                 {name, components(3) | components(4), float_or_small}, attributes);
+        types[direction] = direction_type(e.type, e.normalized);
+    }
+    return types;
+}
+
+/// [meshes] Of those that are not triangles: float.
+std::vector<StoredDirections> stored_directions(const Accessors& accessors, const Scene& scene) {
+    std::vector<StoredDirections> stored(scene.meshes.size());
+    for (std::size_t m = 0; m < stored.size(); ++m) {
+        if (scene.meshes[m].topology != Topology::triangles) continue;
+        const Value primitive = primitive_of(accessors.document(), scene.meshes[m]);
+        stored[m].own = stored_types(accessors, primitive.object("attributes"));
+        const Value targets = primitive.list("targets");
+        for (std::size_t t = 0; t < targets.size(); ++t)
+            stored[m].targets.push_back(stored_types(accessors, targets.element(t)));
+    }
+    return stored;
+}
 
 class Saver {
 public:
@@ -33,22 +65,21 @@ public:
           tree_(parse_ordered(open_container(*file, source, quiet_).json)),
           buffers_(document_),
           accessors_(document_, buffers_),
-          storage_(accessors_, before),
-          versions_(mesh_versions(before, after, options.keep_instances, context)),
-          origin_(origins(before, after)) {}
+          storage_(before, stored_directions(accessors_, before)),
+          changes_(find_changes(before, after, storage_, options.keep_instances, context)) {}
 
     GltfSaveResult save(const std::string& output) {
-        find_changes();
+        result_.changed = changes_.any;
         OutputModel model(document_, buffers_, tree_, output);
         NewData data(tree_, model.buffer(), model.offset());
         const AccessorUses uses_before(tree_);
         if (result_.changed) {
             OwnArrays own(tree_, uses_before, model.binary());
-            PrimitiveEditor editor(accessors_, storage_, tree_, data, own);
-            for (const MeshVersion& version : versions_) edit(version, editor);
+            PrimitiveEditor editor(accessors_, tree_, data, own);
+            for (const MeshVersion& version : changes_.versions) edit(version, editor);
             drop_unused_extension();
         } else {
-            for (const MeshVersion& version : versions_) list(version, version.source_mesh);
+            for (const MeshVersion& version : changes_.versions) list(version, version.source_mesh);
         }
         context_.throw_if_cancelled();
         model.write(data.bytes(), !result_.changed, keeps_unused_, context_);
@@ -57,88 +88,10 @@ public:
     }
 
 private:
-    bool is_changed(std::uint32_t mesh) const { return changed_[mesh]; }
-
-    /// Bits count only when some difference is more than rounding: a second run over what the first wrote finds none.
-    void find_changes() {
-        changed_.assign(after_.meshes.size(), false);
-        for (const MeshVersion& version : versions_) {
-            ++versions_of_[version.source_mesh];
-            result_.changed = result_.changed || !version.in_place;
-            for (const std::uint32_t m : version.meshes) {
-                const Mesh &a = before_.meshes[origin_[m]], &b = after_.meshes[m];
-                if (b.topology != Topology::triangles || b.normals.empty()) continue;
-                changed_[m] = !is_equal(a, b);
-                result_.changed = result_.changed || !is_same_to_rounding(a, b);
-            }
-        }
-    }
-
-    template <class T>
-    static bool all(const Block<T>& a, const Block<T>& b, auto same) {
-        const auto each = [&](const T& x, const T& y) {
-            for (std::size_t c = 0; c < sizeof(T) / sizeof(float); ++c)
-                if (!same((&x.x)[c], (&y.x)[c])) return false;
-            return true;
-        };
-        return std::equal(a.begin(), a.end(), b.begin(), b.end(), each);
-    }
-
-    /// Those that are to be written, if any are, are among the numbers of the file's vertices, except for rounding.
-    static bool has_bitangents_of(const Mesh& a, const Mesh& b) {
-        if (b.bitangents.empty()) return true;
-        for (const VertexArray& array : a.arrays)
-            if (array.name == gltf::bitangent_name && array.values.size() == 3 * b.bitangents.size())
-                return std::equal(array.values.begin(), array.values.end(), &b.bitangents[0].x,
-                                  [](float p, float q) { return std::fabs(double(p) - double(q)) <= rounding; });
-        return false;
-    }
-
-    /// What is there is what would be written.
-    bool is_equal(const Mesh& a, const Mesh& b) const {
-        const auto same = [&](const char* name, const auto& x, const auto& y) {
-            const ComponentType type = storage_.is_kept(a, name) ? storage_.stored(a, name) : ComponentType::f32;
-            return x == y || all(x, y, [&](float p, float q) { return p == stored_value(q, type); });
-        };
-        const auto same_offsets = [&](std::uint32_t t, const char* name, const auto& x, const auto& y) {
-            return all(
-                x, y, [&, type = storage_.stored(a, t, name)](float p, float q) { return p == stored_value(q, type); });
-        };
-        return same_corners(a, b) && same("NORMAL", a.normals, b.normals) && same("TANGENT", a.tangents, b.tangents) &&
-               has_bitangents_of(a, b) && all_targets(a, b, same_offsets);
-    }
-
-    /// same(target, name, offsets, offsets); those that are not new are the file's own, or there are none.
-    static bool all_targets(const Mesh& a, const Mesh& b, const auto& same) {
-        for (std::uint32_t t = 0; t < std::min(a.targets.size(), b.targets.size()); ++t) {
-            const MorphTarget &x = a.targets[t], &y = b.targets[t];
-            if (!y.normals.empty() && !(x.normals == y.normals) && !same(t, "NORMAL", x.normals, y.normals))
-                return false;
-            if (!y.tangents.empty() && !(x.tangents == y.tangents) && !same(t, "TANGENT", x.tangents, y.tangents))
-                return false;
-        }
-        return true;
-    }
-
-    /// What is there differs from what was computed by the rounding of sums in another order, or of numbers to their
-    /// codes.
-    bool is_same_to_rounding(const Mesh& a, const Mesh& b) const {
-        const auto same = [&](const char* name, const auto& x, const auto& y) {
-            const double slack = rounding + (storage_.is_kept(a, name) ? half_step(storage_.stored(a, name)) : 0);
-            return x == y || all(x, y, [&](float p, float q) { return std::fabs(double(p) - double(q)) <= slack; });
-        };
-        const auto same_offsets = [&](std::uint32_t t, const char* name, const auto& x, const auto& y) {
-            return all(x, y, [slack = rounding + half_step(storage_.stored(a, t, name))](float p, float q) {
-                return std::fabs(double(p) - double(q)) <= slack;
-            });
-        };
-        return same_corners(a, b) && same("NORMAL", a.normals, b.normals) && same("TANGENT", a.tangents, b.tangents) &&
-               has_bitangents_of(a, b) && all_targets(a, b, same_offsets);
-    }
-
     void list(const MeshVersion& version, std::uint32_t mesh) {
         for (const std::uint32_t m : version.meshes)
-            result_.primitives.push_back({mesh, after_.meshes[m].source_primitive, m, result_.changed && changed_[m]});
+            result_.primitives.push_back(
+                {mesh, after_.meshes[m].source_primitive, m, result_.changed && changes_.changed[m]});
     }
 
     void edit(const MeshVersion& version, PrimitiveEditor& editor) {
@@ -147,7 +100,7 @@ private:
         if (version.in_place) originals_.emplace(version.source_mesh, meshes[version.source_mesh]);
         OrderedJson mesh = originals_.at(version.source_mesh);
         for (const std::uint32_t m : version.meshes)
-            if (changed_[m]) mesh["primitives"][after_.meshes[m].source_primitive] = edited(m, version, editor);
+            if (changes_.changed[m]) mesh["primitives"][after_.meshes[m].source_primitive] = edited(m, version, editor);
         std::uint32_t number = version.source_mesh;
         if (version.in_place) {
             tree_["meshes"][number] = std::move(mesh);
@@ -163,13 +116,14 @@ private:
     const OrderedJson& edited(std::uint32_t m, const MeshVersion& version, PrimitiveEditor& editor) {
         if (const auto known = edited_.find(m); known != edited_.end()) return known->second;
         const Mesh& mesh = after_.meshes[m];
-        const Value source_mesh = document_.element(mesh_kind, mesh.source_mesh, document_.root());
-        const std::string place = format_text("{}, primitive {}", source_mesh.place(), mesh.source_primitive);
-        const Value source = source_mesh.list("primitives").element(mesh.source_primitive, place);
+        const Value source = primitive_of(document_, mesh);
         OrderedJson json = originals_.at(mesh.source_mesh)["primitives"][mesh.source_primitive];
-        const PrimitiveEdit done =
-            editor.edit(json, source, before_.meshes[origin_[m]], mesh, versions_of_.at(version.source_mesh) == 1);
-        say(done, place);
+        const std::uint32_t was = changes_.origin[m];
+        const PrimitiveChange change = change_of(was, before_.meshes[was], mesh, storage_);
+        // The arrays of a mesh of one version are its own.
+        const bool may_overwrite = changes_.versions_of.at(version.source_mesh) == 1;
+        say(editor.edit(json, source, before_.meshes[was], mesh, change, may_overwrite), source.place());
+        report_change(change, before_.source, source.place(), context_.report());
         return edited_.emplace(m, std::move(json)).first->second;
     }
 
@@ -177,17 +131,6 @@ private:
         Report& report = context_.report();
         if (done.unpacked)
             report.add(Remark::changed, before_.source, place, "Draco compression was undone where normals changed");
-        if (done.tangents_removed)
-            report.add(Remark::dropped, before_.source, place,
-                       "tangents that belong to the old normals were removed (not wanted, or there are no texture "
-                       "coordinates to compute new ones from)");
-        if (done.keeps_target_normals)
-            report.add(Remark::warning, before_.source, place,
-                       "the normals of morph targets are kept: they are offsets from the old normals");
-        if (done.widened)
-            report.add(Remark::changed, before_.source, place,
-                       "8-bit normals or tangents were converted to float: neighbors that are stored or rotated "
-                       "otherwise would differ by a rounding step");
         if (done.plain)
             report.add(Remark::changed, before_.source, place,
                        "the changed arrays are written without meshopt compression");
@@ -233,10 +176,7 @@ private:
     Buffers buffers_;
     Accessors accessors_;
     DirectionStorage storage_;
-    std::vector<MeshVersion> versions_;
-    std::vector<std::uint32_t> origin_;
-    std::vector<bool> changed_;                         ///< [meshes of after_] by any bit
-    std::map<std::uint32_t, std::size_t> versions_of_;  ///< by the file's mesh; the arrays of a lone one are its own
+    SceneChanges changes_;
     std::map<std::uint32_t, OrderedJson> originals_, edited_;
     GltfSaveResult result_;
 };

@@ -16,20 +16,6 @@ constexpr const char* draco_name = "KHR_draco_mesh_compression";
 constexpr std::uint32_t any_components = components(1) | components(2) | components(3) | components(4) | components(16);
 constexpr std::uint32_t any_type = float_or_small | unsigned_types;
 
-bool same_indices(const Mesh& a, const Mesh& b) {
-    return a.indices == b.indices || std::equal(a.indices.begin(), a.indices.end(), b.indices.begin(), b.indices.end());
-}
-
-/// The targets as they become: arrays that are still the file's own are left out.
-std::vector<MorphTarget> new_targets(const Mesh& before, const Mesh& after) {
-    std::vector<MorphTarget> targets(after.targets.begin(), after.targets.end());
-    for (std::size_t t = 0; t < std::min(targets.size(), before.targets.size()); ++t) {
-        if (targets[t].normals == before.targets[t].normals) targets[t].normals = {};
-        if (targets[t].tangents == before.targets[t].tangents) targets[t].tangents = {};
-    }
-    return targets;
-}
-
 void erase_extension(OrderedJson& owner, const char* name) {
     const auto extensions = owner.find("extensions");
     if (extensions == owner.end()) return;
@@ -38,14 +24,6 @@ void erase_extension(OrderedJson& owner, const char* name) {
 }
 
 }  // namespace
-
-std::vector<std::uint32_t> copied_vertices(const Mesh& before, const Mesh& after) {
-    const std::size_t old_count = before.positions.size();
-    std::vector<std::uint32_t> copied(after.positions.size() - old_count, 0);
-    for (std::size_t c = 0; c < after.indices.size(); ++c)
-        if (after.indices[c] >= old_count) copied[after.indices[c] - old_count] = before.indices[c];
-    return copied;
-}
 
 ComponentType PrimitiveEditor::index_type(const Value& source) const {
     if (!source.has("indices")) return ComponentType::u16;
@@ -89,9 +67,10 @@ void PrimitiveEditor::put_target(OrderedJson& json, const MorphTarget& target, b
     put_offsets(json, "TANGENT", target.tangents, may_overwrite);
 }
 
-void PrimitiveEditor::put(OrderedJson& attributes, const char* name, std::span<const float> numbers, ComponentType type,
-                          bool may_overwrite) {
-    const std::uint32_t width = std::string_view(name) == "TANGENT" ? 4 : 3;
+void PrimitiveEditor::put(OrderedJson& attributes, Direction direction, std::span<const float> numbers,
+                          ComponentType type, bool may_overwrite) {
+    const char* const name = name_of(direction);
+    const std::uint32_t width = width_of(direction);
     const auto old = attributes.find(name);
     if (may_overwrite && old != attributes.end() && own_.replace(root_, old->get<std::size_t>(), numbers, width, type))
         return;
@@ -129,16 +108,16 @@ bool PrimitiveEditor::is_plain_now(const OrderedJson& before, const OrderedJson&
 }
 
 PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, const Mesh& before, const Mesh& after,
-                                    bool may_overwrite) {
+                                    const PrimitiveChange& change, bool may_overwrite) {
     PrimitiveEdit result;
     const OrderedJson old = json;
-    const std::vector<std::uint32_t> copied = copied_vertices(before, after);
+    const std::vector<std::uint32_t>& copied = change.copied;
+    const std::vector<MorphTarget>& fresh = change.targets;
     OrderedJson& attributes = json["attributes"];
     result.unpacked = bool(source.extension(draco_name));
 
     // 1. the other attributes and the morph targets
     const Value targets = source.list("targets");
-    const std::vector<MorphTarget> fresh = new_targets(before, after);
     if (fresh.size() != targets.size() || before.targets.size() != targets.size())
         source.fail("the file changed while it was being processed");
     if (!copied.empty() || result.unpacked) {
@@ -153,28 +132,23 @@ PrimitiveEdit PrimitiveEditor::edit(OrderedJson& json, const Value& source, cons
     }
 
     // 2. normals and tangents
-    const auto put_new = [&](const char* name, const auto& block) {
-        const ComponentType type = storage_.wanted(before, name);
-        result.widened = result.widened || type != storage_.stored(before, name);
-        put(attributes, name, {&block[0].x, block.size() * (sizeof block[0] / sizeof(float))}, type, may_overwrite);
+    const auto put_new = [&](Direction direction, const auto& block) {
+        put(attributes, direction, {&block[0].x, block.size() * width_of(direction)}, change.types[direction],
+            may_overwrite);
     };
-    put_new("NORMAL", after.normals);
+    put_new(Direction::normal, after.normals);
     if (!after.tangents.empty()) {
-        put_new("TANGENT", after.tangents);
-    } else if (attributes.contains("TANGENT")) {
-        result.tangents_removed = true;
-        attributes.erase("TANGENT");
-        for (std::size_t t = 0; t < targets.size(); ++t) json["targets"][t].erase("TANGENT");  // offsets from nothing
+        put_new(Direction::tangent, after.tangents);
+    } else if (change.tangents_removed) {
+        attributes.erase(name_of(Direction::tangent));
+        for (std::size_t t = 0; t < targets.size(); ++t)  // offsets from nothing
+            json["targets"][t].erase(name_of(Direction::tangent));
     }
-    if (!after.bitangents.empty()) put_new(bitangent_name, after.bitangents);
-    for (std::size_t t = 0; t < targets.size(); ++t) {
-        put_target(json["targets"][t], fresh[t], may_overwrite);
-        result.keeps_target_normals =
-            result.keeps_target_normals || (targets.element(t).has("NORMAL") && fresh[t].normals.empty());
-    }
+    if (!after.bitangents.empty()) put_new(Direction::bitangent, after.bitangents);
+    for (std::size_t t = 0; t < targets.size(); ++t) put_target(json["targets"][t], fresh[t], may_overwrite);
 
-    // 3. corners; strips and fans become lists, since their corners cannot be distinguished
-    if (!same_indices(before, after) || result.unpacked) {
+    // 3. corners
+    if (change.corners || result.unpacked) {
         data_.compress_as(compression_of(old.value("indices", OrderedJson())));
         json["indices"] = data_.indices(after.indices, index_type(source));
         json.erase("mode");

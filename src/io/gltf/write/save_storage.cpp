@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <string_view>
+#include <utility>
 
-#include "base/format_text.h"
 #include "math/linear.h"
 #include "scene/placement.h"
 
@@ -75,18 +74,31 @@ std::vector<std::byte> stored_bytes(std::span<const float> numbers, std::uint32_
     return bytes;
 }
 
-Value primitive_of(const Document& document, const Mesh& mesh) {
-    const Value owner = document.element(mesh_kind, mesh.source_mesh, document.root());
-    return owner.list("primitives")
-        .element(mesh.source_primitive, format_text("{}, primitive {}", owner.place(), mesh.source_primitive));
+const char* name_of(Direction direction) {
+    switch (direction) {
+        case Direction::normal:
+            return "NORMAL";
+        case Direction::tangent:
+            return "TANGENT";
+        default:
+            return "_BITANGENT";
+    }
 }
 
-DirectionStorage::DirectionStorage(const Accessors& accessors, const Scene& scene) : accessors_(accessors) {
+ComponentType direction_type(ComponentType type, bool is_normalized) {
+    const bool is_signed = type == ComponentType::i8 || type == ComponentType::i16;
+    return is_signed && is_normalized ? type : ComponentType::f32;
+}
+
+DirectionStorage::DirectionStorage(const Scene& scene, std::vector<StoredDirections> stored)
+    : stored_(std::move(stored)) {
     bool any_small = false;
-    for (const Mesh& mesh : scene.meshes) {
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+        const Mesh& mesh = scene.meshes[m];
         if (mesh.topology != Topology::triangles) continue;
-        const bool small_normals = stored(mesh, "NORMAL") == ComponentType::i8,
-                   small_tangents = stored(mesh, "TANGENT") == ComponentType::i8;
+        const DirectionTypes& types = stored_[m].own;
+        const bool small_normals = types[Direction::normal] == ComponentType::i8,
+                   small_tangents = types[Direction::tangent] == ComponentType::i8;
         small_normals_ = small_normals_ && small_normals;
         small_tangents_ = small_tangents_ && (small_tangents || mesh.tangents.empty());
         any_small = any_small || small_normals || small_tangents;
@@ -94,31 +106,18 @@ DirectionStorage::DirectionStorage(const Accessors& accessors, const Scene& scen
     if (any_small && !are_turned_alike(scene)) small_normals_ = small_tangents_ = false;
 }
 
-static ComponentType stored_in(const Accessors& accessors, const Value& attributes, const char* semantic) {
-    if (!attributes.has(semantic)) return ComponentType::f32;
-    const Elements e = accessors.description(attributes.required_index(semantic),
-                                             {semantic, components(3) | components(4), float_or_small}, attributes);
-    const bool is_signed = e.type == ComponentType::i8 || e.type == ComponentType::i16;
-    return is_signed && e.normalized ? e.type : ComponentType::f32;
+DirectionTypes DirectionStorage::wanted(std::uint32_t mesh) const {
+    DirectionTypes types = stored_[mesh].own;
+    for (const Direction direction : all_directions) {
+        const bool may_be_small = direction == Direction::normal ? small_normals_ : small_tangents_;
+        if (types[direction] == ComponentType::i8 && !may_be_small) types[direction] = ComponentType::f32;
+    }
+    return types;
 }
 
-ComponentType DirectionStorage::stored(const Mesh& mesh, const char* semantic) const {
-    return stored_in(accessors_, primitive_of(accessors_.document(), mesh).object("attributes"), semantic);
-}
-
-ComponentType DirectionStorage::stored(const Mesh& mesh, std::uint32_t target, const char* semantic) const {
-    return stored_in(accessors_, primitive_of(accessors_.document(), mesh).list("targets").element(target), semantic);
-}
-
-ComponentType DirectionStorage::wanted(const Mesh& mesh, const char* semantic) const {
-    const ComponentType type = stored(mesh, semantic);
-    const bool may_be_small = std::string_view(semantic) == "NORMAL" ? small_normals_ : small_tangents_;
-    return type == ComponentType::i8 && !may_be_small ? ComponentType::f32 : type;
-}
-
-bool DirectionStorage::is_kept(const Mesh& mesh, const char* semantic) const {
-    const ComponentType type = stored(mesh, semantic);
-    return type != ComponentType::f32 && type == wanted(mesh, semantic);
+bool DirectionStorage::is_kept(std::uint32_t mesh, Direction direction) const {
+    const ComponentType type = stored_[mesh].own[direction];
+    return type != ComponentType::f32 && type == wanted(mesh)[direction];
 }
 
 }  // namespace rakelight::io::gltf

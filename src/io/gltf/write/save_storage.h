@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // How normals and tangents are stored: as float, or as integers that stand for -1..1 (KHR_mesh_quantization).
 #pragma once
+#include <array>
 #include <cstddef>
-#include <map>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include <rakelight/scene/scene.h>
 
-#include "io/gltf/accessors.h"
+#include "io/gltf/elements.h"
 
 namespace rakelight::io::gltf {
 
@@ -20,6 +21,31 @@ float stored_value(float x, ComponentType type);
 std::vector<std::byte> stored_bytes(std::span<const float> numbers, std::uint32_t width, ComponentType type,
                                     std::uint32_t stride);
 
+/// Normals and tangents as attributes of a primitive or, but for bitangents, of a morph target.
+enum class Direction : std::uint8_t { normal, tangent, bitangent };
+inline constexpr std::array all_directions{Direction::normal, Direction::tangent, Direction::bitangent};
+
+/// The attribute's name. Bitangents have one with an underscore, as attributes have that glTF does not know.
+const char* name_of(Direction direction);
+/// Numbers of each vector; of offsets of morph targets always 3.
+constexpr std::uint32_t width_of(Direction direction) { return direction == Direction::tangent ? 4 : 3; }
+
+/// [Direction] i8, i16, or f32 for all else and where there is none.
+struct DirectionTypes {
+    std::array<ComponentType, 3> each{ComponentType::f32, ComponentType::f32, ComponentType::f32};
+    ComponentType& operator[](Direction direction) { return each[std::size_t(direction)]; }
+    ComponentType operator[](Direction direction) const { return each[std::size_t(direction)]; }
+};
+
+/// What a file says of elements, as one of DirectionTypes.
+ComponentType direction_type(ComponentType type, bool is_normalized);
+
+/// The types of a primitive's directions in the file.
+struct StoredDirections {
+    DirectionTypes own;
+    std::vector<DirectionTypes> targets;  ///< [targets]
+};
+
 /// Which type the new normals and tangents of each primitive get, so that equal vectors at a border stay equal.
 ///
 /// 16 bits are kept: a step is 0.002 degrees. 8 bits (a step is 0.5 degrees, which is visible) are kept where all that
@@ -27,22 +53,17 @@ std::vector<std::byte> stored_bytes(std::span<const float> numbers, std::uint32_
 /// relative to another. Else float.
 class DirectionStorage {
 public:
-    DirectionStorage(const Accessors& accessors, const Scene& scene);
+    /// @param scene  what was read  @param stored  [meshes]
+    DirectionStorage(const Scene& scene, std::vector<StoredDirections> stored);
 
-    /// @param semantic  "NORMAL" or "TANGENT"  @return i8, i16, or f32 for all else and where there is none
-    ComponentType stored(const Mesh& mesh, const char* semantic) const;
-    /// The same of a morph target's offsets.
-    ComponentType stored(const Mesh& mesh, std::uint32_t target, const char* semantic) const;
-    ComponentType wanted(const Mesh& mesh, const char* semantic) const;
+    const StoredDirections& stored(std::uint32_t mesh) const { return stored_[mesh]; }
+    DirectionTypes wanted(std::uint32_t mesh) const;
     /// Both are the same integers: what was computed need only be within half a step of what is there.
-    bool is_kept(const Mesh& mesh, const char* semantic) const;
+    bool is_kept(std::uint32_t mesh, Direction direction) const;
 
 private:
-    const Accessors& accessors_;
+    std::vector<StoredDirections> stored_;
     bool small_normals_ = true, small_tangents_ = true;  ///< where 8 bits are stored, they may stay
 };
-
-/// The primitive that a mesh was read from.
-Value primitive_of(const Document& document, const Mesh& mesh);
 
 }  // namespace rakelight::io::gltf
