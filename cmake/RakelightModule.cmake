@@ -66,7 +66,7 @@ endif()
 set(RL_ISA_FLAGS_scalar "")
 set(RL_ISA_FLAGS_sse2 "-msse2")
 if(EMSCRIPTEN)
-  set(RL_ISA_FLAGS_sse2 "-msimd128;-msse2")
+  set(RL_ISA_FLAGS_sse2 "-msimd128;-msse2;-O2")  # what is hot; all else is compiled for its size
 endif()
 set(RL_ISA_FLAGS_avx2 "-mavx2;-mno-fma")
 set(RL_ISA_FLAGS_avx512 "-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl;-mavx512cd;-mprefer-vector-width=512")
