@@ -18,16 +18,12 @@ struct Weighted {
     float weight = 0;
 };
 
-struct Counts {
-    std::uint64_t surplus = 0, bad_weights = 0, bad_sums = 0, no_sums = 0;
-};
-
 /// The eight strongest, which sum to 1: four and four.
 struct Strongest {
     JointInfluence first, next;
 };
 
-Strongest strongest(std::vector<Weighted>& all, Counts& counts) {
+Strongest strongest(std::vector<Weighted>& all, InfluenceFaults& counts) {
     bool bad = false;
     for (Weighted& w : all)
         if (!(w.weight >= 0) || !std::isfinite(w.weight)) bad = true, w.weight = 0;
@@ -55,7 +51,7 @@ Strongest strongest(std::vector<Weighted>& all, Counts& counts) {
     return kept;
 }
 
-void report(const Counts& counts, const Document& document, const Value& primitive) {
+void report(const InfluenceFaults& counts, const Document& document, const Value& primitive) {
     const auto say = [&](Remark kind, std::uint64_t n, const char* what) {
         if (n) document.remark(kind, primitive.place(), format_text("{} vertices {}", n, what));
     };
@@ -66,15 +62,9 @@ void report(const Counts& counts, const Document& document, const Value& primiti
         "have joint weights whose sum is zero; they follow their first joint (other programs may choose another)");
 }
 
-struct Set {
-    std::vector<std::uint32_t> joints;
-    std::vector<float> weights;
-    MemoryCharge charge;
-};
-
-std::vector<Set> read_sets(VertexData& vertices, const Document& document, const Value& primitive) {
+std::vector<InfluenceSet> read_sets(VertexData& vertices, const Document& document, const Value& primitive) {
     constexpr std::uint32_t joint_types = type_bit(ComponentType::u8) | type_bit(ComponentType::u16);
-    std::vector<Set> sets;
+    std::vector<InfluenceSet> sets;
     for (std::uint32_t n = 0; n < max_sets; ++n) {
         const std::string number = std::to_string(n);
         const auto joints = vertices.elements("JOINTS_" + number, components(4), joint_types);
@@ -90,29 +80,35 @@ std::vector<Set> read_sets(VertexData& vertices, const Document& document, const
 
 }  // namespace
 
-Influences read_influences(VertexData& vertices, const Document& document, const Value& primitive) {
-    const std::vector<Set> sets = read_sets(vertices, document, primitive);
-    if (sets.empty()) return {};
-    const std::uint64_t bytes = vertices.vertex_count() * sizeof(JointInfluence);
-    MemoryCharge charge(document.context().memory(), bytes, "joint weights");
-    std::vector<JointInfluence> first(std::size_t(vertices.vertex_count()));
-    MemoryCharge charge_for_next(document.context().memory(), sets.size() > 1 ? bytes : 0, "joint weights");
-    std::vector<JointInfluence> next(sets.size() > 1 ? first.size() : 0);
+Influences strongest_influences(const std::vector<InfluenceSet>& sets, InfluenceFaults& faults, Context& context) {
+    const std::size_t vertices = sets[0].joints.size() / 4;
+    const std::uint64_t bytes = vertices * sizeof(JointInfluence);
+    MemoryCharge charge(context.memory(), bytes, "joint weights");
+    std::vector<JointInfluence> first(vertices);
+    MemoryCharge charge_for_next(context.memory(), sets.size() > 1 ? bytes : 0, "joint weights");
+    std::vector<JointInfluence> next(sets.size() > 1 ? vertices : 0);
     bool has_next = false;
-    Counts counts;
     std::vector<Weighted> all(4 * sets.size());
-    for (std::size_t v = 0; v < first.size(); ++v) {
+    for (std::size_t v = 0; v < vertices; ++v) {
         for (std::size_t s = 0; s < sets.size(); ++s)
             for (std::size_t k = 0; k < 4; ++k)
                 all[4 * s + k] = {sets[s].joints[4 * v + k], sets[s].weights[4 * v + k]};
-        const Strongest kept = strongest(all, counts);
+        const Strongest kept = strongest(all, faults);
         first[v] = kept.first;
         if (!next.empty()) next[v] = kept.next;
         has_next = has_next || kept.next.weights[0] > 0;
     }
-    report(counts, document, primitive);
     if (!has_next) return {{std::move(first), std::move(charge)}, {}};
     return {{std::move(first), std::move(charge)}, {std::move(next), std::move(charge_for_next)}};
+}
+
+Influences read_influences(VertexData& vertices, const Document& document, const Value& primitive) {
+    const std::vector<InfluenceSet> sets = read_sets(vertices, document, primitive);
+    if (sets.empty()) return {};
+    InfluenceFaults faults;
+    Influences influences = strongest_influences(sets, faults, document.context());
+    report(faults, document, primitive);
+    return influences;
 }
 
 std::uint32_t joints_used(const Mesh& mesh) {
