@@ -161,15 +161,19 @@ EMSCRIPTEN_KEEPALIVE void rl_texture(int what, int set, double u, double v, doub
            .transform = {{float(u), float(v)}, {float(scale_u), float(scale_v)}, float(rotation_rad)}};
 }
 
-/// The next primitive. @returns where its place goes, for messages: `length` letters of UTF-8
-EMSCRIPTEN_KEEPALIVE char* rl_primitive(int mesh, int primitive, int mode, double material, int targets, int length) {
+/// The next primitive. @returns where its place goes, for messages: `length` bytes of UTF-8
+EMSCRIPTEN_KEEPALIVE char* rl_primitive(int mesh, int primitive, int mode, double material, int length) {
     PrimitiveInput& next = work().input.primitives.emplace_back();
     next.mesh = std::uint32_t(mesh), next.primitive = std::uint32_t(primitive);
     next.mode = io::gltf::PrimitiveMode(mode);
     next.material = index_of(material);
-    next.targets = std::uint32_t(targets);
     next.place.resize(std::size_t(length));
     return next.place.data();
+}
+
+/// The next morph target of the last primitive. @returns where its name goes: `length` bytes of UTF-8
+EMSCRIPTEN_KEEPALIVE char* rl_target(int length) {
+    return work().input.primitives.back().targets.emplace_back(std::size_t(length), ' ').data();
 }
 
 /// An array of the last primitive. @param semantic  as the enumerators of Semantic  @param target  < 0: of the primitive itself
@@ -271,6 +275,7 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE const void* rl_result(int what, int number, int target) {
     return result_of(what, std::uint32_t(number), std::size_t(target)).data;
 }
+EMSCRIPTEN_KEEPALIVE int rl_target_count(int mesh) { return int(work().meshes.at(std::uint32_t(mesh)).targets.size()); }
 EMSCRIPTEN_KEEPALIVE double rl_result_bytes(int what, int number, int target) {
     return double(result_of(what, std::uint32_t(number), std::size_t(target)).bytes);
 }

@@ -63,8 +63,8 @@ public:
         mesh_.source_mesh = primitive_.mesh, mesh_.source_primitive = primitive_.primitive;
         mesh_.topology = io::gltf::topology_of(primitive_.mode);
         mesh_.material = primitive_.material;
-        targets_.resize(primitive_.targets);
-        stored.targets.resize(primitive_.targets);
+        for (const std::string& name : primitive_.targets) targets_.push_back({.name = name});
+        stored.targets.resize(targets_.size());
         for (const AttributeInput& a : primitive_.attributes)
             if (a.semantic == Semantic::position && a.target == no_target) take_positions(a.array);
         if (mesh_.positions.empty()) {

@@ -40,7 +40,8 @@ struct PrimitiveInput {
     std::string place;  ///< for messages: "mesh 3 'body', primitive 0"
     std::uint32_t mesh = 0, primitive = 0;
     io::gltf::PrimitiveMode mode{};
-    std::uint32_t material = no_index, targets = 0;
+    std::uint32_t material = no_index;
+    std::vector<std::string> targets;  ///< their names; targets of one name belong together over all meshes
     std::vector<AttributeInput> attributes;
 };
 

@@ -1,33 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Seam-free normals and tangents of parts that lie in the world: typed arrays in, typed arrays out.
+import { AttributesError, checkNames, creasesOf, numberOf, radians, scopes, tangentModes, weights } from './options.js';
 import makeModule from './wasm/rakelight-attributes.mjs';
 
-const scopes = ['face', 'object', 'model'];
-const weights = ['uniform', 'area', 'angle', 'angle-area', 'max', 'fit', 'auto'];
-const tangentModes = ['averaged', 'published', 'mikktspace', 'published-no-handedness'];
 const firstOwnObject = 0x40000000;  // beyond the numbers that callers give
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-/** An error of the input; its message has the part and the place. */
-export class AttributesError extends Error {
-    name = 'AttributesError';
-}
-
-function numberOf(words, word, what) {
-    const number = words.indexOf(word);
-    if (number < 0) throw new AttributesError(`${what} must be ${words.join(', ')}, not ${JSON.stringify(word)}`);
-    return number;
-}
-
-function radians(degrees, what) {
-    if (!(degrees >= 0 && degrees <= 180)) throw new AttributesError(`${what} must be 0 to 180 degrees, not ${degrees}`);
-    return degrees * Math.PI / 180;
-}
-
-/** @returns how creases are found: [by the rule?, angle in radians] */
-function creasesOf(crease) {
-    return crease === 'auto' ? [1, 0] : [0, radians(crease, 'crease')];
-}
+export { AttributesError };
 
 class Parts {
     constructor(module, parts) {
@@ -79,6 +58,7 @@ class Attributes {
     constructor(module) { this.#module = module; }
 
     computeAttributes(parts, options = {}) {
+        checkNames(options, ['scope', 'weight', 'crease', 'weldDistance', 'tangents', 'tangentMode', 'keepNormals', 'groupsAcross']);
         const { scope = 'model', weight = 'auto', crease = 'auto', weldDistance = -1, tangents = true, tangentMode = 'averaged',
                 keepNormals = false, groupsAcross = false } = options;
         return this.#run(parts, all => {
@@ -90,6 +70,7 @@ class Attributes {
     }
 
     joinSeams(parts, options = {}) {
+        checkNames(options, ['crease', 'weldDistance']);
         const { crease = 'auto', weldDistance = -1 } = options;
         return this.#run(parts, all => {
             all.check(this.#module._rl_join_seams(...creasesOf(crease), weldDistance));

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// An object of three.js with all below it: what is handed over of it, and how changes come back into its geometries. Only what its
+// objects have is used, so that this works with whatever copy of the library made them.
+import { AttributesError } from './options.js';
+
+const floatTypes = [Int8Array, Uint8Array, Uint8ClampedArray, Int16Array, Uint16Array, Float32Array];
+const names = { position: 'POSITION', normal: 'NORMAL', tangent: 'TANGENT', skinIndex: 'JOINTS_0', skinWeight: 'WEIGHTS_0' };
+
+/** All numbers of an attribute as they are stored, without what lies between them. */
+function stored(attribute) {
+    const { count, itemSize } = attribute, { array, stride = itemSize, offset = 0 } = { ...attribute.data ?? { array: attribute.array }, ...attribute.isInterleavedBufferAttribute && { offset: attribute.offset } };
+    if (!attribute.isInterleavedBufferAttribute) return array.length === count * itemSize ? array : array.subarray(0, count * itemSize);
+    const out = new array.constructor(count * itemSize);
+    for (let i = 0; i < count; ++i) for (let c = 0; c < itemSize; ++c) out[i * itemSize + c] = array[i * stride + offset + c];
+    return out;
+}
+
+/** As the values that shaders see. */
+function values(attribute) {
+    const out = new Float32Array(attribute.count * attribute.itemSize);
+    for (let i = 0; i < attribute.count; ++i)
+        for (let c = 0; c < attribute.itemSize; ++c) out[i * attribute.itemSize + c] = attribute.getComponent(i, c);
+    return out;
+}
+
+const read = attribute => () => {
+    const isPlain = !attribute.isFloat16BufferAttribute && floatTypes.includes((attribute.data?.array ?? attribute.array).constructor);
+    return { array: isPlain ? stored(attribute) : values(attribute), components: attribute.itemSize, normalized: isPlain && attribute.normalized };
+};
+const readIntegers = (attribute, Type) => () => ({ array: Type.from(stored(attribute)), components: attribute.itemSize, normalized: false });
+
+/** The texture of a mesh to which its tangents belong. */
+function tangentTexture(mesh) {
+    const materials = [mesh.material].flat().filter(Boolean);
+    for (const name of ['normalMap', 'clearcoatNormalMap', 'anisotropyMap', 'map'])
+        for (const material of materials) if (material[name]) return material[name];
+    return undefined;
+}
+
+/** Texture coordinates of a texture, v down as in glTF. */
+const readTexcoords = (attribute, texture) => () => {
+    if (texture?.matrixAutoUpdate) texture.updateMatrix();
+    const uv = values(attribute), m = texture?.matrix?.elements ?? [1, 0, 0, 0, 1, 0, 0, 0, 1];
+    for (let i = 0; i < uv.length; i += attribute.itemSize) {
+        const u = uv[i], v = uv[i + 1], transformed = m[1] * u + m[4] * v + m[7];
+        uv[i] = m[0] * u + m[3] * v + m[6];
+        uv[i + 1] = texture?.flipY ? 1 - transformed : transformed;
+    }
+    return { array: uv, components: attribute.itemSize, normalized: false };
+};
+
+/** The class of plain attributes, of which all others are made. */
+function attributeClass(geometry) {
+    const plain = [...Object.values(geometry.attributes), geometry.index].find(each => each?.isBufferAttribute) ?? geometry.attributes.position.clone();
+    let prototype = Object.getPrototypeOf(plain);
+    while (Object.getPrototypeOf(prototype) !== Object.prototype) prototype = Object.getPrototypeOf(prototype);
+    return prototype.constructor;
+}
+
+const isReadable = geometry => geometry.attributes.position && !Object.values(geometry.attributes).some(each => each.isGLBufferAttribute);
+
+/** The visible meshes of an object. */
+export class ThreeObject {
+    #root;
+    #geometries = [];
+    #meshes = [];
+    #remarks = [];
+
+    constructor(root) { this.#root = root; }
+
+    /** What is not smoothed. */
+    get remarks() { return this.#remarks; }
+
+    give(module) {
+        this.#root.updateWorldMatrix(true, true);
+        this.#root.traverseVisible(object => {
+            if (!object.isMesh) return;
+            if (object.isBatchedMesh || !isReadable(object.geometry)) this.#leaveOut(object);
+            else this.#meshes.push(object);
+        });
+        this.#geometries = [...new Set(this.#meshes.map(mesh => mesh.geometry))];
+        this.#geometries.forEach((geometry, number) => this.#giveGeometry(module, geometry, number));
+        this.#giveNodes(module);
+    }
+
+    #leaveOut(object) {
+        this.#remarks.push({ kind: 'dropped', count: 1, place: object.name, text: object.isBatchedMesh ? 'batched meshes are not smoothed' : 'a geometry without positions is not smoothed' });
+    }
+
+    #giveGeometry(module, geometry, number) {
+        const user = this.#meshes.find(mesh => mesh.geometry === geometry), { morphAttributes, attributes, index } = geometry;
+        const targets = Array.from({ length: Math.max(...Object.values(morphAttributes).map(each => each.length), 0) });
+        for (const [name, t] of Object.entries(user.morphTargetDictionary ?? {})) if (t in targets) targets[t] = name;
+        module.primitive({ mesh: number, primitive: 0, mode: 4, targets, place: `geometry '${geometry.name || user.name}'` });
+        for (const [name, attribute] of Object.entries(attributes))
+            if (names[name]) module.attribute(names[name], attribute, name === 'skinIndex' ? readIntegers(attribute, Uint16Array) : read(attribute));
+        const texture = tangentTexture(user), uv = attributes[texture?.channel ? `uv${texture.channel}` : 'uv'];
+        if (uv) module.attribute('TEXCOORD_0', {}, readTexcoords(uv, texture));
+        if (index) module.attribute('indices', index, readIntegers(index, Uint32Array));
+        for (const name of ['position', 'normal'])
+            morphAttributes[name]?.forEach((attribute, t) => module.attribute(names[name], attribute, () => this.#offsets(geometry, name, attribute), t));
+    }
+
+    #offsets(geometry, name, attribute) {
+        const array = values(attribute), base = geometry.attributes[name];
+        if (!geometry.morphTargetsRelative && base) values(base).forEach((value, i) => { array[i] -= value; });
+        return { array, components: 3, normalized: false };
+    }
+
+    /** Each mesh where it is in the world; the bones of skinned ones behind them. */
+    #giveNodes(module) {
+        const skinned = this.#meshes.filter(mesh => mesh.isSkinnedMesh && mesh.skeleton && mesh.geometry.attributes.skinIndex);
+        const bones = [...new Set(skinned.flatMap(mesh => mesh.skeleton.bones))];
+        let count = 0;
+        this.#meshes.forEach((mesh, source) => {
+            const shown = { source, mesh: this.#geometries.indexOf(mesh.geometry), skin: skinned.indexOf(mesh) };
+            const place = mesh.matrixWorld.clone();
+            for (let i = 0; i < (mesh.isInstancedMesh ? mesh.count : 1); ++i, ++count) {
+                if (mesh.isInstancedMesh) mesh.getMatrixAt(i, place), place.premultiply(mesh.matrixWorld);
+                module.node({ ...shown, place: place.elements });
+            }
+        });
+        bones.forEach((bone, i) => module.node({ source: this.#meshes.length + i, place: bone.matrixWorld.elements }));
+        for (const { skeleton, bindMatrix } of skinned) {
+            const inverses = skeleton.boneInverses.map(inverse => inverse.clone().multiply(bindMatrix).elements);
+            if (inverses.length < skeleton.bones.length) throw new AttributesError('a skeleton has fewer inverse matrices than bones');
+            module.skin(skeleton.bones.map(bone => count + bones.indexOf(bone)), inverses.slice(0, skeleton.bones.length).flatMap(each => [...each]));
+        }
+    }
+
+    /** @param versions  of SceneModule.versions() */
+    take(module, versions) {
+        // Copies are made of what was there before: the geometry itself changes last.
+        for (const version of [...versions].sort((a, b) => a.isInPlace - b.isInPlace)) {
+            const change = module.primitiveChange(version.meshes[0]), original = this.#geometries[version.mesh];
+            const geometry = version.isInPlace ? original : original.clone();
+            if (change.isChanged) apply(change, geometry);
+            if (!version.isInPlace) for (const node of version.nodes) this.#meshes[node].geometry = geometry;
+        }
+    }
+}
+
+function apply({ copied, corners, removesTangents, directions, targets }, geometry) {
+    const Attribute = attributeClass(geometry);
+    const old = targets.some(target => target.length > 0) && geometry.attributes.normal ? values(geometry.attributes.normal) : undefined;
+    if (copied.length > 0) split(geometry, copied, Attribute);
+    for (const [name, array] of directions) {
+        const isInteger = !(array instanceof Float32Array), to = name.toLowerCase();
+        geometry.setAttribute(to, new Attribute(array, to === 'tangent' ? 4 : 3, isInteger));
+    }
+    if (removesTangents) geometry.deleteAttribute('tangent');
+    if (corners) geometry.setIndex(new Attribute(geometry.index?.array instanceof Uint16Array && geometry.attributes.position.count < 65536 ? Uint16Array.from(corners) : corners, 1));
+    targets.forEach((target, t) => target.forEach(([, offsets]) => setTarget(geometry, t, offsets, Attribute)));
+    if (old) geometry.dispose();  // three.js keeps morph targets in a texture
+}
+
+/** Normals of a morph target; also those of geometries whose targets are not relative. */
+function setTarget(geometry, t, offsets, Attribute) {
+    if (offsets.length !== 3 * geometry.attributes.position.count) return;
+    if (!geometry.morphTargetsRelative) values(geometry.attributes.normal).forEach((value, i) => { offsets[i] += value; });
+    geometry.morphAttributes.normal ??= [];
+    geometry.morphAttributes.normal[t] = new Attribute(offsets, 3);
+}
+
+/** All attributes get copies of vertices behind theirs. */
+function split(geometry, copied, Attribute) {
+    const longer = attribute => {
+        if (attribute.isInstancedBufferAttribute || attribute.data?.isInstancedInterleavedBuffer) return attribute;
+        const array = stored(attribute), size = attribute.itemSize, out = new array.constructor(array.length + copied.length * size);
+        out.set(array);
+        copied.forEach((vertex, i) => out.set(array.subarray(vertex * size, (vertex + 1) * size), array.length + i * size));
+        const Same = attribute.isInterleavedBufferAttribute || !attribute.isFloat16BufferAttribute ? Attribute : attribute.constructor;
+        const made = new Same(out, size, attribute.normalized);
+        made.name = attribute.name;
+        return made;
+    };
+    for (const [name, attribute] of Object.entries(geometry.attributes)) geometry.setAttribute(name, longer(attribute));
+    for (const [name, list] of Object.entries(geometry.morphAttributes)) geometry.morphAttributes[name] = list.map(longer);
+}
