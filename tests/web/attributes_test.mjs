@@ -2,9 +2,9 @@
 // rakelight/attributes beside closed forms: parts of a sphere, a cube, parts that meet, and what is wrong.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { pathToFileURL } from 'node:url';
 
-const { AttributesError, loadAttributes } = await import(pathToFileURL(`${process.env.RAKELIGHT_NPM}/attributes.js`));
+import { AttributesError, loadAttributes } from 'rakelight/attributes';
+
 const attributes = await loadAttributes();
 
 /** A strip of a unit sphere between two longitudes, moved: its matrix moves it back. */

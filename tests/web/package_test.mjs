@@ -6,10 +6,11 @@ import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test from 'node:test';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { fileURLToPath } from 'node:url';
 
-const npm = process.env.RAKELIGHT_NPM;
-const { RakelightError, compare, explain, inspect, render, smooth } = await import(pathToFileURL(`${npm}/index.js`));
+import { RakelightError, compare, explain, inspect, render, smooth } from 'rakelight';
+
+const cli = fileURLToPath(new URL('./node_modules/rakelight/cli.js', import.meta.url));
 
 /** Two halves of a bent sheet as two objects, each smooth in itself: there is a seam between them. */
 const sheet = name => {
@@ -66,7 +67,7 @@ test('errors are those of the program', async () => {
 
 test('the program reads and writes files here, and ends with its codes', async () => {
     const folder = await mkdtemp(join(tmpdir(), 'rakelight '));
-    const run = (...words) => spawnSync(process.execPath, [fileURLToPath(pathToFileURL(`${npm}/cli.js`)), ...words], { cwd: folder, encoding: 'utf8' });
+    const run = (...words) => spawnSync(process.execPath, [cli, ...words], { cwd: folder, encoding: 'utf8' });
     try {
         const model = sheet('sheet.obj');
         await writeFile(join(folder, model.name), model.bytes);
