@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "typescript.h"
+
 namespace rakelight::apps {
 namespace {
 
@@ -178,6 +180,7 @@ std::string markdown_page(const Program& program) {
 
 std::string manual_for(const Program& program, const std::vector<std::string>& words) {
     if (words.size() != 1) return {};
+    if (words[0] == "--typescript") return typescript_options(program);
     return words[0] == "--man" ? man_page(program) : words[0] == "--markdown" ? markdown_page(program) : "";
 }
 

@@ -14,7 +14,7 @@ std::string man_page(const Program& program);
 /// In Markdown: docs/command-line.md.
 std::string markdown_page(const Program& program);
 
-/// What "--man" or "--markdown", alone, ask for; else empty.
+/// What "--man", "--markdown" or "--typescript", alone, ask for; else empty.
 std::string manual_for(const Program& program, const std::vector<std::string>& words);
 
 }  // namespace rakelight::apps
