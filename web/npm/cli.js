@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program `rakelight` on the files of this machine: its options, messages and exit codes.
 import { readdirSync, readFileSync, statSync, writeSync } from 'node:fs';
-import { parse } from 'node:path';
+import { createRequire } from 'node:module';
+import { join, parse } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { runProgram } from './program.js';
 
 const isWindows = process.platform === 'win32';
@@ -34,13 +36,42 @@ function writeAll(descriptor, bytes) {
     for (let at = 0; at < bytes.length;) at += writeSync(descriptor, bytes, at);
 }
 
-const words = process.argv.slice(2);
-const environment = Object.fromEntries(Object.entries(process.env).filter(([name]) => name.startsWith('RAKELIGHT_')));
-const { code, stdout, stderr } = await runProgram(isWindows ? words.map(toModulePath) : words, {
+/** A package that npm installed beside this one, or in the project where the program runs. @returns undefined: there is none */
+async function installedPackage(name) {
+    try {
+        return await import(name);
+    } catch (fault) {
+        if (fault.code !== 'ERR_MODULE_NOT_FOUND') throw fault;
+    }
+    try {
+        return await import(pathToFileURL(createRequire(join(process.cwd(), 'package.json')).resolve(name)));
+    } catch (fault) {
+        if (fault.code !== 'MODULE_NOT_FOUND') throw fault;
+        return undefined;
+    }
+}
+
+async function installedDecoder(name) {
+    const found = await installedPackage(name === 'draco' ? 'draco3dgltf' : 'meshoptimizer');
+    if (name === 'draco') return found?.default.createDecoderModule();
+    await found?.MeshoptDecoder.ready;
+    return found?.MeshoptDecoder;
+}
+
+const words = process.argv.slice(2), decoders = {};
+const options = {
     prepare: mountFolders,
-    environment,
+    environment: Object.fromEntries(Object.entries(process.env).filter(([name]) => name.startsWith('RAKELIGHT_'))),
     stdin: words.includes('-') ? readFileSync(0) : undefined,
-});
-writeAll(1, stdout.bytes);
-writeAll(2, stderr.bytes);
-process.exitCode = code;
+    decoders,
+};
+const run = () => runProgram(isWindows ? words.map(toModulePath) : words, options);
+let result = await run();
+for (let name = result.missingDecoder; name && !decoders[name]; name = result.missingDecoder) {
+    decoders[name] = await installedDecoder(name);
+    if (!decoders[name]) break;
+    result = await run();
+}
+writeAll(1, result.stdout.bytes);
+writeAll(2, result.stderr.bytes);
+process.exitCode = result.code;

@@ -15,7 +15,7 @@ export class RakelightError extends Error {
 const folder = '/model';
 let loadOptions = {};
 
-/** Where the .wasm file comes from; before the first call. */
+/** Where the .wasm file comes from, before the first call; and decoders of compressed models. */
 export function configure(options) { loadOptions = options; }
 
 const optionName = key => '--' + key.replace(/[A-Z0-9]+/g, part => '-' + part.toLowerCase());

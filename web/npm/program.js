@@ -36,14 +36,16 @@ class Output {
  * @param words  of the command line, behind the program's name
  * @param options.files  prepares the file system: (FS, NODEFS) => void
  * @param options.stdin  bytes
- * @returns {code, stdout, stderr, FS}
+ * @param options.decoders  { meshopt, draco }, each as its npm package has it, ready
+ * @returns {code, stdout, stderr, FS, missingDecoder}
  */
-export async function runProgram(words, { prepare, stdin, environment, ...load } = {}) {
+export async function runProgram(words, { prepare, stdin, environment, decoders, ...load } = {}) {
     compiled ??= compile(load);
     const program = await compiled, out = new Output(), messages = new Output();
     let at = 0;
     const module = await makeModule({
         noInitialRun: true,
+        decoders,
         instantiateWasm(imports, done) {
             WebAssembly.instantiate(program, imports).then(instance => done(instance, program));
             return {};
@@ -56,11 +58,11 @@ export async function runProgram(words, { prepare, stdin, environment, ...load }
     prepare?.(module.FS, module.NODEFS);
     let code;
     try {
-        code = module.callMain(words);
+        code = module.callMain([...words]);
     } catch (fault) {
         if (!(fault instanceof RangeError || fault instanceof WebAssembly.RuntimeError)) throw fault;
         code = 1;
         for (const byte of new TextEncoder().encode(`rakelight: error: ${fault.message}\n`)) messages.write(byte);
     }
-    return { code, stdout: out, stderr: messages, FS: module.FS };
+    return { code, stdout: out, stderr: messages, FS: module.FS, missingDecoder: module.missingDecoder };
 }

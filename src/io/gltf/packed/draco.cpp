@@ -18,12 +18,6 @@
 namespace rakelight::io::gltf {
 namespace {
 
-/// What the library takes while it decodes (corner table, traversal, attributes), measured on real meshes and rounded
-/// up.
-constexpr std::uint64_t working_bytes_per_face = 64, working_bytes_per_point = 96;
-/// The most faces or points per byte of compressed data; a regular grid under the valence code reaches about 200.
-constexpr std::uint64_t densest = 1024, slack = 65536;
-
 std::optional<ComponentType> component_type(draco::DataType type) {
     switch (type) {
         case draco::DT_INT8:
@@ -71,19 +65,6 @@ void narrow(std::vector<std::byte>& bytes, ComponentType type, const Value& from
         default:
             from.fail("its Draco data has positions of another type than their accessor");
     }
-}
-
-void check_header(std::span<const std::byte> data, const Value& from, Context& context) {
-    const auto header = read_draco_header(data);
-    if (!header || !header->is_mesh) from.fail("its Draco data is not a Draco mesh");
-    if (header->major != 2 || header->minor != 2)
-        from.fail(format_text("its Draco data has version {}.{}; glTF allows 2.2 only", header->major, header->minor));
-    const std::uint64_t most = densest * data.size() + slack;
-    if (header->faces > most || header->points > most)
-        from.fail(format_text("its Draco data announces {} triangles and {} vertices, more than {} bytes can hold",
-                              header->faces, header->points, data.size()));
-    context.memory().check(header->faces * working_bytes_per_face + header->points * working_bytes_per_point,
-                           "decoding a Draco mesh");
 }
 
 struct DecodedMesh final : DracoMesh {
@@ -180,7 +161,7 @@ Elements DecodedMesh::attribute(std::uint32_t id, const Elements& description, c
 
 std::unique_ptr<DracoMesh> decode_draco(std::span<const std::byte> data, const Value& from, Context& context) {
     auto decoded = std::make_unique<DecodedMesh>();
-    check_header(data, from, context);
+    check_draco_header(data, from, context);
     try {
         draco::DecoderBuffer buffer;
         buffer.Init(reinterpret_cast<const char*>(data.data()), data.size());

@@ -3,11 +3,18 @@
 
 #include <cstring>
 
+#include "base/format_text.h"
+
 namespace rakelight::io::gltf {
 namespace {
 
 constexpr std::uint8_t mesh_geometry = 1, sequential_method = 0, edgebreaker_method = 1;
 constexpr unsigned metadata_flag = 0x8000;
+/// What the library takes while it decodes (corner table, traversal, attributes), measured on real meshes and rounded
+/// up.
+constexpr std::uint64_t working_bytes_per_face = 64, working_bytes_per_point = 96;
+/// The most faces or points per byte of compressed data; a regular grid under the valence code reaches about 200.
+constexpr std::uint64_t densest = 1024, slack = 65536;
 
 /// Reads on while the data lasts; `good` falls forever at its end.
 struct Cursor {
@@ -84,6 +91,19 @@ std::optional<DracoHeader> read_draco_header(std::span<const std::byte> data) {
         return std::nullopt;
     }
     return in.good ? std::optional(header) : std::nullopt;
+}
+
+void check_draco_header(std::span<const std::byte> data, const Value& from, Context& context) {
+    const auto header = read_draco_header(data);
+    if (!header || !header->is_mesh) from.fail("its Draco data is not a Draco mesh");
+    if (header->major != 2 || header->minor != 2)
+        from.fail(format_text("its Draco data has version {}.{}; glTF allows 2.2 only", header->major, header->minor));
+    const std::uint64_t most = densest * data.size() + slack;
+    if (header->faces > most || header->points > most)
+        from.fail(format_text("its Draco data announces {} triangles and {} vertices, more than {} bytes can hold",
+                              header->faces, header->points, data.size()));
+    context.memory().check(header->faces * working_bytes_per_face + header->points * working_bytes_per_point,
+                           "decoding a Draco mesh");
 }
 
 }  // namespace rakelight::io::gltf

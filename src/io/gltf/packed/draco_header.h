@@ -6,6 +6,10 @@
 #include <optional>
 #include <span>
 
+#include <rakelight/base/context.h>
+
+#include "io/gltf/value.h"
+
 namespace rakelight::io::gltf {
 
 struct DracoHeader {
@@ -18,5 +22,9 @@ struct DracoHeader {
 /// Draco bitstream specification 2.2, sections "Draco Decode", "Metadata", "Sequential connectivity" and "EdgeBreaker".
 /// nullopt: cut short or not Draco.
 std::optional<DracoHeader> read_draco_header(std::span<const std::byte> data);
+
+/// @param from  the primitive, for messages
+/// @throws Error bad_file: not a Draco mesh of bitstream 2.2; counts that the data cannot hold, or that are over the memory budget
+void check_draco_header(std::span<const std::byte> data, const Value& from, Context& context);
 
 }  // namespace rakelight::io::gltf

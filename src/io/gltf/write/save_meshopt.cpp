@@ -13,8 +13,6 @@
 namespace rakelight::io::gltf {
 namespace {
 
-constexpr const char* names[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
-
 /// The first buffer that only says how long the unpacked data would be; null without one.
 OrderedJson* buffer_without_bytes(OrderedJson& tree, std::size_t& number) {
     if (!tree.contains("buffers") || !tree["buffers"].is_array()) return nullptr;
@@ -22,7 +20,7 @@ OrderedJson* buffer_without_bytes(OrderedJson& tree, std::size_t& number) {
     for (number = 0; number < buffers.size(); ++number) {
         const OrderedJson& buffer = buffers[number];
         if (buffer.contains("uri") || !buffer.contains("extensions")) continue;
-        for (const char* name : names)
+        for (const char* name : meshopt_names)
             if (buffer["extensions"].contains(name)) return &buffers[number];
     }
     return nullptr;
@@ -52,14 +50,6 @@ std::vector<std::byte> encoded(std::span<const std::byte> data, std::size_t elem
 }
 
 }  // namespace
-
-std::string meshopt_extension(const OrderedJson& view) {
-    if (!view.contains("extensions")) return {};
-    const OrderedJson& extensions = view["extensions"];
-    for (const char* name : names)
-        if (extensions.contains(name)) return name;
-    return {};
-}
 
 std::vector<std::byte> compress(std::span<const std::byte> data, std::size_t element_bytes, bool is_indices,
                                 const std::string& extension, OrderedJson& tree, OrderedJson& view) {

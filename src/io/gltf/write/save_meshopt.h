@@ -10,9 +10,6 @@
 
 namespace rakelight::io::gltf {
 
-/// The name of the meshopt extension that a bufferView carries; empty without one.
-std::string meshopt_extension(const OrderedJson& view);
-
 /// Describes `data` as a view of a buffer that is not stored, as files with this extension have one.
 /// @param view       gets buffer, byteOffset and byteLength there, and the extension with mode, count and byteStride
 /// @param extension  its name

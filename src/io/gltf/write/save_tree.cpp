@@ -134,4 +134,12 @@ void for_each_member(OrderedJson& root, const std::function<void(const std::stri
     }
 }
 
+std::string meshopt_extension(const OrderedJson& view) {
+    if (!view.contains("extensions")) return {};
+    const OrderedJson& extensions = view["extensions"];
+    for (const char* name : meshopt_names)
+        if (extensions.contains(name)) return name;
+    return {};
+}
+
 }  // namespace rakelight::io::gltf

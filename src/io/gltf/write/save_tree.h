@@ -23,4 +23,8 @@ std::string to_text(const OrderedJson& tree, std::span<const std::byte> model);
 /// Calls `visit(name, value)` for every member of every object in the tree; without recursion.
 void for_each_member(OrderedJson& root, const std::function<void(const std::string&, OrderedJson&)>& visit);
 
+inline constexpr const char* meshopt_names[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
+/// The name of the meshopt extension that a bufferView carries; empty without one.
+std::string meshopt_extension(const OrderedJson& view);
+
 }  // namespace rakelight::io::gltf
