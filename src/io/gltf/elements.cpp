@@ -90,12 +90,55 @@ std::vector<float> to_scalars(const Elements& elements) {
     return result;
 }
 
+namespace {
+
+constexpr int fewest_bits = 9;  // of codes that are taken to be meant with fewer bits than their type has
+
+/// Whether a code is a number of fewer bits whose highest bits are repeated in the lowest: so all of 0..1 is reached.
+bool repeats(unsigned code, int bits, int all) {
+    const unsigned number = code >> (all - bits);
+    return code == ((number << (all - bits)) | (number >> (2 * bits - all)));
+}
+
+/// Bits that all codes have in truth, without the sign. As many as the type has, if that codes of fewer bits are repeated
+/// (see repeats()) could be chance: for each different code the chance is 2^(bits - all).
+/// @param all  bits of the type without its sign
+template <class T>
+int meant_bits(const Elements& elements, int all) {
+    int bits = fewest_bits;
+    std::vector<bool> seen(std::size_t(std::numeric_limits<T>::max()) + 1);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < elements.count && bits < all; ++i)
+        for (std::uint32_t c = 0; c < elements.components; ++c) {
+            const int signed_code = load<T>(elements.data + i * elements.stride + c * sizeof(T));
+            const auto code = std::min(unsigned(std::abs(signed_code)), unsigned(std::numeric_limits<T>::max()));
+            if (seen[code]) continue;
+            seen[code] = true;
+            ++different;
+            while (bits < all && !repeats(code, bits, all)) ++bits;
+        }
+    constexpr std::size_t enough = 24;  // a chance of 2^-22: 0 and the largest code always repeat
+    return different >= 2 && (different - 2) * std::size_t(all - bits) + 2 >= enough ? bits : all;
+}
+
+}  // namespace
+
 double step_of(const Elements& elements) {
     if (elements.type == ComponentType::f32) return 0;
-    double largest = 1;
-    with_component_type(elements.type,
-                        [&](auto zero) { largest = double(std::numeric_limits<decltype(zero)>::max()); });
-    return elements.normalized ? 1 / largest : 1;
+    if (!elements.normalized) return 1;
+    double step = 1;
+    with_component_type(elements.type, [&](auto zero) {
+        using T = decltype(zero);
+        const double largest = double(std::numeric_limits<T>::max());
+        step = 1 / largest;
+        if constexpr (sizeof(T) == 2) {
+            constexpr int all = std::numeric_limits<T>::digits;
+            const int bits = elements.data ? meant_bits<T>(elements, all) : all;
+            // Half a step of these bits, and what repeating them adds: less than one code.
+            if (bits < all) step = ((1 << (all - bits)) + 2) / largest;
+        }
+    });
+    return step;
 }
 
 std::vector<std::uint32_t> to_integers(const Elements& elements) {

@@ -42,7 +42,8 @@ std::vector<vec3> to_vec3(const Elements& elements);
 std::vector<vec4> to_vec4(const Elements& elements, float missing_w);  ///< w where the elements have 3 components
 std::vector<float> to_scalars(const Elements& elements);               ///< [count * components]
 
-/// Between two neighboring codes after conversion; 0 for floats.
+/// Between two neighboring codes after conversion; 0 for floats. Normalized integers of 16 bits may be numbers of fewer bits: quantize()
+/// of gltf-transform stores 14 bits so, the highest again in the lowest. Where all are, the step is that of these bits.
 double step_of(const Elements& elements);
 
 /// Unsigned integers as they are. Only for u8, u16, u32; [count * components].

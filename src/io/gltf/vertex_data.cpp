@@ -124,11 +124,16 @@ void VertexData::read_array(const std::string& name, Mesh& mesh) {
 
 double VertexData::position_step() {
     const char* const name = "POSITION";
-    const Elements described =
-        accessors_.description(attributes_.required_index(name), {name, components(3), float_or_small}, primitive_);
     const bool is_packed = draco_ && packed_attributes_.has(name);
     const double packed = is_packed ? draco_->step(packed_attributes_.required_index(name)) : 0;
-    return packed > 0 ? packed : step_of(described);
+    if (packed > 0) return packed;
+    const Expected expected{name, components(3), float_or_small};
+    const std::uint32_t accessor = attributes_.required_index(name);
+    const Elements described = accessors_.description(accessor, expected, primitive_);
+    if (is_packed || described.type == ComponentType::f32) return step_of(described);
+    const auto [step, is_new] = cache_.steps.emplace(accessor, 0);
+    if (is_new) step->second = step_of(accessors_.elements(accessor, expected, primitive_));
+    return step->second;
 }
 
 Block<vec3> VertexData::offsets(const Value& target, const std::string& semantic) {

@@ -20,6 +20,7 @@ struct BlockCache {
     std::map<std::uint32_t, Block<vec3>> vec3s;
     std::map<std::uint32_t, Block<vec4>> tangents, colors;
     std::map<std::uint32_t, Block<float>> scalars;  ///< of attributes of the application's own
+    std::map<std::uint32_t, double> steps;          ///< Mesh::position_step
 };
 
 /// The vertex arrays of one primitive.

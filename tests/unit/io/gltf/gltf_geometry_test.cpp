@@ -206,6 +206,28 @@ TEST(GltfGeometry, QuantizedPositionsTellTheStepBetweenTwoCodes) {
     }
 }
 
+// quantize() of gltf-transform: 14 bits are 13 and the sign, and the two highest of them are repeated in the lowest.
+TEST(GltfGeometry, PositionsOfFewerBitsThanTheirTypeTellTheirOwnStep) {
+    const auto step = [](std::vector<std::uint16_t> words) {
+        GltfFile file;
+        file.root["extensionsUsed"] = file.root["extensionsRequired"] = {"KHR_mesh_quantization"};
+        file.primitive(file.accessor<std::uint16_t>(words, i16, 3, true));
+        return file.load().meshes[0].position_step;
+    };
+    std::vector<std::uint16_t> repeated, plain;
+    for (unsigned k = 0; k < 36; ++k) {
+        const unsigned number = 227 * k;  // of 13 bits
+        const unsigned code = number << 2 | number >> 11;
+        repeated.push_back(std::uint16_t(k % 2 ? code : -code));
+        plain.push_back(std::uint16_t(code ^ 1));
+    }
+    EXPECT_EQ(step(repeated), 6 / 32767.0);
+    EXPECT_EQ(step(plain), 1 / 32767.0);
+    EXPECT_EQ(step({repeated.begin(), repeated.begin() + 9}), 1 / 32767.0) << "so few could be chance";
+    repeated[20] ^= 1;
+    EXPECT_EQ(step(repeated), 1 / 32767.0) << "one code that is not repeated";
+}
+
 TEST(GltfGeometry, TheEightStrongestJointsAreKept) {
     GltfFile file;
     auto& attributes = file.triangle()["attributes"];
