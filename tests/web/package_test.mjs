@@ -58,10 +58,21 @@ test('pictures are compared, and a pixel is explained', async () => {
     assert.match(schema, /^rakelight.explain\//);
 });
 
+test('each option of the types is one of the program', async () => {
+    const types = await readFile(new URL('./node_modules/rakelight/program_options.d.ts', import.meta.url), 'utf8');
+    for (const [command, use] of [['Inspect', inspect], ['Smooth', smooth]]) {
+        const [, body] = new RegExp(`interface ${command}Options {\n(.*?)\n}`, 's').exec(types), names = [...body.matchAll(/^    (\w+)\?: (?!string)/gm)];
+        assert.ok(names.length > 15);
+        for (const [, name] of names)
+            await use(sheet('sheet.obj'), { [name]: 'none' }).catch(fault => assert.doesNotMatch(fault.message, /unknown option/));
+    }
+});
+
 test('errors are those of the program', async () => {
     await assert.rejects(inspect(new Uint8Array([103, 108, 84, 70, 2, 0, 0, 0])), fault => fault instanceof RakelightError && fault.exitCode === 4);
     await assert.rejects(render(sheet('sheet.obj'), { resolution: 'large' }), fault => fault.exitCode === 2 && /resolution/.test(fault.message));
     await assert.rejects(inspect(new Uint8Array([1, 2, 3])), /name/);
+    await assert.rejects(inspect({ name: 'a.glb', bytes: new Uint8Array(12) }), fault => /^a.glb: /.test(fault.message) && fault.file === 'a.glb' && fault.code === 'bad_file');
     await assert.rejects(inspect({ name: 'a.fbx', bytes: new Uint8Array([1, 2, 3]) }), fault => fault.exitCode === 4);
 });
 

@@ -3,12 +3,12 @@
 // (creaseAngle: 60 is --crease-angle 60), a report is what --json writes.
 import { runProgram } from './program.js';
 
-/** What the program would end with: code 1 failed, 2 usage, 3 not found, 4 bad file. */
+/** What the program would end with: exit code 1 failed, 2 usage, 3 not found, 4 bad file, 5 not comparable. */
 export class RakelightError extends Error {
     name = 'RakelightError';
-    constructor(message, details) {
+    constructor(message, { exitCode, code, file = '', place = '', advice = '' }) {
         super(message);
-        Object.assign(this, details);
+        Object.assign(this, { exitCode, code, file, place, advice });
     }
 }
 
@@ -18,7 +18,7 @@ let loadOptions = {};
 /** Where the .wasm file comes from, before the first call; and decoders of compressed models. */
 export function configure(options) { loadOptions = options; }
 
-const optionName = key => '--' + key.replace(/[A-Z0-9]+/g, part => '-' + part.toLowerCase());
+const optionName = key => '--' + key.replace(/[A-Z]/g, letter => '-' + letter.toLowerCase());
 
 function wordsOf(options) {
     return Object.entries(options).flatMap(([key, value]) => {

@@ -51,9 +51,8 @@ const readTexcoords = (attribute, texture) => () => {
 
 /** The class of plain attributes, of which all others are made. */
 function attributeClass(geometry) {
-    const plain = [...Object.values(geometry.attributes), geometry.index].find(each => each?.isBufferAttribute) ?? geometry.attributes.position.clone();
-    let prototype = Object.getPrototypeOf(plain);
-    while (Object.getPrototypeOf(prototype) !== Object.prototype) prototype = Object.getPrototypeOf(prototype);
+    let prototype = [...Object.values(geometry.attributes), geometry.index].find(each => each?.isBufferAttribute) ?? geometry.attributes.position.clone();
+    while (!Object.hasOwn(prototype, 'copyArray')) prototype = Object.getPrototypeOf(prototype);
     return prototype.constructor;
 }
 
