@@ -95,3 +95,8 @@ test('the program reads and writes files here, and ends with its codes', async (
         await rm(folder, { recursive: true });
     }
 });
+
+test('what the program would end with is not the exit code of the caller', () => {
+    const text = "import { inspect } from 'rakelight'; await inspect(new Uint8Array([103, 108, 84, 70])).catch(() => {});";
+    assert.equal(spawnSync(process.execPath, ['--input-type=module', '-e', text], { cwd: fileURLToPath(new URL('.', import.meta.url)) }).status, 0);
+});

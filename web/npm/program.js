@@ -56,13 +56,19 @@ export async function runProgram(words, { prepare, stdin, environment, decoders,
         preRun: [made => Object.assign(made.ENV, environment)],
     });
     prepare?.(module.FS, module.NODEFS);
-    let code;
+    return { code: callMain(module, words, messages), stdout: out, stderr: messages, FS: module.FS, missingDecoder: module.missingDecoder };
+}
+
+/** @returns the exit code, which does not become that of the caller's process */
+function callMain(module, words, messages) {
+    const own = globalThis.process?.exitCode;
     try {
-        code = module.callMain([...words]);
+        return module.callMain([...words]);
     } catch (fault) {
         if (!(fault instanceof RangeError || fault instanceof WebAssembly.RuntimeError)) throw fault;
-        code = 1;
         for (const byte of new TextEncoder().encode(`rakelight: error: ${fault.message}\n`)) messages.write(byte);
+        return 1;
+    } finally {
+        if (globalThis.process) globalThis.process.exitCode = own;
     }
-    return { code, stdout: out, stderr: messages, FS: module.FS, missingDecoder: module.missingDecoder };
 }
