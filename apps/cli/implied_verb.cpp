@@ -67,8 +67,8 @@ std::vector<std::string> with_implied_verb(const apps::Program& program, std::ve
         std::vector<std::string> rendering = {"render", "-o", picture_name(*model)};
         rendering.insert(rendering.end(), words.begin(), words.end());
         apps::read_command_line(program, rendering);  // throws what is wrong with the options
-        throw Error(ErrorCode::usage, "there is no display to open a window on", {},
-                    "for a picture write: rakelight " + one_line(*model, 80) + " -o " + picture_name(*model));
+        throw Error(ErrorCode::usage, RL_PROCESSES ? "there is no display to open a window on" : "no output is named",
+                    {}, "for a picture write: rakelight " + one_line(*model, 80) + " -o " + picture_name(*model));
     }
     words.insert(words.begin(), writes_model(words) ? "convert" : renders ? "render" : "view");
     return words;

@@ -41,8 +41,8 @@ int run(int argc, const char* const* argv) {
 #endif
 #if RL_PROCESSES
         thumbnail_verb,
-#endif
         {apps::view_command, nullptr},
+#endif
     };
     std::vector<Command> commands;
     for (const Verb& verb : verbs) commands.push_back(verb.command());

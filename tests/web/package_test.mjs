@@ -71,6 +71,7 @@ test('each option of the types is one of the program', async () => {
 test('errors are those of the program', async () => {
     await assert.rejects(inspect(new Uint8Array([103, 108, 84, 70, 2, 0, 0, 0])), fault => fault instanceof RakelightError && fault.exitCode === 4);
     await assert.rejects(render(sheet('sheet.obj'), { resolution: 'large' }), fault => fault.exitCode === 2 && /resolution/.test(fault.message));
+    await assert.rejects(smooth(sheet('sheet.obj'), { format: 'foo' }), fault => fault.exitCode === 2);
     await assert.rejects(inspect(new Uint8Array([1, 2, 3])), /name/);
     await assert.rejects(inspect({ name: 'a.glb', bytes: new Uint8Array(12) }), fault => /^a.glb: /.test(fault.message) && fault.file === 'a.glb' && fault.code === 'bad_file');
     await assert.rejects(inspect({ name: 'a.fbx', bytes: new Uint8Array([1, 2, 3]) }), fault => fault.exitCode === 4);

@@ -15,6 +15,7 @@ export const blocksOf = language => [...text.matchAll(/^```(\w+)\n(.*?)^```/gms)
 export const declarations = `declare const obj: Uint8Array, mtl: Uint8Array, png: Uint8Array;
 declare const bodyPositions: Float32Array, bodyIndices: Uint32Array, bodyMatrix: number[];
 declare const wheelPositions: Float32Array, wheelIndices: Uint32Array, wheelMatrix: number[];
+declare module 'draco3dgltf';  // a package without types
 `;
 
 /** Half a ball, from one longitude to the one across, seen from outside. */

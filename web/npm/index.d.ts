@@ -86,9 +86,16 @@ export interface LoadOptions {
     locateFile?: (name: string, folder: string) => string;
     /** The content of the .wasm file. */
     wasmBinary?: ArrayBuffer | Uint8Array;
+    /** Decoders of compressed models, as their npm packages have them. */
+    decoders?: {
+        /** MeshoptDecoder of the package meshoptimizer; await its `ready`. */
+        meshopt?: { decodeGltfBuffer(target: Uint8Array, count: number, size: number, source: Uint8Array, mode: string, filter?: string): void };
+        /** What createDecoderModule() of the package draco3dgltf resolves to. */
+        draco?: object;
+    };
 }
 
-/** Where the .wasm file comes from; before the first call. */
+/** Where the .wasm file comes from, before the first call; and decoders of compressed models. */
 export function configure(options: LoadOptions): void;
 
 export class RakelightError extends Error {

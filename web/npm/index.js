@@ -88,9 +88,9 @@ export async function inspect(model, options = {}) {
 
 /** The model with seam-free normals; `files` has what was written beside it. */
 export async function smooth(model, options = {}) {
-    const { name } = inputOf(model);
-    const { format = name.replace(/.*\./, '').toLowerCase(), ...rest } = options;
-    const output = `out/model.${['gltf', 'obj', 'ply', 'glb'].includes(format) ? format : 'glb'}`;
+    const ending = inputOf(model).name.replace(/.*\./, '').toLowerCase();
+    const { format = ['gltf', 'obj', 'ply'].includes(ending) ? ending : 'glb', ...rest } = options;
+    const output = `out/model.${format}`;
     const { report, FS } = await run('smooth', [model], rest, ['-o', output]);
     const files = {};
     for (const file of FS.readdir(`${folder}/out`))

@@ -11,6 +11,9 @@ const arrayTypes = { 5120: Int8Array, 5122: Int16Array, 5126: Float32Array };
 const textures = ['normal', 'clearcoatNormal', 'anisotropy'];
 const optionNames = ['normals', 'crease', 'weight', 'weldDistance', 'borderDistance', 'tangents', 'bitangents', 'keepInstances', 'onReport'];
 
+/** The scopes of new normals, behind them what keeps those of the document. */
+const normalChoices = [...scopes, 'seams'];
+
 /** What an attribute is: [number of the semantic, set], or undefined: of no say in normals. */
 function semanticOf(name) {
     const whole = semantics.indexOf(name);
@@ -109,7 +112,7 @@ export class SceneModule {
         const { normals = 'seams', crease = 'auto', weight = 'auto', weldDistance = -1, borderDistance = 0, tangents = 'auto',
             bitangents = false, keepInstances = false } = options;
         const isReplaced = normals !== 'seams';
-        const code = this.#module._rl_smooth(isReplaced ? 1 : 0, isReplaced ? numberOf(scopes, normals, 'normals') : 2,
+        const code = this.#module._rl_smooth(isReplaced ? 1 : 0, isReplaced ? numberOf(normalChoices, normals, 'normals') : 2,
             numberOf(weights, weight, 'weight'), ...creasesOf(crease), weldDistance, borderDistance,
             numberOf(tangentChoices, tangents, 'tangents'), 0, bitangents ? 1 : 0, keepInstances ? 1 : 0);
         if (code !== 0) throw new AttributesError(this.#module.UTF8ToString(this.#module._rl_error()));

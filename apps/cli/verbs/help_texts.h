@@ -9,8 +9,13 @@ inline constexpr const char* models_help =
     "builtin:teapot, builtin:sphere:tolerance=0.01, ..., or - for standard input";
 
 inline constexpr const char* main_footer =
+#if RL_PROCESSES
     R"(Without a subcommand, models are rendered if -o names a picture, converted if it names a model,
-and opened in a window if there is no -o.
+and opened in a window if there is no -o.)"
+#else
+    "Without a subcommand, models are rendered if -o names a picture, and converted if it names a model."
+#endif
+    R"(
 
 Examples:
   rakelight helmet.glb -o helmet.png                       # a picture
