@@ -15,7 +15,7 @@ MipChain sky_of(const ImageHandle& image, Context& context) {
 EnvironmentImages images_of(const ImageHandle& image, bool with_sky, Context& context) {
     EnvironmentImages out;
     if (image || with_sky) out.sky = sky_of(image, context);
-    out.light = image ? make_environment_light(out.sky, context) : studio_light();
+    out.light = image ? make_environment_light(out.sky, context) : studio_light(context);
     if (!with_sky) out.sky = {};
     return out;
 }

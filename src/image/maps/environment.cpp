@@ -112,18 +112,6 @@ void fill(OctahedralMap& map, Context& context, const Value& value) {
     });
 }
 
-OctahedralMap sharp_map(const MipChain& chain, Context& context) {
-    const MipLevel& full = chain.levels[0];
-    int size = 16;  // similar angular resolution as the picture
-    while (size < largest_map && 2 * size <= full.width) size *= 2;
-    const MipLevel& level = level_for(chain, 2 * size);
-    OctahedralMap map = empty_map(size);
-    fill(map, context, [&](std::size_t x, std::size_t y) {
-        return filtered_panorama(chain, level, equirectangular(direction_at(map, x, y)));
-    });
-    return map;
-}
-
 OctahedralMap half_of(const OctahedralMap& map) {
     OctahedralMap out = empty_map(map.size / 2);
     for (int y = 0; y < out.size; ++y)
@@ -233,6 +221,18 @@ const vec3& bordered_texel(const OctahedralMap& map, int x, int y) {
     if (x < 0 || x > last) x = std::clamp(x, 0, last), y = last - y;
     if (y < 0 || y > last) y = std::clamp(y, 0, last), x = last - x;
     return map.at(x, y);
+}
+
+OctahedralMap sharp_map(const MipChain& panorama, Context& context) {
+    const MipLevel& full = panorama.levels[0];
+    int size = 16;  // similar angular resolution as the picture
+    while (size < largest_map && 2 * size <= full.width) size *= 2;
+    const MipLevel& level = level_for(panorama, 2 * size);
+    OctahedralMap map = empty_map(size);
+    fill(map, context, [&](std::size_t x, std::size_t y) {
+        return filtered_panorama(panorama, level, equirectangular(direction_at(map, x, y)));
+    });
+    return map;
 }
 
 EnvironmentLight make_environment_light(const MipChain& panorama, Context& context) {

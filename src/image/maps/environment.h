@@ -45,6 +45,9 @@ struct EnvironmentLight {
     std::vector<OctahedralMap> mirrored;
 };
 
+/// The picture itself, level 0 of `mirrored`. Bit-identical for any number of threads.
+OctahedralMap sharp_map(const MipChain& panorama, Context& context);
+
 /// @param panorama levels of an equirectangular picture, rgba32f or sRGB rgba8 Bit-identical for any number of threads.
 ///         About 0.15 s on two cores.
 EnvironmentLight make_environment_light(const MipChain& panorama, Context& context);

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <iterator>
+#include <span>
 
 namespace rakelight::shading {
 namespace {
@@ -19,11 +20,13 @@ vec3 gray(std::uint32_t bits) {
 
 }  // namespace
 
-EnvironmentLight studio_light() {
+EnvironmentLight studio_light(Context& context) {
     EnvironmentLight light;
     for (std::size_t i = 0; i < light.irradiance.size(); ++i) light.irradiance[i] = gray(irradiance[i]);
+    if (!has_sharpest)
+        light.mirrored.push_back(sharp_map(make_mip_chain(studio_panorama(), ColorSpace::linear, context), context));
     const std::uint32_t* texel = texels;
-    for (const int size : sizes) {
+    for (const int size : std::span(sizes).subspan(light.mirrored.size())) {
         OctahedralMap map{size, std::vector<vec3>(std::size_t(size) * std::size_t(size))};
         for (vec3& t : map.texels) t = gray(*texel++);
         light.mirrored.push_back(std::move(map));

@@ -6,6 +6,6 @@
 namespace rakelight::shading {
 
 /// The bits that make_environment_light() gives for studio_panorama(), which takes it 0.1 s.
-EnvironmentLight studio_light();
+EnvironmentLight studio_light(Context& context);
 
 }  // namespace rakelight::shading

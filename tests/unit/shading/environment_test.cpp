@@ -35,7 +35,7 @@ ImageHandle gray(int code) {
 
 TEST(EnvironmentCache, TheStudiosLightIsWhatIsMadeOfItsPicture) {
     Context context({.threads = 1});
-    const EnvironmentLight ready = studio_light();
+    const EnvironmentLight ready = studio_light(context);
     const EnvironmentLight made =
         make_environment_light(make_mip_chain(studio_panorama(), ColorSpace::linear, context), context);
     EXPECT_EQ(ready.irradiance, made.irradiance);
