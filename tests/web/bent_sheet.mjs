@@ -41,6 +41,8 @@ export function sheet(part, { lean = 0.15, matrix = identity, radius = 1, at = [
     return { ...floats, indices: Uint16Array.from(indices), border };
 }
 
+export const sheets = (first, second = first) => [sheet(0, first), sheet(1, second)];
+
 /** A cube of 8 vertices. */
 export function cube() {
     const positions = [];

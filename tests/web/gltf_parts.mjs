@@ -18,7 +18,6 @@ export function newDocument() {
     return document;
 }
 
-const widths = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16 };
 const types = { TEXCOORD: 'VEC2', TANGENT: 'VEC4', COLOR: 'VEC4', JOINTS: 'VEC4', WEIGHTS: 'VEC4', _CUSTOM: 'SCALAR' };
 
 export const accessor = (document, array, type = 'VEC3') =>
@@ -59,6 +58,8 @@ export function documentOf(parts, matrices = []) {
     parts.forEach((part, i) => showSheet(document, part, matrices[i], `part ${i}`));
     return document;
 }
+
+export const primitiveOf = (document, node) => document.getRoot().listNodes()[node].getMesh().listPrimitives()[0];
 
 export function numbers(from) {
     const size = from.getElementSize();
@@ -103,14 +104,14 @@ const content = from => from && {
     type: from.getType(), componentType: from.getComponentType(), isNormalized: from.getNormalized(), array: from.getArray(),
 };
 const attributesOf = owner => Object.fromEntries(owner.listSemantics().sort().map(name => [name, content(owner.getAttribute(name))]));
-const primitiveOf = each => ({
+const contentOf = each => ({
     mode: each.getMode(), indices: content(each.getIndices()), material: each.getMaterial()?.getName(),
     attributes: attributesOf(each), targets: each.listTargets().map(attributesOf),
 });
 
 /** All that nodes show. */
 export const shown = document => document.getRoot().listNodes().map(node => ({
-    name: node.getName(), matrix: node.getMatrix(), primitives: node.getMesh()?.listPrimitives().map(primitiveOf),
+    name: node.getName(), matrix: node.getMatrix(), primitives: node.getMesh()?.listPrimitives().map(contentOf),
 }));
 
 /** The arrays as they are, and which objects hold them. */
