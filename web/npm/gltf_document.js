@@ -196,7 +196,8 @@ export class GltfDocument {
     #putCorners(primitive, corners) {
         const old = primitive.getIndices(), largest = corners.reduce((a, b) => Math.max(a, b), 0);
         const wanted = indexTypes[old ? old.getComponentType() : 5123];
-        const Type = [wanted, Uint16Array, Uint32Array].find(each => each.BYTES_PER_ELEMENT >= wanted.BYTES_PER_ELEMENT && largest < 2 ** (8 * each.BYTES_PER_ELEMENT) - 1);
+        const isWide = ({ BYTES_PER_ELEMENT: bytes }) => bytes >= wanted.BYTES_PER_ELEMENT && largest < 2 ** (8 * bytes) - 1;
+        const Type = [wanted, Uint16Array, Uint32Array].find(isWide);
         primitive.setIndices(this.#accessorLike(old, Type.from(corners), 'SCALAR', false, 'indices')).setMode(4);
         if (old && !isUsed(old)) old.dispose();
     }

@@ -107,8 +107,10 @@ export class ThreeObject {
         const texture = tangentTexture(user), uv = attributes[texture?.channel ? `uv${texture.channel}` : 'uv'];
         if (uv) module.attribute('TEXCOORD_0', {}, readTexcoords(uv, texture));
         if (index) module.attribute('indices', index, readIntegers(index, Uint32Array));
-        for (const name of ['position', 'normal'])
-            morphAttributes[name]?.forEach((attribute, t) => module.attribute(names[name], attribute, readOffsets(attribute, geometry.morphTargetsRelative ? undefined : attributes[name]), t));
+        for (const name of ['position', 'normal']) {
+            const base = geometry.morphTargetsRelative ? undefined : attributes[name];
+            morphAttributes[name]?.forEach((each, t) => module.attribute(names[name], base ? {} : each, readOffsets(each, base), t));
+        }
     }
 
     /** Each mesh where it is in the world; the bones of skinned ones behind them. */
