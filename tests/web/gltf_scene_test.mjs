@@ -115,7 +115,8 @@ const picture = Buffer.from('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUl
 test('tangents belong to the coordinates of the normal texture, and to how it lies on them', async () => {
     for (const change of [info => info.setTexCoord(1), (info, transform) => info.setExtension('KHR_texture_transform', transform.setTexCoord(1)),
         (info, transform) => info.setExtension('KHR_texture_transform', transform.setRotation(-Math.PI / 2))]) {
-        const document = newDocument(), { positions, normals, texcoords, indices } = sheet(0), transform = document.createExtension(KHRTextureTransform).createTransform();
+        const document = newDocument(), { positions, normals, texcoords, indices } = sheet(0);
+        const transform = document.createExtension(KHRTextureTransform).createTransform();
         const other = texcoords.map((_, k) => texcoords[k % 2 ? k - 1 : k + 1] * (k % 2 ? -1 : 1));
         const owner = primitive(document, { POSITION: positions, NORMAL: normals, TEXCOORD_0: texcoords, TEXCOORD_1: other }, indices);
         owner.setMaterial(document.createMaterial().setNormalTexture(document.createTexture().setImage(picture).setMimeType('image/png')));
@@ -170,7 +171,8 @@ test('what is wrong is said with its place, and the document stays', async () =>
     primitiveOf(outside, 0).getIndices().setArray(Uint16Array.of(0, 1, 35));
     const apart = documentOf(sheets()), skin = apart.createSkin('arm').addJoint(apart.createNode('elsewhere'));
     apart.getRoot().listNodes()[0].setSkin(skin);
-    const cases = [[apart, {}, /skin 'arm': a joint is not a node of the scene/], [good, { creases: 60 }, /no option "creases"/], [good, { normals: 'all' }, /normals must be face, object, model/],
+    const cases = [[good, { creases: 60 }, /no option "creases"/], [good, { normals: 'all' }, /normals must be face, object, model/],
+        [apart, {}, /skin 'arm': a joint is not a node of the scene/],
         [good, { tangents: 'some' }, /tangents must be auto/], [good, { crease: 181 }, /0 to 180/], [good, { borderDistance: -1 }, /border distance/],
         [fewer, {}, /part 1', primitive 0: NORMAL has 3 elements, but the primitive has 35 vertices/],
         [outside, {}, /part 0', primitive 0: index 35 at corner 2 exceeds 35 vertices/]];

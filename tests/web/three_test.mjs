@@ -8,61 +8,7 @@ import * as THREE from 'three';
 
 import { cube, distance, identity, meetings, placed, rows, sheet, sheets, vector } from './bent_sheet.mjs';
 import { documentOf, numbers, run } from './gltf_parts.mjs';
-
-const attribute = (array, size = 3, isNormalized = false) => new THREE.BufferAttribute(array, size, isNormalized);
-
-function geometryOf({ positions, normals, indices }) {
-    const geometry = new THREE.BufferGeometry().setAttribute('position', attribute(positions.slice()));
-    if (normals) geometry.setAttribute('normal', attribute(normals.slice()));
-    return geometry.setIndex(attribute(indices.slice(), 1));
-}
-
-function place(object, matrix) {
-    object.matrix.fromArray(matrix);
-    object.matrixAutoUpdate = false;
-    return object;
-}
-
-const meshOf = (geometry, matrix = identity) => place(new THREE.Mesh(geometry), matrix);
-
-/** A scene of sheets. @param change  of the geometries */
-function sceneOf(parts, { change = geometry => geometry, matrices = [] } = {}) {
-    const scene = new THREE.Scene();
-    parts.forEach((part, i) => scene.add(meshOf(change(geometryOf(part), part, i), matrices[i])));
-    return scene;
-}
-
-const numbersOf = ({ count }, get) => Float32Array.from({ length: 3 * count }, (_, i) => get(Math.floor(i / 3), i % 3));
-
-/** Numbers as shaders see them. @param weight  of morph target 0 */
-function values(geometry, name, weight = 0) {
-    const base = geometry.attributes[name], target = geometry.morphAttributes[name]?.[0], rest = geometry.morphTargetsRelative ? 1 : 1 - weight;
-    return numbersOf(base, (v, c) => rest * base.getComponent(v, c) + (weight && weight * target.getComponent(v, c)));
-}
-
-const partOf = (mesh, matrix = mesh.matrixWorld.elements, weight = 0) =>
-    ({ positions: values(mesh.geometry, 'position', weight), normals: values(mesh.geometry, 'normal', weight), matrix: [...matrix] });
-
-function partsOf(object, weight = 0) {
-    object.updateWorldMatrix(true, true);
-    const parts = [];
-    object.traverse(each => { if (each.isMesh) parts.push(partOf(each, undefined, weight)); });
-    return parts;
-}
-
-/** Runs it, between a seam that is there and one that is closed. */
-async function closes(object, options = {}, { parts = () => partsOf(object), places = rows + 1 } = {}) {
-    const before = meetings(parts());
-    assert.equal(before.places, places);
-    assert.ok(before.least > 0.1, `a seam of ${before.least}`);
-    const report = await smoothSeams(object, options), after = meetings(parts());
-    assert.equal(after.places, places);
-    assert.ok(after.most < 1e-6, `${after.most} apart`);
-    assert.equal(report.changed, true);
-    return report;
-}
-
-const geometriesOf = object => object.children.map(child => child.geometry);
+import { attribute, closes, geometriesOf, geometryOf, meshOf, partOf, partsOf, place, sceneOf } from './three_parts.mjs';
 
 test('two meshes are joined where they lie in the world, with the numbers of the gltf-transform path', async () => {
     const matrices = [placed(0, 1, [3, 1, -2]), placed(2, 1, [0, -4, 1])], parts = [0, 1].map(i => sheet(i, { matrix: matrices[i] }));
@@ -97,7 +43,8 @@ test('each instance of an InstancedMesh counts where it is', async () => {
     const matrices = [identity, placed(1, 2, [10, 0, 0])], scene = new THREE.Scene(), [left, right] = sheets().map(geometryOf);
     const instanced = place(new THREE.InstancedMesh(left, undefined, 2), placed(0, 1, [0, 3, 0]));
     matrices.forEach((matrix, i) => instanced.setMatrixAt(i, new THREE.Matrix4().fromArray(matrix)));
-    scene.add(instanced, ...matrices.map(matrix => meshOf(right, new THREE.Matrix4().makeTranslation(0, 3, 0).multiply(new THREE.Matrix4().fromArray(matrix)).elements)));
+    const lifted = matrix => new THREE.Matrix4().makeTranslation(0, 3, 0).multiply(new THREE.Matrix4().fromArray(matrix)).elements;
+    scene.add(instanced, ...matrices.map(matrix => meshOf(right, lifted(matrix))));
     const parts = () => matrices.flatMap(matrix => [instanced, scene.children[1]].map(mesh => partOf(mesh, matrix)));
     const { remarks } = await closes(scene, {}, { parts, places: 2 * (rows + 1) });
     assert.deepEqual(remarks, []);
@@ -168,7 +115,8 @@ function interleave(geometry) {
     for (let v = 0; v < position.count; ++v) array.set([...vector(position.array, v), 0, ...vector(normal.array, v), v], 8 * v);
     const buffer = new THREE.InterleavedBuffer(array, 8);
     geometry.setAttribute('position', new THREE.InterleavedBufferAttribute(buffer, 3, 0));
-    return geometry.setAttribute('normal', new THREE.InterleavedBufferAttribute(buffer, 3, 4)).setAttribute('number', new THREE.InterleavedBufferAttribute(buffer, 1, 7));
+    geometry.setAttribute('normal', new THREE.InterleavedBufferAttribute(buffer, 3, 4));
+    return geometry.setAttribute('number', new THREE.InterleavedBufferAttribute(buffer, 1, 7));
 }
 
 test('interleaved attributes', async () => {
@@ -181,7 +129,8 @@ test('interleaved attributes', async () => {
 });
 
 test('interleaved attributes of vertices that split', async () => {
-    const { positions, indices } = cube(), geometry = interleave(geometryOf({ positions, normals: positions, indices: Uint32Array.from(indices) })).deleteAttribute('normal');
+    const { positions, indices } = cube(), shared = geometryOf({ positions, normals: positions, indices: Uint32Array.from(indices) });
+    const geometry = interleave(shared).deleteAttribute('normal');
     await smoothSeams(new THREE.Mesh(geometry));
     const { position, number } = geometry.attributes;
     assert.deepEqual([position.count, number.count], [24, 24]);
@@ -211,16 +160,12 @@ test('normals of 8 bits beside floats become floats, those of 16-bit floats too'
     const half = ({ attributes: { normal } }) => new THREE.Float16BufferAttribute(Uint16Array.from(normal.array, THREE.DataUtils.toHalfFloat), 3);
     for (const change of [geometry => coded(geometry, Int8Array), geometry => geometry.setAttribute('normal', half(geometry))]) {
         const parts = sheets({ lean: 0.3 }), scene = sceneOf(parts, { change: (geometry, _, i) => (i === 0 ? change(geometry) : geometry) });
-        await closes(scene, {}, { parts: () => geometriesOf(scene).map(floats) });
+        await closes(scene);
         const { array } = geometriesOf(scene)[0].attributes.normal, [{ normals, border }] = parts;
         assert.ok(array instanceof Float32Array);
         for (let v = 0; v < array.length / 3; ++v) assert.ok(distance(vector(array, v), border.includes(v) ? [0, 0, 1] : vector(normals, v)) < 0.01);
     }
 });
-
-const getters = ['getX', 'getY', 'getZ'];
-const floats = ({ attributes: { position, normal } }) =>
-    ({ positions: position.array, normals: numbersOf(normal, (v, c) => normal[getters[c]](v)), matrix: identity });
 
 /** A morph target that turns or moves the whole sheet. */
 function addTarget(geometry, moved, isRelative) {
@@ -247,6 +192,17 @@ for (const isRelative of [true, false])
             assert.ok(most < 1e-6, `${most} apart`);
             after.forEach(({ normals }, i) => parts[i].border.forEach(v => assert.ok(distance(vector(normals, v), normal) < 1e-6)));
         });
+
+test('morph targets that are not relative may be attributes of other geometries', async () => {
+    const parts = sheets(), near = sceneOf(parts, { change: geometry => addTarget(geometry, turned, false) }), far = new THREE.Group();
+    for (const { morphAttributes: { position: [position], normal: [normal] }, index } of geometriesOf(near))
+        far.add(new THREE.Mesh(new THREE.BufferGeometry().setAttribute('position', position).setAttribute('normal', normal).setIndex(index)));
+    far.position.set(0, 50, 0);
+    assert.ok(meetings(partsOf(far)).least > 0.1);
+    await smoothSeams(new THREE.Scene().add(far, near));
+    for (const all of [partsOf(far), partsOf(near, 1)])
+        all.forEach(({ normals }, i) => parts[i].border.forEach(v => assert.ok(distance(vector(normals, v), [s, 0, c]) < 1e-6)));
+});
 
 const withTangents = (geometry, { tangents, texcoords }) =>
     geometry.setAttribute('tangent', attribute(tangents.slice(), 4)).setAttribute('uv', attribute(texcoords.slice(), 2));
@@ -290,7 +246,7 @@ test('what is not shown as triangles of its own is left alone', async () => {
     for (const [normal, array] of before) assert.deepEqual(normal.array, array);
     [left, right, batched.geometry, instanced].forEach(({ attributes }, i) => assert.ok(attributes.normal === before[i][0]));
     hidden.visible = true;
-    await closes(scene, {}, { parts: () => [left, right].map(floats) });
+    await closes(scene, {}, { parts: () => [left, right].map(geometry => partOf({ geometry }, identity)) });
 });
 
 test('three.js works with the geometry, and what it made of the old attributes goes', async () => {
