@@ -67,6 +67,7 @@ export class GltfDocument {
     #skins = new Numbers();
     #nodes = new Numbers();
     #given;  // node -> number in the module
+    #made = new Map();  // what accessors say -> the new ones that say so
 
     constructor(document) { this.#document = document; }
 
@@ -154,11 +155,12 @@ export class GltfDocument {
         for (const primitives of originals) for (const primitive of primitives) if (!isUsed(primitive)) disposeAll(primitive);
     }
 
-    /** @returns [index in the mesh, the primitive], which is a copy where versions of the mesh differ */
+    /** @returns [index in the mesh, the primitive], which is a copy where versions of the mesh differ, or other meshes have it */
     #changed(module, change, originals, isAlone) {
         const original = originals[change.primitive];
         if (!change.isChanged) return [change.primitive, original];
-        const primitive = isAlone ? original : copyOf(original);
+        const isOwn = isAlone && [original, ...original.listTargets()].every(each => users(each).length === 1);
+        const primitive = isOwn ? original : copyOf(original);
         if (change.copied.length > 0) this.#split(primitive, change);
         for (const [name, array] of change.directions) this.#put(primitive, name, array, name === 'TANGENT' ? 'VEC4' : 'VEC3');
         if (change.removesTangents) for (const owner of [primitive, ...primitive.listTargets()]) release(owner, 'TANGENT');
@@ -194,16 +196,28 @@ export class GltfDocument {
     #putCorners(primitive, corners) {
         const old = primitive.getIndices(), largest = corners.reduce((a, b) => Math.max(a, b), 0);
         const wanted = indexTypes[old ? old.getComponentType() : 5123];
-        const Type = [wanted, Uint16Array, Uint32Array].find(each => each.BYTES_PER_ELEMENT >= wanted.BYTES_PER_ELEMENT && largest < 2 ** (8 * each.BYTES_PER_ELEMENT) - 1);
-        primitive.setIndices(this.#accessorLike(old, Type.from(corners), 'SCALAR', false)).setMode(4);
+        const isWide = ({ BYTES_PER_ELEMENT: bytes }) => bytes >= wanted.BYTES_PER_ELEMENT && largest < 2 ** (8 * bytes) - 1;
+        const Type = [wanted, Uint16Array, Uint32Array].find(isWide);
+        primitive.setIndices(this.#accessorLike(old, Type.from(corners), 'SCALAR', false, 'indices')).setMode(4);
         if (old && !isUsed(old)) old.dispose();
     }
 
-    #accessorLike(old, array, type, isNormalized) {
+    /** Equal contents are stored once, so that primitives that share an accessor go on sharing. */
+    #accessorLike(old, array, type, isNormalized, use = 'vertices') {
         const buffer = old?.getBuffer() ?? this.#document.getRoot().listBuffers()[0] ?? this.#document.createBuffer();
-        return this.#document.createAccessor(old?.getName() ?? '').setType(type).setArray(array).setNormalized(isNormalized).setBuffer(buffer);
+        const name = old?.getName() ?? '', extras = old?.getExtras() ?? {};
+        const key = JSON.stringify([use, name, extras, type, array.constructor.name, array.length, isNormalized]);
+        if (!this.#made.has(key)) this.#made.set(key, []);
+        const alike = this.#made.get(key), same = alike.find(each => each.getBuffer() === buffer && isEqual(each.getArray(), array));
+        if (same) return same;
+        const made = this.#document.createAccessor(name).setExtras(extras).setType(type).setArray(array).setNormalized(isNormalized).setBuffer(buffer);
+        alike.push(made);
+        return made;
     }
 }
+
+/** Of one length. */
+const isEqual = (a, b) => a.every((x, i) => Object.is(x, b[i]));
 
 /** With targets of its own, and the same accessors. */
 function copyOf(primitive) {

@@ -8,26 +8,34 @@ const names = { position: 'POSITION', normal: 'NORMAL', tangent: 'TANGENT', skin
 
 /** All numbers of an attribute as they are stored, without what lies between them. */
 function stored(attribute) {
-    const { count, itemSize } = attribute, { array, stride = itemSize, offset = 0 } = { ...attribute.data ?? { array: attribute.array }, ...attribute.isInterleavedBufferAttribute && { offset: attribute.offset } };
-    if (!attribute.isInterleavedBufferAttribute) return array.length === count * itemSize ? array : array.subarray(0, count * itemSize);
-    const out = new array.constructor(count * itemSize);
-    for (let i = 0; i < count; ++i) for (let c = 0; c < itemSize; ++c) out[i * itemSize + c] = array[i * stride + offset + c];
+    const { count, itemSize, array } = attribute;
+    if (!attribute.isInterleavedBufferAttribute) return array.subarray(0, count * itemSize);
+    const out = new array.constructor(count * itemSize), { stride } = attribute.data;
+    for (let i = 0; i < count; ++i) for (let c = 0; c < itemSize; ++c) out[i * itemSize + c] = array[i * stride + attribute.offset + c];
     return out;
 }
 
+const getters = ['getX', 'getY', 'getZ', 'getW'];
+
 /** As the values that shaders see. */
 function values(attribute) {
-    const out = new Float32Array(attribute.count * attribute.itemSize);
-    for (let i = 0; i < attribute.count; ++i)
-        for (let c = 0; c < attribute.itemSize; ++c) out[i * attribute.itemSize + c] = attribute.getComponent(i, c);
+    const { count, itemSize } = attribute, out = new Float32Array(count * itemSize);
+    for (let c = 0; c < itemSize; ++c) for (let i = 0; i < count; ++i) out[i * itemSize + c] = attribute[getters[c]](i);
     return out;
 }
 
 const read = attribute => () => {
-    const isPlain = !attribute.isFloat16BufferAttribute && floatTypes.includes((attribute.data?.array ?? attribute.array).constructor);
+    const isPlain = !attribute.isFloat16BufferAttribute && floatTypes.includes(attribute.array.constructor);
     return { array: isPlain ? stored(attribute) : values(attribute), components: attribute.itemSize, normalized: isPlain && attribute.normalized };
 };
 const readIntegers = (attribute, Type) => () => ({ array: Type.from(stored(attribute)), components: attribute.itemSize, normalized: false });
+
+/** @param base  what a target that is not relative contains too */
+const readOffsets = (attribute, base) => () => {
+    const array = values(attribute);
+    if (base) values(base).forEach((value, i) => { array[i] -= value; });
+    return { array, components: 3, normalized: false };
+};
 
 /** The texture of a mesh to which its tangents belong. */
 function tangentTexture(mesh) {
@@ -56,7 +64,9 @@ function attributeClass(geometry) {
     return prototype.constructor;
 }
 
-const isReadable = geometry => geometry.attributes.position && !Object.values(geometry.attributes).some(each => each.isGLBufferAttribute);
+/** Of instanced geometries only their shaders know the places. */
+const isReadable = geometry => geometry.attributes.position && !geometry.isInstancedBufferGeometry &&
+    !Object.values(geometry.attributes).some(each => each.isGLBufferAttribute);
 
 /** The visible meshes of an object. */
 export class ThreeObject {
@@ -83,7 +93,8 @@ export class ThreeObject {
     }
 
     #leaveOut(object) {
-        this.#remarks.push({ kind: 'dropped', count: 1, place: object.name, text: object.isBatchedMesh ? 'batched meshes are not smoothed' : 'a geometry without positions is not smoothed' });
+        const what = object.isBatchedMesh ? 'batched meshes are' : 'a geometry whose positions cannot be read is';
+        this.#remarks.push({ kind: 'dropped', count: 1, place: object.name, text: `${what} not smoothed` });
     }
 
     #giveGeometry(module, geometry, number) {
@@ -96,14 +107,10 @@ export class ThreeObject {
         const texture = tangentTexture(user), uv = attributes[texture?.channel ? `uv${texture.channel}` : 'uv'];
         if (uv) module.attribute('TEXCOORD_0', {}, readTexcoords(uv, texture));
         if (index) module.attribute('indices', index, readIntegers(index, Uint32Array));
-        for (const name of ['position', 'normal'])
-            morphAttributes[name]?.forEach((attribute, t) => module.attribute(names[name], attribute, () => this.#offsets(geometry, name, attribute), t));
-    }
-
-    #offsets(geometry, name, attribute) {
-        const array = values(attribute), base = geometry.attributes[name];
-        if (!geometry.morphTargetsRelative && base) values(base).forEach((value, i) => { array[i] -= value; });
-        return { array, components: 3, normalized: false };
+        for (const name of ['position', 'normal']) {
+            const base = geometry.morphTargetsRelative ? undefined : attributes[name];
+            morphAttributes[name]?.forEach((each, t) => module.attribute(names[name], base ? {} : each, readOffsets(each, base), t));
+        }
     }
 
     /** Each mesh where it is in the world; the bones of skinned ones behind them. */
@@ -140,22 +147,25 @@ export class ThreeObject {
 }
 
 function apply({ copied, corners, removesTangents, directions, targets }, geometry) {
+    geometry.dispose();  // what three.js made of the old attributes
     const Attribute = attributeClass(geometry);
-    const old = targets.some(target => target.length > 0) && geometry.attributes.normal ? values(geometry.attributes.normal) : undefined;
     if (copied.length > 0) split(geometry, copied, Attribute);
     for (const [name, array] of directions) {
         const isInteger = !(array instanceof Float32Array), to = name.toLowerCase();
         geometry.setAttribute(to, new Attribute(array, to === 'tangent' ? 4 : 3, isInteger));
     }
     if (removesTangents) geometry.deleteAttribute('tangent');
-    if (corners) geometry.setIndex(new Attribute(geometry.index?.array instanceof Uint16Array && geometry.attributes.position.count < 65536 ? Uint16Array.from(corners) : corners, 1));
-    targets.forEach((target, t) => target.forEach(([, offsets]) => setTarget(geometry, t, offsets, Attribute)));
-    if (old) geometry.dispose();  // three.js keeps morph targets in a texture
+    if (corners) {
+        const isSmall = geometry.index?.array instanceof Uint16Array && geometry.attributes.position.count < 65536;
+        geometry.setIndex(new Attribute(isSmall ? Uint16Array.from(corners) : corners, 1));
+    }
+    targets.forEach((target, t) => {
+        for (const [name, offsets] of target) if (name === 'NORMAL') setTarget(geometry, t, offsets, Attribute);
+    });
 }
 
 /** Normals of a morph target; also those of geometries whose targets are not relative. */
 function setTarget(geometry, t, offsets, Attribute) {
-    if (offsets.length !== 3 * geometry.attributes.position.count) return;
     if (!geometry.morphTargetsRelative) values(geometry.attributes.normal).forEach((value, i) => { offsets[i] += value; });
     geometry.morphAttributes.normal ??= [];
     geometry.morphAttributes.normal[t] = new Attribute(offsets, 3);
@@ -171,6 +181,8 @@ function split(geometry, copied, Attribute) {
         const Same = attribute.isInterleavedBufferAttribute || !attribute.isFloat16BufferAttribute ? Attribute : attribute.constructor;
         const made = new Same(out, size, attribute.normalized);
         made.name = attribute.name;
+        made.usage = (attribute.data ?? attribute).usage;
+        if (attribute.gpuType) made.gpuType = attribute.gpuType;
         return made;
     };
     for (const [name, attribute] of Object.entries(geometry.attributes)) geometry.setAttribute(name, longer(attribute));
