@@ -11,6 +11,7 @@
 
 #include <rakelight/base/report.h>
 
+#include "base/format_text.h"
 #include "io/gltf/write/save_changes.h"
 #include "scene_input.h"
 #include "tools/smooth/smooth_file_scene.h"
@@ -88,7 +89,7 @@ void take_changes(const InputScene& before, const Scene& after, bool keep_instan
             }
             const std::uint32_t was = changes.origin[m];
             const io::gltf::PrimitiveChange change = io::gltf::change_of(was, before.scene.meshes[was], mesh, storage);
-            io::gltf::report_change(change, {}, mesh.name, context.report());
+            io::gltf::report_change(change, {}, format_text("mesh '{}'", mesh.name), context.report());
             work().meshes[m] = changed_mesh(mesh, change);
         }
     work().versions = std::move(changes.versions);
@@ -161,14 +162,14 @@ EMSCRIPTEN_KEEPALIVE void rl_texture(int what, int set, double u, double v, doub
            .transform = {{float(u), float(v)}, {float(scale_u), float(scale_v)}, float(rotation_rad)}};
 }
 
-/// The next primitive. @returns where its place goes, for messages: `length` bytes of UTF-8
+/// The next primitive. @returns where the name of its mesh goes, for messages: `length` bytes of UTF-8
 EMSCRIPTEN_KEEPALIVE char* rl_primitive(int mesh, int primitive, int mode, double material, int length) {
     PrimitiveInput& next = work().input.primitives.emplace_back();
     next.mesh = std::uint32_t(mesh), next.primitive = std::uint32_t(primitive);
     next.mode = io::gltf::PrimitiveMode(mode);
     next.material = index_of(material);
-    next.place.resize(std::size_t(length));
-    return next.place.data();
+    next.name.resize(std::size_t(length));
+    return next.name.data();
 }
 
 /// The next morph target of the last primitive. @returns where its name goes: `length` bytes of UTF-8

@@ -9,6 +9,7 @@
 #include <rakelight/scene/validate.h>
 
 #include "base/format_text.h"
+#include "io/gltf/accessors.h"
 #include "io/gltf/influences.h"
 
 namespace rakelight::web {
@@ -59,7 +60,9 @@ public:
 
     /// @return without indices: the primitive is to be left out
     Mesh make(io::gltf::StoredDirections& stored) {
-        mesh_.name = primitive_.place;
+        if (primitive_.mode > io::gltf::PrimitiveMode::triangle_fan)
+            fail(format_text("mode {} is unknown", int(primitive_.mode)));
+        mesh_.name = primitive_.name;
         mesh_.source_mesh = primitive_.mesh, mesh_.source_primitive = primitive_.primitive;
         mesh_.topology = io::gltf::topology_of(primitive_.mode);
         mesh_.material = primitive_.material;
@@ -78,12 +81,25 @@ public:
     }
 
 private:
-    void remark(const char* text) { context_.report().add(Remark::dropped, {}, primitive_.place, text); }
-    [[noreturn]] void fail(const std::string& reason) { throw Error(ErrorCode::bad_file, reason, primitive_.place); }
+    std::string place() const {
+        return format_text("mesh '{}', primitive {}", one_line(primitive_.name, 60), primitive_.primitive);
+    }
+    void remark(const char* text) { context_.report().add(Remark::dropped, {}, place(), text); }
+    [[noreturn]] void fail(const std::string& reason) { throw Error(ErrorCode::bad_file, reason, place()); }
 
     void take_positions(std::uint32_t array) {
+        check_shape(blocks_.array(array), "POSITION", io::gltf::float_or_small, io::gltf::components(3));
         mesh_.positions = blocks_.vec3s(array);
         mesh_.position_step = io::gltf::step_of(elements_of(blocks_.array(array)));
+    }
+
+    /// @param types  bits of the component types that it may have  @param widths  bits of the numbers of components
+    void check_shape(const ArrayInput& array, const std::string& name, std::uint32_t types, std::uint32_t widths) {
+        if (array.count == 0) return;
+        if (!(types & io::gltf::type_bit(array.type)))
+            fail(format_text("{} cannot have components of type {}", name, int(array.type)));
+        if (array.components > 16 || !(widths & io::gltf::components(array.components)))
+            fail(format_text("{} cannot have {} components", name, array.components));
     }
 
     void check_count(const ArrayInput& array, const char* name) {
@@ -92,8 +108,9 @@ private:
                              mesh_.positions.size()));
     }
 
-    void store(io::gltf::DirectionTypes& types, Direction direction, const ArrayInput& array) {
+    void store(io::gltf::DirectionTypes& types, Direction direction, std::uint32_t width, const ArrayInput& array) {
         check_count(array, io::gltf::name_of(direction));
+        check_shape(array, io::gltf::name_of(direction), io::gltf::float_or_small, io::gltf::components(width));
         types[direction] = io::gltf::direction_type(array.type, array.is_normalized);
     }
 
@@ -103,35 +120,39 @@ private:
             case Semantic::position:
                 break;
             case Semantic::normal:
-                store(types, Direction::normal, array);
+                store(types, Direction::normal, 3, array);
                 mesh_.normals = blocks_.vec3s(a.array);
                 break;
             case Semantic::tangent:
-                store(types, Direction::tangent, array);
+                store(types, Direction::tangent, 4, array);
                 mesh_.tangents = blocks_.vec4s(a.array);
                 break;
             case Semantic::bitangent:
-                store(types, Direction::bitangent, array);
+                store(types, Direction::bitangent, 3, array);
                 mesh_.arrays.push_back({io::gltf::name_of(Direction::bitangent), array.components,
                                         io::gltf::to_scalars(elements_of(array))});
                 break;
             case Semantic::texcoord:
                 check_count(array, "TEXCOORD");
+                check_shape(array, "TEXCOORD", io::gltf::float_or_small, io::gltf::components(2));
                 if (a.set >= mesh_.texcoords.size()) mesh_.texcoords.resize(a.set + 1);
                 mesh_.texcoords[a.set] = blocks_.vec2s(a.array);
                 break;
             case Semantic::joints:
                 check_count(array, "JOINTS");
+                check_shape(array, "JOINTS", io::gltf::unsigned_types, io::gltf::components(4));
                 set(a.set).joints = io::gltf::to_integers(elements_of(array));
                 break;
             case Semantic::weights: {
                 check_count(array, "WEIGHTS");
+                check_shape(array, "WEIGHTS", io::gltf::float_or_small, io::gltf::components(4));
                 Elements weights = elements_of(array);
                 weights.normalized = true;  // integers as weights mean nothing else
                 set(a.set).weights = io::gltf::to_scalars(weights);
                 break;
             }
             case Semantic::indices:
+                check_shape(array, "indices", io::gltf::unsigned_types, io::gltf::components(1));
                 corners_ = io::gltf::to_integers(elements_of(array));
                 break;
         }
@@ -146,16 +167,17 @@ private:
         const ArrayInput& array = blocks_.array(a.array);
         if (a.target >= targets_.size()) fail("an array of a morph target that is not there");
         check_count(array, "the morph target");
+        check_shape(array, "the morph target", io::gltf::float_or_small, io::gltf::components(3));
         MorphTarget& target = targets_[a.target];
         const Block<vec3> offsets = blocks_.vec3s(a.array);
         if (a.semantic == Semantic::position) target.positions = offsets;
         if (a.semantic == Semantic::normal) {
+            store(stored.targets[a.target], Direction::normal, 3, array);
             target.normals = offsets;
-            store(stored.targets[a.target], Direction::normal, array);
         }
         if (a.semantic == Semantic::tangent) {
+            store(stored.targets[a.target], Direction::tangent, 3, array);
             target.tangents = offsets;
-            store(stored.targets[a.target], Direction::tangent, array);
         }
     }
 
@@ -253,7 +275,8 @@ InputScene make_scene(const DocumentInput& input, Context& context) {
         for (const std::uint32_t m : out.meshes) used = std::max(used, io::gltf::joints_used(scene.meshes[m]));
         if (used == 0 || node.skin == no_index) continue;
         if (node.skin >= scene.skins.size() || used > scene.skins[node.skin].joints.size())
-            throw Error(ErrorCode::bad_file, "its skin has too few joints for it", scene.meshes[out.meshes[0]].name);
+            throw Error(ErrorCode::bad_file, "its skin has too few joints for it",
+                        format_text("mesh '{}'", one_line(scene.meshes[out.meshes[0]].name, 60)));
         out.skin = node.skin;
     }
     validate(scene);

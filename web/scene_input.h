@@ -37,7 +37,7 @@ struct AttributeInput {
 };
 
 struct PrimitiveInput {
-    std::string place;  ///< for messages: "mesh 3 'body', primitive 0"
+    std::string name;  ///< of its mesh, for messages
     std::uint32_t mesh = 0, primitive = 0;
     io::gltf::PrimitiveMode mode{};
     std::uint32_t material = no_index;

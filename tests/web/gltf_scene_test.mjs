@@ -184,6 +184,26 @@ test('what is wrong is said with its place, and the document stays', async () =>
     await closes(good);
 });
 
+test('arrays of types that glTF does not allow are errors, not zeros', async () => {
+    const spoiled = spoil => {
+        const document = documentOf(sheets());
+        spoil(primitiveOf(document, 0), document);
+        return document;
+    };
+    const cases = [
+        [spoiled((each, document) => each.setIndices(accessor(document, Int16Array.from([0, 1, -2]), 'SCALAR'))), /indices cannot have components of type 5122/],
+        [spoiled((each, document) => each.setIndices(accessor(document, Float32Array.from([0, 1, 2]), 'SCALAR'))), /indices cannot have components of type 5126/],
+        [spoiled(each => each.getAttribute('NORMAL').setType('VEC2').setArray(new Float32Array(2 * each.getAttribute('POSITION').getCount()))), /NORMAL cannot have 2 components/],
+        [spoiled(each => each.getAttribute('POSITION').setType('VEC2').setArray(new Float32Array(70))), /POSITION cannot have 2 components/],
+        [spoiled(each => each.setMode(9)), /mode 9 is unknown/],
+    ];
+    for (const [document, message] of cases) {
+        const before = state(document);
+        await assert.rejects(document.transform(smoothSeams()), fault => fault instanceof AttributesError && message.test(fault.message), String(message));
+        assertUnchanged(document, before);
+    }
+});
+
 /** As it is written again: tiny rotations are left out. */
 const readAgain = async document => io.readBinary(await io.writeBinary(await document));
 const files = ['knight/Knight_noNormals.glb', 'materials/alpha.gltf', 'materials/layers.gltf', 'materials/spheres.gltf', 'spot/spot_slab5.glb',

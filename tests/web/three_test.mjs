@@ -276,7 +276,7 @@ test('what is wrong is said with its place, and geometries stay', async () => {
     const scene = sceneOf(sheets()), geometry = geometriesOf(scene)[1], { normal } = geometry.attributes;
     geometry.name = 'right';
     geometry.setAttribute('normal', attribute(new Float32Array(9)));
-    await assert.rejects(smoothSeams(scene), fault => fault instanceof AttributesError && /geometry 'right': NORMAL has 3 elements/.test(fault.message));
+    await assert.rejects(smoothSeams(scene), fault => fault instanceof AttributesError && /mesh 'right', primitive 0: NORMAL has 3 elements/.test(fault.message));
     geometry.setAttribute('normal', normal);
     await assert.rejects(smoothSeams(scene, { tangent: 'never' }), /no option "tangent"/);
     await closes(scene);

@@ -98,7 +98,7 @@ export class GltfDocument {
         module.primitive({
             mesh: number, primitive: i, mode: primitive.getMode(), targets: primitive.listTargets().map((_, t) => mesh.getExtras().targetNames?.[t]),
             material: material ? this.#materials.of(material) : -1,
-            place: `mesh '${mesh.getName()}', primitive ${i}`,
+            name: mesh.getName(),
         });
         for (const name of primitive.listSemantics()) module.attribute(name, primitive.getAttribute(name), read(primitive.getAttribute(name)));
         if (indices) module.attribute('indices', indices, read(indices));

@@ -86,8 +86,8 @@ export class SceneModule {
     }
 
     /** @param targets  names of its morph targets: those of one name belong together over all meshes */
-    primitive({ mesh, primitive, mode, material = -1, targets, place }) {
-        this.#text(place, length => this.#module._rl_primitive(mesh, primitive, mode, material, length));
+    primitive({ mesh, name, primitive, mode, material = -1, targets }) {
+        this.#text(name, length => this.#module._rl_primitive(mesh, primitive, mode, material, length));
         targets.forEach((name, t) => this.#text(typeof name === 'string' ? name : `target ${t}`, length => this.#module._rl_target(length)));
     }
 

@@ -101,7 +101,7 @@ export class ThreeObject {
         const user = this.#meshes.find(mesh => mesh.geometry === geometry), { morphAttributes, attributes, index } = geometry;
         const targets = Array.from({ length: Math.max(...Object.values(morphAttributes).map(each => each.length), 0) });
         for (const [name, t] of Object.entries(user.morphTargetDictionary ?? {})) if (t in targets) targets[t] = name;
-        module.primitive({ mesh: number, primitive: 0, mode: 4, targets, place: `geometry '${geometry.name || user.name}'` });
+        module.primitive({ mesh: number, primitive: 0, mode: 4, targets, name: geometry.name || user.name });
         for (const [name, attribute] of Object.entries(attributes))
             if (names[name]) module.attribute(names[name], attribute, name === 'skinIndex' ? readIntegers(attribute, Uint16Array) : read(attribute));
         const texture = tangentTexture(user), uv = attributes[texture?.channel ? `uv${texture.channel}` : 'uv'];
