@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs while the program is built: prints what make_environment_light() makes of the studio, which never changes, as a table for
-// studio_light.cpp. The studio is gray: one number a texel, by its bits. With --without-sharpest the first map, which is nine tenths of
+// studio_light.cpp. The studio is gray: one number a texel, by its bits. With without-sharpest the first map, which is nine tenths of
 // them, is left out: where a download is dear, studio_light() makes it.
 #include <bit>
 #include <cstdint>
@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
     std::puts("// Made by print_studio_light.cpp.\nconstexpr std::uint32_t irradiance[] = {");
     bool is_gray = true;
     for (const vec3& c : light.irradiance) is_gray &= print(c);
-    const bool has_sharpest = argc < 2 || std::strcmp(argv[1], "--without-sharpest") != 0;
+    const bool has_sharpest = argc < 2 || std::strcmp(argv[1], "without-sharpest") != 0;
     std::printf("};\nconstexpr bool has_sharpest = %s;\nconstexpr int sizes[] = {\n", has_sharpest ? "true" : "false");
     for (const OctahedralMap& map : light.mirrored) std::printf("%d,\n", map.size);
     std::puts("};\nconstexpr std::uint32_t texels[] = {");
