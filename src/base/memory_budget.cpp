@@ -2,6 +2,7 @@
 #include <rakelight/base/memory_budget.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -36,11 +37,13 @@ std::string too_much(std::string_view what, std::uint64_t bytes, std::uint64_t u
 
 }  // namespace
 
+/// Never more than can be addressed: what was charged may be cast to std::size_t, also where that has 32 bits.
 std::uint64_t MemoryBudget::Account::limit() const noexcept {
-    if (max_bytes != 0) return max_bytes;
+    constexpr std::uint64_t addressable = std::numeric_limits<std::size_t>::max();
+    if (max_bytes != 0) return std::min(max_bytes, addressable);
     const std::uint64_t read = read_bytes;
     const std::uint64_t explained = read > ~0ull / bytes_per_byte_read ? ~0ull : read * bytes_per_byte_read;
-    return explained > default_limit ? explained : default_limit;
+    return std::min(std::max(explained, default_limit), addressable);
 }
 
 void MemoryBudget::Account::require(std::uint64_t before, std::uint64_t bytes, std::string_view what) {
