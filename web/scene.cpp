@@ -39,6 +39,7 @@ struct Work {
     std::string error;
     std::vector<std::string> remarks;
     std::array<double, 12> report{};
+    double made = 0;  ///< normals of primitives that had none
     std::vector<io::gltf::MeshVersion> versions;
     std::map<std::uint32_t, ChangedMesh> meshes;  ///< by scene mesh
 };
@@ -90,6 +91,8 @@ void take_changes(const InputScene& before, const Scene& after, bool keep_instan
             const std::uint32_t was = changes.origin[m];
             const io::gltf::PrimitiveChange change = io::gltf::change_of(was, before.scene.meshes[was], mesh, storage);
             io::gltf::report_change(change, {}, format_text("mesh '{}'", mesh.name), context.report());
+            if (before.scene.meshes[was].normals.empty())
+                work().made += double(before.scene.meshes[was].positions.size());
             work().meshes[m] = changed_mesh(mesh, change);
         }
     work().versions = std::move(changes.versions);
@@ -98,10 +101,18 @@ void take_changes(const InputScene& before, const Scene& after, bool keep_instan
 void take_report(const SmoothedScene& after, Context& context) {
     const SeamReport seams = after.seams.value_or(SeamReport{});
     const MatchReport borders = after.borders.value_or(MatchReport{});
-    work().report = {double(seams.normals),  double(seams.turned),       seams.max_deg,
-                     seams.mean_deg,         double(seams.flat_pairs),   double(seams.crease_pairs),
-                     double(seams.unusable), double(after.missing_made), double(borders.turned),
-                     borders.max_deg,        borders.mean_deg,           double(after.seams.has_value())};
+    work().report = {double(seams.normals),
+                     double(seams.turned),
+                     seams.max_deg,
+                     seams.mean_deg,
+                     double(seams.flat_pairs),
+                     double(seams.crease_pairs),
+                     double(seams.unusable),
+                     after.seams ? double(after.missing_made) : work().made,
+                     double(borders.turned),
+                     borders.max_deg,
+                     borders.mean_deg,
+                     double(after.seams.has_value())};
     for (const ReportEntry& entry : context.report().entries())
         work().remarks.push_back(std::string(name_of(entry.remark)) + "\n" + std::to_string(entry.count) + "\n" +
                                  entry.place + "\n" + entry.message);

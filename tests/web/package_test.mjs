@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import test from 'node:test';
 import { fileURLToPath } from 'node:url';
 
-import { RakelightError, compare, explain, inspect, render, smooth } from 'rakelight';
+import { RakelightError, compare, configure, explain, inspect, render, smooth } from 'rakelight';
 
 const cli = fileURLToPath(new URL('./node_modules/rakelight/cli.js', import.meta.url));
 
@@ -77,6 +77,20 @@ test('errors are those of the program', async () => {
     await assert.rejects(inspect({ name: 'a.fbx', bytes: new Uint8Array([1, 2, 3]) }), fault => fault.exitCode === 4);
 });
 
+test('what is no model is refused with what to pass', async () => {
+    const cases = [['robot.glb', /is a name, not bytes; pass await readFile/], [undefined, /the model is missing/], [null, /the model is missing/],
+        [Promise.resolve(), /await promises/], [new Blob([]), /blob.arrayBuffer/], [{ name: 'a.glb' }, /the model is missing/],
+        [{ name: 'a.glb', bytes: 'text' }, /a.glb: its bytes are neither/], [new Uint8Array(0), /has no bytes/],
+        [{ ...sheet('../sheet.obj') }, /is not a name below/], [{ ...sheet('/sheet.obj') }, /is not a name below/],
+        [{ ...sheet('sheet.obj'), files: { '../x.mtl': new Uint8Array(1) } }, /is not a name below/]];
+    for (const [model, message] of cases)
+        await assert.rejects(inspect(model), fault => fault instanceof RakelightError && fault.exitCode === 2 && message.test(fault.message), String(message));
+    assert.ok((await inspect(sheet('sheet.obj'), null)).passed);
+    await assert.rejects(inspect(sheet('sheet.obj'), { maxSeams: 2 }), { message: /^unknown option 'maxSeams'; did you mean maxSeam\?$/ });
+    for (const options of [{ decoder: {} }, { decoders: { dracos: {} } }, { decoders: { draco: Promise.resolve() } }, { decoders: { meshopt: {} } }, { locateFile: '/x' }])
+        assert.throws(() => configure(options), RakelightError);
+});
+
 test('the program reads and writes files here, and ends with its codes', async () => {
     const folder = await mkdtemp(join(tmpdir(), 'rakelight '));
     const run = (...words) => spawnSync(process.execPath, [cli, ...words], { cwd: folder, encoding: 'utf8' });
@@ -87,6 +101,11 @@ test('the program reads and writes files here, and ends with its codes', async (
         assert.equal(run('smooth', 'sheet.obj', '-o', 'fixed.obj').status, 0);
         assert.equal(run('inspect', join(folder, 'fixed.obj'), '--check', '--max-seam', '2').status, 0);
         assert.deepEqual(new Uint8Array(await readFile(join(folder, 'fixed.obj'))), (await smooth(model)).bytes);
+        for (const place of ['/proc/rakelight.glb', '/dev/null/rakelight.glb']) {
+            const lost = run('smooth', 'sheet.obj', '-o', place);
+            assert.notEqual(lost.status, 0);
+            assert.match(lost.stderr, /rakelight: error: /);
+        }
         const missing = run('inspect', 'none.obj');
         assert.equal(missing.status, 3);
         assert.match(missing.stderr, /^rakelight: error: none.obj: /);

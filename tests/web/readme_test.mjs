@@ -2,7 +2,7 @@
 // The examples of the package's README run, in a folder with small models.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { cp, mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import test from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -49,9 +49,9 @@ test('the gate fails, the model is fixed, and the gate passes', () => inFolder(a
     assert.equal(runCommand(fix, folder), 0);
     assert.equal(runCommand(gate.replace('models/', 'fixed/'), folder), 0);
     const { scripts } = JSON.parse(blocksOf('json')[0]), [, step] = /^- run: (.*)/m.exec(blocksOf('yaml')[0]);
-    for (const line of [...Object.values(scripts), step]) {
+    for (const line of [scripts['check:seams'], step]) {
         assert.equal(runCommand(line, folder), 5, line);
-        await cp(join(folder, 'fixed'), join(folder, 'models'), { recursive: true });
+        assert.equal(runCommand(scripts['fix:seams'], folder), 0);
         assert.equal(runCommand(line, folder), 0, line);
         await writeFile(join(folder, 'models/robot.glb'), await robot());
     }
@@ -87,5 +87,5 @@ for (const [word, check] of Object.entries(examples))
 
 test('each block is one of these', () => {
     assert.equal(blocksOf('js').length, Object.keys(examples).length);
-    for (const language of ['sh', 'json', 'yaml']) assert.equal(blocksOf(language).length, 1);
+    for (const [language, count] of [['sh', 2], ['json', 1], ['yaml', 1]]) assert.equal(blocksOf(language).length, count);
 });

@@ -281,3 +281,23 @@ test('what is wrong is said with its place, and geometries stay', async () => {
     await assert.rejects(smoothSeams(scene, { tangent: 'never' }), /no option "tangent"/);
     await closes(scene);
 });
+
+test('meshes that get their first normals show them: flat shading is that of others', async () => {
+    const scene = sceneOf(sheets()), [first, second] = scene.children, flat = first.material.clone();
+    flat.flatShading = true;
+    first.material = flat, second.material = [flat, new THREE.MeshBasicMaterial()];
+    first.geometry.deleteAttribute('normal'), second.geometry.deleteAttribute('normal');
+    const report = await smoothSeams(scene);
+    assert.equal(report.made, first.geometry.attributes.position.count + second.geometry.attributes.position.count);
+    assert.ok(flat.flatShading && !first.material.flatShading);
+    assert.equal(second.material[0], first.material);
+    assert.equal(report.remarks.filter(({ text }) => /without flatShading/.test(text)).length, 2);
+    first.material = flat;
+    assert.match((await smoothSeams(scene)).remarks[0].text, /not seen/);
+});
+
+test('what is neither options nor an object is refused with what to pass', () => {
+    const mesh = sceneOf(sheets()).children[0];
+    for (const [given, message] of [[{ scene: mesh }, /pass gltf.scene/], [mesh.geometry, /pass the mesh/], [[mesh], /takes options/], ['x', /takes options/]])
+        assert.throws(() => smoothSeams(given), fault => fault instanceof AttributesError && message.test(fault.message));
+});

@@ -24,7 +24,7 @@ export async function objects(): Promise<SmoothSeamsReport> {
     try {
         const report = await smoothSeams(group);
         const degrees: number | undefined = report.seams?.largestDegrees, kinds: string[] = report.remarks.map(({ kind }) => kind);
-        console.log(degrees, kinds, report.changed, report.missingMade);
+        console.log(degrees, kinds, report.changed, report.made);
         return report;
     } catch (fault) {
         if (fault instanceof AttributesError) console.error(fault.message);

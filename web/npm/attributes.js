@@ -84,6 +84,7 @@ class Attributes {
 
     /** The memory of the call is free again after it. */
     #run(parts, run) {
+        if (!Array.isArray(parts)) throw new AttributesError('parts must be an array of parts');
         try {
             return run(new Parts(this.#module, parts));
         } finally {

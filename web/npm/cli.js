@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: Apache-2.0
 // The program `rakelight` on the files of this machine: its options, messages and exit codes.
-import { readdirSync, readFileSync, statSync, writeSync } from 'node:fs';
+import { readdirSync, readFileSync, statSync, writeFileSync, writeSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join, parse } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -32,8 +32,31 @@ function isFolder(path) {
     }
 }
 
+/** Whoever reads may end first: `| head`. */
 function writeAll(descriptor, bytes) {
-    for (let at = 0; at < bytes.length;) at += writeSync(descriptor, bytes, at);
+    try {
+        for (let at = 0; at < bytes.length;) at += writeSync(descriptor, bytes, at);
+    } catch (fault) {
+        if (fault.code !== 'EPIPE') throw fault;
+    }
+}
+
+/** Folders that are not mounted lie in memory. @returns paths of their files */
+function filesInMemory(FS) {
+    return ['/', '/dev', '/proc', '/sys'].flatMap(place => (FS.analyzePath(place).exists ? FS.readdir(place) : [])
+        .map(name => `${place === '/' ? '' : place}/${name}`).filter(path => FS.isFile(FS.lstat(path).mode)));
+}
+
+/** Outputs that were written there become files of this machine, or the error that this machine gives. @returns the exit code */
+function takeOut(FS, code) {
+    for (const path of filesInMemory(FS))
+        try {
+            writeFileSync(path, FS.readFile(path));
+        } catch (fault) {
+            writeAll(2, Buffer.from(`rakelight: error: ${path}: cannot be written: ${fault.message}\n`));
+            code = 1;
+        }
+    return code;
 }
 
 /** A package that npm installed beside this one, or in the project where the program runs. @returns undefined: there is none */
@@ -74,4 +97,4 @@ for (let name = result.missingDecoder; name && !decoders[name]; name = result.mi
 }
 writeAll(1, result.stdout.bytes);
 writeAll(2, result.stderr.bytes);
-process.exitCode = result.code;
+process.exitCode = takeOut(result.FS, result.code);

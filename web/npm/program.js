@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program in an instance of its own for each run: nothing is left of a run, also where it ran out of memory.
 import makeModule from './wasm/rakelight.mjs';
+import { programUrl } from './wasm/program_url.mjs';
 
 let compiled;
 
-/** Compiles once. The options are those of the first call. */
+const isNode = typeof process === 'object' && Boolean(process.versions?.node);
+
+/** @returns the bytes, or what fetch() gives */
+async function load(url) {
+    if (isNode && !/^(https?|blob|data):/.test(String(url))) return (await import('fs/promises')).readFile(url);
+    const response = await fetch(url);
+    if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
+    return response;
+}
+
+/** Compiles once. The options are those of the first call. Servers may not know the type of .wasm files. */
 async function compile({ wasmBinary, locateFile }) {
-    if (wasmBinary) return WebAssembly.compile(wasmBinary);
-    const url = locateFile ? locateFile('rakelight.wasm', '') : new URL('./wasm/rakelight.wasm', import.meta.url);
-    if (typeof process === 'object' && process.versions?.node && !/^(https?|blob|data):/.test(String(url))) {
-        const { readFile } = await import('node:fs/promises');
-        return WebAssembly.compile(await readFile(url));
-    }
-    return WebAssembly.compileStreaming(fetch(url));
+    const found = wasmBinary ?? await load(locateFile ? locateFile('rakelight.wasm', '') : programUrl);
+    if (!(found instanceof globalThis.Response)) return WebAssembly.compile(found);
+    return /wasm/.test(found.headers.get('content-type')) ? WebAssembly.compileStreaming(found) : WebAssembly.compile(await found.arrayBuffer());
 }
 
 /** Bytes that are written one by one. */
@@ -39,9 +46,12 @@ class Output {
  * @param options.decoders  { meshopt, draco }, each as its npm package has it, ready
  * @returns {code, stdout, stderr, FS, missingDecoder}
  */
-export async function runProgram(words, { prepare, stdin, environment, decoders, ...load } = {}) {
-    compiled ??= compile(load);
-    const program = await compiled, out = new Output(), messages = new Output();
+export async function runProgram(words, { prepare, stdin, environment, decoders, ...source } = {}) {
+    compiled ??= compile(source);
+    const program = await compiled.catch(fault => {
+        compiled = undefined;  // the next call may be given the right place
+        throw fault;
+    }), out = new Output(), messages = new Output();
     let at = 0;
     const module = await makeModule({
         noInitialRun: true,

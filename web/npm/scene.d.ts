@@ -48,11 +48,11 @@ export interface SmoothSeamsReport {
         flatPairs: number;
         /** Pairs of faces of two meshes that keep an authored crease. */
         creasePairs: number;
-        /** Always 0: normals that are zero or not finite are made anew, which missingMade counts. */
+        /** Always 0: normals that are zero or not finite are made anew, which made counts. */
         unusable: number;
     };
     /** Vertices without a usable normal that got one. */
-    missingMade: number;
+    made: number;
     /** Of `borderDistance`: vertices that turned, and how far. */
     borders: { turned: number; largestDegrees: number; meanDegrees: number };
     remarks: SmoothSeamsRemark[];

@@ -14,8 +14,8 @@ async function smooth(target, options) {
         target.give(module);
         module.smooth(options);
         const report = module.report();
-        report.remarks.push(...target.remarks ?? []);
         target.take(module, module.versions());
+        report.remarks.push(...target.remarks ?? []);
         options.onReport?.(report);
         return report;
     } finally {
@@ -23,10 +23,19 @@ async function smooth(target, options) {
     }
 }
 
+/** Things that are handed over in place of an object or of options. */
+function checked(options) {
+    if (options.scene?.isObject3D) throw new AttributesError('smoothSeams() takes an object of three.js: pass gltf.scene');
+    if (options.isBufferGeometry) throw new AttributesError('smoothSeams() takes an object of three.js: pass the mesh of the geometry');
+    if (typeof options.getRoot === 'function') throw new AttributesError('smoothSeams() makes a transform: await document.transform(smoothSeams())');
+    if (typeof options !== 'object' || Array.isArray(options)) throw new AttributesError('smoothSeams() takes options, or an object of three.js');
+    return options;
+}
+
 /** Of a document: smoothSeams(options) is the transform. Of three.js: smoothSeams(object, options) runs. */
 export function smoothSeams(first, second) {
     if (first?.isObject3D) return smooth(new ThreeObject(first), second ?? {});
-    const options = first ?? {};
+    const options = checked(first ?? {});
     return async function smoothSeams(document) {
         const { remarks } = await smooth(new GltfDocument(document), options);
         for (const { kind, place, text } of remarks)

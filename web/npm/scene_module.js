@@ -124,7 +124,7 @@ export class SceneModule {
         return {
             changed: this.#module._rl_version_count() > 0,
             ...keeps && { seams: { normals: all, turned, largestDegrees, meanDegrees, flatPairs, creasePairs, unusable } },
-            missingMade: made,
+            made,
             borders: { turned: borderTurned, largestDegrees: borderLargest, meanDegrees: borderMean },
             remarks: Array.from({ length: this.#module._rl_remark_count() }, (_, i) => {
                 const [kind, count, place, ...text] = this.#module.UTF8ToString(this.#module._rl_remark(i)).split('\n');

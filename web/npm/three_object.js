@@ -73,6 +73,7 @@ export class ThreeObject {
     #root;
     #geometries = [];
     #meshes = [];
+    #flat = [];  // meshes without normals
     #remarks = [];
 
     constructor(root) { this.#root = root; }
@@ -87,6 +88,7 @@ export class ThreeObject {
             if (object.isBatchedMesh || !isReadable(object.geometry)) this.#leaveOut(object);
             else this.#meshes.push(object);
         });
+        this.#flat = this.#meshes.filter(mesh => !mesh.geometry.attributes.normal);
         this.#geometries = [...new Set(this.#meshes.map(mesh => mesh.geometry))];
         this.#geometries.forEach((geometry, number) => this.#giveGeometry(module, geometry, number));
         this.#giveNodes(module);
@@ -94,8 +96,10 @@ export class ThreeObject {
 
     #leaveOut(object) {
         const what = object.isBatchedMesh ? 'batched meshes are' : 'a geometry whose positions cannot be read is';
-        this.#remarks.push({ kind: 'dropped', count: 1, place: object.name, text: `${what} not smoothed` });
+        this.#remark('dropped', object, `${what} not smoothed`);
     }
+
+    #remark(kind, { name }, text) { this.#remarks.push({ kind, count: 1, place: name, text }); }
 
     #giveGeometry(module, geometry, number) {
         const user = this.#meshes.find(mesh => mesh.geometry === geometry), { morphAttributes, attributes, index } = geometry;
@@ -142,6 +146,26 @@ export class ThreeObject {
             const geometry = version.isInPlace ? original : original.clone();
             if (change.isChanged) apply(change, geometry);
             if (!version.isInPlace) for (const node of version.nodes) this.#meshes[node].geometry = geometry;
+        }
+        this.#showNormals();
+    }
+
+    /** Flat shading does not look at normals. Loaders choose it where there were none. */
+    #showNormals() {
+        const smooth = new Map();  // material -> its copy, which does
+        const copyOf = material => {
+            if (!smooth.has(material)) smooth.set(material, Object.assign(material.clone(), { flatShading: false }));
+            return smooth.get(material);
+        };
+        for (const mesh of this.#meshes.filter(each => [each.material].flat().some(material => material?.flatShading))) {
+            const isNew = this.#flat.includes(mesh) && mesh.geometry.attributes.normal;
+            if (!isNew) {
+                this.#remark('warning', mesh, 'its normals are not seen: its material has flatShading');
+                continue;
+            }
+            const made = [mesh.material].flat().map(material => (material.flatShading ? copyOf(material) : material));
+            mesh.material = Array.isArray(mesh.material) ? made : made[0];
+            this.#remark('changed', mesh, 'it has normals now, so its material is one without flatShading');
         }
     }
 }
