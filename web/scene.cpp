@@ -90,7 +90,7 @@ void take_changes(const InputScene& before, const Scene& after, bool keep_instan
             }
             const std::uint32_t was = changes.origin[m];
             const io::gltf::PrimitiveChange change = io::gltf::change_of(was, before.scene.meshes[was], mesh, storage);
-            io::gltf::report_change(change, {}, format_text("mesh '{}'", mesh.name), context.report());
+            io::gltf::report_change(change, {}, place_of(mesh.name, mesh.source_primitive), context.report());
             if (before.scene.meshes[was].normals.empty())
                 work().made += double(before.scene.meshes[was].positions.size());
             work().meshes[m] = changed_mesh(mesh, change);
@@ -118,13 +118,12 @@ void take_report(const SmoothedScene& after, Context& context) {
                                  entry.place + "\n" + entry.message);
 }
 
-/// Memory for what is copied in, or null, with the error.
+/// Room for what is copied in, or null: there is no memory.
 template <class Make>
-void* memory(Make make) {
+auto room(Make make) -> decltype(make()) {
     try {
         return make();
     } catch (const std::exception&) {
-        work().error = "not enough memory";
         return nullptr;
     }
 }
@@ -146,7 +145,7 @@ EMSCRIPTEN_KEEPALIVE void rl_clear() { work() = {}; }
 
 /// The next array. @returns where its elements go, each behind the other
 EMSCRIPTEN_KEEPALIVE void* rl_array(int type, int components, int is_normalized, double count) {
-    return memory([&] {
+    return room([&] {
         ArrayInput& array = work().input.arrays.emplace_back();
         array.type = io::gltf::ComponentType(type);
         array.components = std::uint32_t(components);
@@ -175,17 +174,20 @@ EMSCRIPTEN_KEEPALIVE void rl_texture(int what, int set, double u, double v, doub
 
 /// The next primitive. @returns where the name of its mesh goes, for messages: `length` bytes of UTF-8
 EMSCRIPTEN_KEEPALIVE char* rl_primitive(int mesh, int primitive, int mode, double material, int length) {
-    PrimitiveInput& next = work().input.primitives.emplace_back();
-    next.mesh = std::uint32_t(mesh), next.primitive = std::uint32_t(primitive);
-    next.mode = io::gltf::PrimitiveMode(mode);
-    next.material = index_of(material);
-    next.name.resize(std::size_t(length));
-    return next.name.data();
+    return room([&] {
+        PrimitiveInput& next = work().input.primitives.emplace_back();
+        next.mesh = std::uint32_t(mesh), next.primitive = std::uint32_t(primitive);
+        next.mode = std::uint32_t(mode);
+        next.material = index_of(material);
+        next.name.resize(std::size_t(length) + 1);
+        next.name.pop_back();
+        return next.name.data();
+    });
 }
 
 /// The next morph target of the last primitive. @returns where its name goes: `length` bytes of UTF-8
 EMSCRIPTEN_KEEPALIVE char* rl_target(int length) {
-    return work().input.primitives.back().targets.emplace_back(std::size_t(length), ' ').data();
+    return room([&] { return work().input.primitives.back().targets.emplace_back(std::size_t(length), ' ').data(); });
 }
 
 /// An array of the last primitive. @param semantic  as the enumerators of Semantic  @param target  < 0: of the primitive itself
@@ -196,18 +198,23 @@ EMSCRIPTEN_KEEPALIVE void rl_attribute(int semantic, int set, double target, int
 
 /// The next skin. @returns where its matrices go, 16 numbers for each joint
 EMSCRIPTEN_KEEPALIVE double* rl_skin(int joints) {
-    SkinInput& skin = work().input.skins.emplace_back();
-    skin.joints.resize(std::size_t(joints));
-    skin.inverse_bind.resize(16 * skin.joints.size() + 1);
-    return skin.inverse_bind.data();
+    return room([&] {
+        SkinInput& skin = work().input.skins.emplace_back();
+        skin.joints.resize(std::size_t(joints) + 1);
+        skin.joints.pop_back();
+        skin.inverse_bind.resize(16 * skin.joints.size() + 1);
+        return skin.inverse_bind.data();
+    });
 }
 EMSCRIPTEN_KEEPALIVE std::uint32_t* rl_joints() { return work().input.skins.back().joints.data(); }
 
 /// The next node. @returns where its 10 (translation, rotation, scale) or 16 numbers go
 EMSCRIPTEN_KEEPALIVE double* rl_node(double parent, int source_node, double mesh, double skin, int is_matrix) {
-    NodeInput& node = work().input.nodes.emplace_back();
-    node = {index_of(parent), std::uint32_t(source_node), index_of(mesh), index_of(skin), is_matrix != 0};
-    return node.place.data();
+    return room([&] {
+        NodeInput& node = work().input.nodes.emplace_back();
+        node = {index_of(parent), std::uint32_t(source_node), index_of(mesh), index_of(skin), is_matrix != 0};
+        return node.place.data();
+    });
 }
 
 /// @param replaced  1: all normals are new  @param tangents  as the enumerators of TangentChoice
@@ -237,7 +244,7 @@ EMSCRIPTEN_KEEPALIVE int rl_smooth(int replaced, int scope, int weight, int crea
         return 0;
     } catch (const Error& error) {
         work().error = error.what();
-    } catch (const std::bad_alloc&) {
+    } catch (const std::exception&) {  // also of an array that is longer than a vector can be
         work().error = "not enough memory";
     }
     return 1;

@@ -60,11 +60,11 @@ public:
 
     /// @return without indices: the primitive is to be left out
     Mesh make(io::gltf::StoredDirections& stored) {
-        if (primitive_.mode > io::gltf::PrimitiveMode::triangle_fan)
-            fail(format_text("mode {} is unknown", int(primitive_.mode)));
+        if (primitive_.mode > std::uint32_t(io::gltf::PrimitiveMode::triangle_fan))
+            fail(format_text("mode {} is unknown", primitive_.mode));
         mesh_.name = primitive_.name;
         mesh_.source_mesh = primitive_.mesh, mesh_.source_primitive = primitive_.primitive;
-        mesh_.topology = io::gltf::topology_of(primitive_.mode);
+        mesh_.topology = io::gltf::topology_of(mode());
         mesh_.material = primitive_.material;
         for (const std::string& name : primitive_.targets) targets_.push_back({.name = name});
         stored.targets.resize(targets_.size());
@@ -81,9 +81,8 @@ public:
     }
 
 private:
-    std::string place() const {
-        return format_text("mesh '{}', primitive {}", one_line(primitive_.name, 60), primitive_.primitive);
-    }
+    std::string place() const { return place_of(primitive_.name, primitive_.primitive); }
+    io::gltf::PrimitiveMode mode() const { return io::gltf::PrimitiveMode(primitive_.mode); }
     void remark(const char* text) { context_.report().add(Remark::dropped, {}, place(), text); }
     [[noreturn]] void fail(const std::string& reason) { throw Error(ErrorCode::bad_file, reason, place()); }
 
@@ -141,14 +140,14 @@ private:
             case Semantic::joints:
                 check_count(array, "JOINTS");
                 check_shape(array, "JOINTS", io::gltf::unsigned_types, io::gltf::components(4));
-                set(a.set).joints = io::gltf::to_integers(elements_of(array));
+                influence_set(a.set).joints = io::gltf::to_integers(elements_of(array));
                 break;
             case Semantic::weights: {
                 check_count(array, "WEIGHTS");
                 check_shape(array, "WEIGHTS", io::gltf::float_or_small, io::gltf::components(4));
                 Elements weights = elements_of(array);
                 weights.normalized = true;  // integers as weights mean nothing else
-                set(a.set).weights = io::gltf::to_scalars(weights);
+                influence_set(a.set).weights = io::gltf::to_scalars(weights);
                 break;
             }
             case Semantic::indices:
@@ -158,7 +157,7 @@ private:
         }
     }
 
-    io::gltf::InfluenceSet& set(std::uint32_t number) {
+    io::gltf::InfluenceSet& influence_set(std::uint32_t number) {
         if (number >= sets_.size()) sets_.resize(number + 1);
         return sets_[number];
     }
@@ -166,6 +165,8 @@ private:
     void offset(const AttributeInput& a, io::gltf::StoredDirections& stored) {
         const ArrayInput& array = blocks_.array(a.array);
         if (a.target >= targets_.size()) fail("an array of a morph target that is not there");
+        if (a.semantic > Semantic::tangent)
+            return remark("morph targets of other arrays than positions, normals and tangents are not used");
         check_count(array, "the morph target");
         check_shape(array, "the morph target", io::gltf::float_or_small, io::gltf::components(3));
         MorphTarget& target = targets_[a.target];
@@ -193,7 +194,7 @@ private:
         for (std::size_t c = 0; c < corners_.size(); ++c)
             if (corners_[c] >= mesh_.positions.size())
                 fail(format_text("index {} at corner {} exceeds {} vertices", corners_[c], c, mesh_.positions.size()));
-        mesh_.indices = io::gltf::expand(primitive_.mode, std::move(corners_)).indices;
+        mesh_.indices = io::gltf::expand(mode(), std::move(corners_)).indices;
         if (mesh_.indices.empty()) remark("a primitive without corners is left out");
     }
 
@@ -245,6 +246,10 @@ Transform transform_of(const NodeInput& input) {
 
 }  // namespace
 
+std::string place_of(const std::string& mesh_name, std::uint32_t primitive) {
+    return format_text("mesh '{}', primitive {}", one_line(mesh_name, 60), primitive);
+}
+
 InputScene make_scene(const DocumentInput& input, Context& context) {
     InputScene made;
     Scene& scene = made.scene;
@@ -270,6 +275,10 @@ InputScene make_scene(const DocumentInput& input, Context& context) {
         if (shown == meshes.end()) continue;
         out.meshes = shown->second;
         const std::size_t targets = scene.meshes[out.meshes[0]].targets.size();
+        for (const std::uint32_t m : out.meshes)
+            if (scene.meshes[m].targets.size() != targets)
+                throw Error(ErrorCode::bad_file, "its primitives have different numbers of morph targets",
+                            place_of(scene.meshes[m].name, scene.meshes[m].source_primitive));
         if (targets > 0) out.morph_weights = std::vector<float>(targets);
         std::uint32_t used = 0;
         for (const std::uint32_t m : out.meshes) used = std::max(used, io::gltf::joints_used(scene.meshes[m]));

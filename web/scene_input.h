@@ -39,7 +39,7 @@ struct AttributeInput {
 struct PrimitiveInput {
     std::string name;  ///< of its mesh, for messages
     std::uint32_t mesh = 0, primitive = 0;
-    io::gltf::PrimitiveMode mode{};
+    std::uint32_t mode = 0;  ///< as in glTF
     std::uint32_t material = no_index;
     std::vector<std::string> targets;  ///< their names; targets of one name belong together over all meshes
     std::vector<AttributeInput> attributes;
@@ -71,8 +71,11 @@ struct InputScene {
     std::vector<io::gltf::StoredDirections> stored;  ///< [meshes]
 };
 
-/// The rules are those of the reader of glTF. Primitives without positions or corners are left out, with a remark.
-/// @throws Error bad_file, with the place: counts that differ, indices that exceed the vertices
+/// "mesh 'body', primitive 0"
+std::string place_of(const std::string& mesh_name, std::uint32_t primitive);
+
+/// By the conversions of the reader of glTF. Primitives without positions or corners are left out, with a remark.
+/// @throws Error bad_file, with the place: counts that differ, indices that exceed the vertices, types that glTF does not allow
 InputScene make_scene(const DocumentInput& input, Context& context);
 
 }  // namespace rakelight::web

@@ -184,6 +184,15 @@ test('what is wrong is said with its place, and the document stays', async () =>
     await closes(good);
 });
 
+test('texture coordinates of morph targets are left as they are, and said', async () => {
+    const document = documentOf(sheets()), owner = primitiveOf(document, 0), count = owner.getAttribute('POSITION').getCount();
+    const target = document.createPrimitiveTarget().setAttribute('TEXCOORD_0', accessor(document, new Float32Array(2 * count).fill(0.25), 'VEC2'));
+    owner.addTarget(target.setAttribute('POSITION', accessor(document, new Float32Array(3 * count))));
+    const { remarks } = await closes(document);
+    assert.ok(remarks.some(({ kind, text }) => kind === 'dropped' && /morph targets of other arrays/.test(text)));
+    assert.deepEqual(new Set(primitiveOf(document, 0).listTargets()[0].getAttribute('TEXCOORD_0').getArray()), new Set([0.25]));
+});
+
 test('arrays of types that glTF does not allow are errors, not zeros', async () => {
     const spoiled = spoil => {
         const document = documentOf(sheets());
@@ -196,6 +205,16 @@ test('arrays of types that glTF does not allow are errors, not zeros', async () 
         [spoiled(each => each.getAttribute('NORMAL').setType('VEC2').setArray(new Float32Array(2 * each.getAttribute('POSITION').getCount()))), /NORMAL cannot have 2 components/],
         [spoiled(each => each.getAttribute('POSITION').setType('VEC2').setArray(new Float32Array(70))), /POSITION cannot have 2 components/],
         [spoiled(each => each.setMode(9)), /mode 9 is unknown/],
+        [spoiled(each => each.setMode(260)), /mode 260 is unknown/],
+        [spoiled(each => each.setAttribute('_BITANGENT', each.getAttribute('NORMAL').clone().setType('MAT4'))), /not a multiple of 16/],
+        [spoiled((_, document) => document.getRoot().listNodes()[0].setTranslation(new Array(40000).fill(0))), /another length than glTF allows/],
+        [spoiled((_, document) => document.getRoot().listNodes()[0].setTranslation(new Array(9).fill(0))), /another length than glTF allows/],
+        [spoiled((each, document) => each.addTarget(document.createPrimitiveTarget()) && primitiveOf(document, 0).getMaterial() === null &&
+            document.getRoot().listMeshes()[0].addPrimitive(each.clone().removeTarget(each.listTargets()[0]))), /different numbers of morph targets/],
+        [spoiled((each, document) => {
+            const batch = document.createExtension(EXTMeshGPUInstancing).createInstancedMesh();
+            document.getRoot().listNodes()[0].setExtension('EXT_mesh_gpu_instancing', batch.setAttribute('TRANSLATION', accessor(document, new Float32Array(32), 'MAT4')));
+        }), /instance attributes have another type/],
     ];
     for (const [document, message] of cases) {
         const before = state(document);

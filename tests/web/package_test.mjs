@@ -77,16 +77,33 @@ test('errors are those of the program', async () => {
     await assert.rejects(inspect({ name: 'a.fbx', bytes: new Uint8Array([1, 2, 3]) }), fault => fault.exitCode === 4);
 });
 
+test('files in folders below come back with the model, and those of the input do not', async () => {
+    const { bytes } = await smooth(sheet('sheet.obj'), { format: 'gltf' }), { files } = await smooth(sheet('sheet.obj'), { format: 'gltf' });
+    const json = JSON.parse(new TextDecoder().decode(bytes)), buffer = files[json.buffers[0].uri];
+    json.buffers[0].uri = 'data/b.bin';
+    json.images = [{ uri: 'textures/a.png' }];
+    const picture = (await render(sheet('sheet.obj'), { resolution: [8, 8] })).bytes;
+    const model = { name: 'out/model.gltf', bytes: new TextEncoder().encode(JSON.stringify(json)), files: { 'out/data/b.bin': buffer, 'out/textures/a.png': picture, 'out/other.txt': new Uint8Array(1) } };
+    const again = await smooth(model, { normals: 'model', creaseAngle: 20 });
+    assert.deepEqual(again.files['textures/a.png'], picture);
+    assert.equal('other.txt' in again.files, false);
+    const uris = JSON.parse(new TextDecoder().decode(again.bytes)).buffers.map(({ uri }) => uri);
+    for (const uri of uris) assert.ok(again.files[uri], uri);
+});
+
 test('what is no model is refused with what to pass', async () => {
     const cases = [['robot.glb', /is a name, not bytes; pass await readFile/], [undefined, /the model is missing/], [null, /the model is missing/],
         [Promise.resolve(), /await promises/], [new Blob([]), /blob.arrayBuffer/], [{ name: 'a.glb' }, /the model is missing/],
         [{ name: 'a.glb', bytes: 'text' }, /a.glb: its bytes are neither/], [new Uint8Array(0), /has no bytes/],
-        [{ ...sheet('../sheet.obj') }, /is not a name below/], [{ ...sheet('/sheet.obj') }, /is not a name below/],
+        [{ ...sheet('../sheet.obj') }, /is not a name below/], [sheet('builtin:sphere'), /is not a name below/], [sheet('-'), /is not a name below/], [sheet('a/'), /is not a name below/],
+        [{ ...sheet('a.obj'), files: { 'a.obj/b': new Uint8Array(1) } }, /cannot be a file beside/], [{ ...sheet('/sheet.obj') }, /is not a name below/],
         [{ ...sheet('sheet.obj'), files: { '../x.mtl': new Uint8Array(1) } }, /is not a name below/]];
     for (const [model, message] of cases)
         await assert.rejects(inspect(model), fault => fault instanceof RakelightError && fault.exitCode === 2 && message.test(fault.message), String(message));
     assert.ok((await inspect(sheet('sheet.obj'), null)).passed);
     await assert.rejects(inspect(sheet('sheet.obj'), { maxSeams: 2 }), { message: /^unknown option 'maxSeams'; did you mean maxSeam\?$/ });
+    await assert.rejects(inspect(sheet('sheet.obj'), { help: true }), /help is not an option here/);
+    await assert.rejects(render(sheet('sheet.obj'), { format: '../x.png' }), /is no format/);
     for (const options of [{ decoder: {} }, { decoders: { dracos: {} } }, { decoders: { draco: Promise.resolve() } }, { decoders: { meshopt: {} } }, { locateFile: '/x' }])
         assert.throws(() => configure(options), RakelightError);
 });

@@ -19,7 +19,7 @@ class Parts {
         const name = `part ${i}`;
         const { matrix = identity, object, positionStep = 0, crease } = part;
         if (matrix.length !== 16) throw new AttributesError(`${name}: matrix has ${matrix.length} numbers, not 16`);
-        const numbers = this.module._rl_add_part() / 8;
+        const numbers = (this.module._rl_add_part() >>> 0) / 8;  // above 2 GiB its sign is wrong
         const own = crease === undefined ? -1 : radians(crease, `${name}: crease`);
         new Float64Array(this.module.HEAPU8.buffer).set([...matrix, object ?? firstOwnObject + i, positionStep, own], numbers);
         const vertices = this.#array(0, part.positions, Float32Array, 3, `${name}: positions`);
@@ -36,7 +36,7 @@ class Parts {
 
     #array(what, array, Type, size, name) {
         if (!array || array.length % size !== 0) throw new AttributesError(`${name} must have ${size} numbers for each`);
-        const at = this.module._rl_array(what, array.length / size);
+        const at = this.module._rl_array(what, array.length / size) >>> 0;
         if (!at && array.length) throw new AttributesError('not enough memory');
         new Type(this.module.HEAPU8.buffer, at, array.length).set(array);
         return array.length / size;
@@ -49,7 +49,7 @@ class Parts {
     /** A copy. */
     result(part, what, Type, size) {
         const count = this.module._rl_result_count(part, what) * size;
-        return new Type(this.module.HEAPU8.buffer, this.module._rl_result(part, what), count).slice();
+        return new Type(this.module.HEAPU8.buffer, this.module._rl_result(part, what) >>> 0, count).slice();
     }
 }
 

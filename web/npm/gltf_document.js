@@ -6,9 +6,9 @@ import { AttributesError } from './options.js';
 const instancing = 'EXT_mesh_gpu_instancing';
 const indexTypes = { 5121: Uint8Array, 5123: Uint16Array, 5125: Uint32Array };
 
-/** Elements as they are stored; those of an accessor without an array are zero. */
+/** Elements as they are stored; an accessor without an array has none. */
 const read = accessor => () => ({
-    array: accessor.getArray() ?? new Float32Array(accessor.getCount() * accessor.getElementSize()),
+    array: accessor.getArray() ?? new Float32Array(0),
     components: accessor.getElementSize(),
     normalized: accessor.getNormalized(),
 });
@@ -53,11 +53,18 @@ function placements(node) {
     if (count === undefined) return undefined;
     if ([t, r, s].some(accessor => accessor && accessor.getCount() !== count))
         throw new AttributesError(`node '${node.getName()}': its instance attributes have different counts`);
+    [t, r, s].forEach((accessor, i) => {
+        if (accessor && accessor.getElementSize() !== [3, 4, 3][i]) throw new AttributesError(`node '${node.getName()}': its instance attributes have another type than glTF allows`);
+    });
     const element = (accessor, i, otherwise) => accessor?.getElement(i, []) ?? otherwise;
     return Array.from({ length: count }, (_, i) => [...element(t, i, [0, 0, 0]), ...element(r, i, [0, 0, 0, 1]), ...element(s, i, [1, 1, 1])]);
 }
 
-const placeOf = node => [...node.getTranslation(), ...node.getRotation(), ...node.getScale()];
+function placeOf(node) {
+    const parts = [node.getTranslation(), node.getRotation(), node.getScale()];
+    if (parts.some((part, i) => part.length !== [3, 4, 3][i])) throw new AttributesError(`node '${node.getName()}': its translation, rotation or scale has another length than glTF allows`);
+    return parts.flat();
+}
 
 /** What is shown of a document: its default scene, or its first; of a document without scenes all nodes. */
 export class GltfDocument {

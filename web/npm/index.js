@@ -12,7 +12,7 @@ export class RakelightError extends Error {
     }
 }
 
-const folder = '/model';
+const folder = '/model', outputs = '/outputs';
 let loadOptions = {};
 
 const usage = (message, advice = '') => new RakelightError(advice ? `${message}; ${advice}` : message, { exitCode: 2, code: 'usage', advice });
@@ -42,6 +42,7 @@ const inJavaScript = text => text.trim().replace(/^rakelight: error: /, '').repl
 
 function wordsOf(options) {
     if (typeof options !== 'object') throw usage('options must be an object');
+    for (const key of ['help', 'output', 'json']) if (options && key in options) throw usage(`${key} is not an option here`);
     return Object.entries(options ?? {}).flatMap(([key, value]) => {
         if (value === undefined || value === false || value === null) return value === false ? [optionName(key) + '=off'] : [];
         if (value === true) return [optionName(key)];
@@ -60,7 +61,7 @@ function nameOf(bytes) {
     throw usage('the name of the file is missing', 'pass { name, bytes }');
 }
 
-/** @returns its bytes as a Uint8Array, or undefined: it is nothing of bytes */
+/** @returns its bytes as a Uint8Array, or undefined: it holds no bytes */
 function bytesOf(given) {
     if (given instanceof ArrayBuffer || given instanceof globalThis.SharedArrayBuffer) return new Uint8Array(given);
     return ArrayBuffer.isView(given) ? new Uint8Array(given.buffer, given.byteOffset, given.byteLength) : undefined;
@@ -68,7 +69,7 @@ function bytesOf(given) {
 
 function checkName(name) {
     if (typeof name !== 'string' || name === '') throw usage('the name of the file is missing', 'pass { name, bytes }');
-    if (name.startsWith('/') || name.split(/[\\/]/).includes('..')) throw usage(`${JSON.stringify(name)} is not a name below the model's folder`);
+    if (/^[-/]|^builtin:/.test(name) || name.split(/[\\/]/).some(part => ['', '.', '..'].includes(part))) throw usage(`${JSON.stringify(name)} is not a name below the model's folder`);
 }
 
 /** @returns {name, files}: all files of the input, by their names beside one another */
@@ -90,9 +91,25 @@ function inputOf(input) {
 function putFiles(FS, at, files) {
     for (const [name, bytes] of Object.entries(files)) {
         const path = `${at}/${name}`;
-        FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
-        FS.writeFile(path, bytes);
+        try {
+            FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
+            FS.writeFile(path, bytes);
+        } catch {
+            throw usage(`${JSON.stringify(name)} cannot be a file beside the others`);
+        }
     }
+}
+
+function checkFormat(format) {
+    if (!/^[a-z0-9]+$/i.test(format)) throw usage(`${JSON.stringify(format)} is no format`);
+}
+
+/** @returns [path below the folder, bytes] of all files */
+function filesBelow(FS, place, below = '') {
+    return FS.readdir(place).filter(name => name !== '.' && name !== '..').flatMap(name => {
+        const path = `${place}/${name}`;
+        return FS.isDir(FS.stat(path).mode) ? filesBelow(FS, path, `${below}${name}/`) : [[below + name, FS.readFile(path)]];
+    });
 }
 
 /** An error of a report. @param decoder  the one that was missing, if it is for that */
@@ -110,6 +127,7 @@ async function run(verb, inputs, options, words = []) {
             ...loadOptions,
             prepare(FS) {
                 FS.mkdirTree(folder);
+                FS.mkdirTree(outputs);
                 given.forEach(({ at, files }) => putFiles(FS, at, files));
                 FS.chdir(folder);
             },
@@ -135,19 +153,18 @@ export async function inspect(model, options = {}) {
 export async function smooth(model, options = {}) {
     const ending = inputOf(model).name.replace(/.*\./, '').toLowerCase();
     const { format = ['gltf', 'obj', 'ply'].includes(ending) ? ending : 'glb', ...rest } = options ?? {};
-    const output = `out/model.${format}`;
-    const { report, FS } = await run('smooth', [model], rest, ['-o', output]);
-    const files = {};
-    for (const file of FS.readdir(`${folder}/out`))
-        if (file !== '.' && file !== '..' && FS.isFile(FS.stat(`${folder}/out/${file}`).mode)) files[file] = FS.readFile(`${folder}/out/${file}`);
-    return { bytes: files[output.slice(4)], files, report };
+    checkFormat(format);
+    const { report, FS } = await run('smooth', [model], rest, ['-o', `${outputs}/model.${format}`]);
+    const files = Object.fromEntries(filesBelow(FS, outputs));
+    return { bytes: files[`model.${format}`], files, report };
 }
 
 /** A picture: PNG, or what `format` says (jpg, ppm, hdr). */
 export async function render(model, options = {}) {
     const { format = 'png', ...rest } = options ?? {};
-    const { report, FS } = await run('render', [model], rest, ['-o', `out.${format}`]);
-    return { bytes: FS.readFile(`${folder}/out.${format}`), report };
+    checkFormat(format);
+    const { report, FS } = await run('render', [model], rest, ['-o', `${outputs}/picture.${format}`]);
+    return { bytes: FS.readFile(`${outputs}/picture.${format}`), report };
 }
 
 /** How much two pictures differ, or a model as it is drawn from a reference. `passed` says whether within the limits (maxFlip, ...). */

@@ -22,7 +22,7 @@ async function compile({ wasmBinary, locateFile }) {
     return /wasm/.test(found.headers.get('content-type')) ? WebAssembly.compileStreaming(found) : WebAssembly.compile(await found.arrayBuffer());
 }
 
-/** Bytes that are written one by one. */
+/** A byte buffer that grows. */
 class Output {
     #bytes = new Uint8Array(1024);
     #size = 0;
@@ -53,18 +53,18 @@ export async function runProgram(words, { prepare, stdin, environment, decoders,
         throw fault;
     }), out = new Output(), messages = new Output();
     let at = 0;
-    const module = await makeModule({
+    const module = await new Promise((resolve, reject) => makeModule({
         noInitialRun: true,
         decoders,
         instantiateWasm(imports, done) {
-            WebAssembly.instantiate(program, imports).then(instance => done(instance, program));
+            WebAssembly.instantiate(program, imports).then(instance => done(instance, program)).catch(reject);
             return {};
         },
         stdin: () => (stdin && at < stdin.length ? stdin[at++] : null),
         stdout: out.write,
         stderr: messages.write,
         preRun: [made => Object.assign(made.ENV, environment)],
-    });
+    }).then(resolve, reject));
     prepare?.(module.FS, module.NODEFS);
     return { code: callMain(module, words, messages), stdout: out, stderr: messages, FS: module.FS, missingDecoder: module.missingDecoder };
 }

@@ -10,6 +10,7 @@ export { AttributesError, configure };
 
 async function smooth(target, options) {
     const module = await SceneModule.begin();
+    let isBroken = false;
     try {
         target.give(module);
         module.smooth(options);
@@ -18,12 +19,15 @@ async function smooth(target, options) {
         report.remarks.push(...target.remarks ?? []);
         options.onReport?.(report);
         return report;
+    } catch (fault) {
+        isBroken = fault instanceof WebAssembly.RuntimeError;
+        throw fault;
     } finally {
-        module.end();
+        isBroken ? SceneModule.forget() : module.end();
     }
 }
 
-/** Things that are handed over in place of an object or of options. */
+/** Rejects common wrong arguments. */
 function checked(options) {
     if (options.scene?.isObject3D) throw new AttributesError('smoothSeams() takes an object of three.js: pass gltf.scene');
     if (options.isBufferGeometry) throw new AttributesError('smoothSeams() takes an object of three.js: pass the mesh of the geometry');

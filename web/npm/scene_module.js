@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The module that smooths a whole document: what it is given, number by number, and what it gives back.
-import { AttributesError, checkNames, creasesOf, numberOf, scopes, tangentChoices, weights } from './options.js';
+import { AttributesError, checkNames, creasesOf, numberOf, scopes, tangentChoices, tangentModes, weights } from './options.js';
 import makeModule from './wasm/rakelight-scene.mjs';
 
 /** In the order of the module's enumerators. */
@@ -11,10 +11,10 @@ const arrayTypes = { 5120: Int8Array, 5122: Int16Array, 5126: Float32Array };
 const textures = ['normal', 'clearcoatNormal', 'anisotropy'];
 const optionNames = ['normals', 'crease', 'weight', 'weldDistance', 'borderDistance', 'tangents', 'bitangents', 'keepInstances', 'onReport'];
 
-/** The scopes of new normals, behind them what keeps those of the document. */
+/** Scopes of new normals, then the word that keeps the document's normals. */
 const normalChoices = [...scopes, 'seams'];
 
-/** What an attribute is: [number of the semantic, set], or undefined: of no say in normals. */
+/** What an attribute is: [number of the semantic, set], or undefined: it is not used for normals. */
 function semanticOf(name) {
     const whole = semantics.indexOf(name);
     if (whole >= 0) return [whole, 0];
@@ -24,7 +24,7 @@ function semanticOf(name) {
 
 let loadOptions = {}, loaded;
 
-/** Where the .wasm file comes from; before the first call. */
+/** Where the .wasm file comes from; before the first call, and without effect after it. */
 export function configure(options) {
     loadOptions = { ...options.locateFile && { locateFile: options.locateFile }, ...options.wasmBinary && { wasmBinary: options.wasmBinary } };
 }
@@ -52,7 +52,14 @@ export class SceneModule {
     /** The memory is free again. */
     end() { this.#module._rl_clear(); }
 
-    #fill(Type, at, numbers) { new Type(this.#module.HEAPU8.buffer, at, numbers.length).set(numbers); }
+    /** After a trap the module's memory is in no known state: the next call gets another one. */
+    static forget() { loaded = undefined; }
+
+    /** @param at  what a function of the module returned: above 2 GiB its sign is wrong, and 0 is no memory */
+    #fill(Type, at, numbers) {
+        if (!at) throw new AttributesError('not enough memory');
+        new Type(this.#module.HEAPU8.buffer, at >>> 0, numbers.length).set(numbers);
+    }
 
     /**
      * @param key  arrays of one key are one
@@ -64,9 +71,9 @@ export class SceneModule {
         const { array, components, normalized } = read();
         const type = componentTypes.get(array.constructor);
         if (!type) throw new AttributesError(`an array of ${array.constructor.name} cannot be read`);
-        const at = this.#module._rl_array(type, components, normalized ? 1 : 0, array.length / components);
-        if (!at) throw new AttributesError('not enough memory');
-        this.#fill(array.constructor, at, array);
+        const count = array.length / components;
+        if (!Number.isInteger(count)) throw new AttributesError(`an array has ${array.length} numbers, not a multiple of ${components}`);
+        this.#fill(array.constructor, this.#module._rl_array(type, components, normalized ? 1 : 0, count), array);
         this.#arrays.set(key, this.#arrays.size);
         return this.#arrays.size - 1;
     }
@@ -98,12 +105,14 @@ export class SceneModule {
     }
 
     skin(joints, inverseBind) {
+        if (inverseBind.length !== 16 * joints.length) throw new AttributesError(`a skin has ${joints.length} joints, but ${inverseBind.length} numbers of inverse bind matrices`);
         this.#fill(Float64Array, this.#module._rl_skin(joints.length), inverseBind);
         this.#fill(Uint32Array, this.#module._rl_joints(), joints);
     }
 
     /** @param place  16 numbers of a matrix by columns, or 10: translation, rotation, scale */
     node({ parent = -1, source, mesh = -1, skin = -1, place }) {
+        if (place.length !== 10 && place.length !== 16) throw new AttributesError(`a node is placed by ${place.length} numbers, not 10 or 16`);
         this.#fill(Float64Array, this.#module._rl_node(parent, source, mesh, skin, place.length === 16 ? 1 : 0), place);
     }
 
@@ -111,16 +120,16 @@ export class SceneModule {
         checkNames(options, optionNames);
         const { normals = 'seams', crease = 'auto', weight = 'auto', weldDistance = -1, borderDistance = 0, tangents = 'auto',
             bitangents = false, keepInstances = false } = options;
-        const isReplaced = normals !== 'seams';
-        const code = this.#module._rl_smooth(isReplaced ? 1 : 0, isReplaced ? numberOf(normalChoices, normals, 'normals') : 2,
+        const isReplaced = normals !== 'seams', averaged = tangentModes.indexOf('averaged');
+        const code = this.#module._rl_smooth(isReplaced ? 1 : 0, isReplaced ? numberOf(normalChoices, normals, 'normals') : scopes.indexOf('model'),
             numberOf(weights, weight, 'weight'), ...creasesOf(crease), weldDistance, borderDistance,
-            numberOf(tangentChoices, tangents, 'tangents'), 0, bitangents ? 1 : 0, keepInstances ? 1 : 0);
+            numberOf(tangentChoices, tangents, 'tangents'), averaged, bitangents ? 1 : 0, keepInstances ? 1 : 0);
         if (code !== 0) throw new AttributesError(this.#module.UTF8ToString(this.#module._rl_error()));
     }
 
     report() {
         const [all, turned, largestDegrees, meanDegrees, flatPairs, creasePairs, unusable, made, borderTurned, borderLargest, borderMean, keeps] =
-            new Float64Array(this.#module.HEAPU8.buffer, this.#module._rl_report(), 12);
+            new Float64Array(this.#module.HEAPU8.buffer, this.#module._rl_report() >>> 0, 12);
         return {
             changed: this.#module._rl_version_count() > 0,
             ...keeps && { seams: { normals: all, turned, largestDegrees, meanDegrees, flatPairs, creasePairs, unusable } },
@@ -136,7 +145,7 @@ export class SceneModule {
     /** A copy. */
     #result(Type, what, number, target = 0) {
         const bytes = this.#module._rl_result_bytes(what, number, target);
-        return new Type(this.#module.HEAPU8.buffer, this.#module._rl_result(what, number, target), bytes / Type.BYTES_PER_ELEMENT).slice();
+        return new Type(this.#module.HEAPU8.buffer, this.#module._rl_result(what, number, target) >>> 0, bytes / Type.BYTES_PER_ELEMENT).slice();
     }
 
     /** The meshes as nodes need them: { mesh, isInPlace, nodes, primitives }; none: nothing changes. */

@@ -104,6 +104,8 @@ export class ThreeObject {
     #giveGeometry(module, geometry, number) {
         const user = this.#meshes.find(mesh => mesh.geometry === geometry), { morphAttributes, attributes, index } = geometry;
         const targets = Array.from({ length: Math.max(...Object.values(morphAttributes).map(each => each.length), 0) });
+        for (const [name, list] of Object.entries(morphAttributes))
+            if (list.length !== targets.length || Array.from(list).includes(undefined)) throw new AttributesError(`geometry '${geometry.name || user.name}': not every morph target has ${name}`);
         for (const [name, t] of Object.entries(user.morphTargetDictionary ?? {})) if (t in targets) targets[t] = name;
         module.primitive({ mesh: number, primitive: 0, mode: 4, targets, name: geometry.name || user.name });
         for (const [name, attribute] of Object.entries(attributes))

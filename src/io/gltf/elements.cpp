@@ -100,11 +100,11 @@ bool repeats(unsigned code, int bits, int all) {
     return code == ((number << (all - bits)) | (number >> (2 * bits - all)));
 }
 
-/// Bits that all codes have in truth, without the sign. As many as the type has, if that codes of fewer bits are repeated
+/// Significant bits of all codes, without the sign. As many as the type has, if that codes of fewer bits are repeated
 /// (see repeats()) could be chance: for each different code the chance is 2^(bits - all).
 /// @param all  bits of the type without its sign
 template <class T>
-int meant_bits(const Elements& elements, int all) {
+int significant_bits(const Elements& elements, int all) {
     int bits = fewest_bits;
     std::vector<bool> seen(std::size_t(std::numeric_limits<T>::max()) + 1);
     std::size_t different = 0;
@@ -133,7 +133,7 @@ double step_of(const Elements& elements) {
         step = 1 / largest;
         if constexpr (sizeof(T) == 2) {
             constexpr int all = std::numeric_limits<T>::digits;
-            const int bits = elements.data ? meant_bits<T>(elements, all) : all;
+            const int bits = elements.data ? significant_bits<T>(elements, all) : all;
             // Half a step of these bits, and what repeating them adds: less than one code.
             if (bits < all) step = ((1 << (all - bits)) + 2) / largest;
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs while the program is built: prints what make_environment_light() makes of the studio, which never changes, as a table for
 // studio_light.cpp. The studio is gray: one number a texel, by its bits. With without-sharpest the first map, which is nine tenths of
-// them, is left out: where a download is dear, studio_light() makes it.
+// them, is left out: where download size matters, studio_light() makes it.
 #include <bit>
 #include <cstdint>
 #include <cstdio>

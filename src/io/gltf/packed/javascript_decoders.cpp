@@ -28,30 +28,33 @@ EM_JS(int, rl_unpack_meshopt, (void* out, int count, int stride, const void* dat
 EM_JS(int, rl_open_draco, (const void* data, int bytes, int* counts), {
     const draco = Module.decoders && Module.decoders.draco;
     if (!draco) { Module.missingDecoder = 'draco'; return -1; }
-    const packed = new Int8Array(HEAPU8.buffer, data >>> 0, bytes);
+    const packed = new Int8Array(HEAPU8.buffer, data >>> 0, bytes), made = [];
+    const keep = object => { made.push(object); return object; };
     const decode = isScaled => {
-        const decoder = new draco.Decoder(), buffer = new draco.DecoderBuffer(), mesh = new draco.Mesh();
-        if (!isScaled) decoder.SkipAttributeTransform(draco.POSITION);
-        buffer.Init(packed, bytes);
-        const isDone = decoder.DecodeBufferToMesh(buffer, mesh).ok();
-        draco.destroy(buffer);
-        return { decoder, mesh, isDone };
+        const decoder = keep(new draco.Decoder()), mesh = keep(new draco.Mesh()), buffer = new draco.DecoderBuffer();
+        try {
+            if (!isScaled) decoder.SkipAttributeTransform(draco.POSITION);
+            buffer.Init(packed, bytes);
+            if (!decoder.DecodeBufferToMesh(buffer, mesh).ok()) throw new Error('broken');
+            return { decoder, mesh };
+        } finally {
+            draco.destroy(buffer);
+        }
     };
     try {
-        const opened = decode(true), codes = decode(false);
-        if (!opened.isDone || !codes.isDone) return 0;
+        const { decoder, mesh } = decode(true), codes = decode(false);
+        HEAP32[counts >>> 2] = mesh.num_points();
+        HEAP32[(counts >>> 2) + 1] = mesh.num_faces();
         const meshes = Module.dracoMeshes || (Module.dracoMeshes = []);
-        HEAP32[counts >> 2] = opened.mesh.num_points();
-        HEAP32[(counts >> 2) + 1] = opened.mesh.num_faces();
-        return meshes.push({ ...opened, codes });
+        return meshes.push({ decoder, mesh, codes, made });
     } catch (fault) {
+        for (const each of made) draco.destroy(each);
         return 0;
     }
 });
 
 EM_JS(void, rl_close_draco, (int number), {
-    const draco = Module.decoders.draco, { decoder, mesh, codes } = Module.dracoMeshes[number - 1];
-    for (const each of [decoder, mesh, codes.decoder, codes.mesh]) draco.destroy(each);
+    for (const each of Module.dracoMeshes[number - 1].made) Module.decoders.draco.destroy(each);
     Module.dracoMeshes[number - 1] = null;
 });
 
@@ -67,8 +70,8 @@ EM_JS(void, rl_draco_indices, (int number, void* out, int bytes), {
 EM_JS(int, rl_draco_attribute, (int number, int id, int* shape), {
     const { decoder, mesh } = Module.dracoMeshes[number - 1], attribute = decoder.GetAttributeByUniqueId(mesh, id);
     if (!attribute.ptr) return 0;
-    HEAP32[shape >> 2] = attribute.data_type();
-    HEAP32[(shape >> 2) + 1] = attribute.num_components();
+    HEAP32[shape >>> 2] = attribute.data_type();
+    HEAP32[(shape >>> 2) + 1] = attribute.num_components();
     return 1;
 });
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The codecs of meshopt, which a library has: the sizes of a job are checked before.
+// Meshopt codecs of the library. Callers check the sizes first.
 #pragma once
 #include <cstddef>
 #include <cstdint>
