@@ -52,6 +52,42 @@ private:
     std::map<std::uint32_t, Block<vec4>> vec4s_;
 };
 
+/// What glTF allows an array to be.
+struct Shape {
+    const char* name;
+    std::uint32_t types;  ///< bits of component types
+    std::uint32_t components;
+    bool is_of_vertices = true;  ///< one element for each
+};
+
+Shape shape_of(Semantic semantic) {
+    switch (semantic) {
+        case Semantic::position:
+            return {"POSITION", io::gltf::float_or_small, 3};
+        case Semantic::normal:
+            return {io::gltf::name_of(Direction::normal), io::gltf::float_or_small, 3};
+        case Semantic::tangent:
+            return {io::gltf::name_of(Direction::tangent), io::gltf::float_or_small, 4};
+        case Semantic::bitangent:
+            return {io::gltf::name_of(Direction::bitangent), io::gltf::float_or_small, 3};
+        case Semantic::texcoord:
+            return {"TEXCOORD", io::gltf::float_or_small, 2};
+        case Semantic::joints:
+            return {"JOINTS", io::gltf::unsigned_types, 4};
+        case Semantic::weights:
+            return {"WEIGHTS", io::gltf::float_or_small, 4};
+        default:
+            return {"indices", io::gltf::unsigned_types, 1, false};
+    }
+}
+
+/// Integers as weights mean normalized ones alone.
+std::vector<float> to_weights(const ArrayInput& array) {
+    Elements weights = elements_of(array);
+    weights.normalized = true;
+    return io::gltf::to_scalars(weights);
+}
+
 /// Makes the mesh of one primitive.
 class MeshMaker {
 public:
@@ -87,71 +123,59 @@ private:
     [[noreturn]] void fail(const std::string& reason) { throw Error(ErrorCode::bad_file, reason, place()); }
 
     void take_positions(std::uint32_t array) {
-        check_shape(blocks_.array(array), "POSITION", io::gltf::float_or_small, io::gltf::components(3));
+        Shape shape = shape_of(Semantic::position);
+        shape.is_of_vertices = false;  // these say how many there are
+        check(blocks_.array(array), shape);
         mesh_.positions = blocks_.vec3s(array);
         mesh_.position_step = io::gltf::step_of(elements_of(blocks_.array(array)));
     }
 
-    /// @param types  bits of the component types that it may have  @param widths  bits of the numbers of components
-    void check_shape(const ArrayInput& array, const std::string& name, std::uint32_t types, std::uint32_t widths) {
-        if (array.count == 0) return;
-        if (!(types & io::gltf::type_bit(array.type)))
-            fail(format_text("{} cannot have components of type {}", name, int(array.type)));
-        if (array.components > 16 || !(widths & io::gltf::components(array.components)))
-            fail(format_text("{} cannot have {} components", name, array.components));
-    }
-
-    void check_count(const ArrayInput& array, const char* name) {
-        if (array.count != mesh_.positions.size())
-            fail(format_text("{} has {} elements, but the primitive has {} vertices", name, array.count,
+    /// @throws Error bad_file: a type that glTF does not allow; another count than the positions have
+    void check(const ArrayInput& array, const Shape& shape) {
+        if (shape.is_of_vertices && array.count != mesh_.positions.size())
+            fail(format_text("{} has {} elements, but the primitive has {} vertices", shape.name, array.count,
                              mesh_.positions.size()));
+        if (array.count == 0) return;
+        if (!(shape.types & io::gltf::type_bit(array.type)))
+            fail(format_text("{} cannot have components of type {}", shape.name, int(array.type)));
+        if (array.components != shape.components)
+            fail(format_text("{} cannot have {} components", shape.name, array.components));
     }
 
-    void store(io::gltf::DirectionTypes& types, Direction direction, std::uint32_t width, const ArrayInput& array) {
-        check_count(array, io::gltf::name_of(direction));
-        check_shape(array, io::gltf::name_of(direction), io::gltf::float_or_small, io::gltf::components(width));
+    static void store(io::gltf::DirectionTypes& types, Direction direction, const ArrayInput& array) {
         types[direction] = io::gltf::direction_type(array.type, array.is_normalized);
     }
 
     void take(const AttributeInput& a, io::gltf::DirectionTypes& types) {
         const ArrayInput& array = blocks_.array(a.array);
+        check(array, shape_of(a.semantic));
         switch (a.semantic) {
             case Semantic::position:
                 break;
             case Semantic::normal:
-                store(types, Direction::normal, 3, array);
+                store(types, Direction::normal, array);
                 mesh_.normals = blocks_.vec3s(a.array);
                 break;
             case Semantic::tangent:
-                store(types, Direction::tangent, 4, array);
+                store(types, Direction::tangent, array);
                 mesh_.tangents = blocks_.vec4s(a.array);
                 break;
             case Semantic::bitangent:
-                store(types, Direction::bitangent, 3, array);
+                store(types, Direction::bitangent, array);
                 mesh_.arrays.push_back({io::gltf::name_of(Direction::bitangent), array.components,
                                         io::gltf::to_scalars(elements_of(array))});
                 break;
             case Semantic::texcoord:
-                check_count(array, "TEXCOORD");
-                check_shape(array, "TEXCOORD", io::gltf::float_or_small, io::gltf::components(2));
                 if (a.set >= mesh_.texcoords.size()) mesh_.texcoords.resize(a.set + 1);
                 mesh_.texcoords[a.set] = blocks_.vec2s(a.array);
                 break;
             case Semantic::joints:
-                check_count(array, "JOINTS");
-                check_shape(array, "JOINTS", io::gltf::unsigned_types, io::gltf::components(4));
                 influence_set(a.set).joints = io::gltf::to_integers(elements_of(array));
                 break;
-            case Semantic::weights: {
-                check_count(array, "WEIGHTS");
-                check_shape(array, "WEIGHTS", io::gltf::float_or_small, io::gltf::components(4));
-                Elements weights = elements_of(array);
-                weights.normalized = true;  // integers as weights mean nothing else
-                influence_set(a.set).weights = io::gltf::to_scalars(weights);
+            case Semantic::weights:
+                influence_set(a.set).weights = to_weights(array);
                 break;
-            }
             case Semantic::indices:
-                check_shape(array, "indices", io::gltf::unsigned_types, io::gltf::components(1));
                 corners_ = io::gltf::to_integers(elements_of(array));
                 break;
         }
@@ -167,17 +191,16 @@ private:
         if (a.target >= targets_.size()) fail("an array of a morph target that is not there");
         if (a.semantic > Semantic::tangent)
             return remark("morph targets of other arrays than positions, normals and tangents are not used");
-        check_count(array, "the morph target");
-        check_shape(array, "the morph target", io::gltf::float_or_small, io::gltf::components(3));
+        check(array, {"the morph target", io::gltf::float_or_small, 3});
         MorphTarget& target = targets_[a.target];
         const Block<vec3> offsets = blocks_.vec3s(a.array);
         if (a.semantic == Semantic::position) target.positions = offsets;
         if (a.semantic == Semantic::normal) {
-            store(stored.targets[a.target], Direction::normal, 3, array);
+            store(stored.targets[a.target], Direction::normal, array);
             target.normals = offsets;
         }
         if (a.semantic == Semantic::tangent) {
-            store(stored.targets[a.target], Direction::tangent, 3, array);
+            store(stored.targets[a.target], Direction::tangent, array);
             target.tangents = offsets;
         }
     }

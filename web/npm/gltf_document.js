@@ -81,7 +81,12 @@ export class GltfDocument {
     give(module) {
         const root = this.#document.getRoot(), scene = root.getDefaultScene() ?? root.listScenes()[0];
         const roots = scene ? scene.listChildren() : root.listNodes().filter(node => !node.getParentNode());
-        for (const node of roots) node.traverse(each => this.#nodes.of(each));
+        // Not by traverse(), which calls itself: hierarchies may be deep. A node comes before its children.
+        for (const stack = [...roots].reverse(); stack.length > 0;) {
+            const node = stack.pop();
+            this.#nodes.of(node);
+            for (const child of node.listChildren().reverse()) stack.push(child);
+        }
         this.#meshes = this.#met(node => node.getMesh());
         this.#skins = this.#met(node => node.getMesh() && node.getSkin());
         this.#meshes.things.forEach((mesh, number) => mesh.listPrimitives().forEach((_, i) => this.#givePrimitive(module, mesh, number, i)));
