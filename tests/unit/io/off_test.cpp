@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "io/ply/read_off.h"
-#include "math/color.h"
 #include "scene/placement.h"
+#include "support/expect_color.h"
 
 namespace rakelight::io {
 namespace {
@@ -38,13 +38,7 @@ struct ReadOff {
 
 const std::string square = "0 0 0\n2 0 0\n2 1 0\n0 1 0\n";
 
-void expect_color(const vec4& c, vec3 display, float alpha = 1) {
-    const vec3 linear = linear_from_srgb(display);
-    EXPECT_NEAR(c.x, linear.x, 1e-6);
-    EXPECT_NEAR(c.y, linear.y, 1e-6);
-    EXPECT_NEAR(c.z, linear.z, 1e-6);
-    EXPECT_NEAR(c.w, alpha, 1e-6);
-}
+using test::expect_color;
 
 TEST(ReadOff, PolygonsBecomeTriangles) {
     const ReadOff off("OFF\n4 1 0\n" + square + "4 0 1 2 3\n");

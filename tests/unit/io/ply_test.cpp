@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -14,7 +12,7 @@
 
 #include "io/ply/read_ply.h"
 #include "math/color.h"
-#include "support/shared.h"
+#include "support/hostile_cases.h"
 #include "support/temporary_folder.h"
 
 namespace rakelight::io {
@@ -294,17 +292,14 @@ TEST(ReadPly, ATextureBesideIsTaken) {
 
 TEST(ReadPly, HostileFilesKeepTheirVerdicts) {
     RL_NEEDS_SHARED("hostile");
-    const auto root = rakelight::test::shared_dir() / "hostile";
-    std::ifstream in(root / "cases.json");
     std::size_t seen = 0;
-    for (const auto& entry : nlohmann::json::parse(in)) {
-        const auto name = entry[0].get<std::string>(), verdict = entry[2].get<std::string>();
-        if (!name.ends_with(".ply") || verdict == "-" || !std::filesystem::exists(root / name)) continue;
+    for (const auto& [name, fault, verdict, path] : rakelight::test::hostile_cases()) {
+        if (!name.ends_with(".ply")) continue;
         SCOPED_TRACE(name + ": " + verdict);
         ++seen;
-        std::ifstream file(root / name, std::ios::binary);
+        std::ifstream file(path, std::ios::binary);
         const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-        ReadPly read(bytes, (root / name).string());
+        ReadPly read(bytes, path.string());
         EXPECT_TRUE(verdict != "refuse" || !read.error.empty()) << "it was accepted";
         EXPECT_EQ(read.error.find('\n'), std::string::npos);
         const bool is_made = name.starts_with("truncated/") || name.starts_with("flipped/") || name.starts_with("ply/");

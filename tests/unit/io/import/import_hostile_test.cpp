@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The broken files of ../shared/hostile in the helper's formats keep their verdicts.
-#include <nlohmann/json.hpp>
-
+#include "support/hostile_cases.h"
 #include "unit/io/import/import_support.h"
 
 namespace rakelight::io::import_test {
@@ -23,15 +22,12 @@ using ImportHostile = ImportTest;
 
 TEST_F(ImportHostile, EveryFileKeepsItsVerdict) {
     RL_NEEDS_SHARED("hostile");
-    const auto root = rakelight::test::shared_dir() / "hostile";
-    std::ifstream in(root / "cases.json");
     std::size_t seen = 0;
-    for (const auto& entry : nlohmann::json::parse(in)) {
-        const auto name = entry[0].get<std::string>(), verdict = entry[2].get<std::string>();
-        if (verdict == "-" || !is_ours(name) || !std::filesystem::exists(root / name)) continue;
-        SCOPED_TRACE(name + " (" + entry[1].get<std::string>() + "): " + verdict);
+    for (const auto& [name, fault, verdict, path] : rakelight::test::hostile_cases()) {
+        if (!is_ours(name)) continue;
+        SCOPED_TRACE(name + " (" + fault + "): " + verdict);
         ++seen;
-        const Outcome outcome = read_import((root / name).string());
+        const Outcome outcome = read_import(path.string());
         const bool remarked = std::any_of(outcome.remarks.begin(), outcome.remarks.end(),
                                           [](const ReportEntry& e) { return e.remark != Remark::note; });
         if (outcome.error) {

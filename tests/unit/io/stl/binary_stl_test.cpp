@@ -4,19 +4,13 @@
 #include <optional>
 
 #include "io/stl/join_corners.h"
-#include "math/color.h"
+#include "support/expect_color.h"
 #include "unit/io/stl/stl_support.h"
 
 namespace rakelight::io::stl_test {
 namespace {
 
-void expect_color(const vec4& c, vec3 display, float alpha = 1) {
-    const vec3 linear = linear_from_srgb(display);
-    EXPECT_NEAR(c.x, linear.x, 1e-6);
-    EXPECT_NEAR(c.y, linear.y, 1e-6);
-    EXPECT_NEAR(c.z, linear.z, 1e-6);
-    EXPECT_NEAR(c.w, alpha, 1e-6);
-}
+using test::expect_color;
 
 TEST(BinaryStl, TrianglesShareVerticesAndHaveNoNormals) {
     ReadStl stl(binary_file(square()));

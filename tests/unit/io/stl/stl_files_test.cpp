@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Real STL files, and broken ones, by the table of readers: no build needs the import helper for them.
-#include <fstream>
 #include <optional>
 
-#include <nlohmann/json.hpp>
-
-#include "support/shared.h"
+#include "support/hostile_cases.h"
 #include "unit/io/stl/stl_support.h"
 
 namespace rakelight::io::stl_test {
@@ -51,18 +48,15 @@ TEST(StlFiles, TextAndBinaryGiveTheSameTriangles) {
 
 TEST(StlFiles, BrokenOnesKeepTheirVerdicts) {
     RL_NEEDS_SHARED("hostile");
-    const auto root = rakelight::test::shared_dir() / "hostile";
-    std::ifstream in(root / "cases.json");
     std::size_t seen = 0;
-    for (const auto& entry : nlohmann::json::parse(in)) {
-        const auto name = entry[0].get<std::string>(), verdict = entry[2].get<std::string>();
+    for (const auto& [name, fault, verdict, path] : rakelight::test::hostile_cases()) {
         if (!name.ends_with(".stl")) continue;
         SCOPED_TRACE(name + ": " + verdict);
         ++seen;
         Context context;
         std::optional<Error> error;
         try {
-            read_scene((root / name).string(), {}, context);
+            read_scene(path.string(), {}, context);
         } catch (const Error& e) {
             error = e;
         }
