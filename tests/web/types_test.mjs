@@ -13,7 +13,9 @@ const here = dirname(fileURLToPath(import.meta.url)), packages = join(here, 'nod
 const modes = [{ module: 'nodenext' }, { module: 'esnext', moduleResolution: 'bundler' }];
 const strict = { strict: true, noEmit: true, target: 'es2022', exactOptionalPropertyTypes: true, noUncheckedIndexedAccess: true };
 
-const run = (tool, ...words) => spawnSync(process.execPath, [tool, ...words], { encoding: 'utf8', cwd: here });
+// Some tools color what they say where CI is set, terminal or not.
+const environment = { ...process.env, NO_COLOR: '1' };
+const run = (tool, ...words) => spawnSync(process.execPath, [tool, ...words], { encoding: 'utf8', cwd: here, env: environment });
 
 /** @param files  name -> text, or a path to copy  @returns what the compiler says */
 async function compile(files, options) {
