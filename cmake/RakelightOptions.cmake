@@ -11,7 +11,7 @@ option(RAKELIGHT_SUBDIVISION "Subdivision surfaces (OpenSubdiv)" ON)
 option(RAKELIGHT_OPENEXR "Read and write EXR pictures (OpenEXR)" ON)
 option(RAKELIGHT_WEBP "Read and write WebP pictures (libwebp)" ON)
 option(RAKELIGHT_IMPORT "Build rakelight-import (Assimp: FBX, DAE, 3DS, ASE, Blend, X)" ON)
-option(RAKELIGHT_OPENGL "Build the engine gl (libepoxy)" ON)
+option(RAKELIGHT_OPENGL "Build the engine gl (libepoxy; WebGL 2 on the web)" ON)
 option(RAKELIGHT_TRACE "Build the engine trace (headers of Embree 3; the library is loaded when it is asked for)" ON)
 option(RAKELIGHT_VIEWER "Build rakelight-view (GLFW, Dear ImGui)" ON)
 option(RAKELIGHT_PYTHON "Build the Python module (pybind11)" OFF)
@@ -23,19 +23,26 @@ set(RAKELIGHT_SANITIZE "" CACHE STRING "Sanitizers, for example address,undefine
 
 # WebAssembly: no other programs, and threads only on pages with headers that static hosts do not send.
 if(EMSCRIPTEN)
-  foreach(option THREADS PROCESSES IMPORT OPENGL TRACE VIEWER PYTHON TESTS)
+  foreach(option THREADS PROCESSES IMPORT TRACE VIEWER PYTHON TESTS)
     if(RAKELIGHT_${option})
       message(FATAL_ERROR "RAKELIGHT_${option} is not for WebAssembly: configure with the preset web")
     endif()
   endforeach()
 endif()
 
-if(NOT RAKELIGHT_PROCESSES AND (RAKELIGHT_IMPORT OR RAKELIGHT_OPENGL))
+if(NOT RAKELIGHT_PROCESSES AND (RAKELIGHT_IMPORT OR (RAKELIGHT_OPENGL AND NOT EMSCRIPTEN)))
   message(FATAL_ERROR "RAKELIGHT_IMPORT and RAKELIGHT_OPENGL start helper programs: they need RAKELIGHT_PROCESSES")
 endif()
 
+# The engine gl makes a context without a window, and compiles users' shaders in a process of its own. On the web only GlView is
+# there, in the context of a canvas.
+set(RAKELIGHT_GL_ENGINE OFF)
+if(RAKELIGHT_OPENGL AND RAKELIGHT_PROCESSES)
+  set(RAKELIGHT_GL_ENGINE ON)
+endif()
+
 set(RL_LEFT_OUT "")
-foreach(part DRACO=draco MESHOPT=meshopt SUBDIVISION=subdivision OPENEXR=exr WEBP=webp IMPORT=import OPENGL=gl TRACE=trace)
+foreach(part DRACO=draco MESHOPT=meshopt SUBDIVISION=subdivision OPENEXR=exr WEBP=webp IMPORT=import GL_ENGINE=gl TRACE=trace)
   string(REPLACE "=" ";" part ${part})
   list(GET part 0 name)
   list(GET part 1 word)

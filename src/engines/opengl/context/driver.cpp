@@ -104,7 +104,7 @@ EngineCapabilities abilities_of(const Driver& driver) {
         if (driver.samples >= samples) can.samples.push_back(samples);
     can.screen_interpolation = true;
     can.shadows = true;
-    can.user_lighting = true;
+    can.user_lighting = RL_PROCESSES;  // which are compiled in another one first
     can.lines_and_points = true;
     return can;
 }

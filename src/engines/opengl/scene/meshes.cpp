@@ -90,12 +90,13 @@ std::uint64_t MeshStore::bytes() const {
 
 std::vector<MeshStore::Part> MeshStore::parts_of(const Mesh& mesh, const geometry::MeshPose* pose) {
     std::vector<Part> parts;
-    const auto add = [&parts](const auto& block) {
+    const auto add = [&parts](const auto& block, GLenum target = GL_ARRAY_BUFFER) {
         if (block.empty()) return;
         const auto owner = [&block] { return std::make_shared<std::decay_t<decltype(block)>>(block); };
-        parts.push_back({block.identity(), block.data(), block.size() * sizeof(block[0]), owner});
+        parts.push_back({block.identity(), block.data(), block.size() * sizeof(block[0]), target, owner});
     };
-    add(mesh.positions), add(mesh.indices), add(mesh.normals), add(mesh.tangents), add(mesh.colors);
+    add(mesh.positions), add(mesh.indices, GL_ELEMENT_ARRAY_BUFFER);
+    add(mesh.normals), add(mesh.tangents), add(mesh.colors);
     add(mesh.bitangents);
     add(texcoords_of(mesh, 0)), add(texcoords_of(mesh, 1));
     if (pose) add(pose->influences), add(pose->more_influences);
@@ -115,10 +116,10 @@ void MeshStore::upload_piece(const Part& part) {
     const bool is_new = !buffer.name;
     if (is_new) buffer.of = part.owner();
     glBindVertexArray(no_arrays_.get());  // what indices are bound to is a vertex array's own
-    glBindBuffer(GL_ARRAY_BUFFER, buffer.name.get());
-    if (is_new) glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(part.bytes), nullptr, GL_STATIC_DRAW);
+    glBindBuffer(part.target, buffer.name.get());
+    if (is_new) glBufferData(part.target, GLsizeiptr(part.bytes), nullptr, GL_STATIC_DRAW);
     const std::size_t bytes = std::min(piece_bytes, part.bytes - buffer.there);
-    glBufferSubData(GL_ARRAY_BUFFER, GLintptr(buffer.there), GLsizeiptr(bytes),
+    glBufferSubData(part.target, GLintptr(buffer.there), GLsizeiptr(bytes),
                     static_cast<const char*>(part.data) + buffer.there);
     buffer.there += bytes;
     try {

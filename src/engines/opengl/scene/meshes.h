@@ -56,6 +56,7 @@ private:
     struct Part {
         const void *identity, *data;
         std::size_t bytes;
+        GLenum target;  ///< WebGL: a buffer stays of the kind that it was bound as first
         std::function<std::shared_ptr<const void>()> owner;
     };
     static std::vector<Part> parts_of(const Mesh& mesh, const geometry::MeshPose* pose);
