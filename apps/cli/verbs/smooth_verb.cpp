@@ -111,12 +111,8 @@ void read_normals(const Given& given, SmoothFileOptions& options) {
 
 /// @param picture  of one model: a world file may set the crease angle and the weight
 SmoothFileOptions smooth_options(const Run& run, const PictureRequest& picture) {
-    SmoothFileOptions options;
+    SmoothFileOptions options = smooth_options_for(picture);
     AttributeOptions& a = options.attributes;
-    a.crease_angle_rad = picture.prepare.crease_angle_rad;
-    a.creases = picture.prepare.creases;
-    a.weight = picture.prepare.weight;
-    options.border_distance = picture.prepare.border_distance;
     read_normals(run.given, options);
     if (run.given.has("tangents")) options.tangents = values::word("tangents", run.given.word("tangents"), choices);
     if (run.given.has("weld-distance")) {
@@ -125,8 +121,6 @@ SmoothFileOptions smooth_options(const Run& run, const PictureRequest& picture) 
     }
     options.bitangents = run.given.has("bitangents");
     options.keep_unused = run.given.has("keep-unused");
-    options.keep_instances = picture.prepare.keep_instances;
-    options.load = picture.load;
     return options;
 }
 

@@ -15,6 +15,7 @@
 #include <rakelight/scene/scene.h>
 #include <rakelight/tools/inspect.h>
 #include <rakelight/tools/report_row.h>
+#include <rakelight/world/request.h>
 
 namespace rakelight {
 
@@ -40,6 +41,9 @@ struct SmoothFileOptions {
     bool keep_instances = false;  ///< glTF: instances keep sharing one mesh, with the attributes of the first instance
     LoadOptions load{};
 };
+
+/// The options by the settings of a picture: creases, weight, border distance, instances, and how files are loaded.
+RL_API SmoothFileOptions smooth_options_for(const PictureRequest& request);
 
 /// Changes of one mesh of the output (glTF: one primitive).
 struct SmoothedMesh {

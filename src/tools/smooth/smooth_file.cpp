@@ -146,6 +146,18 @@ std::uint64_t split_of(const SmoothedFile& result) {
 
 }  // namespace
 
+SmoothFileOptions smooth_options_for(const PictureRequest& request) {
+    const PrepareOptions& prepare = request.prepare;
+    SmoothFileOptions options;
+    options.attributes.crease_angle_rad = prepare.crease_angle_rad;
+    options.attributes.creases = prepare.creases;
+    options.attributes.weight = prepare.weight;
+    options.border_distance = prepare.border_distance;
+    options.keep_instances = prepare.keep_instances;
+    options.load = request.load;
+    return options;
+}
+
 std::vector<SmoothedFile> smooth_files(std::span<const FileToSmooth> files, const SmoothFileOptions& options,
                                        Context& context) {
     if (files.empty()) return {};

@@ -17,6 +17,10 @@
 #define GL_TIME_ELAPSED 0x88BF
 #define GL_ZERO_TO_ONE 0x935F
 
+/// Browsers give the name of the GPU under another one, after WEBGL_debug_renderer_info was asked for.
+#undef GL_RENDERER
+#define GL_RENDERER 0x9246
+
 extern "C" void glClipControlEXT(GLenum origin, GLenum depth);
 inline void glClipControl(GLenum origin, GLenum depth) { glClipControlEXT(origin, depth); }
 inline void glPolygonMode(GLenum, GLenum) {}
