@@ -120,9 +120,9 @@ EMSCRIPTEN_KEEPALIVE const char* rl_smooth(const char* output) {
     });
 }
 
-/// @param half  0 left, 1 right  @param version  0 the model, 1 its fixed version
-EMSCRIPTEN_KEEPALIVE const char* rl_set(int half, int version, const char* settings) {
-    return checked([&](Context&) { page().set(half != 0, Version(version != 0), settings_of(settings)); });
+/// @param half  0 left, 1 right  @param version  0 the model, 1 its fixed version  @param channel  a word or ""
+EMSCRIPTEN_KEEPALIVE const char* rl_set(int half, int version, const char* channel, const char* settings) {
+    return checked([&](Context&) { page().set(half != 0, Version(version != 0), channel, settings_of(settings)); });
 }
 
 /// @param line  [px] where the right half begins  @param marks  bits: 1 seams, 2 hard edges

@@ -18,6 +18,7 @@
 namespace rakelight::web {
 namespace {
 
+constexpr int coarser_in_motion = 3;
 constexpr float raking_light = 2.2f, around = 0.3f;  // so that faces away from it are seen, too
 
 std::vector<Light> raking_lights(const Light& light) {
@@ -86,9 +87,10 @@ void Page::update_looks() {
         if (has(half.version)) half.look = look_of(half.version, half.settings);
 }
 
-void Page::set(std::size_t half, Version version, std::vector<WorldValue> settings) {
+void Page::set(std::size_t half, Version version, const std::string& channel, std::vector<WorldValue> settings) {
     PictureRequest checked;
     read_render_keys(settings, checked);
+    halves_[half].channel = channel.empty() ? 0 : channels_by_name(channel);
     if (has(version)) halves_[half].look = look_of(version, settings);
     halves_[half].version = version;
     halves_[half].settings = std::move(settings);
@@ -115,8 +117,24 @@ std::vector<Line> Page::lines_of(Half& half, Marks marks, const Scene& prepared)
     return lines;
 }
 
-void Page::draw_by_gl(Half& half, Marks marks, Context& context) {
+/// By the engine soft, which every channel has.
+std::vector<std::uint32_t> Page::channel_drawn(Half& half, int width, int height, Context& context) const {
+    PictureRequest request = viewer::request_of(half.look, width, height);
+    request.settings.samples = 1;
+    request.settings.channels = half.channel;
+    const Shot shot = plan(half, request, context);
+    Frame frame;
+    half.studio.draw(shot, 0, frame, context);
+    return channel_codes(frame, half.channel, channel_range_of(shown_in(half).model->box.bounds(), shot.camera));
+}
+
+void Page::draw_by_gl(Half& half, Marks marks, bool is_moving, Context& context) {
     if (!half.view) half.view.emplace();
+    if (half.channel != 0) {
+        const int coarser = is_moving ? coarser_in_motion : 1;
+        const int width = std::max(1, width_ / coarser), height = std::max(1, height_ / coarser);
+        return half.view->show(width, height, channel_drawn(half, width, height, context));
+    }
     PictureRequest request = viewer::request_of(half.look, width_, height_);
     const Shot shot = plan(half, request, context);
     while (!half.view->upload(half.studio.prepared(), 1000, context)) context.progress("upload", 0);
@@ -125,7 +143,7 @@ void Page::draw_by_gl(Half& half, Marks marks, Context& context) {
 }
 
 /// Into a buffer of its own, of which the part on the right of the line is copied.
-void Page::draw_right_by_gl(int line, Marks marks, Context& context) {
+void Page::draw_right_by_gl(int line, Marks marks, bool is_moving, Context& context) {
     GLint shown = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &shown);
     GLuint frame = 0, colors = 0;
@@ -139,7 +157,7 @@ void Page::draw_right_by_gl(int line, Marks marks, Context& context) {
         glDeleteFramebuffers(1, &frame), glDeleteRenderbuffers(1, &colors);
     };
     try {
-        draw_by_gl(halves_[1], marks, context);
+        draw_by_gl(halves_[1], marks, is_moving, context);
     } catch (...) {
         end();
         throw;
@@ -153,6 +171,7 @@ void Page::draw_right_by_gl(int line, Marks marks, Context& context) {
 std::vector<std::uint32_t> Page::drawn_by_soft(Half& half, Marks marks, bool is_moving, Context& context) const {
     PictureRequest request = viewer::request_of(half.look, width_, height_);
     if (is_moving) request.settings.samples = 1;
+    if (half.channel != 0) return channel_drawn(half, width_, height_, context);
     if (marks.seams) {
         const ExaminedModel& shown = shown_in(half);
         Inspection found = shown.inspection;
@@ -173,8 +192,8 @@ void Page::draw(int width, int height, int line, Marks marks, bool is_moving, Co
     line = std::clamp(line, 0, width_);
     if (has_gl_) {
         glViewport(0, 0, width_, height_);
-        if (line > 0) draw_by_gl(halves_[0], marks, context);
-        if (line < width_) draw_right_by_gl(line, marks, context);
+        if (line > 0) draw_by_gl(halves_[0], marks, is_moving, context);
+        if (line < width_) draw_right_by_gl(line, marks, is_moving, context);
         return;
     }
     soft_picture_ = drawn_by_soft(halves_[0], marks, is_moving, context);

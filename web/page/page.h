@@ -24,6 +24,7 @@ enum class Version : std::uint8_t { original, fixed };
 struct Half {
     Version version = Version::original;
     std::vector<WorldValue> settings;  ///< keys of [render] beyond those that were chosen for the model
+    std::uint32_t channel = 0;         ///< Channel bit that is shown instead of the colors; 0: colors
     viewer::Look look;
     viewer::Studio studio;
     std::optional<GlView> view;  ///< absent: the engine soft draws
@@ -53,7 +54,8 @@ public:
     SmoothedFile smooth(const std::string& output, Context& context) const;
 
     /// @throws Error usage: a key or value that is wrong; then nothing is changed
-    void set(std::size_t half, Version version, std::vector<WorldValue> settings);
+    /// @param channel  its word, shown instead of the colors; "": colors
+    void set(std::size_t half, Version version, const std::string& channel, std::vector<WorldValue> settings);
 
     /// Into the framebuffer and viewport that are bound; without OpenGL see soft_picture().
     /// @param line  [px] from the left: where the right half begins; the width: there is none
@@ -81,9 +83,10 @@ private:
     viewer::Eye& moving_eye();
     std::vector<Line> lines_of(Half& half, Marks marks, const Scene& prepared) const;
     Shot plan(Half& half, PictureRequest& request, Context& context) const;
-    void draw_by_gl(Half& half, Marks marks, Context& context);
-    void draw_right_by_gl(int line, Marks marks, Context& context);
+    void draw_by_gl(Half& half, Marks marks, bool is_moving, Context& context);
+    void draw_right_by_gl(int line, Marks marks, bool is_moving, Context& context);
     std::vector<std::uint32_t> drawn_by_soft(Half& half, Marks marks, bool is_moving, Context& context) const;
+    std::vector<std::uint32_t> channel_drawn(Half& half, int width, int height, Context& context) const;
 
     std::array<std::shared_ptr<const ExaminedModel>, 2> models_;  ///< by Version
     std::array<Half, 2> halves_;

@@ -16,16 +16,25 @@ import { rememberTheme, themeColor } from './theme.js';
 
 const docs = 'docs/';
 const slowAfterMs = 400;  // when a cancel button appears
+const messageMs = 8000;   // how long a remark is shown; faults stay
 
 let shown: Model | undefined;
 let example: string | undefined;  // its name, for the link
 let report: InspectRow | undefined;
 let isFixed = false;
-let calls = 0;  // that are told of
+let acting = 0;  // how much work runs that a visitor began
+let calls = 0;   // that are told of
+let hiding: ReturnType<typeof setTimeout> | undefined;
 
 const engine = new Engine({ progress: tellProgress, context: isThere => (isThere ? stage.draw() : undefined) });
-const stage = new Stage(engine, { click: (side, x, y) => void explain(side, x, y), fault: tellFault });
-const panel = makePanel(group => void apply(group));
+const stage = new Stage(engine, { click: (side, x, y) => act(explain(side, x, y)), fault: tellFault });
+const panel = makePanel(group => act(apply(group)));
+
+/** Work that a visitor began. */
+function act(work: Promise<unknown>): void {
+    acting += 1;
+    void work.finally(() => (acting -= 1));
+}
 
 // ---- messages
 
@@ -34,6 +43,8 @@ function tell(text: string, isFault = false): void {
     box.textContent = text;
     box.classList.toggle('fault', isFault);
     box.hidden = text === '';
+    clearTimeout(hiding);
+    if (!isFault) hiding = setTimeout(() => (box.hidden = true), messageMs);
 }
 
 function tellFault(fault: unknown): void {
@@ -86,8 +97,8 @@ const allSettings = (): Settings => ({ background: themeColor(), ...panel.settin
 
 async function applyAll(): Promise<void> {
     const settings = allSettings(), second = panel.second();
-    await engine.call('set', 'left', 'original', settings);
-    await engine.call('set', 'right', isFixed && !second ? 'fixed' : 'original', second ? { ...settings, lighting: second } : settings);
+    await engine.call('set', 'left', 'original', panel.channel(), settings);
+    await engine.call('set', 'right', isFixed && !second ? 'fixed' : 'original', second ? '' : panel.channel(), second ? { ...settings, lighting: second } : settings);
     get('left-name').textContent = second ? 'as set' : 'before';
     get('right-name').textContent = second ?? 'after';
     get('line').hidden = !report || !(isFixed || second);
@@ -135,7 +146,7 @@ function showReport(row: InspectRow): void {
     get<HTMLButtonElement>('fix').disabled = !hasSeams && row.objects.every(({ normals }) => normals === 'yes');
     get('download').hidden = !isFixed;
     stage.describe(`${name}: ${detail}. ${text}.`);
-    listBorders(row, border => void fly(border));
+    listBorders(row, border => act(fly(border)));
 }
 
 async function fix(): Promise<void> {
@@ -213,7 +224,7 @@ async function take(files: Promise<Parameters<typeof modelsIn>[0]> | Parameters<
         example = undefined;
         box.replaceChildren(...models.map(path => make('option', { value: path }, path)));
         box.hidden = models.length < 2;
-        box.onchange = () => void take(all, box.value);
+        box.onchange = () => act(take(all, box.value));
         if (name) box.value = name;
         await open(modelOf(all, name));
     } catch (fault) {
@@ -248,7 +259,7 @@ function listenToDrops(): void {
         event.preventDefault();
         depth = 0;
         document.body.classList.remove('dragging');
-        if (event.dataTransfer) void take(dropped(event.dataTransfer));
+        if (event.dataTransfer) act(take(dropped(event.dataTransfer)));
     });
 }
 
@@ -274,12 +285,12 @@ function listen(): void {
             get(`tab-${next}`).focus();
         });
     });
-    get('fix').addEventListener('click', () => void fix());
-    get('download').addEventListener('click', () => void download());
-    get('cancel').addEventListener('click', () => void cancel());
+    get('fix').addEventListener('click', () => act(fix()));
+    get('download').addEventListener('click', () => act(download()));
+    get('cancel').addEventListener('click', () => act(cancel()));
     get('end-raking').addEventListener('click', () => {
         get('end-raking').hidden = true;
-        void engine.call('endRakingLight').then(() => stage.draw(), tellFault);
+        act(engine.call('endRakingLight').then(() => stage.draw(), tellFault));
     });
     get('whole').addEventListener('click', () => {
         get('end-raking').hidden = true;
@@ -295,21 +306,23 @@ function listen(): void {
         const input = get<HTMLInputElement>(id);
         for (const button of document.querySelectorAll(`[data-for="${id}"]`)) button.addEventListener('click', () => input.click());
         input.addEventListener('change', () => {
-            if (input.files?.length) void take(ofList(input.files));
+            if (input.files?.length) act(take(ofList(input.files)));
             input.value = '';
         });
     }
     for (const { name, title, about } of examples) {
         const button = make('button', { type: 'button', class: 'example', 'data-example': name }, make('strong', {}, title), make('span', {}, about));
-        button.addEventListener('click', () => void takeExample(name));
+        button.addEventListener('click', () => act(takeExample(name)));
         get('examples').append(make('li', {}, button));
     }
-    rememberTheme(get('theme'), () => void applyAll().catch(tellFault));
+    rememberTheme(get('theme'), () => act(applyAll().catch(tellFault)));
     listenToDrops();
 }
 
 listen();
 stage.seams = true;
+// For tests, and for who looks into the page.
+Object.assign(globalThis, { rakelight: { engine, stage, isIdle: () => acting === 0 && stage.isIdle } });
 const wanted = new URLSearchParams(location.hash.slice(1)).get('model');
-if (wanted && examples.some(({ name }) => name === wanted)) void takeExample(wanted);
+if (wanted && examples.some(({ name }) => name === wanted)) act(takeExample(wanted));
 if ('serviceWorker' in navigator && location.protocol !== 'file:') void navigator.serviceWorker.register('sw.js').catch(() => {});

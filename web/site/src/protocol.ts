@@ -43,7 +43,8 @@ export interface Calls {
     fix(): { smoothed: SmoothRow; inspected: InspectRow };
     /** All files that fix() wrote. */
     fixedFiles(): Array<{ path: string; bytes: Uint8Array<ArrayBuffer> }>;
-    set(side: Side, version: Version, settings: Settings): void;
+    /** @param channel  shown instead of the colors; '': colors */
+    set(side: Side, version: Version, channel: string, settings: Settings): void;
     /** @returns [ms] how long it took */
     draw(view: View): number;
     /** Of the picture's smaller side: half a turn for all of it. */
@@ -58,6 +59,8 @@ export interface Calls {
     explain(side: Side, x: number, y: number): Explanation;
     /** CSS colors of the heat map. */
     heatColors(degrees: number[]): string[];
+    /** [bytes] that the library holds. */
+    memory(): number;
     /** For tests: takes the context away and gives it back. */
     loseContext(): void;
     restoreContext(): void;

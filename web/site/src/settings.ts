@@ -6,13 +6,15 @@ import type { Settings } from './protocol.js';
 
 type Words<Key extends keyof RenderOptions> = Array<readonly [Extract<RenderOptions[Key], string>, string]>;
 
+type Group = 'Light' | 'Surface' | 'Normals' | 'Channels' | 'Compare';
+
 interface Choice {
     key: string;
     title: string;
     hint: string;
     words: ReadonlyArray<readonly [string, string]>;
     /** The panel's group. */
-    group: 'Light' | 'Surface' | 'Normals';
+    group: Group;
 }
 
 const choice = <Key extends keyof RenderOptions>(group: Choice['group'], name: Key & string, title: string, hint: string, words: Words<Key>): Choice =>
@@ -47,6 +49,11 @@ const lights: ReadonlyArray<readonly [string, string, Settings]> = [
     ['camera', 'Light at the camera', { light: 'default' }],
 ];
 
+const channels: ReadonlyArray<readonly [string, string]> = [
+    ['', 'Colors'], ['normal', 'Normals'], ['face-normal', 'Normals of faces'], ['tangent', 'Tangents'], ['depth', 'Depth'], ['uv', 'Texture coordinates'],
+    ['object', 'Objects'], ['material', 'Materials'], ['triangle', 'Triangles'], ['base-color', 'Base color'], ['diffuse', 'Diffuse light'], ['specular', 'Specular light'],
+];
+
 const linkKeys = new Set([...choices.map(({ key }) => key), ...numbers.map(({ key }) => key as string), 'lights', 'channel', 'second', 'model']);
 
 export interface Panel {
@@ -54,6 +61,8 @@ export interface Panel {
     settings(): Settings;
     /** The lighting model of the right picture; undefined: no comparison */
     second(): string | undefined;
+    /** The channel that is shown; '': the colors */
+    channel(): string;
     /** The words of the link. */
     link(): URLSearchParams;
 }
@@ -64,7 +73,7 @@ const select = (id: string, title: string, hint: string, words: ReadonlyArray<re
 };
 
 /** Fills the panel. @param change  called after each change, with the group that changed */
-export function makePanel(change: (group: 'Light' | 'Surface' | 'Normals' | 'Compare') => void): Panel {
+export function makePanel(change: (group: Group) => void): Panel {
     const wanted = new URLSearchParams(location.hash.slice(1)), values = new Map<string, string>();
     const groups = new Map<string, HTMLElement>();
     const groupOf = (title: string): HTMLElement => {
@@ -75,7 +84,7 @@ export function makePanel(change: (group: 'Light' | 'Surface' | 'Normals' | 'Com
         get('look').append(made);
         return made;
     };
-    const add = (group: 'Light' | 'Surface' | 'Normals' | 'Compare', key: string, title: string, hint: string, words: ReadonlyArray<readonly [string, string]>): void => {
+    const add = (group: Group, key: string, title: string, hint: string, words: ReadonlyArray<readonly [string, string]>): void => {
         const [row, box] = select(`set-${key}`, title, hint, words);
         const asked = wanted.get(key);
         if (asked && words.some(([word]) => word === asked)) box.value = asked;
@@ -101,6 +110,7 @@ export function makePanel(change: (group: 'Light' | 'Surface' | 'Normals' | 'Com
         box.addEventListener('change', () => change('Normals'));
         groupOf('Normals').append(make('div', { class: 'setting' }, make('label', { for: id }, title, ' ', shown), box, make('small', { id: `${id}-hint` }, hint)));
     }
+    add('Channels', 'channel', 'Show', 'What the picture is made of; drawn by the software rasterizer.', channels);
     add('Compare', 'second', 'Beside it', 'Another lighting model, on the right of a line.', [['', 'Nothing'], ...choices[0]!.words.slice(1)]);
 
     const isUsual = (key: string, value: string): boolean => {
@@ -111,12 +121,13 @@ export function makePanel(change: (group: 'Light' | 'Surface' | 'Normals' | 'Com
         settings() {
             const found: Settings = {};
             for (const [key, value] of values) {
-                if (isUsual(key, value) || key === 'second') continue;
+                if (isUsual(key, value) || key === 'second' || key === 'channel') continue;
                 if (key === 'lights') Object.assign(found, lights.find(([word]) => word === value)?.[2]);
                 else if (key !== 'crease-angle' || values.get('crease') === 'angle') found[key] = value;
             }
             return found;
         },
+        channel: () => values.get('channel') ?? '',
         second: () => values.get('second') || undefined,
         link: () => new URLSearchParams([...values].filter(([key, value]) => linkKeys.has(key) && !isUsual(key, value))),
     };

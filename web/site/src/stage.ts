@@ -26,6 +26,7 @@ export class Stage {
     /** 0..1 where the right picture begins; 1: there is none */
     #split = 1;
     #canvas!: HTMLCanvasElement;
+    #pictures = 0;
     #isDrawing = false;
     #isWanted = false;
     #movedAt = -Infinity;
@@ -50,6 +51,9 @@ export class Stage {
         this.#listen();
         return this.#canvas.transferControlToOffscreen();
     }
+
+    /** Whether what was asked for is drawn. */
+    get isIdle(): boolean { return !this.#isDrawing && !this.#isWanted && performance.now() - this.#movedAt > 2 * stillAfterMs; }
 
     describe(text: string): void { this.#canvas.setAttribute('aria-label', `${text} Arrow keys turn it, plus and minus change the distance, 0 shows all of it.`); }
 
@@ -79,7 +83,8 @@ export class Stage {
             this.#isWanted = false;
             const isMoving = performance.now() - this.#movedAt < stillAfterMs;
             try {
-                await this.engine.call('draw', { ...this.#size(), split: this.#split, seams: this.seams, hardEdges: this.hardEdges, isMoving });
+                const ms = await this.engine.call('draw', { ...this.#size(), split: this.#split, seams: this.seams, hardEdges: this.hardEdges, isMoving });
+                Object.assign(this.#canvas.dataset, { pictures: String(++this.#pictures), ms: ms.toFixed(1) });  // tests wait for them
             } catch (fault) {
                 if (fault instanceof Cancelled) return;
                 this.events.fault(fault);

@@ -102,6 +102,7 @@ function filesBelow(place: string, below = ''): Array<{ path: string; bytes: Uin
 }
 
 async function writeFiles(model: Model): Promise<void> {
+    module.FS.chdir('/');
     removeFolder(folder);
     removeFolder(fixedFolder);
     module.FS.mkdirTree(folder);
@@ -155,8 +156,7 @@ const calls: { [name in CallName]: (...given: Parameters<Calls[name]>) => Return
         return text('rl_renderer');
     },
     async open(model) {
-        if (!model.name.startsWith('builtin:')) await writeFiles(model);
-        else removeFolder(fixedFolder), module.FS.mkdirTree(fixedFolder);
+        await writeFiles(model);
         const inspected = await withDecoders(() => row<InspectRow>('rl_open', model.name));
         current = model;
         return inspected;
@@ -171,7 +171,7 @@ const calls: { [name in CallName]: (...given: Parameters<Calls[name]>) => Return
         return { smoothed, inspected: row<InspectRow>('rl_open_fixed', output) };
     },
     fixedFiles: () => filesBelow(fixedFolder),
-    set: (side, version, settings) => run('rl_set', sideNumber(side), versionNumber(version), settingsText(settings)),
+    set: (side, version, channel, settings) => run('rl_set', sideNumber(side), versionNumber(version), channel, settingsText(settings)),
     draw(view) {
         const begin = performance.now();
         if (canvas.width !== view.width) canvas.width = view.width;
@@ -188,6 +188,7 @@ const calls: { [name in CallName]: (...given: Parameters<Calls[name]>) => Return
     endRakingLight: () => run('rl_end_raking_light'),
     explain: (side, x, y) => ({ row: row<ExplainRow>('rl_explain', sideNumber(side), x, y), text: text('rl_explain_text', sideNumber(side), x, y) }),
     heatColors: degrees => degrees.map(angle => `#${(module.ccall('rl_heat_color', 'number', ['number'], [angle]) as number).toString(16).padStart(6, '0')}`),
+    memory: () => module.HEAPU8.byteLength,
     loseContext: () => loser()?.loseContext(),
     restoreContext: () => loser()?.restoreContext(),
 };
@@ -197,7 +198,11 @@ function loser(): WEBGL_lose_context | null {
     return (loserOfContext ??= (canvas.getContext('webgl2') as WebGL2RenderingContext | null)?.getExtension('WEBGL_lose_context') ?? null);
 }
 
-const outside = (fault: unknown): Fault => ({ message: `${fault instanceof Error ? fault.message : String(fault)}`, file: '', place: '', advice: '', code: 'failed' });
+/** What is no error of the library's. Errors of files in memory are plain objects. */
+function outside(fault: unknown): Fault {
+    const { message, errno } = fault as { message?: string; errno?: number };
+    return { message: message ?? (errno === undefined ? String(fault) : `the files cannot be kept in memory (error ${errno})`), file: '', place: '', advice: '', code: 'failed' };
+}
 
 let last: Promise<void> = Promise.resolve();  // calls are answered one by one, in their order
 self.addEventListener('message', ({ data }: MessageEvent<Request>) => {
