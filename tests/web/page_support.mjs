@@ -28,7 +28,7 @@ async function answer(request, response) {
 
 const flags = {
     webgl: ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
-    soft: ['--disable-gpu', '--disable-3d-apis'],
+    soft: ['--disable-gpu', '--disable-software-rasterizer'],
 };
 
 /** A browser on a server of the page. @param engine  'webgl' or 'soft': without WebGL */

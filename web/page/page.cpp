@@ -18,8 +18,15 @@
 namespace rakelight::web {
 namespace {
 
-constexpr int coarser_in_motion = 3;
+constexpr int coarser_in_motion = 3;                 // pictures of the engine soft
+constexpr std::size_t most_gl_draws = 4096;          // browsers take 10 to 20 us for each; beyond, soft is faster
 constexpr float raking_light = 2.2f, around = 0.3f;  // so that faces away from it are seen, too
+
+std::size_t draw_count(const Scene& scene) {
+    std::size_t count = 0;
+    for (const Node& node : scene.nodes) count += node.meshes.size();
+    return count;
+}
 
 std::vector<Light> raking_lights(const Light& light) {
     Light ambient;
@@ -117,7 +124,7 @@ std::vector<Line> Page::lines_of(Half& half, Marks marks, const Scene& prepared)
     return lines;
 }
 
-/// By the engine soft, which every channel has.
+/// Every channel, as a picture to look at.
 std::vector<std::uint32_t> Page::channel_drawn(Half& half, int width, int height, Context& context) const {
     PictureRequest request = viewer::request_of(half.look, width, height);
     request.settings.samples = 1;
@@ -128,12 +135,31 @@ std::vector<std::uint32_t> Page::channel_drawn(Half& half, int width, int height
     return channel_codes(frame, half.channel, channel_range_of(shown_in(half).model->box.bounds(), shot.camera));
 }
 
+std::vector<std::uint32_t> Page::drawn_by_soft(Half& half, int width, int height, Marks marks, bool is_moving,
+                                               Context& context) const {
+    if (half.channel != 0) return channel_drawn(half, width, height, context);
+    PictureRequest request = viewer::request_of(half.look, width, height);
+    if (is_moving) request.settings.samples = 1;
+    if (marks.seams) {
+        const ExaminedModel& shown = shown_in(half);
+        Inspection found = shown.inspection;
+        found.seam_lines = shown.seams;
+        InspectOptions options;
+        options.prepare = half.look.request.prepare;
+        return to_srgb8(draw_seams(shown.model->scene, found, options, request.view, request.settings, context));
+    }
+    const Shot shot = plan(half, request, context);
+    Frame frame;
+    half.studio.draw(shot, 0, frame, context);
+    return to_srgb8(frame, request.tone, shot.behind);
+}
+
 void Page::draw_by_gl(Half& half, Marks marks, bool is_moving, Context& context) {
     if (!half.view) half.view.emplace();
-    if (half.channel != 0) {
+    if (half.channel != 0 || draw_count(shown_in(half).model->scene) > most_gl_draws) {
         const int coarser = is_moving ? coarser_in_motion : 1;
         const int width = std::max(1, width_ / coarser), height = std::max(1, height_ / coarser);
-        return half.view->show(width, height, channel_drawn(half, width, height, context));
+        return half.view->show(width, height, drawn_by_soft(half, width, height, marks, is_moving, context));
     }
     PictureRequest request = viewer::request_of(half.look, width_, height_);
     const Shot shot = plan(half, request, context);
@@ -168,24 +194,6 @@ void Page::draw_right_by_gl(int line, Marks marks, bool is_moving, Context& cont
     end();
 }
 
-std::vector<std::uint32_t> Page::drawn_by_soft(Half& half, Marks marks, bool is_moving, Context& context) const {
-    PictureRequest request = viewer::request_of(half.look, width_, height_);
-    if (is_moving) request.settings.samples = 1;
-    if (half.channel != 0) return channel_drawn(half, width_, height_, context);
-    if (marks.seams) {
-        const ExaminedModel& shown = shown_in(half);
-        Inspection found = shown.inspection;
-        found.seam_lines = shown.seams;
-        InspectOptions options;
-        options.prepare = half.look.request.prepare;
-        return to_srgb8(draw_seams(shown.model->scene, found, options, request.view, request.settings, context));
-    }
-    const Shot shot = plan(half, request, context);
-    Frame frame;
-    half.studio.draw(shot, 0, frame, context);
-    return to_srgb8(frame, request.tone, shot.behind);
-}
-
 void Page::draw(int width, int height, int line, Marks marks, bool is_moving, Context& context) {
     if (!has(halves_[0].version) || !has(halves_[1].version)) throw Error(ErrorCode::usage, "there is no model");
     width_ = std::max(width, 1), height_ = std::max(height, 1);
@@ -196,9 +204,9 @@ void Page::draw(int width, int height, int line, Marks marks, bool is_moving, Co
         if (line < width_) draw_right_by_gl(line, marks, is_moving, context);
         return;
     }
-    soft_picture_ = drawn_by_soft(halves_[0], marks, is_moving, context);
+    soft_picture_ = drawn_by_soft(halves_[0], width_, height_, marks, is_moving, context);
     if (line == width_) return;
-    const std::vector<std::uint32_t> right = drawn_by_soft(halves_[1], marks, is_moving, context);
+    const std::vector<std::uint32_t> right = drawn_by_soft(halves_[1], width_, height_, marks, is_moving, context);
     for (std::size_t i = 0; i < soft_picture_.size(); ++i)
         if (int(i % std::size_t(width_)) >= line) soft_picture_[i] = right[i];
 }

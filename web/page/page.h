@@ -85,7 +85,8 @@ private:
     Shot plan(Half& half, PictureRequest& request, Context& context) const;
     void draw_by_gl(Half& half, Marks marks, bool is_moving, Context& context);
     void draw_right_by_gl(int line, Marks marks, bool is_moving, Context& context);
-    std::vector<std::uint32_t> drawn_by_soft(Half& half, Marks marks, bool is_moving, Context& context) const;
+    std::vector<std::uint32_t> drawn_by_soft(Half& half, int width, int height, Marks marks, bool is_moving,
+                                             Context& context) const;
     std::vector<std::uint32_t> channel_drawn(Half& half, int width, int height, Context& context) const;
 
     std::array<std::shared_ptr<const ExaminedModel>, 2> models_;  ///< by Version

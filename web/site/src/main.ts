@@ -27,7 +27,7 @@ let calls = 0;   // that are told of
 let hiding: ReturnType<typeof setTimeout> | undefined;
 
 const engine = new Engine({ progress: tellProgress, context: isThere => (isThere ? stage.draw() : undefined) });
-const stage = new Stage(engine, { click: (side, x, y) => act(explain(side, x, y)), fault: tellFault });
+const stage = new Stage(engine, { click: (side, x, y) => act(explain(side, x, y)), fault: tellFault, slow: tellSlow });
 const panel = makePanel(group => act(apply(group)));
 
 /** Work that a visitor began. */
@@ -57,6 +57,10 @@ const stages: Record<string, string> = { read: 'Reading', load: 'Loading', inspe
 function tellProgress(stage: string, share: number): void {
     get('progress-text').textContent = stages[stage] ?? `${stage[0]?.toUpperCase() ?? ''}${stage.slice(1)}`;
     get<HTMLProgressElement>('progress-bar').value = share;
+}
+
+function tellSlow(isSlow: boolean): void {
+    if (calls === 0) get('progress').hidden = !isSlow;
 }
 
 /** Shows progress while something runs that may take long. */
@@ -325,4 +329,5 @@ stage.seams = true;
 Object.assign(globalThis, { rakelight: { engine, stage, isIdle: () => acting === 0 && stage.isIdle } });
 const wanted = new URLSearchParams(location.hash.slice(1)).get('model');
 if (wanted && examples.some(({ name }) => name === wanted)) act(takeExample(wanted));
+addEventListener('hashchange', () => location.reload());  // of a link that is followed; the page's own changes tell nobody
 if ('serviceWorker' in navigator && location.protocol !== 'file:') void navigator.serviceWorker.register('sw.js').catch(() => {});

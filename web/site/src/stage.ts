@@ -5,6 +5,7 @@ import { Cancelled, type Engine } from './engine.js';
 import type { Side } from './protocol.js';
 
 const stillAfterMs = 160;   // without motion, until the whole picture is drawn
+const slowAfterMs = 1500;   // when a picture takes long
 const click_px = 5;         // a press that moves less is a click
 const mostSide = 2560;      // [px] of the canvas
 const keyStep = 0.04;
@@ -18,6 +19,8 @@ interface Pointer {
 export interface StageEvents {
     click(side: Side, x: number, y: number): void;
     fault(fault: unknown): void;
+    /** A picture takes long, or has come at last. */
+    slow(isSlow: boolean): void;
 }
 
 export class Stage {
@@ -82,12 +85,16 @@ export class Stage {
         while (this.#isWanted && this.#isOpen) {
             this.#isWanted = false;
             const isMoving = performance.now() - this.#movedAt < stillAfterMs;
+            const slow = setTimeout(() => this.events.slow(true), slowAfterMs);
             try {
                 const ms = await this.engine.call('draw', { ...this.#size(), split: this.#split, seams: this.seams, hardEdges: this.hardEdges, isMoving });
                 Object.assign(this.#canvas.dataset, { pictures: String(++this.#pictures), ms: ms.toFixed(1) });  // tests wait for them
             } catch (fault) {
                 if (fault instanceof Cancelled) return;
                 this.events.fault(fault);
+            } finally {
+                clearTimeout(slow);
+                this.events.slow(false);
             }
             await new Promise(requestAnimationFrame);
             if (isMoving && !this.#isWanted) setTimeout(() => this.draw(), stillAfterMs);

@@ -122,6 +122,7 @@ void MeshStore::upload_piece(const Part& part) {
     glBufferSubData(part.target, GLintptr(buffer.there), GLsizeiptr(bytes),
                     static_cast<const char*>(part.data) + buffer.there);
     buffer.there += bytes;
+    if (bytes < checked_bytes) return;  // browsers answer late; what small arrays lack is told after the picture
     try {
         check_gl("a mesh");
     } catch (...) {

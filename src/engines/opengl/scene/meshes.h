@@ -46,6 +46,7 @@ public:
         return block.empty() ? 0 : buffers_.at(block.identity()).name.name();
     }
     static constexpr std::size_t piece_bytes = 8 << 20;
+    static constexpr std::size_t checked_bytes = 64 << 10;  ///< pieces as large as this are asked whether they are there
     std::uint64_t bytes() const;                     ///< of all buffers that it holds
     GLuint no_arrays() { return no_arrays_.get(); }  ///< a vertex array without any
     /// @param against  [triangles] LitSide::against(), the same for all draws of a mesh; null: none is requested
