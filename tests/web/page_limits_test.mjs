@@ -154,6 +154,24 @@ test('nothing is cut off at 360, 1280 and 2560 pixels, in the dark and in the li
             });
 });
 
+test('figures of the documentation become live', options, () => withPage({}, async ({ page, url }) => {
+    const figures = [['shading', 'shading.png', 4], ['bump', 'bump-teapots.png', 4], ['visibility', 'visibility.png', 4]];
+    for (const [name, image, variants] of figures) {
+        await page.goto(`${url}docs/${name}.html`);
+        await page.locator(`img[src$="${image}"] ~ .rl-button`).first().click();
+        await page.waitForSelector(`[data-live="${image}"]`);
+        const choices = page.locator('.rl-choices button'), pictures = new Set();
+        assert.equal(await choices.count(), variants);
+        for (let i = 0; i < variants; ++i) {
+            await choices.nth(i).click();
+            await page.waitForTimeout(1500);
+            pictures.add((await page.locator('.rl-stage').screenshot()).toString('base64'));
+        }
+        assert.match(await page.locator('.rl-message').textContent(), /^Drag to turn/);
+        assert.ok(pictures.size >= variants - 1, `${name}: ${pictures.size} pictures`);
+    }
+}));
+
 test('every control has a name, and the keyboard reaches it', options, () => withPage({}, async ({ page, url }) => {
     await openExample(page, url, 'spot');
     await page.click('#tab-look');

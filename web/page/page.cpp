@@ -154,17 +154,25 @@ std::vector<std::uint32_t> Page::drawn_by_soft(Half& half, int width, int height
     return to_srgb8(frame, request.tone, shot.behind);
 }
 
+void Page::show_soft(Half& half, Marks marks, bool is_moving, Context& context) {
+    const int coarser = is_moving ? coarser_in_motion : 1;
+    const int width = std::max(1, width_ / coarser), height = std::max(1, height_ / coarser);
+    half.view->show(width, height, drawn_by_soft(half, width, height, marks, is_moving, context));
+}
+
 void Page::draw_by_gl(Half& half, Marks marks, bool is_moving, Context& context) {
     if (!half.view) half.view.emplace();
-    if (half.channel != 0 || draw_count(shown_in(half).model->scene) > most_gl_draws) {
-        const int coarser = is_moving ? coarser_in_motion : 1;
-        const int width = std::max(1, width_ / coarser), height = std::max(1, height_ / coarser);
-        return half.view->show(width, height, drawn_by_soft(half, width, height, marks, is_moving, context));
-    }
+    if (half.channel != 0 || draw_count(shown_in(half).model->scene) > most_gl_draws)
+        return show_soft(half, marks, is_moving, context);
     PictureRequest request = viewer::request_of(half.look, width_, height_);
     const Shot shot = plan(half, request, context);
     while (!half.view->upload(half.studio.prepared(), 1000, context)) context.progress("upload", 0);
-    half.view->draw(shot, request.tone, context);
+    try {
+        half.view->draw(shot, request.tone, context);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::usage) throw;
+        return show_soft(half, marks, is_moving, context);  // settings that OpenGL does not have
+    }
     half.view->lines(shot.camera, lines_of(half, marks, scene_of(*half.studio.prepared())));
 }
 

@@ -84,6 +84,7 @@ private:
     std::vector<Line> lines_of(Half& half, Marks marks, const Scene& prepared) const;
     Shot plan(Half& half, PictureRequest& request, Context& context) const;
     void draw_by_gl(Half& half, Marks marks, bool is_moving, Context& context);
+    void show_soft(Half& half, Marks marks, bool is_moving, Context& context);
     void draw_right_by_gl(int line, Marks marks, bool is_moving, Context& context);
     std::vector<std::uint32_t> drawn_by_soft(Half& half, int width, int height, Marks marks, bool is_moving,
                                              Context& context) const;

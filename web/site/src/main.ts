@@ -14,7 +14,7 @@ import { makePanel } from './settings.js';
 import { Stage } from './stage.js';
 import { rememberTheme, themeColor } from './theme.js';
 
-const docs = 'docs/';
+const docs = document.getElementById('docs') ? 'docs/' : '';  // '': the page was built without its documentation
 const slowAfterMs = 400;  // when a cancel button appears
 const messageMs = 8000;   // how long a remark is shown; faults stay
 
@@ -27,7 +27,7 @@ let calls = 0;   // that are told of
 let hiding: ReturnType<typeof setTimeout> | undefined;
 
 const engine = new Engine({ progress: tellProgress, context: isThere => (isThere ? stage.draw() : undefined) });
-const stage = new Stage(engine, { click: (side, x, y) => act(explain(side, x, y)), fault: tellFault, slow: tellSlow });
+const stage = new Stage(engine, get('stage'), get('line'), { click: (side, x, y) => act(explain(side, x, y)), fault: tellFault, slow: tellSlow });
 const panel = makePanel(group => act(apply(group)));
 
 /** Work that a visitor began. */

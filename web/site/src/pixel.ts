@@ -15,7 +15,7 @@ const pages: ReadonlyArray<readonly [RegExp, string]> = [
 ];
 
 const linked = (line: string, docs: string): HTMLElement => {
-    const page = /^\S/.test(line) ? pages.find(([words]) => words.test(line))?.[1] : undefined;
+    const page = docs && /^\S/.test(line) ? pages.find(([words]) => words.test(line))?.[1] : undefined;
     const text = make('span', { class: /^\S/.test(line) ? 'head' : '' }, line);
     if (!page) return text;
     return make('span', {}, text, ' ', make('a', { href: `${docs}${page}`, target: '_blank', rel: 'noopener', title: 'The course about this', 'aria-label': `The course about: ${line.slice(0, 60)}` }, '?'));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture: a canvas that the worker draws into, the camera by mouse, touch and keys, and the line between two pictures.
-import { get, make } from './elements.js';
+import { make } from './elements.js';
 import { Cancelled, type Engine } from './engine.js';
 import type { Side } from './protocol.js';
 
@@ -37,10 +37,13 @@ export class Stage {
     #pressedAt: Pointer | undefined;
     #isSpinning = false;
     #spunAt = 0;
-    readonly #room = get('stage');
-    readonly #line = get('line');
+    readonly #room: HTMLElement;
+    readonly #line: HTMLElement;
 
-    constructor(private readonly engine: Engine, private readonly events: StageEvents) {
+    /** @param room  gets the canvas, below what is in it  @param line  between the two pictures */
+    constructor(private readonly engine: Engine, room: HTMLElement, line: HTMLElement, private readonly events: StageEvents) {
+        this.#room = room;
+        this.#line = line;
         new ResizeObserver(() => this.draw()).observe(this.#room);
         this.#listenToLine();
     }
