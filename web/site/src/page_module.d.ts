@@ -25,6 +25,7 @@ export interface PageModule {
     FS: FileSystem;
     GL: {
         createContext(canvas: OffscreenCanvas, attributes: object): number;
+        getContext(context: number): { GLctx: WebGL2RenderingContext };
         makeContextCurrent(context: number): boolean;
         deleteContext(context: number): void;
     };

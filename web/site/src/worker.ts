@@ -19,6 +19,8 @@ let canvas: OffscreenCanvas;
 let context = 0;  // of WebGL; 0: the engine soft draws
 let current: Model | undefined;
 let scaled: OffscreenCanvas | undefined;  // of coarse pictures
+let loserOfContext: WEBGL_lose_context | null = null;
+let pen: OffscreenCanvasRenderingContext2D | undefined;  // without WebGL
 
 const post = (message: Message, transfer: Transferable[] = []): void => self.postMessage(message, { transfer });
 
@@ -55,7 +57,8 @@ function startContext(): void {
     context = module.GL.createContext(canvas, attributes);
     if (!context) return;
     module.GL.makeContextCurrent(context);
-    canvas.getContext('webgl2')?.getExtension('WEBGL_debug_renderer_info');
+    module.GL.getContext(context).GLctx.getExtension('WEBGL_debug_renderer_info');  // Firefox: no second canvas.getContext()
+    loserOfContext = module.GL.getContext(context).GLctx.getExtension('WEBGL_lose_context');
     try {
         run('rl_start_gl');
     } catch {
@@ -130,7 +133,8 @@ async function withDecoders<T>(call: () => T): Promise<T> {
 }
 
 function drawSoft(view: View): void {
-    const coarser = view.isMoving ? 3 : 1, pen = canvas.getContext('2d')!;
+    pen ??= canvas.getContext('2d')!;
+    const coarser = view.isMoving ? 3 : 1;
     const width = Math.max(1, Math.round(view.width / coarser)), height = Math.max(1, Math.round(view.height / coarser));
     run('rl_draw', width, height, Math.round(view.split * width), marksOf(view), view.isMoving ? 1 : 0);
     const at = module.ccall('rl_soft_picture', 'number', [], []) as number;
@@ -189,14 +193,9 @@ const calls: { [name in CallName]: (...given: Parameters<Calls[name]>) => Return
     explain: (side, x, y) => ({ row: row<ExplainRow>('rl_explain', sideNumber(side), x, y), text: text('rl_explain_text', sideNumber(side), x, y) }),
     heatColors: degrees => degrees.map(angle => `#${(module.ccall('rl_heat_color', 'number', ['number'], [angle]) as number).toString(16).padStart(6, '0')}`),
     memory: () => module.HEAPU8.byteLength,
-    loseContext: () => loser()?.loseContext(),
-    restoreContext: () => loser()?.restoreContext(),
+    loseContext: () => loserOfContext?.loseContext(),
+    restoreContext: () => loserOfContext?.restoreContext(),
 };
-
-let loserOfContext: WEBGL_lose_context | null | undefined;
-function loser(): WEBGL_lose_context | null {
-    return (loserOfContext ??= (canvas.getContext('webgl2') as WebGL2RenderingContext | null)?.getExtension('WEBGL_lose_context') ?? null);
-}
 
 /** What is no error of the library's. Errors of files in memory are plain objects. */
 function outside(fault: unknown): Fault {
